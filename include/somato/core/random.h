@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace somato {
+
+/// Philox4x32-10, a counter-based generator: ten rounds that turn a counter and a key into four
+/// random words. Source: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3",
+/// SC 2011.
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key);
+
+/// What a stream of random numbers is for; different streams of one seed are independent.
+enum class Stream : std::uint32_t {
+  kInitialWeights = 0,
+  kDraws = 1,
+  kGroupings = 2,
+  kNoise = 3,
+  kUser = 1000,  ///< From here on, free for programs that use the library.
+};
+
+/// Random numbers in sequence. One seed and stream give the same numbers on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed, Stream stream = Stream::kUser);
+
+  std::uint32_t next();
+
+  /// Uniform in [0, 1), a multiple of 2^-53.
+  double uniform();
+
+  /// Uniform in 0 .. bound-1 without bias; throws InvalidArgument when `bound` is 0.
+  std::uint64_t below(std::uint64_t bound);
+
+  /// Normal with mean 0 and standard deviation 1 (Marsaglia's polar method).
+  double normal();
+
+ private:
+  std::uint64_t next64();
+
+  std::array<std::uint32_t, 2> key_;
+  std::uint32_t stream_;
+  std::uint64_t counter_ = 0;
+  std::array<std::uint32_t, 4> words_{};
+  unsigned used_ = 4;
+  double spare_normal_ = 0.0;
+  bool has_spare_normal_ = false;
+};
+
+/// A number at a place, so that it need not be stored: uniform in [0, 1), a multiple of 2^-24, for
+/// this seed, stream, row and column. Any order of calls gives the same numbers.
+float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column);
+
+}  // namespace somato
