@@ -1,0 +1,84 @@
+#include "somato/core/instruction_set.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/kernels.h"
+#include "somato/core/check.h"
+
+namespace somato {
+namespace kernels {
+
+#define SOMATO_DECLARE_TABLES(set)         \
+  namespace set {                          \
+  extern const Table<float> kFloatTable;   \
+  extern const Table<double> kDoubleTable; \
+  }
+SOMATO_DECLARE_TABLES(portable)
+SOMATO_DECLARE_TABLES(avx2)
+SOMATO_DECLARE_TABLES(avx512)
+#undef SOMATO_DECLARE_TABLES
+
+}  // namespace kernels
+
+namespace {
+
+std::atomic<InstructionSet>& chosen_set() {
+  static std::atomic<InstructionSet> set = available_instruction_sets().back();
+  return set;
+}
+
+}  // namespace
+
+const std::vector<std::pair<InstructionSet, std::string>>& Choices<InstructionSet>::all() {
+  static const std::vector<std::pair<InstructionSet, std::string>> choices{
+      {InstructionSet::kPortable, "portable"},
+      {InstructionSet::kAvx2, "avx2"},
+      {InstructionSet::kAvx512, "avx512"}};
+  return choices;
+}
+
+std::vector<InstructionSet> available_instruction_sets() {
+  std::vector<InstructionSet> sets{InstructionSet::kPortable};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    sets.push_back(InstructionSet::kAvx2);
+    if (__builtin_cpu_supports("avx512f")) sets.push_back(InstructionSet::kAvx512);
+  }
+#endif
+  return sets;
+}
+
+InstructionSet instruction_set() {
+  return chosen_set();
+}
+
+void use_instruction_set(InstructionSet chosen) {
+  const auto available = available_instruction_sets();
+  require(std::find(available.begin(), available.end(), chosen) != available.end(),
+          "this processor does not have the instruction set '" + choice_name(chosen) + "'");
+  chosen_set() = chosen;
+}
+
+namespace kernels {
+
+template <>
+const Table<float>& table<float>() {
+#if defined(__x86_64__)
+  if (instruction_set() == InstructionSet::kAvx512) return avx512::kFloatTable;
+  if (instruction_set() == InstructionSet::kAvx2) return avx2::kFloatTable;
+#endif
+  return portable::kFloatTable;
+}
+
+template <>
+const Table<double>& table<double>() {
+#if defined(__x86_64__)
+  if (instruction_set() == InstructionSet::kAvx512) return avx512::kDoubleTable;
+  if (instruction_set() == InstructionSet::kAvx2) return avx2::kDoubleTable;
+#endif
+  return portable::kDoubleTable;
+}
+
+}  // namespace kernels
+}  // namespace somato

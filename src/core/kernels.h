@@ -1,0 +1,50 @@
+#pragma once
+
+// Inner loops over a LaneMatrix, one implementation an instruction set, chosen when the program
+// runs. Vector lanes run over rows (neurons), and a sum along a row has one fixed order: chunks of
+// kChunk columns are summed on their own and the chunks' sums are added in order. So every
+// instruction set gives the same bits, and rounding grows with kChunk + columns / kChunk, not with
+// the number of columns.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace somato::kernels {
+
+inline constexpr std::size_t kChunk = 256;
+
+/// The matrix as the kernels see it: plain pointers, so that no inline function of another header
+/// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order.
+template <typename Real>
+struct Lanes {
+  Real* values;
+  std::size_t blocks;
+  std::size_t columns;
+};
+
+/// The kernels for one type of number. `out`, `gains` and `factors` hold a value for each padded
+/// row and start on a cache line.
+template <typename Real>
+struct Table {
+  /// out = sum over columns of (w - x)^2.
+  void (*squared_distances)(Lanes<const Real> w, const Real* x, Real* out);
+  /// out = sum over columns of w * x.
+  void (*inner_products)(Lanes<const Real> w, const Real* x, Real* out);
+  /// out = sum over the listed columns of w * x.
+  void (*sparse_inner_products)(Lanes<const Real> w, const std::uint32_t* columns, const Real* x,
+                                std::size_t count, Real* out);
+  /// out = sum over columns of (mask * w) * x, where `mask` has the order of `w`.
+  void (*masked_inner_products)(Lanes<const Real> w, const Real* mask, const Real* x, Real* out);
+  /// out = sum over columns of w^2.
+  void (*squared_norms)(Lanes<const Real> w, Real* out);
+  /// w += gain * (x - w) in each row; blocks whose gains are all zero are not touched.
+  void (*move_towards)(Lanes<Real> w, const Real* x, const Real* gains);
+  /// w *= factor in each row.
+  void (*scale_rows)(Lanes<Real> w, const Real* factors);
+};
+
+/// The kernels of the instruction set in use.
+template <typename Real>
+const Table<Real>& table();
+
+}  // namespace somato::kernels

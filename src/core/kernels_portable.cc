@@ -1,0 +1,2 @@
+#define SOMATO_KERNELS portable
+#include "core/kernels_body.h"

@@ -1,0 +1,171 @@
+#pragma once
+
+// One cache line of lanes, by the widest registers the including file is compiled for. Every
+// operation is the same IEEE operation on each lane, so all variants give the same bits.
+// Include only from kernels_body.h, inside the namespace of one instruction set.
+
+template <typename Real>
+struct Vector;
+
+#if defined(__AVX512F__)
+
+template <>
+struct Vector<float> {
+  __m512 lanes;
+  static Vector load(const float* from) { return {_mm512_load_ps(from)}; }
+  static Vector all(float value) { return {_mm512_set1_ps(value)}; }
+  void store(float* to) const { _mm512_store_ps(to, lanes); }
+  bool is_zero() const { return _mm512_cmp_ps_mask(lanes, _mm512_setzero_ps(), _CMP_NEQ_UQ) == 0; }
+};
+inline Vector<float> operator+(Vector<float> a, Vector<float> b) {
+  return {_mm512_add_ps(a.lanes, b.lanes)};
+}
+inline Vector<float> operator-(Vector<float> a, Vector<float> b) {
+  return {_mm512_sub_ps(a.lanes, b.lanes)};
+}
+inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
+  return {_mm512_mul_ps(a.lanes, b.lanes)};
+}
+inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
+  return {_mm512_fmadd_ps(a.lanes, b.lanes, c.lanes)};
+}
+
+template <>
+struct Vector<double> {
+  __m512d lanes;
+  static Vector load(const double* from) { return {_mm512_load_pd(from)}; }
+  static Vector all(double value) { return {_mm512_set1_pd(value)}; }
+  void store(double* to) const { _mm512_store_pd(to, lanes); }
+  bool is_zero() const { return _mm512_cmp_pd_mask(lanes, _mm512_setzero_pd(), _CMP_NEQ_UQ) == 0; }
+};
+inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
+  return {_mm512_add_pd(a.lanes, b.lanes)};
+}
+inline Vector<double> operator-(Vector<double> a, Vector<double> b) {
+  return {_mm512_sub_pd(a.lanes, b.lanes)};
+}
+inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
+  return {_mm512_mul_pd(a.lanes, b.lanes)};
+}
+inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
+  return {_mm512_fmadd_pd(a.lanes, b.lanes, c.lanes)};
+}
+
+#elif defined(__AVX2__) && defined(__FMA__)
+
+template <>
+struct Vector<float> {
+  __m256 low, high;
+  static Vector load(const float* from) { return {_mm256_load_ps(from), _mm256_load_ps(from + 8)}; }
+  static Vector all(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
+  void store(float* to) const {
+    _mm256_store_ps(to, low);
+    _mm256_store_ps(to + 8, high);
+  }
+  bool is_zero() const {
+    const __m256 zero = _mm256_setzero_ps();
+    return _mm256_movemask_ps(_mm256_or_ps(_mm256_cmp_ps(low, zero, _CMP_NEQ_UQ),
+                                           _mm256_cmp_ps(high, zero, _CMP_NEQ_UQ))) == 0;
+  }
+};
+inline Vector<float> operator+(Vector<float> a, Vector<float> b) {
+  return {_mm256_add_ps(a.low, b.low), _mm256_add_ps(a.high, b.high)};
+}
+inline Vector<float> operator-(Vector<float> a, Vector<float> b) {
+  return {_mm256_sub_ps(a.low, b.low), _mm256_sub_ps(a.high, b.high)};
+}
+inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
+  return {_mm256_mul_ps(a.low, b.low), _mm256_mul_ps(a.high, b.high)};
+}
+inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
+  return {_mm256_fmadd_ps(a.low, b.low, c.low), _mm256_fmadd_ps(a.high, b.high, c.high)};
+}
+
+template <>
+struct Vector<double> {
+  __m256d low, high;
+  static Vector load(const double* from) {
+    return {_mm256_load_pd(from), _mm256_load_pd(from + 4)};
+  }
+  static Vector all(double value) { return {_mm256_set1_pd(value), _mm256_set1_pd(value)}; }
+  void store(double* to) const {
+    _mm256_store_pd(to, low);
+    _mm256_store_pd(to + 4, high);
+  }
+  bool is_zero() const {
+    const __m256d zero = _mm256_setzero_pd();
+    return _mm256_movemask_pd(_mm256_or_pd(_mm256_cmp_pd(low, zero, _CMP_NEQ_UQ),
+                                           _mm256_cmp_pd(high, zero, _CMP_NEQ_UQ))) == 0;
+  }
+};
+inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
+  return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
+}
+inline Vector<double> operator-(Vector<double> a, Vector<double> b) {
+  return {_mm256_sub_pd(a.low, b.low), _mm256_sub_pd(a.high, b.high)};
+}
+inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
+  return {_mm256_mul_pd(a.low, b.low), _mm256_mul_pd(a.high, b.high)};
+}
+inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
+  return {_mm256_fmadd_pd(a.low, b.low, c.low), _mm256_fmadd_pd(a.high, b.high, c.high)};
+}
+
+#else
+
+template <typename Real>
+struct Vector {
+  static constexpr std::size_t kCount = 64 / sizeof(Real);
+  Real lanes[kCount];
+  static Vector load(const Real* from) {
+    Vector vector;
+    for (std::size_t i = 0; i < kCount; ++i) vector.lanes[i] = from[i];
+    return vector;
+  }
+  static Vector all(Real value) {
+    Vector vector;
+    for (Real& lane : vector.lanes) lane = value;
+    return vector;
+  }
+  void store(Real* to) const {
+    for (std::size_t i = 0; i < kCount; ++i) to[i] = lanes[i];
+  }
+  bool is_zero() const {
+    for (const Real lane : lanes) {
+      if (lane != Real{0}) return false;
+    }
+    return true;
+  }
+};
+template <typename Real>
+inline Vector<Real> operator+(Vector<Real> a, const Vector<Real>& b) {
+  for (std::size_t i = 0; i < a.kCount; ++i) a.lanes[i] += b.lanes[i];
+  return a;
+}
+template <typename Real>
+inline Vector<Real> operator-(Vector<Real> a, const Vector<Real>& b) {
+  for (std::size_t i = 0; i < a.kCount; ++i) a.lanes[i] -= b.lanes[i];
+  return a;
+}
+template <typename Real>
+inline Vector<Real> operator*(Vector<Real> a, const Vector<Real>& b) {
+  for (std::size_t i = 0; i < a.kCount; ++i) a.lanes[i] *= b.lanes[i];
+  return a;
+}
+// Without the instruction these are calls of the mathematics library: slower, the same bits.
+inline float fused_multiply_add(float a, float b, float c) {
+  return __builtin_fmaf(a, b, c);
+}
+inline double fused_multiply_add(double a, double b, double c) {
+  return __builtin_fma(a, b, c);
+}
+
+template <typename Real>
+inline Vector<Real> multiply_add(Vector<Real> a, const Vector<Real>& b, const Vector<Real>& c) {
+  for (std::size_t i = 0; i < a.kCount; ++i) {
+    a.lanes[i] = fused_multiply_add(a.lanes[i], b.lanes[i], c.lanes[i]);
+  }
+  return a;
+}
+
+#endif
