@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "somato/core/parameter.h"
+
+namespace somato {
+
+/// How a value goes from its start to its end.
+enum class ScheduleShape {
+  kConstant,     ///< Stays at the start.
+  kLinear,       ///< By equal differences.
+  kExponential,  ///< By equal ratios.
+};
+
+template <>
+struct Choices<ScheduleShape> {
+  static const std::vector<std::pair<ScheduleShape, std::string>>& all();
+};
+
+/// A value over training: the learning rate or the neighbourhood radius.
+///
+/// It is `start` at step 0, reaches `end` at step `reached_at` and stays there. Steps are
+/// iterations (one sample each) or, in batch training, epochs.
+struct Schedule {
+  ScheduleShape shape = ScheduleShape::kLinear;
+  double start = 1.0;
+  double end = 1.0;
+  std::uint64_t reached_at = 1;
+
+  /// The value at `step`. An exponential schedule needs a start and an end above 0.
+  double at(std::uint64_t step) const;
+};
+
+}  // namespace somato

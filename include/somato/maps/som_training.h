@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "somato/core/progress.h"
+#include "somato/core/random.h"
+#include "somato/core/result.h"
+#include "somato/core/samples.h"
+#include "somato/maps/neighbourhood.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_parameters.h"
+
+namespace somato {
+
+/// How training runs, as far as the trained map does not depend on it.
+struct TrainingOptions {
+  std::size_t threads = 1;
+  Progress progress;  ///< Told iterations or epochs.
+};
+
+/// Trains a map on `samples`. The same parameters and samples give the same bits for every number
+/// of threads, instruction set and compiler.
+///
+/// Fails with kUsage when the parameters contradict each other, with kData when there are no
+/// samples or they have no elements, with kInterrupted when the progress says stop.
+Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
+                      const TrainingOptions& options = {});
+
+/// Goes on training `som` on `samples` by its own parameters, from its weights as they are. Online
+/// training on the weights themselves or batch training; `som` keeps its weights when it fails.
+Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options = {});
+
+/// One sample at a time, for training while samples come in. Refers to the map it trains.
+class SomLearner {
+ public:
+  explicit SomLearner(Som& som);
+
+  /// Finds the winner of `input` and moves the weights towards it:
+  /// w += learning_rate h (input - w), with h the neighbourhood function around the winner, then
+  /// scaled to length 1 for a dot-product map (P11 III). Returns the winner.
+  std::size_t learn(const SignalView& input, double learning_rate, double radius);
+
+ private:
+  Som& som_;
+  SomWorkspace workspace_;
+  Neighbourhood neighbourhood_;
+  AlignedVector<float> gains_;
+  AlignedVector<float> factors_;
+  AlignedVector<float> input_;
+};
+
+/// One epoch of batch training: every weight becomes the mean of all samples, each weighted by the
+/// neighbourhood function around its winner; a neuron that no winner reaches keeps its weights.
+/// Returns the samples' winners before the epoch.
+std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
+                                     std::size_t threads);
+
+/// The winner of each sample, computed on `threads` threads.
+std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std::size_t threads);
+
+/// The order in which online training draws samples: a function of the seed.
+class DrawSequence {
+ public:
+  DrawSequence(Draws draws, std::size_t samples, std::uint64_t seed);
+
+  /// The number of the next sample.
+  std::size_t next();
+
+ private:
+  Draws draws_;
+  std::size_t samples_;
+  Random random_;
+  std::vector<std::size_t> left_;
+};
+
+/// The samples as a map with these (resolved) parameters sees them: `samples` itself, or `storage`
+/// filled with samples scaled to length 1 where the map normalizes its input.
+const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
+                                Samples& storage);
+
+}  // namespace somato

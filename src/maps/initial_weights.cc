@@ -1,0 +1,74 @@
+#include "somato/maps/initial_weights.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+namespace {
+
+// The first `count` of the samples in random order, in a new order whenever they run out.
+std::vector<std::size_t> drawn_samples(std::size_t count, std::size_t samples, std::uint64_t seed) {
+  Random random(seed, Stream::kInitialWeights);
+  std::vector<std::size_t> drawn;
+  std::vector<std::size_t> left;
+  while (drawn.size() < count) {
+    if (left.empty()) {
+      left.resize(samples);
+      std::iota(left.begin(), left.end(), std::size_t{0});
+    }
+    const std::size_t pick = random.below(left.size());
+    drawn.push_back(left[pick]);
+    left[pick] = left.back();
+    left.pop_back();
+  }
+  return drawn;
+}
+
+// The least and the greatest value of each feature; zeros of sparse samples count.
+void find_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high) {
+  std::vector<float> row(samples.size());
+  write_dense(samples[0], row);
+  low = row;
+  high = row;
+  for (std::size_t i = 1; i < samples.count(); ++i) {
+    write_dense(samples[i], row);
+    for (std::size_t d = 0; d < row.size(); ++d) {
+      low[d] = std::min(low[d], row[d]);
+      high[d] = std::max(high[d], row[d]);
+    }
+  }
+}
+
+}  // namespace
+
+InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)
+    : parameters_(parameters), samples_(samples) {
+  require(samples.count() > 0, "initial weights need at least one sample");
+  if (parameters_.initial_weights == InitialWeights::kSamples) {
+    sample_of_neuron_ = drawn_samples(parameters_.grid().size(), samples.count(), parameters.seed);
+  } else if (parameters_.initial_weights == InitialWeights::kRange) {
+    find_ranges(samples, low_, high_);
+  }
+}
+
+void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const {
+  require(out.size() == samples_.size(), "initial weights need room for a value a feature");
+  if (parameters_.initial_weights == InitialWeights::kSamples) {
+    write_dense(samples_[sample_of_neuron_[neuron]], out);
+  } else {
+    for (std::size_t d = 0; d < out.size(); ++d) {
+      out[d] = uniform_at(parameters_.seed, Stream::kInitialWeights,
+                          static_cast<std::uint32_t>(neuron), static_cast<std::uint32_t>(d));
+    }
+  }
+  if (parameters_.initial_weights == InitialWeights::kRange) {
+    for (std::size_t d = 0; d < out.size(); ++d) out[d] = low_[d] + (high_[d] - low_[d]) * out[d];
+  }
+  if (parameters_.similarity == Similarity::kDotProduct) normalize_length(out);
+}
+
+}  // namespace somato

@@ -1,0 +1,76 @@
+#include "somato/maps/neighbourhood.h"
+
+#include "somato/core/check.h"
+#include "somato/core/elementary.h"
+
+namespace somato {
+namespace {
+
+// A neuron at exactly the radius belongs to the bubble whatever the rounding of sqrt(3)/2.
+constexpr double kBubbleTolerance = 1e-9;
+
+// Smaller factors cannot move a weight and would only slow the arithmetic down (denormal numbers).
+constexpr double kSmallestFactor = 0x1p-100;
+
+double gaussian(double difference, double radius) {
+  if (difference == 0.0) return 1.0;
+  if (radius == 0.0) return 0.0;
+  const double ratio = difference / radius;
+  return exponential(-0.5 * ratio * ratio);
+}
+
+}  // namespace
+
+const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<NeighbourhoodShape>::all() {
+  static const std::vector<std::pair<NeighbourhoodShape, std::string>> choices{
+      {NeighbourhoodShape::kGaussian, "gaussian"}, {NeighbourhoodShape::kBubble, "bubble"}};
+  return choices;
+}
+
+Neighbourhood::Neighbourhood(const Grid& grid, NeighbourhoodShape shape)
+    : grid_(grid), shape_(shape), row_factors_(grid.rows()), column_factors_(2 * grid.columns()) {}
+
+void Neighbourhood::around(std::size_t winner, double radius, std::span<float> out) {
+  write_around(winner, radius, out);
+}
+
+void Neighbourhood::around(std::size_t winner, double radius, std::span<double> out) {
+  write_around(winner, radius, out);
+}
+
+void Neighbourhood::prepare_factors(std::size_t winner, double radius) {
+  const std::size_t row = grid_.row_of(winner);
+  const std::size_t column = grid_.column_of(winner);
+  for (std::size_t r = 0; r < grid_.rows(); ++r) {
+    row_factors_[r] = gaussian(grid_.vertical_difference(r, row), radius);
+  }
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    for (std::size_t c = 0; c < grid_.columns(); ++c) {
+      column_factors_[parity * grid_.columns() + c] =
+          gaussian(grid_.horizontal_difference(c, parity, column, row % 2), radius);
+    }
+  }
+}
+
+template <typename Real>
+void Neighbourhood::write_around(std::size_t winner, double radius, std::span<Real> out) {
+  require(out.size() >= grid_.size(), "the neighbourhood needs room for a value a neuron");
+  if (shape_ == NeighbourhoodShape::kBubble) {
+    const double limit = radius * radius * (1.0 + kBubbleTolerance);
+    for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
+      out[neuron] = grid_.squared_distance(winner, neuron) <= limit ? Real{1} : Real{0};
+    }
+    return;
+  }
+  prepare_factors(winner, radius);
+  for (std::size_t row = 0; row < grid_.rows(); ++row) {
+    const double* factors = column_factors_.data() + row % 2 * grid_.columns();
+    for (std::size_t column = 0; column < grid_.columns(); ++column) {
+      const double factor = row_factors_[row] * factors[column];
+      out[row * grid_.columns() + column] =
+          factor < kSmallestFactor ? Real{0} : static_cast<Real>(factor);
+    }
+  }
+}
+
+}  // namespace somato

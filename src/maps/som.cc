@@ -1,0 +1,138 @@
+#include "somato/maps/som.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/lanes.h"
+#include "somato/core/check.h"
+#include "somato/core/elementary.h"
+
+namespace somato {
+namespace {
+
+double softmax_term(Softmax softmax, double exponent, double similarity) {
+  return softmax == Softmax::kPower ? power(similarity, exponent)
+                                    : exponential(exponent * similarity);
+}
+
+}  // namespace
+
+Som::Som(SomParameters parameters, const Matrix<float>& weights)
+    : Som(std::move(parameters), LaneMatrix<float>(weights)) {}
+
+Som::Som(SomParameters parameters, LaneMatrix<float> weights)
+    : parameters_(std::move(parameters)), grid_(parameters_.grid()), weights_(std::move(weights)) {
+  require(weights_.rows() == grid_.size(), "a map needs one row of weights a neuron");
+}
+
+std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& workspace) const {
+  require(input.size == input_size(), "the input's size differs from the map's input size");
+  const bool normalize = parameters_.normalize_input.value_or(false);
+  if (!input.sparse && !normalize) return input.values;
+  workspace.input_.resize(input.size);
+  write_dense(input, workspace.input_);
+  if (normalize) normalize_length(workspace.input_);
+  return workspace.input_;
+}
+
+// Squared distances or inner products: what decides the winner.
+std::span<const float> Som::scores(const SignalView& input, SomWorkspace& workspace) const {
+  const std::span<const float> x = prepare(input, workspace);
+  workspace.scores_.resize(weights_.padded_rows());
+  const auto& kernels = kernels::table<float>();
+  const auto compute = parameters_.similarity == Similarity::kEuclidean ? kernels.squared_distances
+                                                                        : kernels.inner_products;
+  compute(kernels::lanes(weights_), x.data(), workspace.scores_.data());
+  return {workspace.scores_.data(), neurons()};
+}
+
+bool Som::prefers(float score, float other) const {
+  return parameters_.similarity == Similarity::kEuclidean ? score < other : score > other;
+}
+
+std::size_t Som::winner(const SignalView& input, SomWorkspace& workspace) const {
+  const std::span<const float> all = scores(input, workspace);
+  const auto best = parameters_.similarity == Similarity::kEuclidean
+                        ? std::min_element(all.begin(), all.end())
+                        : std::max_element(all.begin(), all.end());
+  return static_cast<std::size_t>(best - all.begin());
+}
+
+Winners Som::winners(const SignalView& input, SomWorkspace& workspace) const {
+  const std::span<const float> all = scores(input, workspace);
+  if (all.size() == 1) return {};
+  Winners winners{0, 1};
+  if (prefers(all[1], all[0])) std::swap(winners.first, winners.second);
+  for (std::size_t neuron = 2; neuron < all.size(); ++neuron) {
+    if (prefers(all[neuron], all[winners.first])) {
+      winners = {neuron, winners.first};
+    } else if (prefers(all[neuron], all[winners.second])) {
+      winners.second = neuron;
+    }
+  }
+  return winners;
+}
+
+std::size_t Som::winner_among(std::span<const std::size_t> candidates, const SignalView& input,
+                              SomWorkspace& workspace) const {
+  require(!candidates.empty(), "winner_among needs at least one candidate");
+  const std::span<const float> all = scores(input, workspace);
+  std::size_t best = candidates.front();
+  for (const std::size_t neuron : candidates) {
+    require(neuron < all.size(), "winner_among: no such neuron");
+    if (prefers(all[neuron], all[best])) best = neuron;
+  }
+  return best;
+}
+
+void Som::similarities(const SignalView& input, SomWorkspace& workspace,
+                       std::span<float> out) const {
+  require(out.size() == neurons(), "similarities need room for a value a neuron");
+  const std::span<const float> all = scores(input, workspace);
+  if (parameters_.similarity == Similarity::kDotProduct) {
+    std::copy(all.begin(), all.end(), out.begin());
+    return;
+  }
+  for (std::size_t neuron = 0; neuron < all.size(); ++neuron) {
+    out[neuron] = static_cast<float>(1.0 / (1.0 + std::sqrt(double{all[neuron]})));
+  }
+}
+
+void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const {
+  similarities(input, workspace, out);
+  for (float& similarity : out) similarity = std::max(similarity, 0.0F);
+  const double largest = *std::max_element(out.begin(), out.end());
+  const bool power_form = parameters_.softmax == Softmax::kPower;
+  if (power_form && largest == 0.0) return;
+  // Relative to the largest one, so that nothing overflows; the quotient below is the same.
+  double sum = 0.0;
+  for (float& value : out) {
+    const double relative = power_form ? value / largest : value - largest;
+    const double term = softmax_term(parameters_.softmax, parameters_.softmax_exponent, relative);
+    value = static_cast<float>(term);
+    sum += term;
+  }
+  if (parameters_.activity_norm == ActivityNorm::kMaximum) return;
+  for (float& value : out) value = static_cast<float>(value / sum);
+}
+
+double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {
+  const std::span<const float> x = prepare(input, workspace);
+  double sum = 0.0;
+  for (std::size_t d = 0; d < x.size(); ++d) {
+    const double difference = double{x[d]} - double{weights_(neuron, d)};
+    sum = std::fma(difference, difference, sum);
+  }
+  return std::sqrt(sum);
+}
+
+void normalize_length(std::span<float> values) {
+  double sum = 0.0;
+  for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
+  if (sum == 0.0) return;
+  const double factor = 1.0 / std::sqrt(sum);
+  for (float& value : values) value = static_cast<float>(value * factor);
+}
+
+}  // namespace somato

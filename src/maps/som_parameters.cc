@@ -1,0 +1,201 @@
+#include "somato/maps/som_parameters.h"
+
+#include <algorithm>
+
+namespace somato {
+namespace {
+
+// Inner products pay when an iteration on samples x neurons values is cheaper than on features x
+// neurons, and when there are enough iterations to repay the products at the start and the end.
+bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
+                        std::size_t features) {
+  constexpr std::size_t kMostSamples = 8192;  // their products take half a gigabyte
+  return parameters.training == Training::kOnline && samples <= kMostSamples &&
+         2 * samples <= features && *parameters.iterations >= 2 * samples;
+}
+
+Result<void> validate_schedule(const std::string& name, const Schedule& schedule) {
+  const bool exponential = schedule.shape == ScheduleShape::kExponential;
+  if (exponential && (schedule.start <= 0.0 || schedule.end <= 0.0)) {
+    return fail(ErrorKind::kUsage,
+                "an exponential schedule of the " + name + " cannot start or end at 0", {},
+                "use a linear schedule or values above 0");
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<std::pair<Similarity, std::string>>& Choices<Similarity>::all() {
+  static const std::vector<std::pair<Similarity, std::string>> choices{
+      {Similarity::kEuclidean, "euclidean"}, {Similarity::kDotProduct, "dot_product"}};
+  return choices;
+}
+
+const std::vector<std::pair<Training, std::string>>& Choices<Training>::all() {
+  static const std::vector<std::pair<Training, std::string>> choices{{Training::kOnline, "online"},
+                                                                     {Training::kBatch, "batch"}};
+  return choices;
+}
+
+const std::vector<std::pair<Draws, std::string>>& Choices<Draws>::all() {
+  static const std::vector<std::pair<Draws, std::string>> choices{
+      {Draws::kWithReplacement, "with_replacement"},
+      {Draws::kWithoutReplacement, "without_replacement"}};
+  return choices;
+}
+
+const std::vector<std::pair<InitialWeights, std::string>>& Choices<InitialWeights>::all() {
+  static const std::vector<std::pair<InitialWeights, std::string>> choices{
+      {InitialWeights::kUniform, "uniform"},
+      {InitialWeights::kRange, "range"},
+      {InitialWeights::kSamples, "samples"}};
+  return choices;
+}
+
+const std::vector<std::pair<Arithmetic, std::string>>& Choices<Arithmetic>::all() {
+  static const std::vector<std::pair<Arithmetic, std::string>> choices{
+      {Arithmetic::kAutomatic, "automatic"},
+      {Arithmetic::kPlain, "plain"},
+      {Arithmetic::kInnerProducts, "inner_products"}};
+  return choices;
+}
+
+const std::vector<std::pair<Softmax, std::string>>& Choices<Softmax>::all() {
+  static const std::vector<std::pair<Softmax, std::string>> choices{
+      {Softmax::kPower, "power"}, {Softmax::kExponential, "exponential"}};
+  return choices;
+}
+
+const std::vector<std::pair<ActivityNorm, std::string>>& Choices<ActivityNorm>::all() {
+  static const std::vector<std::pair<ActivityNorm, std::string>> choices{
+      {ActivityNorm::kSum, "sum"}, {ActivityNorm::kMaximum, "maximum"}};
+  return choices;
+}
+
+const Declarations<SomParameters>& SomParameters::declarations() {
+  using P = SomParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "rows", [](P& p) -> auto& { return p.rows; }, "neurons", Range::between(1, 1 << 24),
+              "Rows of the map.")
+          .add(
+              "columns", [](P& p) -> auto& { return p.columns; }, "neurons",
+              Range::between(1, 1 << 24), "Columns of the map.")
+          .add(
+              "lattice", [](P& p) -> auto& { return p.lattice; }, "", Range::any(),
+              "Layout of the neurons; the papers draw rectangular maps.")
+          .add(
+              "topology", [](P& p) -> auto& { return p.topology; }, "", Range::any(),
+              "Whether the map ends at its edges or goes on at the opposite ones.")
+          .add(
+              "similarity", [](P& p) -> auto& { return p.similarity; }, "", Range::any(),
+              "What makes a neuron the winner: the least Euclidean distance, or the greatest "
+              "inner product with weights of length 1.")
+          .add(
+              "normalize_input", [](P& p) -> auto& { return p.normalize_input; }, "", Range::any(),
+              "Scale every input to Euclidean length 1; automatic: with dot_product only. Not "
+              "given in the paper.")
+          .add(
+              "initial_weights", [](P& p) -> auto& { return p.initial_weights; }, "", Range::any(),
+              "Where weights start: uniform in [0, 1), uniform in each feature's range, or at "
+              "random samples. Not given in the paper.")
+          .add(
+              "training", [](P& p) -> auto& { return p.training; }, "", Range::any(),
+              "One random sample at a time (the papers'), or all samples an epoch.")
+          .add(
+              "iterations", [](P& p) -> auto& { return p.iterations; }, "samples drawn",
+              Range::between(0, 1e15),
+              "Length of online training; automatic: 2000 as in P11, or 10 a sample if that is "
+              "more.")
+          .add(
+              "epochs", [](P& p) -> auto& { return p.epochs; }, "passes over all samples",
+              Range::between(0, 1e9), "Length of batch training.")
+          .add(
+              "draws", [](P& p) -> auto& { return p.draws; }, "", Range::any(),
+              "How samples are drawn in online training. Not given in the paper.")
+          .add(
+              "neighbourhood", [](P& p) -> auto& { return p.neighbourhood; }, "", Range::any(),
+              "How much the neurons around a winner learn with it.")
+          .add(
+              "radius_schedule", [](P& p) -> auto& { return p.radius_schedule; }, "", Range::any(),
+              "How the neighbourhood radius goes from start to end. Not given in the paper.")
+          .add(
+              "radius_start", [](P& p) -> auto& { return p.radius_start; }, "neurons",
+              Range::at_least(0),
+              "Neighbourhood radius (a Gaussian's sigma) at the start; automatic: half of the "
+              "longer side of the map. P11 gives 15 for the texture map only.")
+          .add(
+              "radius_end", [](P& p) -> auto& { return p.radius_end; }, "neurons",
+              Range::at_least(0), "Neighbourhood radius at the end.")
+          .add(
+              "radius_reached_at", [](P& p) -> auto& { return p.radius_reached_at; },
+              "iterations or epochs", Range::between(1, 1e15),
+              "When the radius has reached its end, where it stays; automatic: at the end of "
+              "training.")
+          .add(
+              "learning_rate_schedule", [](P& p) -> auto& { return p.learning_rate_schedule; }, "",
+              Range::any(), "How the learning rate goes from start to end. Not given in the paper.")
+          .add(
+              "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
+              Range::between(0, 1),
+              "Learning rate at the start of online training. Not given in the paper.")
+          .add(
+              "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
+              Range::between(0, 1),
+              "Learning rate at the end of online training. Not given in the paper.")
+          .add(
+              "learning_rate_reached_at", [](P& p) -> auto& { return p.learning_rate_reached_at; },
+              "iterations", Range::between(1, 1e15),
+              "When the learning rate has reached its end, where it stays; automatic: at the end "
+              "of training.")
+          .add(
+              "arithmetic", [](P& p) -> auto& { return p.arithmetic; }, "", Range::any(),
+              "How online training computes; the map is the same up to rounding. Automatic: inner "
+              "products when features are at least twice as many as samples.")
+          .add(
+              "softmax", [](P& p) -> auto& { return p.softmax; }, "", Range::any(),
+              "Form of the map's activity from its similarities s: s^m or exp(m s).")
+          .add(
+              "softmax_exponent", [](P& p) -> auto& { return p.softmax_exponent; }, "",
+              Range::at_least(0), "The m of the activity; 10 in P11.")
+          .add(
+              "activity_norm", [](P& p) -> auto& { return p.activity_norm; }, "", Range::any(),
+              "Whether activities add up to 1 or the winner has 1. Not given in the paper.")
+          .add(
+              "seed", [](P& p) -> auto& { return p.seed; }, "", Range::between(0, 1e15),
+              "Seed of initial weights and draws: the same seed gives the same bits.");
+  return declared;
+}
+
+Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
+  if (auto valid = Grid::validate(parameters.rows, parameters.columns, parameters.lattice,
+                                  parameters.topology);
+      !valid) {
+    return fail(std::move(valid.error()));
+  }
+  auto& p = parameters;
+  const auto longer_side = static_cast<double>(std::max(p.rows, p.columns));
+  p.normalize_input = p.normalize_input.value_or(p.similarity == Similarity::kDotProduct);
+  p.iterations = p.iterations.value_or(std::max<std::uint64_t>(2000, 10 * samples));
+  p.radius_start = p.radius_start.value_or(longer_side / 2.0);
+  p.radius_reached_at = p.radius_reached_at.value_or(std::max<std::uint64_t>(1, p.steps()));
+  p.learning_rate_reached_at =
+      p.learning_rate_reached_at.value_or(std::max<std::uint64_t>(1, p.steps()));
+  if (p.arithmetic == Arithmetic::kAutomatic) {
+    p.arithmetic =
+        inner_products_pay(p, samples, features) ? Arithmetic::kInnerProducts : Arithmetic::kPlain;
+  }
+  if (p.arithmetic == Arithmetic::kInnerProducts && p.training == Training::kBatch) {
+    return fail(ErrorKind::kUsage, "batch training has no arithmetic by inner products", {},
+                "set 'arithmetic' to automatic or 'training' to online");
+  }
+  for (const auto& [name, schedule] : {std::pair<std::string, Schedule>{"radius", p.radius()},
+                                       {"learning rate", p.learning_rate()}}) {
+    if (auto valid = validate_schedule(name, schedule); !valid) return fail(valid.error());
+  }
+  return parameters;
+}
+
+}  // namespace somato

@@ -1,0 +1,229 @@
+#include "somato/maps/som_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/lanes.h"
+#include "maps/inner_product_training.h"
+#include "maps/stop.h"
+#include "somato/core/check.h"
+#include "somato/core/threads.h"
+#include "somato/maps/initial_weights.h"
+
+namespace somato {
+namespace {
+
+constexpr std::uint64_t kIterationsBetweenReports = 64;
+
+Som initial_som(const SomParameters& parameters, const Samples& prepared) {
+  const InitialWeightsSource source(parameters, prepared);
+  LaneMatrix<float> weights(parameters.grid().size(), prepared.size());
+  std::vector<float> row(prepared.size());
+  for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
+    source.write(neuron, row);
+    weights.set_row(neuron, row);
+  }
+  return Som(parameters, std::move(weights));
+}
+
+// Scales every row to length 1; rows of zeros stay.
+void normalize_rows(LaneMatrix<float>& weights, AlignedVector<float>& factors) {
+  factors.resize(weights.padded_rows());
+  const auto& kernels = kernels::table<float>();
+  kernels.squared_norms(kernels::lanes(std::as_const(weights)), factors.data());
+  for (float& factor : factors) factor = factor > 0.0F ? 1.0F / std::sqrt(factor) : 1.0F;
+  kernels.scale_rows(kernels::lanes(weights), factors.data());
+}
+
+Result<void> train_online(Som& som, const Samples& prepared, const Progress& progress) {
+  const SomParameters& p = som.parameters();
+  DrawSequence draws(p.draws, prepared.count(), p.seed);
+  SomLearner learner(som);
+  const Stop stop(progress, *p.iterations, kIterationsBetweenReports);
+  for (std::uint64_t t = 0; t < *p.iterations; ++t) {
+    learner.learn(prepared[draws.next()], p.learning_rate().at(t), p.radius().at(t));
+    if (stop.after(t + 1)) return Stop::error();
+  }
+  return {};
+}
+
+Result<void> train_batch(Som& som, const Samples& prepared, const TrainingOptions& options) {
+  const SomParameters& p = som.parameters();
+  const Stop stop(options.progress, p.epochs, 1);
+  for (std::uint64_t epoch = 0; epoch < p.epochs; ++epoch) {
+    batch_epoch(som, prepared, p.radius().at(epoch), options.threads);
+    if (stop.after(epoch + 1)) return Stop::error();
+  }
+  return {};
+}
+
+Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOptions& options) {
+  return som.parameters().training == Training::kBatch
+             ? train_batch(som, prepared, options)
+             : train_online(som, prepared, options.progress);
+}
+
+Result<void> check_samples(const Samples& samples) {
+  if (samples.count() > 0 && samples.size() > 0) return {};
+  return fail(ErrorKind::kData, "there are no samples to train on", {},
+              "give at least one sample of at least one element");
+}
+
+// Sums of the samples by winner, and how many there are: double precision, in the samples' order.
+struct WinnerSums {
+  Matrix<double> sums;
+  std::vector<double> counts;
+};
+
+WinnerSums sum_by_winner(const Som& som, const Samples& samples,
+                         const std::vector<std::size_t>& winners) {
+  WinnerSums result{Matrix<double>(som.neurons(), som.input_size()),
+                    std::vector<double>(som.neurons())};
+  std::vector<float> input(som.input_size());
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    write_dense(samples[i], input);
+    const auto sum = result.sums.row(winners[i]);
+    for (std::size_t d = 0; d < input.size(); ++d) sum[d] += double{input[d]};
+    result.counts[winners[i]] += 1.0;
+  }
+  return result;
+}
+
+// The weighted mean for one neuron; the neighbourhood is symmetric, so it is taken around it.
+void move_to_mean(Som& som, std::size_t neuron, const WinnerSums& sums,
+                  std::span<const double> gains, std::vector<double>& mean) {
+  double total = 0.0;
+  std::fill(mean.begin(), mean.end(), 0.0);
+  for (std::size_t winner = 0; winner < gains.size(); ++winner) {
+    if (sums.counts[winner] == 0.0 || gains[winner] == 0.0) continue;
+    total = std::fma(gains[winner], sums.counts[winner], total);
+    const auto sum = sums.sums.row(winner);
+    for (std::size_t d = 0; d < mean.size(); ++d)
+      mean[d] = std::fma(gains[winner], sum[d], mean[d]);
+  }
+  if (total == 0.0) return;
+  for (std::size_t d = 0; d < mean.size(); ++d) {
+    som.weights()(neuron, d) = static_cast<float>(mean[d] / total);
+  }
+}
+
+}  // namespace
+
+SomLearner::SomLearner(Som& som)
+    : som_(som),
+      neighbourhood_(som.grid(), som.parameters().neighbourhood),
+      gains_(som.weights().padded_rows()) {}
+
+std::size_t SomLearner::learn(const SignalView& input, double learning_rate, double radius) {
+  const std::size_t winner = som_.winner(input, workspace_);
+  neighbourhood_.around(winner, radius, gains_);
+  const auto rate = static_cast<float>(learning_rate);
+  for (float& gain : gains_) gain *= rate;
+  input_.resize(input.size);
+  write_dense(input, input_);
+  if (*som_.parameters().normalize_input) normalize_length(input_);
+  kernels::table<float>().move_towards(kernels::lanes(som_.weights()), input_.data(),
+                                       gains_.data());
+  if (som_.parameters().similarity == Similarity::kDotProduct) {
+    normalize_rows(som_.weights(), factors_);
+  }
+  return winner;
+}
+
+std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std::size_t threads) {
+  std::vector<std::size_t> winners(samples.count());
+  for_each_range(samples.count(), threads, [&](std::size_t begin, std::size_t end) {
+    SomWorkspace workspace;
+    for (std::size_t i = begin; i < end; ++i) winners[i] = som.winner(samples[i], workspace);
+  });
+  return winners;
+}
+
+std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
+                                     std::size_t threads) {
+  Samples storage;
+  const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
+  std::vector<std::size_t> winners = winners_of(som, prepared, threads);
+  const WinnerSums sums = sum_by_winner(som, prepared, winners);
+  for_each_range(som.neurons(), threads, [&](std::size_t begin, std::size_t end) {
+    Neighbourhood neighbourhood(som.grid(), som.parameters().neighbourhood);
+    std::vector<double> gains(som.neurons());
+    std::vector<double> mean(som.input_size());
+    for (std::size_t neuron = begin; neuron < end; ++neuron) {
+      neighbourhood.around(neuron, radius, gains);
+      move_to_mean(som, neuron, sums, gains, mean);
+    }
+  });
+  if (som.parameters().similarity == Similarity::kDotProduct) {
+    AlignedVector<float> factors;
+    normalize_rows(som.weights(), factors);
+  }
+  return winners;
+}
+
+Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
+                      const TrainingOptions& options) {
+  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
+  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
+  if (!resolved) return fail(std::move(resolved.error()));
+  Samples storage;
+  const Samples& prepared = prepared_samples(*resolved, samples, storage);
+  if (resolved->arithmetic == Arithmetic::kInnerProducts) {
+    return train_by_inner_products(*resolved, prepared, options);
+  }
+  Som som = initial_som(*resolved, prepared);
+  if (auto trained = train_in_place(som, prepared, options); !trained) {
+    return fail(std::move(trained.error()));
+  }
+  return som;
+}
+
+Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options) {
+  if (auto usable = check_samples(samples); !usable) return usable;
+  require(samples.size() == som.input_size(),
+          "the samples' size differs from the map's input size");
+  Som trained = som;
+  Samples storage;
+  const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
+  auto result = train_in_place(trained, prepared, options);
+  if (result) som = std::move(trained);
+  return result;
+}
+
+DrawSequence::DrawSequence(Draws draws, std::size_t samples, std::uint64_t seed)
+    : draws_(draws), samples_(samples), random_(seed, Stream::kDraws) {}
+
+std::size_t DrawSequence::next() {
+  if (draws_ == Draws::kWithReplacement) return random_.below(samples_);
+  if (left_.empty()) {
+    left_.resize(samples_);
+    std::iota(left_.begin(), left_.end(), std::size_t{0});
+  }
+  std::swap(left_[random_.below(left_.size())], left_.back());
+  const std::size_t drawn = left_.back();
+  left_.pop_back();
+  return drawn;
+}
+
+const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
+                                Samples& storage) {
+  if (!parameters.normalize_input.value_or(false)) return samples;
+  std::vector<Signal> normalized;
+  normalized.reserve(samples.count());
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    const SignalView sample = samples[i];
+    std::vector<float> values(sample.values.begin(), sample.values.end());
+    normalize_length(values);
+    normalized.push_back(sample.sparse
+                             ? Signal::sparse({sample.size},
+                                              {sample.indices.begin(), sample.indices.end()},
+                                              std::move(values))
+                             : Signal::dense(std::move(values)));
+  }
+  storage = Samples::from_signals(normalized);
+  return storage;
+}
+
+}  // namespace somato
