@@ -9,8 +9,11 @@ namespace {
 // A neuron at exactly the radius belongs to the bubble whatever the rounding of sqrt(3)/2.
 constexpr double kBubbleTolerance = 1e-9;
 
-// Smaller factors cannot move a weight and would only slow the arithmetic down (denormal numbers).
-constexpr double kSmallestFactor = 0x1p-100;
+// Smaller factors become 0: they are too small to move a weight, and numbers near the end of a
+// type's range (denormal ones) slow the arithmetic down. In double precision, where factors may
+// also be weights of a mean, only that end itself is cut off.
+template <typename Real>
+constexpr double kSmallestFactor = sizeof(Real) == sizeof(float) ? 0x1p-100 : 0x1p-1000;
 
 double gaussian(double difference, double radius) {
   if (difference == 0.0) return 1.0;
@@ -68,7 +71,7 @@ void Neighbourhood::write_around(std::size_t winner, double radius, std::span<Re
     for (std::size_t column = 0; column < grid_.columns(); ++column) {
       const double factor = row_factors_[row] * factors[column];
       out[row * grid_.columns() + column] =
-          factor < kSmallestFactor ? Real{0} : static_cast<Real>(factor);
+          factor < kSmallestFactor<Real> ? Real{0} : static_cast<Real>(factor);
     }
   }
 }

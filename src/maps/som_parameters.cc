@@ -159,7 +159,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "Form of the map's activity from its similarities s: s^m or exp(m s).")
           .add(
               "softmax_exponent", [](P& p) -> auto& { return p.softmax_exponent; }, "",
-              Range::at_least(0), "The m of the activity; 10 in P11.")
+              Range::above(0), "The m of the activity; 10 in P11.")
           .add(
               "activity_norm", [](P& p) -> auto& { return p.activity_norm; }, "", Range::any(),
               "Whether activities add up to 1 or the winner has 1. Not given in the paper.")

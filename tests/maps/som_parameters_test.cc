@@ -1,0 +1,77 @@
+#include "somato/maps/som_parameters.h"
+
+#include <gtest/gtest.h>
+
+namespace somato {
+namespace {
+
+TEST(SomParameters, DecidesWhatIsAutomatic) {
+  SomParameters p;
+  p.rows = 10;
+  p.columns = 24;
+  p.similarity = Similarity::kDotProduct;
+  const SomParameters r = resolve(p, 300, 9).value();
+  EXPECT_EQ(*r.iterations, 3000U);
+  EXPECT_EQ(*r.radius_start, 12.0);
+  EXPECT_EQ(*r.radius_reached_at, 3000U);
+  EXPECT_TRUE(*r.normalize_input);
+  EXPECT_EQ(r.arithmetic, Arithmetic::kPlain);
+  EXPECT_EQ(*resolve(p, 30, 9).value().iterations, 2000U);
+}
+
+TEST(SomParameters, TakesInnerProductsForFewSamplesOfManyElements) {
+  EXPECT_EQ(resolve({}, 30, 270000).value().arithmetic, Arithmetic::kInnerProducts);
+  EXPECT_EQ(resolve({}, 30, 40).value().arithmetic, Arithmetic::kPlain);
+  SomParameters batch;
+  batch.training = Training::kBatch;
+  EXPECT_EQ(resolve(batch, 30, 270000).value().arithmetic, Arithmetic::kPlain);
+}
+
+TEST(SomParameters, CountsABatchTrainingsScheduleInEpochs) {
+  SomParameters p;
+  p.training = Training::kBatch;
+  p.epochs = 7;
+  EXPECT_EQ(*resolve(p, 30, 9).value().radius_reached_at, 7U);
+}
+
+TEST(SomParameters, RefusesContradictions) {
+  SomParameters zero_end;
+  zero_end.radius_schedule = ScheduleShape::kExponential;
+  zero_end.radius_end = 0.0;
+  EXPECT_NE(to_string(resolve(zero_end, 30, 9).error()).find("radius cannot start or end at 0"),
+            std::string::npos);
+  SomParameters batch;
+  batch.training = Training::kBatch;
+  batch.arithmetic = Arithmetic::kInnerProducts;
+  EXPECT_EQ(resolve(batch, 30, 9).error().kind, ErrorKind::kUsage);
+  SomParameters odd;
+  odd.rows = 3;
+  odd.lattice = Lattice::kHexagonal;
+  odd.topology = Topology::kTorus;
+  EXPECT_EQ(resolve(odd, 30, 9).error().kind, ErrorKind::kUsage);
+}
+
+// A field that is not declared could not be set from a description or a flag, nor be saved.
+TEST(SomParameters, EveryDeclaredParameterCanBeSetAndReadBack) {
+  SomParameters p;
+  for (const auto& parameter : SomParameters::declarations().all()) {
+    Value value;
+    if (parameter.info.type == "choice") {
+      value = {parameter.info.choices.back()};
+    } else if (parameter.info.type == "switch") {
+      value = {false};
+    } else if (parameter.info.type == "integer") {
+      value = {std::int64_t{7}};
+    } else {
+      value = {0.25};
+    }
+    ASSERT_TRUE(parameter.assign(p, value)) << parameter.info.name;
+    EXPECT_EQ(parameter.read(p), value) << parameter.info.name;
+  }
+  EXPECT_EQ(p.rows, 7U);
+  EXPECT_EQ(p.activity_norm, ActivityNorm::kMaximum);
+  EXPECT_EQ(p.learning_rate_end, 0.25);
+}
+
+}  // namespace
+}  // namespace somato

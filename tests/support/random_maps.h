@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "somato/core/random.h"
+#include "somato/core/samples.h"
+#include "somato/maps/som_parameters.h"
+
+namespace somato::testing {
+
+/// One kind of map: what laws are tried on, once for all.
+struct Variant {
+  Lattice lattice;
+  Topology topology;
+  Similarity similarity;
+  NeighbourhoodShape neighbourhood;
+};
+
+/// All sixteen kinds.
+inline std::vector<Variant> all_variants() {
+  std::vector<Variant> variants;
+  for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
+    for (const Topology topology : {Topology::kPlane, Topology::kTorus}) {
+      for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
+        for (const auto shape : {NeighbourhoodShape::kGaussian, NeighbourhoodShape::kBubble}) {
+          variants.push_back({lattice, topology, similarity, shape});
+        }
+      }
+    }
+  }
+  return variants;
+}
+
+inline std::string name_of(const Variant& variant) {
+  return choice_name(variant.lattice) + "_" + choice_name(variant.topology) + "_" +
+         choice_name(variant.similarity) + "_" + choice_name(variant.neighbourhood);
+}
+
+/// Parameters of that kind with a small map of random size.
+inline SomParameters random_parameters(const Variant& variant, Random& random) {
+  SomParameters parameters;
+  parameters.lattice = variant.lattice;
+  parameters.topology = variant.topology;
+  parameters.similarity = variant.similarity;
+  parameters.neighbourhood = variant.neighbourhood;
+  const bool even = variant.lattice == Lattice::kHexagonal && variant.topology == Topology::kTorus;
+  parameters.rows = even ? 2 * (1 + random.below(3)) : 1 + random.below(6);
+  parameters.columns = 1 + random.below(6);
+  parameters.radius_start = 3.0 * random.uniform();
+  parameters.radius_end = *parameters.radius_start * random.uniform();
+  parameters.learning_rate_start = random.uniform();
+  parameters.learning_rate_end = parameters.learning_rate_start * random.uniform();
+  parameters.seed = random.next();
+  return parameters;
+}
+
+/// Random samples, dense, or sparse with about a third of the elements.
+inline Samples random_samples(std::size_t count, std::size_t size, bool sparse, Random& random) {
+  std::vector<Signal> signals;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::uint32_t> indices;
+    std::vector<float> values;
+    for (std::uint32_t d = 0; d < size; ++d) {
+      if (sparse && random.below(3) != 0) continue;
+      indices.push_back(d);
+      values.push_back(static_cast<float>(random.normal()));
+    }
+    signals.push_back(sparse ? Signal::sparse({size}, indices, values) : Signal::dense(values));
+  }
+  return Samples::from_signals(signals);
+}
+
+}  // namespace somato::testing
