@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/core/signal.h"
+
+namespace somato {
+
+/// What happens to a value outside the range of a one-hot code.
+enum class OutsideRange {
+  kRefuse,  ///< It is an error.
+  kClamp,   ///< It belongs to the nearest bin.
+};
+
+template <>
+struct Choices<OutsideRange> {
+  static const std::vector<std::pair<OutsideRange, std::string>>& all();
+};
+
+/// The parameters of a one-hot code.
+struct OneHotParameters {
+  double low = 0.0;
+  double high = 1.0;
+  std::size_t elements = 10;
+  OutsideRange outside = OutsideRange::kRefuse;
+
+  static const Declarations<OneHotParameters>& declarations();
+};
+
+/// Codes a value by the one of `elements` equal bins over [low, high] that holds it (P06 section
+/// 2.1 for wrist angle and height; ranges are not given in the paper).
+///
+/// A bin holds its lower edge, the last bin both. Limits and edges are compared in single
+/// precision, as recordings hold their values.
+class OneHot {
+ public:
+  /// Throws InvalidArgument unless low < high and there are 1 to 2^20 elements.
+  explicit OneHot(const OneHotParameters& parameters);
+
+  std::size_t elements() const { return parameters_.elements; }
+
+  /// The bin of `value`, from 0. Errors (kData): NaN, and with `refuse` a value outside the range.
+  Result<std::uint32_t> bin(float value) const;
+
+  /// A sparse signal of shape {elements} with a 1 at bin(value); the same errors.
+  Result<Signal> encode(float value) const;
+
+ private:
+  OneHotParameters parameters_;
+  std::vector<float> edges_;  // elements + 1 of them, from low to high
+};
+
+/// Codes several joints, each by a one-hot code over its own range, one after the other. Six joints
+/// by ten elements make the 60 elements of the papers' joint code (P06 section 2.1, P11 section
+/// III-A; ranges are not given in the paper).
+class OneHotSequence {
+ public:
+  /// Throws InvalidArgument unless there is a joint and all have the same number of elements; see
+  /// OneHot for each.
+  explicit OneHotSequence(const std::vector<OneHotParameters>& joints);
+
+  std::size_t joints() const { return codes_.size(); }
+
+  /// A sparse signal of shape {joints, elements} with one 1 a joint. Errors (kData) as OneHot's,
+  /// with the number of the joint, counted from 1; throws InvalidArgument unless there is one value
+  /// a joint.
+  Result<Signal> encode(std::span<const float> values) const;
+
+ private:
+  std::vector<OneHot> codes_;
+};
+
+}  // namespace somato

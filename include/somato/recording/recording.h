@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "somato/core/matrix.h"
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// What one group of sensors reported during an exploration.
+struct Channel {
+  std::string name;  ///< Such as "height", "wrist", "joints", "touch", "sound".
+  std::string unit;  ///< Of all elements, such as "deg" or "counts"; empty where there is none.
+  std::vector<std::string> element_names;  ///< One an element, or empty.
+  Matrix<float> frames;                    ///< frames x elements, in the order they were taken.
+  std::vector<double> times;               ///< Seconds, one a frame; empty where unknown.
+};
+
+/// What is known about an exploration, such as object, shape, material or trial.
+struct Label {
+  std::string name;
+  std::string value;
+
+  bool operator==(const Label&) const = default;
+};
+
+/// One exploration of one thing: labels in their order, and what each channel reported.
+struct Exploration {
+  std::vector<Label> labels;
+  std::string source;  ///< The file it came from, or another place to point at.
+  std::vector<Channel> channels;
+};
+
+/// What exploring yields, the same whether it was simulated, read from files or taken live. All
+/// explorations have the same channels and the same names of labels; see validate().
+struct Recording {
+  std::vector<Exploration> explorations;
+};
+
+/// The channel of that name; an unknown name is an error (kUsage) with the nearest known one. The
+/// pointer is valid as long as `exploration` stays as it is.
+Result<const Channel*> find_channel(const Exploration& exploration, std::string_view name);
+
+/// The value of the label of that name; an unknown name is an error (kUsage) with the nearest known
+/// one.
+Result<std::string> find_label(const Exploration& exploration, std::string_view name);
+
+/// The distinct values of a label, in the order in which they first appear; errors as find_label.
+Result<std::vector<std::string>> label_values(const Recording& recording, std::string_view name);
+
+/// Checks that there is an exploration and that each has channels with frames of finite values,
+/// names and times that fit, and the same channels (name, unit, elements) and names of labels as
+/// the first one. Errors (kData) name exploration and channel.
+Result<void> validate(const Recording& recording);
+
+}  // namespace somato

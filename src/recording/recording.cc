@@ -1,0 +1,174 @@
+#include "somato/recording/recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "somato/core/parameter.h"
+
+namespace somato {
+namespace {
+
+template <typename Named>
+std::vector<std::string> names_of(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& named : all) names.push_back(named.name);
+  return names;
+}
+
+template <typename Named>
+Result<const Named*> find_named(const std::vector<Named>& all, std::string_view kind,
+                                std::string_view name, const std::string& where) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& named) { return named.name == name; });
+  if (found != all.end()) return &*found;
+  return fail(unknown_name(kind, name, where, names_of(all)));
+}
+
+std::string place(const Recording& recording, std::size_t index) {
+  const std::string& source = recording.explorations[index].source;
+  return source.empty() ? fmt::format("exploration {}", index + 1) : source;
+}
+
+tl::unexpected<Error> bad_data(std::string what, std::string advice = {}) {
+  return fail(ErrorKind::kData, std::move(what), {}, std::move(advice));
+}
+
+Result<void> check_names(std::string_view kind, const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (name.empty()) return bad_data(fmt::format("a {} has no name", kind));
+    if (!seen.insert(name).second) {
+      return bad_data(fmt::format("there are two {}s '{}'", kind, name), "rename one of them");
+    }
+  }
+  return {};
+}
+
+Result<void> check_times(const Channel& channel) {
+  const std::vector<double>& times = channel.times;
+  if (times.empty()) return {};
+  if (times.size() != channel.frames.rows()) {
+    return bad_data(fmt::format("channel '{}' has {} times for {} frames", channel.name,
+                                times.size(), channel.frames.rows()),
+                    "give one time a frame, or none");
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || (i > 0 && times[i] < times[i - 1])) {
+      return bad_data(
+          fmt::format("channel '{}', frame {}: the time {} s is not finite or lies "
+                      "before the one of the frame before",
+                      channel.name, i + 1, times[i]));
+    }
+  }
+  return {};
+}
+
+Result<void> check_values(const Channel& channel) {
+  for (std::size_t frame = 0; frame < channel.frames.rows(); ++frame) {
+    for (std::size_t element = 0; element < channel.frames.columns(); ++element) {
+      const float value = channel.frames(frame, element);
+      if (std::isfinite(value)) continue;
+      return bad_data(fmt::format("channel '{}', frame {}, element {}: {} is not a finite number",
+                                  channel.name, frame + 1, element + 1, value),
+                      "leave the exploration out, or repair it");
+    }
+  }
+  return {};
+}
+
+Result<void> check_channel(const Channel& channel) {
+  if (channel.frames.empty()) {
+    return bad_data(fmt::format("channel '{}' has no frames", channel.name));
+  }
+  if (!channel.element_names.empty() && channel.element_names.size() != channel.frames.columns()) {
+    return bad_data(fmt::format("channel '{}' has {} element names for {} elements", channel.name,
+                                channel.element_names.size(), channel.frames.columns()),
+                    "give one name an element, or none");
+  }
+  return check_times(channel).and_then([&] { return check_values(channel); });
+}
+
+Result<void> check_alone(const Exploration& exploration) {
+  if (exploration.channels.empty()) return bad_data("the exploration has no channels");
+  Result<void> checked = check_names("label", names_of(exploration.labels)).and_then([&] {
+    return check_names("channel", names_of(exploration.channels));
+  });
+  for (const Channel& channel : exploration.channels) {
+    if (checked) checked = check_channel(channel);
+  }
+  return checked;
+}
+
+Result<void> check_same(std::string_view what, const std::vector<std::string>& names,
+                        const std::vector<std::string>& first_names) {
+  if (names == first_names) return {};
+  return bad_data(fmt::format("its {} are '{}', but those of the first exploration are '{}'", what,
+                              fmt::join(names, ", "), fmt::join(first_names, ", ")),
+                  "record them separately, or leave the exploration out");
+}
+
+Result<void> check_like(const Channel& channel, const Channel& first) {
+  if (channel.frames.columns() != first.frames.columns()) {
+    return bad_data(fmt::format("channel '{}' has {} elements, but {} in the first exploration",
+                                channel.name, channel.frames.columns(), first.frames.columns()));
+  }
+  if (channel.unit != first.unit) {
+    return bad_data(fmt::format("channel '{}' is in '{}', but in '{}' in the first exploration",
+                                channel.name, channel.unit, first.unit),
+                    "convert one of them");
+  }
+  return check_same(fmt::format("elements of channel '{}'", channel.name), channel.element_names,
+                    first.element_names);
+}
+
+Result<void> check_like(const Exploration& exploration, const Exploration& first) {
+  Result<void> checked =
+      check_same("labels", names_of(exploration.labels), names_of(first.labels)).and_then([&] {
+        return check_same("channels", names_of(exploration.channels), names_of(first.channels));
+      });
+  for (std::size_t i = 0; checked && i < exploration.channels.size(); ++i) {
+    checked = check_like(exploration.channels[i], first.channels[i]);
+  }
+  return checked;
+}
+
+}  // namespace
+
+Result<const Channel*> find_channel(const Exploration& exploration, std::string_view name) {
+  return find_named(exploration.channels, "channel", name, exploration.source);
+}
+
+Result<std::string> find_label(const Exploration& exploration, std::string_view name) {
+  return find_named(exploration.labels, "label", name, exploration.source)
+      .map([](const Label* label) { return label->value; });
+}
+
+Result<std::vector<std::string>> label_values(const Recording& recording, std::string_view name) {
+  std::vector<std::string> values;
+  for (const Exploration& exploration : recording.explorations) {
+    Result<std::string> value = find_label(exploration, name);
+    if (!value) return fail(std::move(value.error()));
+    if (std::find(values.begin(), values.end(), *value) == values.end()) values.push_back(*value);
+  }
+  return values;
+}
+
+Result<void> validate(const Recording& recording) {
+  if (recording.explorations.empty()) return bad_data("the recording has no explorations");
+  for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
+    const Exploration& exploration = recording.explorations[i];
+    Result<void> checked = check_alone(exploration).and_then([&] {
+      return check_like(exploration, recording.explorations.front());
+    });
+    if (checked) continue;
+    checked.error().where = place(recording, i);
+    return checked;
+  }
+  return {};
+}
+
+}  // namespace somato

@@ -1,0 +1,136 @@
+#include "somato/recording/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace somato {
+namespace {
+
+Exploration exploration_of(const std::string& object, const std::string& trial) {
+  return {{{"object", object}, {"trial", trial}},
+          object + "_" + trial + ".txt",
+          {{"joints", "deg", {"thumb", "index"}, Matrix<float>(3, 2, 1.0F), {0.0, 0.1, 0.1}},
+           {"touch", "counts", {}, Matrix<float>(2, 4, 2.0F), {}}}};
+}
+
+Recording recording_of_two() {
+  return {{exploration_of("ball", "1"), exploration_of("cube", "1")}};
+}
+
+// Validates a good recording after `spoil` did something to its second exploration.
+Error error_after(const std::function<void(Exploration&)>& spoil) {
+  Recording recording = recording_of_two();
+  spoil(recording.explorations[1]);
+  const Result<void> checked = validate(recording);
+  return checked ? Error{} : checked.error();
+}
+
+TEST(FindChannel, FindsItByName) {
+  const Exploration exploration = exploration_of("ball", "1");
+  const auto touch = find_channel(exploration, "touch");
+  ASSERT_TRUE(touch);
+  EXPECT_EQ(*touch, &exploration.channels[1]);
+}
+
+TEST(FindChannel, NamesTheNearestWhenUnknown) {
+  const Exploration exploration = exploration_of("ball", "1");
+  const auto found = find_channel(exploration, "joint");
+  ASSERT_FALSE(found);
+  EXPECT_EQ(to_string(found.error()),
+            "ball_1.txt: unknown channel 'joint'; did you mean 'joints'?");
+}
+
+TEST(FindLabel, GivesTheValueOrTheNearestName) {
+  const Exploration exploration = exploration_of("ball", "7");
+  EXPECT_EQ(find_label(exploration, "trial"), "7");
+  const auto found = find_label(exploration, "objects");
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(to_string(found.error()),
+            "ball_7.txt: unknown label 'objects'; did you mean 'object'?");
+}
+
+TEST(LabelValues, ComeOnceEachInOrderOfAppearance) {
+  const Recording recording{{exploration_of("cube", "1"), exploration_of("ball", "1"),
+                             exploration_of("cube", "2"), exploration_of("apple", "1")}};
+  EXPECT_EQ(label_values(recording, "object"), (std::vector<std::string>{"cube", "ball", "apple"}));
+  EXPECT_EQ(label_values(recording, "trial"), (std::vector<std::string>{"1", "2"}));
+  EXPECT_FALSE(label_values(recording, "material"));
+  EXPECT_EQ(label_values(Recording{}, "object"), std::vector<std::string>{});
+}
+
+TEST(Validate, AcceptsARecordingThatFits) {
+  EXPECT_TRUE(validate(recording_of_two()));
+}
+
+TEST(Validate, RefusesNothing) {
+  ASSERT_FALSE(validate(Recording{}));
+  EXPECT_EQ(validate(Recording{}).error().what, "the recording has no explorations");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels.clear(); }).what,
+            "the exploration has no channels");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[0].frames = {}; }).what,
+            "channel 'joints' has no frames");
+}
+
+TEST(Validate, PointsAtTheSourceOrTheNumber) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels.clear(); }).where, "cube_1.txt");
+  EXPECT_EQ(error_after([](Exploration& e) { e = {}; }).where, "exploration 2");
+  EXPECT_EQ(error_after([](Exploration& e) { e = {}; }).kind, ErrorKind::kData);
+}
+
+TEST(Validate, RefusesNamesThatAreMissingOrDouble) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.labels[1].name = "object"; }).what,
+            "there are two labels 'object'");
+  EXPECT_EQ(error_after([](Exploration& e) { e.labels[1].name = ""; }).what, "a label has no name");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].name = "joints"; }).what,
+            "there are two channels 'joints'");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[0].name = ""; }).what,
+            "a channel has no name");
+}
+
+TEST(Validate, RefusesElementNamesAndTimesThatDoNotFit) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[0].element_names = {"thumb"}; }).what,
+            "channel 'joints' has 1 element names for 2 elements");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {0.0}; }).what,
+            "channel 'touch' has 1 times for 2 frames");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {0.5, 0.25}; }).what,
+            "channel 'touch', frame 2: the time 0.25 s is not finite or lies before the one of the "
+            "frame before");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {HUGE_VAL, HUGE_VAL}; }).what,
+            "channel 'touch', frame 1: the time inf s is not finite or lies before the one of the "
+            "frame before");
+}
+
+TEST(Validate, RefusesWhatIsNotFinite) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].frames(1, 3) = std::nanf(""); }).what,
+            "channel 'touch', frame 2, element 4: nan is not a finite number");
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(error_after([&](Exploration& e) { e.channels[0].frames(0, 0) = -infinity; }).what,
+            "channel 'joints', frame 1, element 1: -inf is not a finite number");
+}
+
+TEST(Validate, RefusesExplorationsThatDiffer) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].frames = {2, 5, 0.0F}; }).what,
+            "channel 'touch' has 5 elements, but 4 in the first exploration");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[0].unit = "rad"; }).what,
+            "channel 'joints' is in 'rad', but in 'deg' in the first exploration");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[0].element_names[1] = "little"; }).what,
+            "its elements of channel 'joints' are 'thumb, little', but those of the first "
+            "exploration are 'thumb, index'");
+  EXPECT_EQ(error_after([](Exploration& e) { e.labels.pop_back(); }).what,
+            "its labels are 'object', but those of the first exploration are 'object, trial'");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels.pop_back(); }).what,
+            "its channels are 'joints', but those of the first exploration are 'joints, touch'");
+}
+
+TEST(Validate, AllowsDifferentNumbersOfFrames) {
+  EXPECT_EQ(
+      error_after([](Exploration& e) { e.channels[1].frames = Matrix<float>(7, 4, 0.0F); }).what,
+      "");
+}
+
+}  // namespace
+}  // namespace somato
