@@ -39,7 +39,8 @@ TEST(Value, EscapesText) {
 TEST(Value, GivesTheSameBitsWhenANumberIsReadBack) {
   Random random(5);
   for (int trial = 0; trial < 10000; ++trial) {
-    const double number = std::ldexp(random.normal(), static_cast<int>(random.below(1800)) - 900);
+    const int exponent = static_cast<int>(random.below(1800)) - 900;
+    const double number = std::ldexp(random.normal(), exponent);
     EXPECT_EQ(std::strtod(to_toml({number}).c_str(), nullptr), number);
   }
 }
