@@ -50,10 +50,13 @@ bool Range::contains(double value) const {
 std::string to_string(const Range& range) {
   const bool has_low = std::isfinite(range.low);
   const bool has_high = std::isfinite(range.high);
-  if (has_low && has_high) return fmt::format("{} to {}", range.low, range.high);
-  if (has_high) return fmt::format("at most {}", range.high);
-  if (!has_low) return {};
-  return fmt::format("{} {}", range.low_excluded ? "above" : "at least", range.low);
+  if (has_low && has_high && !range.low_excluded) {
+    return fmt::format("{} to {}", range.low, range.high);
+  }
+  std::string limits;
+  if (has_low) limits = fmt::format("{} {}", range.low_excluded ? "above" : "at least", range.low);
+  if (has_high) limits += fmt::format("{}at most {}", has_low ? ", " : "", range.high);
+  return limits;
 }
 
 namespace detail {
@@ -63,10 +66,14 @@ Result<bool> read_switch(const ParameterInfo& info, const Value& value) {
   return refuse(info, "true or false", value);
 }
 
-Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value) {
+Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value, std::int64_t least,
+                                  std::int64_t most) {
   const auto* whole = std::get_if<std::int64_t>(&value.content);
-  if (whole && info.range.contains(static_cast<double>(*whole))) return *whole;
-  return refuse(info, with_range("a whole number", info.range), value);
+  if (!whole || !info.range.contains(static_cast<double>(*whole))) {
+    return refuse(info, with_range("a whole number", info.range), value);
+  }
+  if (*whole >= least && *whole <= most) return *whole;
+  return refuse(info, fmt::format("a whole number, {} to {}", least, most), value);
 }
 
 Result<double> read_number(const ParameterInfo& info, const Value& value) {

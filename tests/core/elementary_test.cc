@@ -36,8 +36,8 @@ TEST(Exponential, HasItsLimits) {
 TEST(NaturalLog, IsWithinTwoUlpsOfTheLongDoubleValue) {
   Random random(2);
   for (int i = 0; i < 100000; ++i) {
-    const double wide =
-        std::ldexp(0.5 + random.uniform(), static_cast<int>(random.below(2000)) - 1000);
+    const int exponent = static_cast<int>(random.below(2000)) - 1000;
+    const double wide = std::ldexp(0.5 + random.uniform(), exponent);
     EXPECT_LT(error_in_ulps(natural_log(wide), std::log(static_cast<long double>(wide))), 2.0)
         << wide;
     const double near_one = 0.5 + random.uniform();

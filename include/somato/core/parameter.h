@@ -65,7 +65,8 @@ const std::string& choice_name(Enum value) {
 namespace detail {
 
 Result<bool> read_switch(const ParameterInfo& info, const Value& value);
-Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value);
+Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value, std::int64_t least,
+                                  std::int64_t most);
 Result<double> read_number(const ParameterInfo& info, const Value& value);
 Result<std::string> read_text(const ParameterInfo& info, const Value& value);
 Result<std::size_t> read_choice(const ParameterInfo& info, const Value& value);
@@ -107,7 +108,13 @@ template <typename T>
 struct Field<T> {
   static std::string type() { return "integer"; }
   static Result<T> read(const ParameterInfo& info, const Value& value) {
-    return read_integer(info, value).map([](std::int64_t whole) { return static_cast<T>(whole); });
+    constexpr auto kLeast = static_cast<std::int64_t>(std::numeric_limits<T>::min());
+    constexpr auto kMost = std::in_range<std::int64_t>(std::numeric_limits<T>::max())
+                               ? static_cast<std::int64_t>(std::numeric_limits<T>::max())
+                               : std::numeric_limits<std::int64_t>::max();
+    return read_integer(info, value, kLeast, kMost).map([](std::int64_t whole) {
+      return static_cast<T>(whole);
+    });
   }
   static Value write(T field) { return {static_cast<std::int64_t>(field)}; }
 };
@@ -128,7 +135,10 @@ struct Field<std::optional<T>> {
   static std::string type() { return Field<T>::type(); }
   static Result<std::optional<T>> read(const ParameterInfo& info, const Value& value) {
     if (is_automatic(value)) return std::optional<T>{};
-    return Field<T>::read(info, value).map([](T read) { return std::optional<T>(read); });
+    Result<T> field = Field<T>::read(info, value);
+    if (field) return std::optional<T>(std::move(*field));
+    if (field.error().advice.empty()) field.error().advice = "\"automatic\" is possible too";
+    return fail(std::move(field.error()));
   }
   static Value write(const std::optional<T>& field) {
     return field ? Field<T>::write(*field) : Value{std::string("automatic")};

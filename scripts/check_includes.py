@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Refuses includes that break the table of rooms (ARCHITECTURE.md) or bring others' headers to users.
+
+usage: check_includes.py [TREE]
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# Which rooms a room may look at, itself and what those may use included.
+DIRECT = {
+    "core": [],
+    "files": ["core"],
+    "codes": ["files"],
+    "maps": ["files"],
+    "recording": ["files"],
+    "drawing": ["maps"],
+    "graph": ["codes", "maps", "recording"],
+    "bodies": ["recording"],
+    "studies": ["graph", "drawing"],
+    "live": ["graph", "bodies"],
+    "program": ["studies", "live"],
+}
+
+# Headers of others that a public header may bring in, by the header that may.
+GUESTS = {"core/result.h": ["tl/expected.hpp"]}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def rooms_seen_from(room):
+    seen = {room}
+    for other in DIRECT[room]:
+        seen |= rooms_seen_from(other)
+    return seen
+
+
+def includes(path):
+    """The (line, bracket, header) of every include of a file."""
+    text = path.read_text(encoding="utf-8")
+    return [(text.count("\n", 0, m.start(2)) + 1, m[1], m[2]) for m in INCLUDE.finditer(text)]
+
+
+def room_of_header(header):
+    """The room a header belongs to, or None when it is not ours."""
+    parts = header.removeprefix("somato/").split("/")
+    return parts[0] if len(parts) > 1 and parts[0] in DIRECT else None
+
+
+def breaks_table(room, header):
+    other = room_of_header(header)
+    if other is None or other in rooms_seen_from(room):
+        return None
+    return f"'{room}' may not look at '{other}' ({header})"
+
+
+def breaks_public_rule(public_name, bracket, header):
+    is_standard = bracket == "<" and re.fullmatch(r"[a-z0-9_]+", header)
+    is_ours = bracket == '"' and header.startswith("somato/")
+    if is_standard or is_ours or header in GUESTS.get(public_name, []):
+        return None
+    return f"a public header may not bring in {header}"
+
+
+def files_of_rooms(tree):
+    """Every (room, file) below include/somato, src and program."""
+    for base in (tree / "include/somato", tree / "src", tree / "program"):
+        for path in sorted([*base.rglob("*.h"), *base.rglob("*.cc")]):
+            parts = path.relative_to(base).parts
+            yield "program" if base.name == "program" else parts[0], path
+
+
+def check(tree):
+    """What breaks the rules, as `file:line: message`."""
+    problems = []
+    public = tree / "include/somato"
+    for room, path in files_of_rooms(tree):
+        where = path.relative_to(tree)
+        if room not in DIRECT:
+            problems.append(f"{where}:1: '{room}' is not a room of the table")
+            continue
+        for line, bracket, header in includes(path):
+            found = [breaks_table(room, header)]
+            if public in path.parents:
+                name = path.relative_to(public).as_posix()
+                found.append(breaks_public_rule(name, bracket, header))
+            problems += [f"{where}:{line}: {message}" for message in found if message]
+    return problems
+
+
+def main():
+    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    problems = check(tree)
+    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Refuses calls whose bits differ between machines, and places of one machine; reports long files.
+
+usage: check_text.py [TREE]
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+# In the library: functions of the C and C++ libraries that are free to round, or to draw, differently.
+BANNED_CALLS = re.compile(
+    r"\bstd::(?:exp|exp2|expm1|log|log2|log10|log1p|pow|sin|cos|tan|sinh|cosh|tanh|hypot|cbrt"
+    r"|rand|srand|shuffle|random_shuffle|sample|mt19937\w*|random_device|\w+_distribution"
+    r"|default_random_engine)\b"
+    r"|(?<![\w:.>])(?:s?rand|drand48|expf?|powf?|logf?|sinf?|cosf?)\s*\("
+)
+BANNED_FLAGS = re.compile(r"-ffast-math|-Ofast|-funsafe-math-optimizations")
+MACHINE_PLACES = re.compile(r"(?<![\w.\-/$}])/(?:tmp|work|root|home/\w+)/")
+PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
+
+# Files that may do what the others may not, each with its reason.
+MAY_PRINT = {"src/core/check.cc": "a broken invariant ends the program with a last word"}
+KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py"}
+
+LONG_FILE = 400
+
+
+def tracked(tree):
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+        cwd=tree, check=True, capture_output=True, text=True)
+    return [name for name in listed.stdout.splitlines() if (tree / name).is_file()]
+
+
+def without_comments(line):
+    return re.sub(r'"(?:\\.|[^"\\])*"', '""', line).split("//")[0]
+
+
+def problems_of_line(name, line):
+    """What is wrong with a line of the file `name`."""
+    is_cpp = name.endswith((".h", ".cc"))
+    in_library = name.startswith(("src/", "include/")) and is_cpp
+    code = without_comments(line) if is_cpp else line
+    if in_library and (found := BANNED_CALLS.search(code)):
+        yield f"'{found[0].strip('( ')}' differs between machines; see STYLE.md"
+    if in_library and name not in MAY_PRINT and (found := PRINTS.search(code)):
+        yield f"'{found[0]}': the library never prints"
+    if name.endswith((".txt", ".cmake", ".json", ".in")) and (found := BANNED_FLAGS.search(line)):
+        yield f"'{found[0]}' changes bits"
+    if found := MACHINE_PLACES.search(line):
+        yield f"'{found[0]}' is a place of one machine"
+
+
+def check(tree, names):
+    problems = []
+    for name in names:
+        if name in KNOWS_THE_PATTERNS:
+            continue
+        try:
+            lines = (tree / name).read_text(encoding="utf-8").splitlines()
+        except UnicodeDecodeError:
+            continue  # a picture or other binary file
+        for number, line in enumerate(lines, 1):
+            problems += [f"{name}:{number}: {found}" for found in problems_of_line(name, line)]
+    return problems
+
+
+def long_files(tree, names):
+    for name in names:
+        if name.endswith((".h", ".cc", ".py", ".sh")):
+            length = len((tree / name).read_text(encoding="utf-8").splitlines())
+            if length > LONG_FILE:
+                yield f"note: {name} has {length} lines; think hard at {LONG_FILE}"
+
+
+def main():
+    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    names = tracked(tree)
+    for note in long_files(tree, names):
+        print(note)
+    problems = check(tree, names)
+    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

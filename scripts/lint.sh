@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Format, clang-tidy and the rules of the house; with --fix, clang-format and clang-tidy repair.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+case ${1:-} in
+  '') fix=() format=(--dry-run --Werror) ;;
+  --fix) fix=(--fix) format=(-i) ;;
+  *)
+    echo "lint: unknown option '$1'; did you mean '--fix'?" >&2
+    exit 2
+    ;;
+esac
+
+failed=()
+
+# check NAME COMMAND...
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    echo "ok: $name"
+  else
+    echo "FAILED: $name" >&2
+    failed+=("$name")
+  fi
+}
+
+listed() {
+  git ls-files --cached --others --exclude-standard -- "$@"
+}
+
+check_shell() {
+  local scripts
+  mapfile -t scripts < <(listed dev '*.sh' .ci/run)
+  shellcheck "${scripts[@]}"
+}
+
+check_format() {
+  listed '*.h' '*.cc' | xargs -r clang-format-19 "${format[@]}"
+}
+
+scripts/setup.sh build test
+[[ -f build/dev/compile_commands.json ]] || cmake --preset dev
+
+check 'format' check_format
+check 'include table' python3 scripts/check_includes.py
+check 'mirrored tests' python3 scripts/check_mirrors.py
+check 'house rules' python3 scripts/check_text.py
+check 'shell scripts' check_shell
+check 'clang-tidy' python3 scripts/run_clang_tidy.py "${fix[@]}"
+
+if [[ ${#failed[@]} -gt 0 ]]; then
+  printf 'lint: failed: %s\n' "${failed[*]}" >&2
+  exit 1
+fi

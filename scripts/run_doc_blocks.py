@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""Runs the fenced blocks of README.md and docs/ as their reader would.
+
+- ```sh and ```bash blocks run as scripts; ```console blocks run the lines after `$ ` (continued
+  after `> `), and what they print must match what the block shows: `...` in a line stands for
+  any text, a line `...` for any lines. Nothing shown means that nothing is compared.
+- ```cpp blocks with `int main` are compiled, linked with the library and run.
+- The blocks of a document run in order in one fresh folder, in which the folders of the source tree
+  and build/release/somato are found; `somato` is on the path.
+- `<!-- test: skip REASON -->` before a block leaves it out; REASONS says which blocks may be.
+
+usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
+"""
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+# Why a block may be left out, and what each of its lines must then look like.
+REASONS = {
+    "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?)",
+    "needs data of others": r"(#.*|.*--data .*|.*\\|  .*)",
+}
+TIMEOUT = 600  # seconds for a command
+FENCE = re.compile(
+    r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
+    r"```(?P<kind>sh|bash|console|cpp)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+class Failure(Exception):
+    """A block that does not do what it says."""
+
+
+@dataclass
+class Block:
+    where: str  # file:line
+    kind: str
+    text: str
+    skip_reason: str | None
+
+
+def blocks_of(text, name):
+    found = []
+    for match in FENCE.finditer(text):
+        line = text.count("\n", 0, match.start("text"))
+        found.append(Block(f"{name}:{line}", match["kind"], match["text"], match["reason"]))
+    return found
+
+
+def check_skip(block):
+    """Whether the block is to be left out; Failure when it has no right to."""
+    if block.skip_reason is None:
+        return False
+    pattern = REASONS.get(block.skip_reason)
+    if pattern is None:
+        raise Failure(f"'{block.skip_reason}' is no reason; reasons are: {', '.join(REASONS)}")
+    for line in filter(None, block.text.splitlines()):
+        if not re.fullmatch(pattern, line):
+            raise Failure(f"'{line}' is no line to skip because it {block.skip_reason}")
+    return True
+
+
+def commands_of(text):
+    """The (command, shown output) pairs of a console block."""
+    pairs = []
+    for line in text.splitlines():
+        if line.startswith("$ "):
+            pairs.append((line[2:], []))
+        elif not pairs:
+            raise Failure("a console block starts with '$ '")
+        elif line.startswith("> ") and not pairs[-1][1]:
+            pairs[-1] = (pairs[-1][0] + "\n" + line[2:], [])
+        else:
+            pairs[-1][1].append(line)
+    return pairs
+
+
+def pattern_of(shown):
+    """A regular expression for the shown lines with their wildcards."""
+    lines = []
+    for line in shown:
+        if line.strip() == "...":
+            lines.append(r"(?:[^\n]*\n)*?")
+        else:
+            lines.append(".*?".join(re.escape(part) for part in line.rstrip().split("...")) + r" *\n")
+    return "".join(lines)
+
+
+def run_command(command, folder, environment):
+    done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          timeout=TIMEOUT, check=False)
+    if done.returncode != 0:
+        raise Failure(f"exit code {done.returncode} of:\n{command[-1]}\n{done.stdout}")
+    return done.stdout
+
+
+def shell(text):
+    return ["bash", "-e", "-o", "pipefail", "-c", text]
+
+
+class Runner:
+    """Runs blocks in the folder of one document."""
+
+    def __init__(self, options, folder):
+        self.options = options
+        self.folder = folder
+        self.environment = dict(os.environ, LC_ALL="C.UTF-8")
+        self.prepare()
+
+    def prepare(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        (self.folder / "build/release").mkdir(parents=True)
+        for entry in self.options.source.iterdir():
+            if entry.name not in ("build", "out", ".git"):
+                (self.folder / entry.name).symlink_to(entry)
+        if self.options.program:
+            program = self.folder / "build/release/somato"
+            program.symlink_to(self.options.program)
+            self.environment["PATH"] = f"{program.parent}:{self.environment['PATH']}"
+
+    def run(self, block):
+        if block.kind == "console":
+            self.run_console(block)
+        elif block.kind == "cpp":
+            self.run_cpp(block)
+        else:
+            run_command(shell(block.text), self.folder, self.environment)
+
+    def run_console(self, block):
+        for command, shown in commands_of(block.text):
+            printed = run_command(shell(command), self.folder, self.environment)
+            if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
+                raise Failure(f"$ {command}\nprints:\n{printed}and not:\n" + "\n".join(shown))
+
+    def run_cpp(self, block):
+        if "int main" not in block.text:
+            return
+        source = self.folder / "build/block.cc"
+        source.write_text(block.text, encoding="utf-8")
+        program = self.folder / "build/block"
+        run_command([self.options.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I",
+                     str(self.options.source / "include"), str(source), "-o", str(program),
+                     *self.options.link, "-pthread"], self.folder, self.environment)
+        run_command([str(program)], self.folder, self.environment)
+
+
+def run_document(options, document):
+    """The number of failures; prints a line a block."""
+    name = document.relative_to(options.source).as_posix()
+    blocks = blocks_of(document.read_text(encoding="utf-8"), name)
+    if not blocks:
+        return 0
+    runner = Runner(options, options.scratch / name.replace("/", "_"))
+    for block in blocks:
+        try:
+            if check_skip(block):
+                print(f"skipped {block.where}: {block.skip_reason}", flush=True)
+                continue
+            runner.run(block)
+            print(f"ok      {block.where}", flush=True)
+        except (Failure, subprocess.TimeoutExpired) as failure:
+            print(f"FAILED  {block.where}: {failure}", flush=True)
+            return 1  # what follows in this document may stand on it
+    return 0
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Runs the fenced blocks of the documentation.")
+    parser.add_argument("--source", type=Path, required=True)
+    parser.add_argument("--scratch", type=Path, required=True)
+    parser.add_argument("--program", type=Path)
+    parser.add_argument("--compiler", default="c++")
+    parser.add_argument("--link", action="append", default=[])
+    options = parser.parse_args(arguments)
+    options.source = options.source.resolve()
+    documents = [options.source / "README.md", *sorted((options.source / "docs").rglob("*.md"))]
+    failures = sum(run_document(options, document) for document in documents)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

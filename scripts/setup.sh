@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Installs what is missing of scripts/packages.txt: setup.sh [PURPOSE...], all of them by default.
+# Costs nothing when everything is there.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+purposes() {
+  sed -n 's/^\[\(.*\)\]$/\1/p' packages.txt
+}
+
+packages_for() {
+  awk -v purpose="[$1]" '/^\[/ { inside = ($0 == purpose); next } inside && /^[^#]/' packages.txt
+}
+
+is_installed() {
+  dpkg-query --show --showformat '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed
+}
+
+as_root() {
+  if [[ $(id -u) == 0 ]]; then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+wanted=()
+for purpose in "${@:-$(purposes)}"; do
+  for word in $purpose; do
+    if ! purposes | grep -qx -- "$word"; then
+      echo "setup: unknown purpose '$word'; known are: $(purposes | paste -sd ' ')" >&2
+      exit 2
+    fi
+    mapfile -t -O "${#wanted[@]}" wanted < <(packages_for "$word")
+  done
+done
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]}" >&2
+  exit 0
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+[[ ${#missing[@]} -gt 0 ]] || exit 0
+
+if [[ $(id -u) != 0 ]] && ! command -v sudo >/dev/null; then
+  echo "setup: packages are missing and neither root nor sudo is at hand to install them;" \
+    "as root, run: apt-get install ${missing[*]}" >&2
+  exit 1
+fi
+echo "Installing: ${missing[*]}"
+as_root apt-get update -q
+as_root env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null

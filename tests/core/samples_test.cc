@@ -1,0 +1,70 @@
+#include "somato/core/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+std::vector<float> dense_of(const SignalView& signal) {
+  std::vector<float> elements(signal.size);
+  write_dense(signal, elements);
+  return elements;
+}
+
+const Signal kDense = Signal::dense(std::vector<float>{1, 2, 3});
+const Signal kSparse = Signal::sparse({3}, {1}, {5});
+const Signal kZero = Signal::sparse({3}, {}, {});
+
+void expect_samples(const Samples& samples, const std::vector<std::vector<float>>& expected) {
+  ASSERT_EQ(samples.count(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(dense_of(samples[i]), expected[i]);
+}
+
+TEST(Samples, AreTheRowsOfAMatrix) {
+  const Samples samples(Matrix<float>(2, 3, {1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(samples.size(), 3U);
+  EXPECT_FALSE(samples.is_sparse());
+  expect_samples(samples, {{1, 2, 3}, {4, 5, 6}});
+}
+
+TEST(Samples, AreDenseAsSoonAsOneOfThemIs) {
+  const Samples samples = Samples::from_signals({kSparse, kDense, kZero});
+  EXPECT_FALSE(samples.is_sparse());
+  expect_samples(samples, {{0, 5, 0}, {1, 2, 3}, {0, 0, 0}});
+}
+
+TEST(Samples, StaySparseWhenAllAre) {
+  const Samples samples = Samples::from_signals({kSparse, kZero, kSparse});
+  EXPECT_TRUE(samples.is_sparse());
+  EXPECT_EQ(samples.size(), 3U);
+  EXPECT_EQ(samples[1].values.size(), 0U);
+  expect_samples(samples, {{0, 5, 0}, {0, 0, 0}, {0, 5, 0}});
+}
+
+TEST(Samples, MustHaveOneSize) {
+  const Signal other = Signal::sparse({4}, {1}, {5});
+  EXPECT_THROW(Samples::from_signals({kSparse, other}), InvalidArgument);
+  EXPECT_THROW(Samples::from_signals({kDense, other}), InvalidArgument);
+}
+
+TEST(Samples, MayBeNone) {
+  EXPECT_EQ(Samples().count(), 0U);
+  EXPECT_EQ(Samples::from_signals({}).count(), 0U);
+}
+
+TEST(Samples, AreChosenInTheOrderAskedFor) {
+  const Samples dense(Matrix<float>(3, 1, {10, 11, 12}));
+  expect_samples(dense.subset({2, 0, 2}), {{12}, {10}, {12}});
+  const Samples sparse = Samples::from_signals({kSparse, kZero});
+  EXPECT_TRUE(sparse.subset({1, 0}).is_sparse());
+  expect_samples(sparse.subset({1, 0, 0}), {{0, 0, 0}, {0, 5, 0}, {0, 5, 0}});
+  EXPECT_EQ(sparse.subset({}).count(), 0U);
+  EXPECT_EQ(sparse.subset({}).size(), 3U);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,48 @@
+import unittest
+
+from support import TreeTest
+
+import check_text
+
+
+class Text(TreeTest):
+    def problems(self, name, text):
+        self.write(name, text)
+        return check_text.check(self.tree, [name])
+
+    def test_refuses_functions_with_other_bits_elsewhere(self):
+        for call in ("std::exp(x)", "std::pow(a, b)", "std::shuffle(a, b, c)", "rand()", "expf(x)",
+                     "std::uniform_int_distribution<int> d;", "std::normal_distribution<> d;"):
+            self.assertEqual(len(self.problems("src/maps/a.cc", f"x = {call};\n")), 1, call)
+
+    def test_says_where(self):
+        self.assertEqual(self.problems("include/somato/maps/a.h", "int a;\nauto b = std::log(a);\n"), [
+            "include/somato/maps/a.h:2: 'std::log' differs between machines; see STYLE.md"])
+
+    def test_passes_our_own_functions_words_and_tests(self):
+        self.assertEqual(self.problems("src/maps/a.cc", "y = exponential(x); // std::exp(x)\n"
+                                       'what = "std::exp";\nauto e = std::expected(x);\n'
+                                       "z = random.sample(x) + map.log(y) + operand(x);\n"), [])
+        self.assertEqual(self.problems("tests/core/a_test.cc", "y = std::exp(x);\n"), [])
+
+    def test_refuses_prints_of_the_library(self):
+        self.assertEqual(len(self.problems("src/maps/a.cc", "std::cout << 1;\n")), 1)
+        self.assertEqual(self.problems("program/main.cc", "std::cout << 1;\n"), [])
+
+    def test_refuses_flags_that_change_bits(self):
+        self.assertEqual(len(self.problems("CMakeLists.txt", "add_compile_options(-ffast-math)\n")), 1)
+
+    def test_refuses_places_of_one_machine(self):
+        for place in ("/tmp/a", "cd /root/b", '"/home/me/c"', "/work/d"):
+            self.assertEqual(len(self.problems("docs/a.md", place + "\n")), 1, place)
+        for place in ("build/tmp/a", "${x}/tmp/a", "http://example.org/work/a", "./tmp/a"):
+            self.assertEqual(self.problems("docs/a.md", place + "\n"), [], place)
+
+    def test_notes_long_files(self):
+        self.write("src/maps/a.cc", "\n" * 401)
+        self.write("src/maps/b.cc", "\n" * 400)
+        self.assertEqual(len(list(check_text.long_files(self.tree, ["src/maps/a.cc", "src/maps/b.cc"]))), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,81 @@
+import contextlib
+import io
+import unittest
+
+from support import TreeTest
+
+import run_doc_blocks
+
+
+def fenced(kind, text):
+    return f"```{kind}\n{text}```\n"
+
+
+class DocBlocks(TreeTest):
+    def run_document(self, text, *options):
+        """(exit code, what was printed) for a tree whose README holds `text`."""
+        self.write("source/README.md", text)
+        self.write("source/examples/data.csv", "1,2\n")
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            code = run_doc_blocks.main(["--source", str(self.tree / "source"),
+                                        "--scratch", str(self.tree / "scratch"), *options])
+        return code, printed.getvalue()
+
+    def assert_passes(self, text, *options):
+        code, printed = self.run_document(text, *options)
+        self.assertEqual(code, 0, printed)
+        return printed
+
+    def assert_fails(self, text, words):
+        code, printed = self.run_document(text)
+        self.assertEqual(code, 1, printed)
+        self.assertIn(words, printed)
+
+    def test_runs_blocks_in_order_in_one_folder(self):
+        text = fenced("sh", "cat examples/data.csv > copy.csv\n") + fenced("bash", "grep 1,2 copy.csv\n")
+        self.assertIn("ok      README.md:5", self.assert_passes("# Title\n" + text))
+
+    def test_leaves_the_source_tree_alone(self):
+        self.assert_passes(fenced("sh", "touch new\n"))
+        self.assertFalse((self.tree / "source/new").exists())
+
+    def test_fails_when_a_command_fails(self):
+        self.assert_fails(fenced("sh", "false\ntrue\n"), "FAILED  README.md:1: exit code 1")
+        self.assert_fails(fenced("sh", "false | cat\n"), "FAILED")
+
+    def test_compares_what_a_console_block_shows(self):
+        self.assert_passes(fenced("console", "$ echo hello\nhello\n$ true\n"))
+        self.assert_fails(fenced("console", "$ echo hello\nbye\n"), "and not:\nbye")
+        self.assert_fails(fenced("console", "$ printf 'a\\nb\\n'\na\n"), "and not:")
+        self.assert_fails(fenced("console", "$ echo 'a.b'\na+b\n"), "and not:")
+
+    def test_knows_wildcards_in_what_is_shown(self):
+        self.assert_passes(fenced("console", "$ seq 1 9\n1\n...\n9\n"))
+        self.assert_passes(fenced("console", "$ echo took 3.1 s\ntook ... s\n"))
+        self.assert_fails(fenced("console", "$ seq 1 9\n2\n...\n9\n"), "and not:")
+
+    def test_continues_commands(self):
+        self.assert_passes(fenced("console", "$ echo one \\\n> two\none two\n"))
+
+    def test_finds_the_program(self):
+        program = self.write("program", "#!/bin/sh\necho somato $1\n")
+        program.chmod(0o755)
+        text = fenced("console", "$ somato map\nsomato map\n$ build/release/somato plot\nsomato plot\n")
+        self.assert_passes(text, "--program", str(program))
+
+    def test_compiles_and_runs_programs(self):
+        self.assert_passes(fenced("cpp", "int main() { return 0; }\n"))
+        self.assert_passes(fenced("cpp", "map.train(samples);\n"))
+        self.assert_fails(fenced("cpp", "int main() { return 3; }\n"), "exit code 3")
+        self.assert_fails(fenced("cpp", "int main() { return x; }\n"), "exit code 1")
+
+    def test_skips_only_for_known_reasons_and_lines(self):
+        mark = "<!-- test: skip sets up the machine -->\n"
+        self.assertIn("skipped README.md:2", self.assert_passes(mark + fenced("sh", "./dev test\n")))
+        self.assert_fails(mark + fenced("sh", "./dev test\nsomato run\n"), "no line to skip")
+        self.assert_fails("<!-- test: skip boring -->\n" + fenced("sh", "true\n"), "is no reason")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,34 @@
+// Uses what is installed as a user would; exits with 0 when the answers are right.
+
+#include <cstdio>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/random.h"
+#include "somato/core/signal.h"
+
+namespace {
+
+bool inner_product_is_right() {
+  const auto dense = somato::Signal::dense(std::vector<float>{1, 2, 3});
+  const auto sparse = somato::Signal::sparse({3}, {2}, {0.5F});
+  return somato::inner_product(dense.view(), sparse.view()) == 1.5;
+}
+
+bool random_numbers_are_right() {
+  return somato::philox4x32({0, 0, 0, 0}, {0, 0})[0] == 0x6627E8D5;
+}
+
+// Needs the formatting library that stands behind the static library.
+bool messages_are_right() {
+  const somato::Error error = somato::unknown_name("key", "row", "a.toml:2", {"rows"});
+  return to_string(error) == "a.toml:2: unknown key 'row'; did you mean 'rows'?";
+}
+
+}  // namespace
+
+int main() {
+  if (inner_product_is_right() && random_numbers_are_right() && messages_are_right()) return 0;
+  std::puts("the installed library gives wrong answers");
+  return 1;
+}
