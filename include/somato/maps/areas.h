@@ -7,20 +7,30 @@
 
 namespace somato {
 
-/// Gives every neuron the class of the nearest winner on the grid. Among winners equally near, the
-/// class with most samples at them; then the lowest class number. `winners[i]` and `classes[i]`
-/// belong to sample i; throws InvalidArgument when they differ in number or are empty.
-std::vector<std::size_t> areas(const Grid& grid, const std::vector<std::size_t>& winners,
-                               const std::vector<std::size_t>& classes);
+/// The areas that samples' winners take on a map. Made once for the winners; asked for as many
+/// classifications of the samples as wanted.
+class WinnerAreas {
+ public:
+  /// `winners[i]` is the neuron of sample i; throws InvalidArgument when there is none or one is
+  /// not on the grid.
+  WinnerAreas(const Grid& grid, const std::vector<std::size_t>& winners);
 
-/// Whether the neurons of each class that occurs in `area_of_neuron` form one region, connected
-/// through shared edges.
-bool areas_connected(const Grid& grid, const std::vector<std::size_t>& area_of_neuron);
+  /// The class of every neuron: that of the winner nearest to it on the grid. Among winners equally
+  /// near, the class with most samples at them; then the lowest class number. `classes[i]` belongs
+  /// to sample i; throws InvalidArgument when their number is not the samples'.
+  std::vector<std::size_t> classes_of_neurons(const std::vector<std::size_t>& classes) const;
 
-/// Whether each class that has samples is one connected region of its area; false too when a class
-/// has no area left, its winners being shared with a more frequent class.
-bool classes_connected(const Grid& grid, const std::vector<std::size_t>& winners,
-                       const std::vector<std::size_t>& classes);
+  /// Whether each class that has samples has an area, and that area is one region connected through
+  /// shared edges. A class whose winners are all shared with more frequent ones has none.
+  bool connected(const std::vector<std::size_t>& classes) const;
+
+ private:
+  bool regions_connected(const std::vector<std::size_t>& class_of_neuron) const;
+
+  std::vector<std::vector<std::size_t>> nearest_samples_;  // of each neuron
+  std::vector<std::vector<std::size_t>> neighbours_;
+  std::size_t samples_;
+};
 
 /// Whether no neuron is the winner for samples of two classes.
 bool individuals_apart(const std::vector<std::size_t>& winners,

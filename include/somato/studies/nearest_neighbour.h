@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "somato/core/samples.h"
+
+namespace somato {
+
+/// The class of the training sample nearest to `samples[test]` in Euclidean distance, the first of
+/// them in a tie: the plain baseline beside every map. Throws InvalidArgument without training
+/// samples.
+std::size_t nearest_neighbour_class(const Samples& samples,
+                                    const std::vector<std::size_t>& training, std::size_t test,
+                                    const std::vector<std::size_t>& classes);
+
+}  // namespace somato

@@ -1,0 +1,83 @@
+#include "somato/studies/results.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace somato {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+
+Json metrics_json(const std::vector<Metric>& metrics) {
+  Json json = Json::object();
+  for (const Metric& metric : metrics) {
+    json[metric.name] = {
+        {"mean", metric.mean()}, {"sd", metric.standard_deviation()}, {"values", metric.values}};
+  }
+  return json;
+}
+
+Json runs_json(const std::vector<Run>& runs) {
+  Json json = Json::array();
+  for (const Run& run : runs) {
+    json.push_back({{"seed", run.seed},
+                    {"winners", run.winners},
+                    {"labels", run.labels},
+                    {"predictions", run.predictions}});
+  }
+  return json;
+}
+
+Json systems_json(const std::vector<SystemResults>& systems) {
+  Json json = Json::array();
+  for (const SystemResults& system : systems) {
+    json.push_back({{"name", system.name},
+                    {"protocol", system.protocol},
+                    {"label", system.label},
+                    {"samples", system.samples},
+                    {"metrics", metrics_json(system.metrics)},
+                    {"runs", runs_json(system.runs)}});
+  }
+  return json;
+}
+
+// TOML's numbers, texts, switches and lists of them are JSON's as they stand.
+Json settings_json(const std::vector<Settings>& parts) {
+  Json json = Json::object();
+  for (const Settings& part : parts) {
+    for (const Setting& setting : part.settings) {
+      json[part.part][setting.name] = Json::parse(setting.value);
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+double Metric::mean() const {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double Metric::standard_deviation() const {
+  if (values.size() < 2) return 0.0;
+  const double center = mean();
+  double sum = 0.0;
+  for (const double value : values) sum += (value - center) * (value - center);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+std::string to_json(const StudyResults& results) {
+  const Json json = {{"version", kVersion},
+                     {"study", results.study},
+                     {"seeds", results.seeds},
+                     {"settings", settings_json(results.settings)},
+                     {"data_hash", results.data_hash},
+                     {"systems", systems_json(results.systems)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace somato

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/core/progress.h"
+#include "somato/core/result.h"
+#include "somato/studies/results.h"
+#include "somato/studies/study_parameters.h"
+#include "studies/fold_run.h"
+#include "studies/question.h"
+
+namespace somato {
+
+/// Counts trainings over all protocols, and keeps the first failure.
+class Tally {
+ public:
+  Tally(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
+
+  void one_done();
+  void failed(Error error);
+  bool stopped() const { return stopped_; }
+  const Error& error() const { return *error_; }
+
+ private:
+  void keep(Error error);
+
+  const Progress& progress_;
+  std::uint64_t total_;
+  std::uint64_t done_ = 0;
+  std::mutex mutex_;
+  std::optional<Error> error_;
+  std::atomic<bool> stopped_ = false;
+};
+
+/// One protocol: all seeds and folds, and the metrics made of them. The description and the
+/// question must outlive it.
+class SystemRunner {
+ public:
+  SystemRunner(const StudyDescription& description, const Question& question, Protocol protocol,
+               std::vector<PreparedFold> folds);
+
+  std::size_t trainings() const { return outcomes_.size(); }
+
+  /// Training number `training`, from any thread.
+  void run(std::size_t training, Tally& tally);
+
+  /// After all trainings.
+  SystemResults results() const;
+
+ private:
+  std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
+  const FoldOutcome& outcome(std::size_t seed_index, std::size_t fold) const {
+    return outcomes_[seed_index * folds_.size() + fold];
+  }
+  Run run_of(std::size_t seed_index) const;
+  template <typename Value>
+  Metric over_folds(std::string name, std::size_t count, const Value& value) const;
+  Metric for_every_seed(std::string name, double value) const;
+  std::vector<Metric> metrics(const std::vector<Run>& runs) const;
+
+  const StudyDescription& description_;
+  const Question& question_;
+  Protocol protocol_;
+  std::vector<PreparedFold> folds_;
+  std::vector<FoldOutcome> outcomes_;
+};
+
+}  // namespace somato
