@@ -13,8 +13,9 @@ ROOMS = [room for room in DIRECT if room != "program"]
 
 # Files without a mirror, each with its reason.
 SOURCES_WITHOUT_HEADER = {
-    "core/kernels_avx2.cc": "core/kernels.h is its header, compiled again for AVX2",
-    "core/kernels_avx512.cc": "core/kernels.h is its header, compiled again for AVX-512",
+    "core/kernels_portable.cc": "core/kernels.h for any processor",
+    "core/kernels_avx2.cc": "core/kernels.h for AVX2",
+    "core/kernels_avx512.cc": "core/kernels.h for AVX-512",
 }
 HEADERS_WITHOUT_TEST = {}
 TESTS_WITHOUT_HEADER = {}

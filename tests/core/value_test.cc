@@ -58,10 +58,12 @@ TEST(NearestName, IsTheOneWithTheFewestEdits) {
   EXPECT_EQ(nearest_name("colums", known), "columns");
   EXPECT_EQ(nearest_name("learn_rate", known), "learning_rate");
   EXPECT_EQ(nearest_name("rows", {"cows", "rows"}), "rows");
+  EXPECT_EQ(nearest_name("bows", {"cows", "rows"}), "cows");  // the first of equals
 }
 
 TEST(NearestName, IsNothingWhenNoneIsMeant) {
   EXPECT_EQ(nearest_name("topology", {"rows", "columns"}), "");
+  EXPECT_EQ(nearest_name("map", {"som"}), "");
   EXPECT_EQ(nearest_name("rows", {}), "");
 }
 
