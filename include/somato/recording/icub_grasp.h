@@ -15,7 +15,8 @@ namespace somato {
 /// explorations come in the order of object name and trial number, with the labels `object` and
 /// `trial`. Their channels, whose sampling rate is unknown:
 /// - `joints`: 9 elements, deg (line 1 of a step);
-/// - `finger_pressure`: 5 elements, counts, 255 less the lowest taxel of each finger (line 2);
+/// - `finger_pressure`: 5 elements, counts (line 2), kept as written: about 255 less the lowest
+///   taxel of each finger, but in the data set a third of them lie a few counts off;
 /// - `taxels`: 60 elements, 12 a finger from thumb to little finger, raw counts of 0 to 255, lower
 ///   for more pressure (lines 3 to 7).
 ///
