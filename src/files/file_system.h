@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace somato {
+
+/// What an operation on files yields, or the system's error number (`ENOSPC`, ...).
+template <typename T>
+using Outcome = tl::expected<T, int>;
+
+/// What is behind an open file.
+struct FileStatus {
+  enum class Kind { kRegular, kDirectory, kOther };
+  Kind kind = Kind::kRegular;
+  std::size_t size = 0;
+  unsigned permissions = 0;  ///< The nine permission bits.
+  unsigned owner = 0;
+  unsigned group = 0;
+};
+
+/// How a file is opened.
+enum class Opening {
+  kRead,
+  kOverwrite,  ///< An existing file for writing, its content kept until written over.
+  kTruncate,   ///< An existing file for writing, emptied.
+  kCreate,     ///< A new file for writing; fails with EEXIST when there is one.
+  kFolder,     ///< A folder, to be flushed.
+};
+
+/// The operations of the operating system that reading and saving stand on: a seam at which tests
+/// let any of them fail. Each is one system call and does not try again.
+class FileSystem {
+ public:
+  virtual ~FileSystem() = default;
+
+  virtual Outcome<int> open(const std::string& path, Opening opening) = 0;
+  virtual Outcome<FileStatus> status(int file) = 0;
+  virtual Outcome<std::size_t> read(int file, char* bytes, std::size_t count) = 0;
+  virtual Outcome<std::size_t> write(int file, std::string_view bytes) = 0;
+  virtual Outcome<void> set_permissions(int file, const FileStatus& like) = 0;
+  virtual Outcome<void> flush(int file) = 0;
+  virtual Outcome<void> close(int file) = 0;
+  virtual Outcome<void> rename(const std::string& from, const std::string& to) = 0;
+  virtual Outcome<void> remove(const std::string& path) = 0;
+};
+
+/// The real one.
+FileSystem& operating_system();
+
+}  // namespace somato
