@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/codes/standardization.h"
+#include "somato/core/result.h"
+#include "somato/core/samples.h"
+#include "somato/maps/labels.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+
+/// A trained map with what is needed to use it on data: one file.
+struct SomModel {
+  Som som;
+  std::vector<std::string> features;               ///< Names of the input elements, or empty.
+  std::optional<Standardization> standardization;  ///< Applied to data before the map sees it.
+  std::vector<std::string> classes;                ///< Names of the classes, or empty.
+  NeuronLabels labels;                             ///< A class a neuron; empty without classes.
+
+  /// The samples as the map takes them. Throws InvalidArgument when the sizes differ.
+  Samples prepare(const Samples& samples) const;
+};
+
+/// Saves wholly or not at all (see save_whole); docs/formats/model-file.md describes the file.
+Result<void> save_som_model(const std::string& path, const SomModel& model);
+
+/// The same model, bit by bit. Errors: kSystem for a file that cannot be read, kData for one that
+/// is damaged or holds something else.
+Result<SomModel> load_som_model(const std::string& path);
+
+}  // namespace somato

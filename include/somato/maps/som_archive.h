@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "somato/core/result.h"
+#include "somato/files/archive.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+
+/// Puts a map into an archive: the text `PREFIXparameters` (TOML, every parameter) and the array
+/// `PREFIXweights` (float32, neurons x input elements).
+void add_som(Archive& archive, const std::string& prefix, const Som& som);
+
+/// The map that add_som put there, bit by bit. Errors (kData, at `where`): parts missing or of
+/// another type, parameters that are unknown, out of range or not all decided, weights that do not
+/// fit the grid or are not finite.
+Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where);
+
+}  // namespace somato

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+
+namespace somato::program {
+
+/// An argument without a flag, in its place.
+struct Positional {
+  std::string name;  ///< Upper case, as the usage shows it.
+  std::string text;
+  bool required = true;
+};
+
+/// A flag that is no parameter of a struct: where things come from and go to.
+struct Flag {
+  std::string name;  ///< Such as "--out" or "-o,--output".
+  std::string text;
+  bool required = false;
+  bool takes_value = true;
+};
+
+/// What was written on the command line: by the name of a positional or flag, without dashes.
+class Arguments {
+ public:
+  std::map<std::string, std::string> texts;
+
+  bool has(const std::string& name) const { return texts.contains(name); }
+  std::string text(const std::string& name) const;
+
+  /// A whole number of at least `least`, or nothing when the flag is absent. Errors: kUsage.
+  Result<std::optional<std::size_t>> number(const std::string& name, std::size_t least) const;
+};
+
+/// One thing the program can do.
+struct Command {
+  std::string name;  ///< One or two words: "run", "som train".
+  std::string text;
+  std::vector<Positional> positionals;
+  std::vector<Flag> flags;
+  std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
+  std::function<Result<void>(const Arguments&)> run;
+};
+
+/// The flag of a parameter: `radius_start` is `--radius-start`.
+std::string flag_of(const std::string& parameter_name);
+
+/// The declared parameters of S for a Command.
+template <typename S>
+std::vector<ParameterInfo> parameter_flags() {
+  std::vector<ParameterInfo> infos;
+  for (const auto& parameter : S::declarations().all()) infos.push_back(parameter.info);
+  return infos;
+}
+
+/// `parameters` with those set that were given as flags. Errors (kUsage) name the flag.
+template <typename S>
+Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
+  for (const auto& parameter : S::declarations().all()) {
+    const auto given = arguments.texts.find(flag_of(parameter.info.name).substr(2));
+    if (given == arguments.texts.end()) continue;
+    Result<Value> value = value_from_text(parameter.info, given->second);
+    Result<void> assigned =
+        value ? parameter.assign(parameters, *value) : fail(std::move(value.error()));
+    if (!assigned) {
+      assigned.error().where = flag_of(parameter.info.name);
+      return fail(std::move(assigned.error()));
+    }
+  }
+  return parameters;
+}
+
+/// Finds the command that `argv` asks for and runs it. Prints help, the version, and on standard
+/// error what went wrong. Returns the program's exit code: 0 done, 1 failed, 2 wrong usage, 130
+/// interrupted.
+int run_command_line(int argc, char** argv, const std::vector<Command>& commands);
+
+}  // namespace somato::program

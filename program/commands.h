@@ -1,0 +1,16 @@
+#pragma once
+
+#include "command_line.h"
+
+namespace somato::program {
+
+Command run_command();
+Command som_train_command();
+Command som_map_command();
+Command som_quality_command();
+Command som_plot_command();
+
+/// Prints the reference of flags and keys, made of the commands and the parameter declarations.
+Command reference_command(const std::vector<Command>& others);
+
+}  // namespace somato::program

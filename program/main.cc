@@ -1,0 +1,11 @@
+#include "commands.h"
+#include "terminal.h"
+
+int main(int argc, char** argv) {
+  using namespace somato::program;
+  catch_interrupts();
+  std::vector<Command> commands{run_command(), som_train_command(), som_map_command(),
+                                som_quality_command(), som_plot_command()};
+  commands.push_back(reference_command(commands));
+  return run_command_line(argc, argv, commands);
+}

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "commands.h"
+#include "data.h"
+#include "somato/drawing/map_picture.h"
+#include "somato/files/whole_file.h"
+#include "somato/maps/som_quality.h"
+
+namespace somato::program {
+namespace {
+
+const std::vector<std::string> kPanels{"u_matrix", "hits", "labels", "components"};
+
+// The panels that --panels names, or all that the arguments allow.
+Result<std::vector<std::string>> chosen_panels(const Arguments& arguments) {
+  ParameterInfo info;
+  info.name = "panels";
+  info.type = "list of choice";
+  info.choices = kPanels;
+  if (!arguments.has("panels")) return kPanels;
+  const Result<Value> value = value_from_text(info, arguments.text("panels"));
+  std::vector<std::string> chosen;
+  for (const Value& item : std::get<Value::List>(value->content)) {
+    Result<std::size_t> choice = detail::read_choice(info, item);
+    if (!choice) {
+      choice.error().where = "--panels";
+      return fail(std::move(choice.error()));
+    }
+    chosen.push_back(kPanels[*choice]);
+  }
+  return chosen;
+}
+
+bool wants(const std::vector<std::string>& chosen, const std::string& panel) {
+  return std::find(chosen.begin(), chosen.end(), panel) != chosen.end();
+}
+
+ValuePanel value_panel(std::string title, const Som& som, std::vector<double> values) {
+  ValuePanel panel;
+  panel.title = std::move(title);
+  panel.grid = som.grid();
+  panel.values = std::move(values);
+  return panel;
+}
+
+void add_data_panels(const MapAndData& both, const std::vector<std::string>& chosen,
+                     std::vector<Panel>& panels) {
+  const Som& som = both.model.som;
+  const SomQuality quality = measure_quality(som, both.samples);
+  if (wants(chosen, "hits")) panels.emplace_back(hits_panel(som.grid(), quality.hits));
+  if (!wants(chosen, "labels") || both.data.labels.empty()) return;
+  Classes classes = Classes::from_names(both.data.labels);
+  LabelPanel panel;
+  panel.title = "Labels";
+  panel.grid = som.grid();
+  panel.class_names = std::move(classes.names);
+  panel.winners = quality.winners;
+  panel.classes = std::move(classes.of_sample);
+  panels.emplace_back(std::move(panel));
+}
+
+void add_components(const SomModel& model, std::size_t most, std::vector<Panel>& panels) {
+  for (std::size_t i = 0; i < std::min(most, model.som.input_size()); ++i) {
+    const std::string title =
+        model.features.empty() ? fmt::format("Component {}", i + 1) : model.features[i];
+    panels.emplace_back(value_panel(title, model.som, component_plane(model.som, i)));
+  }
+}
+
+Result<MapAndData> read_map_and_perhaps_data(const Arguments& arguments) {
+  if (arguments.has("DATA")) return read_map_and_data(arguments);
+  auto model = load_som_model(arguments.text("MAP"));
+  if (!model) return fail(std::move(model.error()));
+  return MapAndData{std::move(*model), {}, {}};
+}
+
+Result<void> plot(const Arguments& arguments) {
+  auto chosen = chosen_panels(arguments);
+  if (!chosen) return fail(std::move(chosen.error()));
+  auto most = arguments.number("components", 0);
+  if (!most) return fail(std::move(most.error()));
+  auto both = read_map_and_perhaps_data(arguments);
+  if (!both) return fail(std::move(both.error()));
+  const Som& som = both->model.som;
+  std::vector<Panel> panels;
+  if (wants(*chosen, "u_matrix")) {
+    panels.emplace_back(value_panel("U-matrix", som, u_matrix(som)));
+  }
+  if (arguments.has("DATA")) add_data_panels(*both, *chosen, panels);
+  if (wants(*chosen, "components")) add_components(both->model, most->value_or(12), panels);
+  if (panels.empty()) {
+    return fail(ErrorKind::kUsage, "there is nothing to draw", "--panels",
+                "hits need DATA, labels need DATA with labels");
+  }
+  const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
+  const std::string caption =
+      fmt::format("{} x {} neurons, {} {}", som.grid().rows(), som.grid().columns(),
+                  choice_name(som.grid().lattice()), choice_name(som.grid().topology()));
+  return save_whole(arguments.text("output"), draw_picture(title, caption, panels));
+}
+
+}  // namespace
+
+Command som_plot_command() {
+  std::vector<Flag> flags = data_flags();
+  flags.push_back({"-o,--output", "SVG file", true});
+  flags.push_back({"--panels", fmt::format("What to draw, of {}; default: all that the data allow",
+                                           fmt::join(kPanels, ","))});
+  flags.push_back({"--components", "The most component planes to draw; default: 12"});
+  return {"som plot",
+          "Draw a map: U-matrix, hits, labels, component planes",
+          {{"MAP", "A trained map", true},
+           {"DATA", "NPY file or text, as for training, for hits and labels", false}},
+          std::move(flags),
+          {},
+          plot};
+}
+
+}  // namespace somato::program

@@ -1,0 +1,72 @@
+#include "terminal.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <utility>
+
+namespace somato::program {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+// One line that is written over, at most ten times a second.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string what) : what_(std::move(what)) {}
+
+  void show(std::uint64_t done, std::uint64_t total) {
+    const auto now = Clock::now();
+    const bool finished = done == total;
+    if (!finished && now - shown_ < std::chrono::milliseconds(100)) return;
+    shown_ = now;
+    const double elapsed = std::chrono::duration<double>(now - started_).count();
+    const double share = static_cast<double>(done) / static_cast<double>(total);
+    fmt::print(
+        stderr, "\r{}: {:3.0f} %, {}\033[K{}", what_, 100.0 * share,
+        finished ? "took " + duration(elapsed) : duration(elapsed / share - elapsed) + " left",
+        finished ? "\n" : "");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point shown_{};
+};
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that can be reported
+}
+
+Progress terminal_progress(std::string what) {
+  std::shared_ptr<ProgressLine> line;
+  if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
+  return [line](std::uint64_t done, std::uint64_t total) {
+    if (line) line->show(done, total);
+    if (interrupted && line) fmt::print(stderr, "\n");
+    return interrupted == 0;
+  };
+}
+
+}  // namespace somato::program

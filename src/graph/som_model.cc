@@ -1,0 +1,157 @@
+#include "somato/graph/som_model.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "somato/files/archive.h"
+#include "somato/files/toml_file.h"
+#include "somato/maps/som_archive.h"
+
+namespace somato {
+namespace {
+
+const std::string kKind = "som";
+const std::string kPrefix = "som.";
+
+tl::unexpected<Error> damaged(const std::string& what, const std::string& where) {
+  return fail(ErrorKind::kData, what, where, "the file is damaged; save it again");
+}
+
+// A list of names as a line of TOML, so that a name may hold anything.
+std::string names_to_toml(const std::vector<std::string>& names) {
+  Value::List list;
+  for (const std::string& name : names) list.push_back({name});
+  return "names = " + to_toml({list}) + "\n";
+}
+
+Result<std::vector<std::string>> read_names(const Archive& archive, const std::string& name,
+                                            const std::string& where) {
+  std::vector<std::string> names;
+  if (!archive.find(name)) return names;
+  auto text = archive.get<std::string>(name, where);
+  if (!text) return fail(std::move(text.error()));
+  const Result<Table> table = parse_toml(**text, where);
+  const Table::Entry* entry = table ? table->find("names") : nullptr;
+  const Value* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
+  const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
+  if (!list) return damaged("'" + name + "' is not a list of names", where);
+  for (const Value& item : *list) {
+    const auto* item_text = std::get_if<std::string>(&item.content);
+    if (!item_text) return damaged("'" + name + "' is not a list of names", where);
+    names.push_back(*item_text);
+  }
+  return names;
+}
+
+Array<double> standardization_array(const Standardization& standardization) {
+  Array<double> array{{2, standardization.means.size()}, standardization.means};
+  array.values.insert(array.values.end(), standardization.deviations.begin(),
+                      standardization.deviations.end());
+  return array;
+}
+
+Result<void> read_standardization(const Archive& archive, const std::string& where,
+                                  SomModel& model) {
+  if (!archive.find("standardization")) return {};
+  auto array = archive.get<Array<double>>("standardization", where);
+  if (!array) return fail(std::move(array.error()));
+  const std::vector<double>& values = (*array)->values;
+  const std::size_t size = model.som.input_size();
+  if ((*array)->shape != std::vector<std::uint64_t>{2, size}) {
+    return damaged("the standardization does not fit the map", where);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) || (i >= size && values[i] < 0.0)) {
+      return damaged("the standardization holds an impossible number", where);
+    }
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(size);
+  model.standardization = Standardization{{values.begin(), middle}, {middle, values.end()}};
+  return {};
+}
+
+constexpr std::int64_t kNoLabel = -1;
+
+Array<std::int64_t> labels_array(const NeuronLabels& labels) {
+  Array<std::int64_t> array{{labels.neurons()}, {}};
+  for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
+    array.values.push_back(labels[neuron] ? static_cast<std::int64_t>(*labels[neuron]) : kNoLabel);
+  }
+  return array;
+}
+
+Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
+  if (model.classes.empty()) return {};
+  auto array = archive.get<Array<std::int64_t>>("labels", where);
+  if (!array) return fail(std::move(array.error()));
+  if ((*array)->shape != std::vector<std::uint64_t>{model.som.neurons()}) {
+    return damaged("the labels do not fit the map", where);
+  }
+  std::vector<std::optional<std::size_t>> class_of_neuron;
+  for (const std::int64_t label : (*array)->values) {
+    if (label < kNoLabel || label >= static_cast<std::int64_t>(model.classes.size())) {
+      return damaged("a neuron has the label of a class that is not there", where);
+    }
+    class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}
+                                                : static_cast<std::size_t>(label));
+  }
+  model.labels = NeuronLabels(std::move(class_of_neuron));
+  return {};
+}
+
+Result<void> check_entries(const Archive& archive, const std::string& path) {
+  if (archive.kind() != kKind) {
+    return fail(ErrorKind::kData, "the file holds '" + archive.kind() + "', not a map", path,
+                "give a file that 'somato som train' wrote");
+  }
+  const std::set<std::string> known{kPrefix + "parameters", kPrefix + "weights", "features",
+                                    "standardization",      "classes",           "labels"};
+  for (const Archive::Entry& entry : archive.entries()) {
+    if (!known.contains(entry.name)) {
+      return damaged("the model has an unknown part '" + entry.name + "'", path);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Samples SomModel::prepare(const Samples& samples) const {
+  return standardization ? standardization->apply(samples) : samples;
+}
+
+Result<void> save_som_model(const std::string& path, const SomModel& model) {
+  Archive archive(kKind);
+  add_som(archive, kPrefix, model.som);
+  if (!model.features.empty()) archive.add("features", names_to_toml(model.features));
+  if (model.standardization) {
+    archive.add("standardization", standardization_array(*model.standardization));
+  }
+  if (!model.classes.empty()) {
+    archive.add("classes", names_to_toml(model.classes));
+    archive.add("labels", labels_array(model.labels));
+  }
+  return save_archive(path, archive);
+}
+
+Result<SomModel> load_som_model(const std::string& path) {
+  auto archive = load_archive(path);
+  if (!archive) return fail(std::move(archive.error()));
+  if (auto known = check_entries(*archive, path); !known) return fail(std::move(known.error()));
+  auto som = som_from(*archive, kPrefix, path);
+  if (!som) return fail(std::move(som.error()));
+  auto features = read_names(*archive, "features", path);
+  if (!features) return fail(std::move(features.error()));
+  auto classes = read_names(*archive, "classes", path);
+  if (!classes) return fail(std::move(classes.error()));
+  SomModel model{std::move(*som), std::move(*features), {}, std::move(*classes), {}};
+  if (!model.features.empty() && model.features.size() != model.som.input_size()) {
+    return damaged("the names of the features do not fit the map", path);
+  }
+  if (auto read = read_standardization(*archive, path, model); !read) return fail(read.error());
+  if (auto read = read_labels(*archive, path, model); !read) return fail(read.error());
+  return model;
+}
+
+}  // namespace somato
