@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "somato/core/result.h"
+#include "somato/files/number_table.h"
+
+namespace somato {
+
+/// How a CSV file is read; what is not given is found out.
+struct CsvOptions {
+  /// Between fields: ',', ';', '\t' or ' ' (any number of spaces and tabs). Found out: the first of
+  /// tab, semicolon, comma and blank that the first line holds.
+  std::optional<char> separator;
+  /// Whether the first line holds names. Found out: when a field outside the label column is
+  /// quoted, or is neither a number nor what stands for a missing one.
+  std::optional<bool> header;
+  /// The column that holds labels, by name or by number from 1; empty: none.
+  std::string label_column;
+};
+
+/// The table in `text`, which is `where`: RFC 4180 with other separators, a byte order mark and any
+/// ends of lines. Blank lines and lines that begin with # are passed over. Numbers are decimal with
+/// a point, rounded to float32.
+/// Errors: kData with `where:line:column`, both from 1, column in bytes (ragged rows, what is no
+/// finite number, binary content, no rows); kUsage for a label column that is not there.
+Result<NumberTable> parse_csv(std::string_view text, std::string_view where,
+                              const CsvOptions& options = {});
+
+/// The table in the file at `path`; see parse_csv() and read_whole().
+Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options = {});
+
+/// The table as text that reads back to the same bits: names if there are any, commas, the labels
+/// as last column `label`. Throws InvalidArgument when sizes do not match, a value is not finite,
+/// or a text is not UTF-8.
+std::string format_csv(const NumberTable& table);
+
+/// Saves wholly or not at all; see save_whole().
+Result<void> write_csv(const std::string& path, const NumberTable& table);
+
+}  // namespace somato

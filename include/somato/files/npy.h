@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "somato/core/matrix.h"
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// Whether `bytes` begin as a file of numpy's NPY format does.
+bool is_npy(std::string_view bytes);
+
+/// The array in `bytes`, which are `where`: versions 1 to 3 of numpy's NPY format; float32,
+/// float64, integers of 8 to 64 bits and booleans; either byte order; C or Fortran order. An array
+/// of one dimension becomes one column. Numbers are rounded to float32.
+/// Errors (kData): other types and dimensions, an empty array, a file that is cut short or too
+/// long, and, with row and column, a value that is no finite float32.
+/// Source: numpy.lib.format in numpy's documentation.
+Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where);
+
+/// The array in the file at `path`; see decode_npy() and read_whole().
+Result<Matrix<float>> read_npy(const std::string& path);
+
+/// A file of version 1.0 in C order: `<f4` of two dimensions.
+std::string encode_npy(const Matrix<float>& matrix);
+
+/// The same for integers: `<i8` of one dimension.
+std::string encode_npy(std::span<const std::int64_t> numbers);
+
+/// Saves wholly or not at all; see save_whole().
+Result<void> write_npy(const std::string& path, const Matrix<float>& matrix);
+Result<void> write_npy(const std::string& path, std::span<const std::int64_t> numbers);
+
+}  // namespace somato

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "somato/core/result.h"
+#include "somato/files/csv.h"
+#include "somato/files/number_table.h"
+
+namespace somato {
+
+/// The table in the file at `path`: NPY when it begins as NPY does, otherwise CSV.
+/// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column of an NPY
+/// file.
+Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {});
+
+}  // namespace somato

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// A field of a CSV file and its place, from 1.
+struct CsvField {
+  std::string text;
+  bool quoted = false;
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+/// Cuts the text of a CSV file into records of fields, passing over blank lines and lines that
+/// begin with #.
+class CsvRecords {
+ public:
+  /// `text` is `where`; it must outlive this object.
+  CsvRecords(std::string_view text, std::string_view where) : text_(text), where_(where) {}
+
+  /// The separator that the next record seems to use: the first of tab, semicolon, comma and blank
+  /// that stands in it outside quotes, otherwise a comma.
+  char guess_separator();
+
+  /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
+  Result<void> next(char separator, std::vector<CsvField>& fields);
+
+  /// `where:line:column` of a field.
+  std::string place(const CsvField& field) const;
+
+ private:
+  bool at_end() const { return position_ == text_.size(); }
+  char here() const { return text_[position_]; }
+  bool at_line_end() const { return at_end() || here() == '\n' || here() == '\r'; }
+  bool at_separator(char separator) const;
+  void skip_blanks(char separator);
+  void skip_line_end();
+  void skip_what_is_no_record();
+  Result<CsvField> field(char separator);
+  Result<void> quoted_text(CsvField& field);
+
+  std::string_view text_;
+  std::string where_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_start_ = 0;
+};
+
+}  // namespace somato

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// What an NPY file says about its array.
+struct NpyHeader {
+  std::string type;  ///< As numpy writes it: "<f4", "|b1"; "structured" for a list of fields.
+  bool fortran_order = false;
+  std::vector<std::uint64_t> shape;
+};
+
+/// Reads the header's text, a Python dictionary of exactly the keys descr, fortran_order and shape.
+/// Errors: kData at `where`.
+Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where);
+
+}  // namespace somato

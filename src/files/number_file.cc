@@ -1,0 +1,30 @@
+#include "somato/files/number_file.h"
+
+#include <utility>
+
+#include "somato/files/npy.h"
+#include "somato/files/whole_file.h"
+
+namespace somato {
+namespace {
+
+Result<NumberTable> table_of_npy(const std::string& bytes, const std::string& path,
+                                 const CsvOptions& options) {
+  if (!options.label_column.empty()) {
+    return fail(ErrorKind::kUsage, "an NPY file has no label column", path,
+                "give the labels in a file of their own, one a line");
+  }
+  return decode_npy(bytes, path).map([](Matrix<float>&& values) {
+    return NumberTable{{}, std::move(values), {}};
+  });
+}
+
+}  // namespace
+
+Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options) {
+  return read_whole(path).and_then([&](const std::string& bytes) {
+    return is_npy(bytes) ? table_of_npy(bytes, path, options) : parse_csv(bytes, path, options);
+  });
+}
+
+}  // namespace somato

@@ -1,0 +1,157 @@
+#include "somato/files/toml_file.h"
+
+#include <fmt/format.h>
+
+// Without exceptions, and compiled in so that an installed library needs nothing more.
+#undef TOML_HEADER_ONLY
+#undef TOML_SHARED_LIB
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "files/dotted_keys.h"
+#include "somato/files/whole_file.h"
+
+namespace somato {
+namespace {
+
+constexpr std::size_t kLargestText = std::size_t{16} << 20;
+constexpr int kDeepest = 16;
+
+using Content = std::variant<Value, Table, std::vector<Table>>;
+
+class Converter {
+ public:
+  explicit Converter(std::string_view where) : where_(where) {}
+
+  Result<Table> table(const toml::table& source, int depth) const {
+    if (depth > kDeepest) return too_deep(source);
+    Table out{line(source.source()), {}};
+    for (const auto& item : in_order(source)) {
+      Result<Content> converted = content(*item.second, depth + 1);
+      if (!converted) return fail(std::move(converted.error()));
+      out.entries.push_back(
+          {std::string(item.first->str()), line(item.first->source()), std::move(*converted)});
+    }
+    return out;
+  }
+
+ private:
+  using Item = std::pair<const toml::key*, const toml::node*>;
+
+  static std::vector<Item> in_order(const toml::table& source) {
+    std::vector<Item> items;
+    for (auto&& [key, node] : source) items.emplace_back(&key, &node);
+    std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+      return a.first->source().begin < b.first->source().begin;
+    });
+    return items;
+  }
+
+  std::string line(const toml::source_region& source) const {
+    if (!source.begin) return where_;
+    return fmt::format("{}:{}", where_, source.begin.line);
+  }
+
+  tl::unexpected<Error> refuse(const toml::node& node, std::string what, std::string advice) const {
+    const toml::source_position begin = node.source().begin;
+    return fail(ErrorKind::kUsage, std::move(what),
+                fmt::format("{}:{}:{}", where_, begin.line, begin.column), std::move(advice));
+  }
+
+  tl::unexpected<Error> too_deep(const toml::node& node) const {
+    return refuse(node, fmt::format("more than {} levels inside each other", kDeepest),
+                  "flatten the description");
+  }
+
+  Result<Content> content(const toml::node& node, int depth) const {
+    if (const toml::table* inner = node.as_table()) {
+      return table(*inner, depth).map([](Table&& out) { return Content(std::move(out)); });
+    }
+    const toml::array* array = node.as_array();
+    if (array && !array->empty() && array->is_array_of_tables()) return tables(*array, depth);
+    return value(node, depth).map([](Value&& out) { return Content(std::move(out)); });
+  }
+
+  Result<Content> tables(const toml::array& array, int depth) const {
+    std::vector<Table> out;
+    for (const toml::node& node : array) {
+      Result<Table> converted = table(*node.as_table(), depth);
+      if (!converted) return fail(std::move(converted.error()));
+      out.push_back(std::move(*converted));
+    }
+    return Content(std::move(out));
+  }
+
+  Result<Value> value(const toml::node& node, int depth) const {
+    switch (node.type()) {
+      case toml::node_type::boolean:
+        return Value{node.as_boolean()->get()};
+      case toml::node_type::integer:
+        return Value{node.as_integer()->get()};
+      case toml::node_type::floating_point:
+        return Value{node.as_floating_point()->get()};
+      case toml::node_type::string:
+        return Value{node.as_string()->get()};
+      case toml::node_type::array:
+        return list(*node.as_array(), depth);
+      default:
+        return refuse(node, "dates and times are not used in descriptions",
+                      "put it in quotation marks if a text is meant");
+    }
+  }
+
+  Result<Value> list(const toml::array& array, int depth) const {
+    if (depth > kDeepest) return too_deep(array);
+    Value::List out;
+    for (const toml::node& node : array) {
+      if (node.is_table()) {
+        return refuse(node, "a table stands in an array of values", "use an array of tables");
+      }
+      if (!same_kind(node, array[0])) {
+        return refuse(node, "the array mixes types", "give all its values the same type");
+      }
+      Result<Value> converted = value(node, depth + 1);
+      if (!converted) return converted;
+      out.push_back(std::move(*converted));
+    }
+    return Value{std::move(out)};
+  }
+
+  static bool same_kind(const toml::node& a, const toml::node& b) {
+    return a.type() == b.type() || (a.is_number() && b.is_number());
+  }
+
+  std::string where_;
+};
+
+}  // namespace
+
+Result<Table> parse_toml(std::string_view text, std::string_view where) {
+  if (text.size() > kLargestText) {
+    return fail(ErrorKind::kUsage, fmt::format("the text is larger than {} bytes", kLargestText),
+                std::string(where), "check that it is the right file");
+  }
+  if (const std::size_t line = line_of_long_key(text, kDeepest); line > 0) {
+    return fail(ErrorKind::kUsage, fmt::format("a key of more than {} parts", kDeepest + 1),
+                fmt::format("{}:{}", where, line), "flatten the description");
+  }
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    const toml::parse_error& error = parsed.error();
+    const toml::source_position begin = error.source().begin;
+    return fail(ErrorKind::kUsage, std::string(error.description()),
+                fmt::format("{}:{}:{}", where, begin.line, begin.column), "correct the TOML there");
+  }
+  return Converter(where).table(parsed.table(), 0);
+}
+
+Result<Table> read_toml(const std::string& path) {
+  return read_whole(path).and_then(
+      [&](const std::string& bytes) { return parse_toml(bytes, path); });
+}
+
+}  // namespace somato
