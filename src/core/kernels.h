@@ -35,6 +35,10 @@ struct Table {
                                 std::size_t count, Real* out);
   /// out = sum over columns of (mask * w) * x, where `mask` has the order of `w`.
   void (*masked_inner_products)(Lanes<const Real> w, const Real* mask, const Real* x, Real* out);
+  /// out = sum over the listed columns of (mask * w) * x.
+  void (*sparse_masked_inner_products)(Lanes<const Real> w, const Real* mask,
+                                       const std::uint32_t* columns, const Real* x,
+                                       std::size_t count, Real* out);
   /// out = sum over columns of w^2.
   void (*squared_norms)(Lanes<const Real> w, Real* out);
   /// w += gain * (x - w) in each row; blocks whose gains are all zero are not touched.

@@ -117,6 +117,12 @@ TYPED_TEST(Kernels, GiveThePlainSums) {
     expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
       return Exact{p.sparse_values[k]} * Exact{w(row, p.indices[k])};
     });
+    table.sparse_masked_inner_products(kernels::lanes(w), p.mask.data(), p.indices.data(),
+                                       p.sparse_values.data(), p.indices.size(), out.data());
+    expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
+      const std::uint32_t column = p.indices[k];
+      return Exact{p.mask(row, column)} * Exact{w(row, column)} * Exact{p.sparse_values[k]};
+    });
   }
 }
 
@@ -170,6 +176,9 @@ std::vector<Real> all_results() {
     keep();
     table.sparse_inner_products(w, p.indices.data(), p.sparse_values.data(), p.indices.size(),
                                 out.data());
+    keep();
+    table.sparse_masked_inner_products(w, p.mask.data(), p.indices.data(), p.sparse_values.data(),
+                                       p.indices.size(), out.data());
     keep();
     table.move_towards(kernels::lanes(p.weights), p.sample.data(), p.gains.data());
     table.scale_rows(kernels::lanes(p.weights), p.gains.data());
