@@ -13,6 +13,11 @@ namespace somato::kernels {
 
 inline constexpr std::size_t kChunk = 256;
 
+/// Smaller magnitudes are not worth keeping: the product of two of them leaves the range of normal
+/// numbers, where processors are up to a hundred times slower.
+template <typename Real>
+inline constexpr Real kNegligible = sizeof(Real) == sizeof(float) ? Real(1e-18) : Real(1e-150);
+
 /// The matrix as the kernels see it: plain pointers, so that no inline function of another header
 /// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order.
 template <typename Real>
@@ -45,6 +50,9 @@ struct Table {
   void (*move_towards)(Lanes<Real> w, const Real* x, const Real* gains);
   /// w *= factor in each row.
   void (*scale_rows)(Lanes<Real> w, const Real* factors);
+  /// w = 0 where its magnitude is below kNegligible. Weights of elements that are always zero decay
+  /// towards the slow subnormal numbers and would stay there.
+  void (*clear_negligible)(Lanes<Real> w);
 };
 
 /// The kernels of the instruction set in use.

@@ -141,6 +141,17 @@ void scale_rows(Lanes<Real> w, const Real* factors) {
 }
 
 template <typename Real>
+void clear_negligible(Lanes<Real> w) {
+  const auto limit = Vector<Real>::all(kNegligible<Real>);
+  for (std::size_t block = 0; block < w.blocks; ++block) {
+    for (std::size_t column = 0; column < w.columns; ++column) {
+      Real* lanes = lanes_at(w, block, column);
+      zero_below(Vector<Real>::load(lanes), limit).store(lanes);
+    }
+  }
+}
+
+template <typename Real>
 constexpr Table<Real> make_table() {
   return {squared_distances<Real>,
           inner_products<Real>,
@@ -149,7 +160,8 @@ constexpr Table<Real> make_table() {
           sparse_masked_inner_products<Real>,
           squared_norms<Real>,
           move_towards<Real>,
-          scale_rows<Real>};
+          scale_rows<Real>,
+          clear_negligible<Real>};
 }
 
 }  // namespace

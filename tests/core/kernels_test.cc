@@ -155,6 +155,22 @@ TYPED_TEST(Kernels, ScaleRowsByTheirFactor) {
   }
 }
 
+// The least magnitude kept is kNegligible itself; NaN is no small number.
+TYPED_TEST(Kernels, ClearWhatIsNegligible) {
+  using Real = TypeParam;
+  const Real limit = kernels::kNegligible<Real>;
+  const Real below = std::nextafter(limit, Real{0});
+  const Real smallest = std::numeric_limits<Real>::denorm_min();
+  testing::for_each_instruction_set([&](InstructionSet /*set*/) {
+    LaneMatrix<Real> w(Matrix<Real>(2, 4, {limit, below, -limit, -below, smallest, 1, -1, 0}));
+    kernels::table<Real>().clear_negligible(kernels::lanes(w));
+    EXPECT_EQ(w.to_matrix(), Matrix<Real>(2, 4, {limit, 0, -limit, 0, 0, 1, -1, 0}));
+    w(0, 0) = std::numeric_limits<Real>::quiet_NaN();
+    kernels::table<Real>().clear_negligible(kernels::lanes(w));
+    EXPECT_TRUE(std::isnan(w(0, 0)));
+  });
+}
+
 // Everything the kernels compute for some problems, one value after the other.
 template <typename Real>
 std::vector<Real> all_results() {
