@@ -13,6 +13,11 @@ namespace somato::kernels {
 
 inline constexpr std::size_t kChunk = 256;
 
+/// Smaller magnitudes are not worth keeping: the product of two of them leaves the range of normal
+/// numbers, where processors are up to a hundred times slower.
+template <typename Real>
+inline constexpr Real kNegligible = sizeof(Real) == sizeof(float) ? Real(1e-18) : Real(1e-150);
+
 /// The matrix as the kernels see it: plain pointers, so that no inline function of another header
 /// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order.
 template <typename Real>
@@ -35,12 +40,19 @@ struct Table {
                                 std::size_t count, Real* out);
   /// out = sum over columns of (mask * w) * x, where `mask` has the order of `w`.
   void (*masked_inner_products)(Lanes<const Real> w, const Real* mask, const Real* x, Real* out);
+  /// out = sum over the listed columns of (mask * w) * x.
+  void (*sparse_masked_inner_products)(Lanes<const Real> w, const Real* mask,
+                                       const std::uint32_t* columns, const Real* x,
+                                       std::size_t count, Real* out);
   /// out = sum over columns of w^2.
   void (*squared_norms)(Lanes<const Real> w, Real* out);
   /// w += gain * (x - w) in each row; blocks whose gains are all zero are not touched.
   void (*move_towards)(Lanes<Real> w, const Real* x, const Real* gains);
   /// w *= factor in each row.
   void (*scale_rows)(Lanes<Real> w, const Real* factors);
+  /// w = 0 where its magnitude is below kNegligible. Weights of elements that are always zero decay
+  /// towards the slow subnormal numbers and would stay there.
+  void (*clear_negligible)(Lanes<Real> w);
 };
 
 /// The kernels of the instruction set in use.

@@ -81,15 +81,30 @@ void sparse_inner_products(Lanes<const Real> w, const std::uint32_t* columns, co
   });
 }
 
+// The lanes of one column of one block, mask times weight.
+template <typename Real>
+inline Vector<Real> masked_at(const Lanes<const Real>& w, const Real* mask, std::size_t block,
+                              std::size_t column) {
+  const Lanes<const Real> masks{mask, w.blocks, w.columns};
+  return Vector<Real>::load(lanes_at(masks, block, column)) *
+         Vector<Real>::load(lanes_at(w, block, column));
+}
+
 template <typename Real>
 void masked_inner_products(Lanes<const Real> w, const Real* mask, const Real* x, Real* out) {
-  const Lanes<const Real> masks{mask, w.blocks, w.columns};
-  sum_rows<Real>(w.blocks, w.columns, out,
-                 [&](std::size_t block, std::size_t column, Vector<Real> sum) {
-                   const auto masked = Vector<Real>::load(lanes_at(masks, block, column)) *
-                                       Vector<Real>::load(lanes_at(w, block, column));
-                   return multiply_add(masked, Vector<Real>::all(x[column]), sum);
-                 });
+  sum_rows<Real>(
+      w.blocks, w.columns, out, [&](std::size_t block, std::size_t column, Vector<Real> sum) {
+        return multiply_add(masked_at(w, mask, block, column), Vector<Real>::all(x[column]), sum);
+      });
+}
+
+template <typename Real>
+void sparse_masked_inner_products(Lanes<const Real> w, const Real* mask,
+                                  const std::uint32_t* columns, const Real* x, std::size_t count,
+                                  Real* out) {
+  sum_rows<Real>(w.blocks, count, out, [&](std::size_t block, std::size_t i, Vector<Real> sum) {
+    return multiply_add(masked_at(w, mask, block, columns[i]), Vector<Real>::all(x[i]), sum);
+  });
 }
 
 template <typename Real>
@@ -126,14 +141,27 @@ void scale_rows(Lanes<Real> w, const Real* factors) {
 }
 
 template <typename Real>
+void clear_negligible(Lanes<Real> w) {
+  const auto limit = Vector<Real>::all(kNegligible<Real>);
+  for (std::size_t block = 0; block < w.blocks; ++block) {
+    for (std::size_t column = 0; column < w.columns; ++column) {
+      Real* lanes = lanes_at(w, block, column);
+      zero_below(Vector<Real>::load(lanes), limit).store(lanes);
+    }
+  }
+}
+
+template <typename Real>
 constexpr Table<Real> make_table() {
   return {squared_distances<Real>,
           inner_products<Real>,
           sparse_inner_products<Real>,
           masked_inner_products<Real>,
+          sparse_masked_inner_products<Real>,
           squared_norms<Real>,
           move_towards<Real>,
-          scale_rows<Real>};
+          scale_rows<Real>,
+          clear_negligible<Real>};
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
 inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
   return {_mm512_fmadd_ps(a.lanes, b.lanes, c.lanes)};
 }
+inline Vector<float> zero_below(Vector<float> a, Vector<float> limit) {
+  const auto keep = _mm512_cmp_ps_mask(_mm512_abs_ps(a.lanes), limit.lanes, _CMP_NLT_UQ);
+  return {_mm512_maskz_mov_ps(keep, a.lanes)};
+}
 
 template <>
 struct Vector<double> {
@@ -49,6 +53,10 @@ inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm512_fmadd_pd(a.lanes, b.lanes, c.lanes)};
+}
+inline Vector<double> zero_below(Vector<double> a, Vector<double> limit) {
+  const auto keep = _mm512_cmp_pd_mask(_mm512_abs_pd(a.lanes), limit.lanes, _CMP_NLT_UQ);
+  return {_mm512_maskz_mov_pd(keep, a.lanes)};
 }
 
 #elif defined(__AVX2__) && defined(__FMA__)
@@ -80,6 +88,13 @@ inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
 inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
   return {_mm256_fmadd_ps(a.low, b.low, c.low), _mm256_fmadd_ps(a.high, b.high, c.high)};
 }
+inline __m256 zero_below(__m256 a, __m256 limit) {
+  const __m256 magnitude = _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a);
+  return _mm256_and_ps(a, _mm256_cmp_ps(magnitude, limit, _CMP_NLT_UQ));
+}
+inline Vector<float> zero_below(Vector<float> a, Vector<float> limit) {
+  return {zero_below(a.low, limit.low), zero_below(a.high, limit.high)};
+}
 
 template <>
 struct Vector<double> {
@@ -109,6 +124,13 @@ inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm256_fmadd_pd(a.low, b.low, c.low), _mm256_fmadd_pd(a.high, b.high, c.high)};
+}
+inline __m256d zero_below(__m256d a, __m256d limit) {
+  const __m256d magnitude = _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+  return _mm256_and_pd(a, _mm256_cmp_pd(magnitude, limit, _CMP_NLT_UQ));
+}
+inline Vector<double> zero_below(Vector<double> a, Vector<double> limit) {
+  return {zero_below(a.low, limit.low), zero_below(a.high, limit.high)};
 }
 
 #else
@@ -164,6 +186,14 @@ template <typename Real>
 inline Vector<Real> multiply_add(Vector<Real> a, const Vector<Real>& b, const Vector<Real>& c) {
   for (std::size_t i = 0; i < a.kCount; ++i) {
     a.lanes[i] = fused_multiply_add(a.lanes[i], b.lanes[i], c.lanes[i]);
+  }
+  return a;
+}
+template <typename Real>
+inline Vector<Real> zero_below(Vector<Real> a, const Vector<Real>& limit) {
+  for (std::size_t i = 0; i < a.kCount; ++i) {
+    const Real magnitude = a.lanes[i] < 0 ? -a.lanes[i] : a.lanes[i];
+    if (magnitude < limit.lanes[i]) a.lanes[i] = 0;
   }
   return a;
 }

@@ -117,6 +117,12 @@ TYPED_TEST(Kernels, GiveThePlainSums) {
     expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
       return Exact{p.sparse_values[k]} * Exact{w(row, p.indices[k])};
     });
+    table.sparse_masked_inner_products(kernels::lanes(w), p.mask.data(), p.indices.data(),
+                                       p.sparse_values.data(), p.indices.size(), out.data());
+    expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
+      const std::uint32_t column = p.indices[k];
+      return Exact{p.mask(row, column)} * Exact{w(row, column)} * Exact{p.sparse_values[k]};
+    });
   }
 }
 
@@ -149,6 +155,22 @@ TYPED_TEST(Kernels, ScaleRowsByTheirFactor) {
   }
 }
 
+// The least magnitude kept is kNegligible itself; NaN is no small number.
+TYPED_TEST(Kernels, ClearWhatIsNegligible) {
+  using Real = TypeParam;
+  const Real limit = kernels::kNegligible<Real>;
+  const Real below = std::nextafter(limit, Real{0});
+  const Real smallest = std::numeric_limits<Real>::denorm_min();
+  testing::for_each_instruction_set([&](InstructionSet /*set*/) {
+    LaneMatrix<Real> w(Matrix<Real>(2, 4, {limit, below, -limit, -below, smallest, 1, -1, 0}));
+    kernels::table<Real>().clear_negligible(kernels::lanes(w));
+    EXPECT_EQ(w.to_matrix(), Matrix<Real>(2, 4, {limit, 0, -limit, 0, 0, 1, -1, 0}));
+    w(0, 0) = std::numeric_limits<Real>::quiet_NaN();
+    kernels::table<Real>().clear_negligible(kernels::lanes(w));
+    EXPECT_TRUE(std::isnan(w(0, 0)));
+  });
+}
+
 // Everything the kernels compute for some problems, one value after the other.
 template <typename Real>
 std::vector<Real> all_results() {
@@ -170,6 +192,9 @@ std::vector<Real> all_results() {
     keep();
     table.sparse_inner_products(w, p.indices.data(), p.sparse_values.data(), p.indices.size(),
                                 out.data());
+    keep();
+    table.sparse_masked_inner_products(w, p.mask.data(), p.indices.data(), p.sparse_values.data(),
+                                       p.indices.size(), out.data());
     keep();
     table.move_towards(kernels::lanes(p.weights), p.sample.data(), p.gains.data());
     table.scale_rows(kernels::lanes(p.weights), p.gains.data());

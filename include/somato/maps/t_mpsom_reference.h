@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "somato/core/matrix.h"
+#include "somato/maps/t_mpsom_parameters.h"
+
+namespace somato {
+
+/// The T-MPSOM as its equations stand, slow and in double precision: what TMpsom is tested against,
+/// and what to read first. See TMpsom for the equations and their sources.
+class TMpsomReference {
+ public:
+  /// The initial weights of a TMpsom with the same parameters, in double precision; throws
+  /// InvalidArgument when the parameters are not valid.
+  explicit TMpsomReference(TMpsomParameters parameters);
+
+  /// The given weights, one matrix of neurons x elements for each input, taken as they are; throws
+  /// InvalidArgument when they do not fit the parameters.
+  TMpsomReference(TMpsomParameters parameters, std::vector<Matrix<double>> weights);
+
+  const Matrix<double>& weights(std::size_t input) const { return weights_[input]; }
+
+  /// A of one input for neuron `neuron` (counted from 0) and element `element` (counted from 0).
+  double arbor(std::size_t input, std::size_t neuron, std::size_t element) const;
+
+  /// y, one value a neuron, for dense inputs.
+  std::vector<double> activation(const std::vector<std::vector<double>>& inputs) const;
+
+  /// N of the activity y; all zero when no neuron is active.
+  std::vector<double> neighbourhood(const std::vector<double>& activity) const;
+
+  /// One iteration; returns whether anything was learned.
+  bool learn(const std::vector<std::vector<double>>& inputs, double alpha);
+
+ private:
+  TMpsomParameters parameters_;
+  std::vector<Matrix<double>> weights_;
+};
+
+}  // namespace somato

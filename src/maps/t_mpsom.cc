@@ -1,0 +1,304 @@
+#include "somato/maps/t_mpsom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/lanes.h"
+#include "somato/core/check.h"
+#include "somato/core/elementary.h"
+#include "somato/core/random.h"
+
+namespace somato {
+namespace {
+
+constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+
+float factor(double value) {
+  return value < kernels::kNegligible<float> ? 0.0F : static_cast<float>(value);
+}
+
+TMpsomParameters checked(TMpsomParameters parameters) {
+  const Result<void> valid = parameters.validate();
+  if (!valid) throw InvalidArgument(to_string(valid.error()));
+  return parameters;
+}
+
+// A(u, k) of every neuron and element; u and k count from 1 (P06): counted from 0 the receptive
+// fields would be shifted by up to one neuron.
+LaneMatrix<float> make_arbor(const TMpsomParameters& parameters, std::size_t input) {
+  const std::size_t axis = parameters.axes()[input];
+  const std::size_t size = parameters.input_sizes[input];
+  const double ratio = static_cast<double>(parameters.shape[axis]) / static_cast<double>(size);
+  const double twice_variance = 2.0 * parameters.arbor_sigma * parameters.arbor_sigma;
+  LaneMatrix<float> arbor(parameters.neurons(), size);
+  for (std::size_t neuron = 0; neuron < arbor.rows(); ++neuron) {
+    const auto u = static_cast<double>(parameters.place(neuron, axis) + 1);
+    for (std::size_t k = 0; k < size; ++k) {
+      const double distance = u - ratio * static_cast<double>(k + 1);
+      arbor(neuron, k) = factor(exponential(-distance * distance / twice_variance));
+    }
+  }
+  return arbor;
+}
+
+// Columns are counted on from input to input, so that no two weights are the same number.
+LaneMatrix<float> initial_weights(const TMpsomParameters& parameters, std::size_t input) {
+  std::size_t first = 0;
+  for (std::size_t before = 0; before < input; ++before) first += parameters.input_sizes[before];
+  LaneMatrix<float> weights(parameters.neurons(), parameters.input_sizes[input]);
+  for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
+    for (std::size_t k = 0; k < weights.columns(); ++k) {
+      weights(neuron, k) =
+          uniform_at(parameters.seed, Stream::kInitialWeights, static_cast<std::uint32_t>(neuron),
+                     static_cast<std::uint32_t>(first + k));
+    }
+  }
+  return weights;
+}
+
+double squared_norm(std::span<const float> values) {
+  double sum = 0.0;
+  for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
+  return sum;
+}
+
+// Writes the stored values of `signal`, normalized, to the front of `out`.
+void write_stored(const SignalView& signal, TMpsomNorm norm, std::span<float> out) {
+  const double squared = squared_norm(signal.values);
+  require(std::isfinite(squared), "T-MPSOM: an input holds a value that is not finite");
+  const double length = norm == TMpsomNorm::kL2 && squared > 0.0 ? std::sqrt(squared) : 1.0;
+  for (std::size_t i = 0; i < signal.values.size(); ++i) {
+    out[i] = static_cast<float>(double{signal.values[i]} / length);
+  }
+}
+
+// The same with all zeros written out: from the back, so that no stored value is overwritten
+// before it has found its place.
+void write_all(const SignalView& signal, TMpsomNorm norm, std::span<float> out) {
+  write_stored(signal, norm, out);
+  if (!signal.sparse) return;
+  std::size_t stored = signal.indices.size();
+  for (std::size_t k = signal.size; k-- > 0;) {
+    const bool here = stored > 0 && signal.indices[stored - 1] == k;
+    out[k] = here ? out[--stored] : 0.0F;
+  }
+}
+
+// Divides a row whose squared norm is beyond what float holds well.
+void normalize_row(LaneMatrix<float>& weights, std::size_t row) {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    const double weight = weights(row, k);
+    squared = std::fma(weight, weight, squared);
+  }
+  if (!(squared > 0.0)) return;
+  const double length = std::sqrt(squared);
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    weights(row, k) = static_cast<float>(double{weights(row, k)} / length);
+  }
+}
+
+Result<void> check_weights(const TMpsomParameters& parameters,
+                           const std::vector<Matrix<float>>& weights) {
+  const std::size_t inputs = parameters.input_sizes.size();
+  if (weights.size() != inputs) {
+    return fail(ErrorKind::kData,
+                fmt::format("weights of {} inputs for a T-MPSOM of {}", weights.size(), inputs));
+  }
+  for (std::size_t a = 0; a < inputs; ++a) {
+    const Matrix<float>& w = weights[a];
+    if (w.rows() != parameters.neurons() || w.columns() != parameters.input_sizes[a]) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the weights of input {} are {} x {}, not {} x {}", a, w.rows(),
+                              w.columns(), parameters.neurons(), parameters.input_sizes[a]));
+    }
+    if (!std::isfinite(squared_norm(w.values()))) {
+      return fail(ErrorKind::kData, fmt::format("a weight of input {} is not finite", a));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+TMpsom::Workspace::Workspace(const TMpsom& map)
+    : activity_(map.neurons()), neighbourhood_(map.neurons()), spread_(map.neighbourhood_) {
+  for (const Input& input : map.inputs_) inputs_.emplace_back(input.weights.columns());
+  const std::size_t padded = map.inputs_.front().weights.padded_rows();
+  partial_.resize(padded);
+  gains_.resize(padded);
+  squared_norms_.resize(padded);
+}
+
+TMpsom::TMpsom(TMpsomParameters parameters, WithoutWeights /*tag*/)
+    : parameters_(checked(std::move(parameters))),
+      neighbourhood_(parameters_.shape, parameters_.neighbourhood_sigma) {
+  for (std::size_t a = 0; a < parameters_.input_sizes.size(); ++a) {
+    inputs_.push_back({{}, make_arbor(parameters_, a)});
+  }
+}
+
+TMpsom::TMpsom(TMpsomParameters parameters) : TMpsom(std::move(parameters), WithoutWeights{}) {
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    inputs_[a].weights = initial_weights(parameters_, a);
+  }
+  if (parameters_.weight_norm == TMpsomNorm::kNone) return;
+  Workspace workspace(*this);
+  for (Input& input : inputs_) normalize_blocks(input, 0, input.weights.blocks(), workspace);
+}
+
+Result<TMpsom> TMpsom::from_weights(TMpsomParameters parameters,
+                                    const std::vector<Matrix<float>>& weights) {
+  Result<void> valid = parameters.validate();
+  if (valid) valid = check_weights(parameters, weights);
+  if (!valid) return fail(std::move(valid.error()));
+  TMpsom map(std::move(parameters), WithoutWeights{});
+  for (std::size_t a = 0; a < weights.size(); ++a) {
+    map.inputs_[a].weights = LaneMatrix<float>(weights[a]);
+  }
+  return map;
+}
+
+Matrix<float> TMpsom::weights(std::size_t input) const {
+  require(input < inputs_.size(), "T-MPSOM: there is no such input");
+  return inputs_[input].weights.to_matrix();
+}
+
+Matrix<float> TMpsom::arbor(std::size_t input) const {
+  require(input < inputs_.size(), "T-MPSOM: there is no such input");
+  return inputs_[input].arbor.to_matrix();
+}
+
+void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace,
+                        std::span<float> out) const {
+  check(inputs, workspace);
+  require(out.size() == neurons(), "T-MPSOM: the activity needs one value a neuron");
+  const kernels::Table<float>& kernels = kernels::table<float>();
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    std::vector<float>& sample = workspace.inputs_[a];
+    write_stored(inputs[a], parameters_.input_norm, sample);
+    const auto weights = kernels::lanes(inputs_[a].weights);
+    if (inputs[a].sparse) {
+      kernels.sparse_masked_inner_products(weights, inputs_[a].arbor.data(),
+                                           inputs[a].indices.data(), sample.data(),
+                                           inputs[a].indices.size(), workspace.partial_.data());
+    } else {
+      kernels.masked_inner_products(weights, inputs_[a].arbor.data(), sample.data(),
+                                    workspace.partial_.data());
+    }
+    combine(a, workspace);
+  }
+  for (std::size_t n = 0; n < out.size(); ++n) out[n] = static_cast<float>(workspace.activity_[n]);
+}
+
+bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& workspace) {
+  check(inputs, workspace);
+  require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be in 0 .. 1");
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    std::vector<float>& sample = workspace.inputs_[a];
+    write_all(inputs[a], parameters_.input_norm, sample);
+    kernels::table<float>().masked_inner_products(kernels::lanes(std::as_const(inputs_[a].weights)),
+                                                  inputs_[a].arbor.data(), sample.data(),
+                                                  workspace.partial_.data());
+    combine(a, workspace);
+  }
+  if (!find_gains(alpha, workspace)) return false;
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    move(inputs_[a], workspace.inputs_[a].data(), workspace);
+  }
+  return true;
+}
+
+std::size_t TMpsom::winner(std::span<const float> activity) {
+  require(!activity.empty(), "T-MPSOM: no activity, no winner");
+  return static_cast<std::size_t>(std::max_element(activity.begin(), activity.end()) -
+                                  activity.begin());
+}
+
+bool TMpsom::operator==(const TMpsom& other) const {
+  return parameters_ == other.parameters_ &&
+         std::equal(inputs_.begin(), inputs_.end(), other.inputs_.begin(), other.inputs_.end(),
+                    [](const Input& a, const Input& b) { return a.weights == b.weights; });
+}
+
+void TMpsom::check(std::span<const SignalView> inputs, const Workspace& workspace) const {
+  require(inputs.size() == inputs_.size(), "T-MPSOM: another number of inputs than the map has");
+  require(workspace.inputs_.size() == inputs_.size() && workspace.activity_.size() == neurons(),
+          "T-MPSOM: the workspace belongs to another map");
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    const std::size_t size = parameters_.input_sizes[a];
+    require(inputs[a].size == size, "T-MPSOM: an input has another size than the map expects");
+    require(workspace.inputs_[a].size() == size, "T-MPSOM: the workspace belongs to another map");
+  }
+}
+
+// Takes the partial activations of one input into y, in double precision.
+void TMpsom::combine(std::size_t input, Workspace& workspace) const {
+  std::vector<double>& activity = workspace.activity_;
+  const AlignedVector<float>& partial = workspace.partial_;
+  if (input == 0) {
+    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] = partial[n];
+  } else if (parameters_.combination == TMpsomCombination::kMultiplied) {
+    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] *= partial[n];
+  } else {
+    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] += partial[n];
+  }
+}
+
+// N and the gains alpha N from y; false when there is nothing to learn.
+bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
+  std::vector<double>& spread = workspace.neighbourhood_;
+  double total = 0.0;
+  for (std::size_t n = 0; n < spread.size(); ++n) {
+    total += workspace.activity_[n];
+    spread[n] = std::max(workspace.activity_[n], 0.0);
+  }
+  require(std::isfinite(total), "T-MPSOM: the activity is too large; normalize the inputs");
+  neighbourhood_.spread(spread, workspace.spread_);
+  const double maximum = *std::max_element(spread.begin(), spread.end());
+  if (maximum <= 0.0) return false;
+  for (std::size_t n = 0; n < spread.size(); ++n) {
+    spread[n] /= maximum;
+    workspace.gains_[n] = factor(alpha * spread[n]);
+  }
+  return true;
+}
+
+// A few blocks at a time are moved and normalized while they are in the nearest cache.
+void TMpsom::move(Input& input, const float* sample, Workspace& workspace) {
+  constexpr std::size_t kGroup = 4;
+  LaneMatrix<float>& weights = input.weights;
+  for (std::size_t first = 0; first < weights.blocks(); first += kGroup) {
+    const std::size_t count = std::min(kGroup, weights.blocks() - first);
+    float* values = weights.data() + first * weights.columns() * kLanes;
+    kernels::table<float>().move_towards({values, count, weights.columns()}, sample,
+                                         workspace.gains_.data() + first * kLanes);
+    kernels::table<float>().clear_negligible({values, count, weights.columns()});
+    if (parameters_.weight_norm == TMpsomNorm::kL2) {
+      normalize_blocks(input, first, count, workspace);
+    }
+  }
+}
+
+void TMpsom::normalize_blocks(Input& input, std::size_t first, std::size_t count,
+                              Workspace& workspace) {
+  constexpr float kSmallest = 1e-30F;
+  constexpr float kLargest = 1e30F;
+  const kernels::Table<float>& kernels = kernels::table<float>();
+  const std::size_t columns = input.weights.columns();
+  float* values = input.weights.data() + first * columns * kLanes;
+  float* factors = workspace.squared_norms_.data() + first * kLanes;
+  kernels.squared_norms({values, count, columns}, factors);
+  for (std::size_t lane = 0; lane < count * kLanes; ++lane) {
+    const bool well_held = factors[lane] > kSmallest && factors[lane] < kLargest;
+    const std::size_t row = first * kLanes + lane;
+    if (!well_held && row < input.weights.rows()) normalize_row(input.weights, row);
+    factors[lane] = well_held ? 1.0F / std::sqrt(factors[lane]) : 1.0F;
+  }
+  kernels.scale_rows({values, count, columns}, factors);
+}
+
+}  // namespace somato

@@ -1,0 +1,199 @@
+#include "somato/maps/t_mpsom_parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace somato {
+namespace {
+
+// The neighbourhood keeps a square table an axis: this bounds it to 128 MiB.
+constexpr std::size_t kLongestAxis = 4096;
+constexpr std::size_t kLargestInput = 100'000'000;
+// Rows and columns of initial weights are counted in 32 bits.
+constexpr std::size_t kMostCounted = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMostWeights = std::size_t{1} << 32;
+
+tl::unexpected<Error> refuse(std::string what, std::string advice) {
+  return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
+}
+
+// Reading each value back through its own declaration checks what stands there about its range.
+Result<void> check_ranges(const TMpsomParameters& parameters) {
+  TMpsomParameters copy;
+  for (const auto& parameter : TMpsomParameters::declarations().all()) {
+    Result<void> assigned = parameter.assign(copy, parameter.read(parameters));
+    if (!assigned) return assigned;
+  }
+  return {};
+}
+
+Result<void> check_lists(const TMpsomParameters& parameters) {
+  if (parameters.shape.empty()) {
+    return refuse("'shape' is empty", "give the number of neurons along each axis, as [46, 23]");
+  }
+  if (parameters.input_sizes.empty()) {
+    return refuse("'input_sizes' is empty", "give the elements of each input, as [90, 45]");
+  }
+  return {};
+}
+
+Result<void> check_axes_listed(const TMpsomParameters& parameters) {
+  const std::size_t inputs = parameters.input_sizes.size();
+  const std::size_t axes = parameters.shape.size();
+  const std::size_t listed = parameters.input_axes.size();
+  if (listed == 0 && inputs != axes) {
+    return refuse(fmt::format("{} inputs on a grid of {} axes", inputs, axes),
+                  "give 'input_axes', the axis of each input, or a 'shape' with an axis an input");
+  }
+  if (listed != 0 && listed != inputs) {
+    return refuse(fmt::format("'input_axes' lists {} axes for {} inputs", listed, inputs),
+                  "list one axis for each of 'input_sizes'");
+  }
+  return {};
+}
+
+Result<void> check_axes_used(const TMpsomParameters& parameters) {
+  const std::vector<std::size_t> axes = parameters.axes();
+  const std::size_t count = parameters.shape.size();
+  for (const std::size_t axis : axes) {
+    if (axis < count) continue;
+    return refuse(fmt::format("'input_axes' names axis {} of a grid of {} axes", axis, count),
+                  "axes are counted from 0");
+  }
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) continue;
+    return refuse(fmt::format("no input is spread along axis {}", axis),
+                  "name every axis of 'shape' in 'input_axes', or leave that axis out");
+  }
+  return {};
+}
+
+// Multiplied one after the other, because the product of all may not fit in a number.
+Result<void> check_sizes(const TMpsomParameters& parameters) {
+  std::size_t elements = 0;
+  for (const std::size_t size : parameters.input_sizes) elements += size;
+  std::size_t neurons = 1;
+  for (const std::size_t extent : parameters.shape) {
+    neurons *= extent;
+    if (neurons > kMostCounted) break;
+  }
+  if (neurons <= kMostCounted && elements <= kMostCounted && neurons <= kMostWeights / elements) {
+    return {};
+  }
+  return refuse(fmt::format("'shape' and 'input_sizes' ask for more than {} weights", kMostWeights),
+                "take fewer neurons or smaller inputs");
+}
+
+Result<void> check_rates(const TMpsomParameters& parameters) {
+  if (parameters.learning_rate_end <= parameters.learning_rate_start) return {};
+  return refuse("'learning_rate_end' is above 'learning_rate_start'",
+                "the learning rate may only fall");
+}
+
+Declarations<TMpsomParameters> declare() {
+  using P = TMpsomParameters;
+  const auto longest = static_cast<double>(kLongestAxis);
+  const auto largest = static_cast<double>(kLargestInput);
+  Declarations<P> all;
+  all.add(
+      "shape", [](P& p) -> auto& { return p.shape; }, "neurons", Range::between(1, longest),
+      "neurons along each axis of the grid");
+  all.add(
+      "input_sizes", [](P& p) -> auto& { return p.input_sizes; }, "elements",
+      Range::between(1, largest), "elements of each input");
+  all.add(
+      "input_axes", [](P& p) -> auto& { return p.input_axes; }, "", Range::at_least(0),
+      "axis of the grid, counted from 0, that each input is spread along; several inputs may "
+      "share one; when empty, input 0 has axis 0, input 1 axis 1, and so on");
+  all.add(
+      "combination", [](P& p) -> auto& { return p.combination; }, "", Range::any(),
+      "how the partial activations of the inputs make a neuron's activity");
+  all.add(
+      "arbor_sigma", [](P& p) -> auto& { return p.arbor_sigma; }, "neurons", Range::above(0),
+      "width of the receptive fields; \"rather small\", the value is not given in the paper");
+  all.add(
+      "neighbourhood_sigma", [](P& p) -> auto& { return p.neighbourhood_sigma; }, "neurons",
+      Range::above(0),
+      "width of the Gaussian G through which neurons contribute to each other's learning; not "
+      "given in the paper");
+  all.add(
+      "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
+      Range::between(0, 1), "learning rate of the first iteration; not given in the paper");
+  all.add(
+      "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
+      Range::between(0, 1),
+      "learning rate reached in a straight line after all iterations; not given in the paper");
+  all.add(
+      "input_norm", [](P& p) -> auto& { return p.input_norm; }, "", Range::any(),
+      "norm that each input is divided by in every iteration; which one is not given in the "
+      "paper; with l2 the strength of an input is lost");
+  all.add(
+      "weight_norm", [](P& p) -> auto& { return p.weight_norm; }, "", Range::any(),
+      "norm that each weight vector is divided by in every iteration; which one is not given "
+      "in the paper");
+  all.add(
+      "iterations", [](P& p) -> auto& { return p.iterations; }, "iterations", Range::at_least(1),
+      "iterations of training, one a frame (P06: 5000)");
+  all.add(
+      "seed", [](P& p) -> auto& { return p.seed; }, "", Range::at_least(0),
+      "seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
+      "drawing of explorations");
+  return all;
+}
+
+}  // namespace
+
+const std::vector<std::pair<TMpsomCombination, std::string>>& Choices<TMpsomCombination>::all() {
+  static const std::vector<std::pair<TMpsomCombination, std::string>> choices{
+      {TMpsomCombination::kMultiplied, "multiplied"}, {TMpsomCombination::kAdded, "added"}};
+  return choices;
+}
+
+const std::vector<std::pair<TMpsomNorm, std::string>>& Choices<TMpsomNorm>::all() {
+  static const std::vector<std::pair<TMpsomNorm, std::string>> choices{{TMpsomNorm::kL2, "l2"},
+                                                                       {TMpsomNorm::kNone, "none"}};
+  return choices;
+}
+
+const Declarations<TMpsomParameters>& TMpsomParameters::declarations() {
+  static const Declarations<TMpsomParameters> all = declare();
+  return all;
+}
+
+Result<void> TMpsomParameters::validate() const {
+  for (const auto check :
+       {check_ranges, check_lists, check_axes_listed, check_axes_used, check_sizes, check_rates}) {
+    Result<void> checked = check(*this);
+    if (!checked) return checked;
+  }
+  return {};
+}
+
+std::vector<std::size_t> TMpsomParameters::axes() const {
+  if (!input_axes.empty()) return input_axes;
+  std::vector<std::size_t> axes(input_sizes.size());
+  for (std::size_t input = 0; input < axes.size(); ++input) axes[input] = input;
+  return axes;
+}
+
+std::size_t TMpsomParameters::neurons() const {
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  return count;
+}
+
+std::size_t TMpsomParameters::place(std::size_t neuron, std::size_t axis) const {
+  for (std::size_t later = shape.size() - 1; later > axis; --later) neuron /= shape[later];
+  return neuron % shape[axis];
+}
+
+double t_mpsom_learning_rate(const TMpsomParameters& parameters, std::uint64_t iteration) {
+  if (iteration >= parameters.iterations) return parameters.learning_rate_end;
+  const double passed = static_cast<double>(iteration) / static_cast<double>(parameters.iterations);
+  return parameters.learning_rate_start +
+         (parameters.learning_rate_end - parameters.learning_rate_start) * passed;
+}
+
+}  // namespace somato

@@ -1,0 +1,100 @@
+#include "somato/maps/t_mpsom_neighbourhood.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+#include "support/instruction_sets.h"
+
+namespace somato {
+namespace {
+
+using Shape = std::vector<std::size_t>;
+
+std::vector<std::size_t> places_of(std::size_t place, const Shape& shape) {
+  Shape places(shape.size());
+  for (std::size_t axis = shape.size(); axis-- > 0;) {
+    places[axis] = place % shape[axis];
+    place /= shape[axis];
+  }
+  return places;
+}
+
+// All pairs, by the mathematics library.
+std::vector<double> spread_by_pairs(const std::vector<double>& values, const Shape& shape,
+                                    double sigma) {
+  std::vector<double> spread(values.size(), 0.0);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      double squared = 0.0;
+      for (std::size_t axis = 0; axis < shape.size(); ++axis) {
+        const double apart = static_cast<double>(places_of(p, shape)[axis]) -
+                             static_cast<double>(places_of(q, shape)[axis]);
+        squared += apart * apart;
+      }
+      spread[p] += values[q] * std::exp(-squared / (2.0 * sigma * sigma));
+    }
+  }
+  return spread;
+}
+
+std::vector<double> random_values(Random& random, const Shape& shape) {
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  std::vector<double> values(count);
+  for (double& value : values) value = random.uniform();
+  return values;
+}
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> shapes{{1},       {7},       {1, 5},       {5, 1},  {4, 9},
+                                         {2, 3, 4}, {3, 1, 5}, {2, 2, 3, 2}, {23, 11}};
+  return shapes;
+}
+
+TEST(GridGaussian, SpreadsAsTheSumOverAllPairs) {
+  Random random(1);
+  for (const Shape& shape : shapes()) {
+    for (const double sigma : {0.4, 1.0, 3.5}) {
+      const GridGaussian gaussian(shape, sigma);
+      GridGaussian::Workspace workspace(gaussian);
+      std::vector<double> values = random_values(random, shape);
+      const std::vector<double> expected = spread_by_pairs(values, shape, sigma);
+      gaussian.spread(values, workspace);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        EXPECT_NEAR(values[i], expected[i], 1e-13 * expected[i]);
+      }
+    }
+  }
+}
+
+TEST(GridGaussian, GivesTheSameBitsOnEveryInstructionSet) {
+  Random random(2);
+  const GridGaussian gaussian({23, 11}, 2.0);
+  GridGaussian::Workspace workspace(gaussian);
+  const std::vector<double> values = random_values(random, {23, 11});
+  std::vector<double> expected;
+  testing::for_each_instruction_set([&](InstructionSet set) {
+    std::vector<double> spread = values;
+    gaussian.spread(spread, workspace);
+    if (expected.empty()) expected = spread;
+    EXPECT_EQ(spread, expected) << choice_name(set);
+  });
+}
+
+TEST(GridGaussian, RefusesWhatDoesNotFit) {
+  EXPECT_THROW(GridGaussian({2, 2}, 0.0), InvalidArgument);
+  EXPECT_THROW(GridGaussian({2, 0}, 1.0), InvalidArgument);
+  const GridGaussian line({6}, 1.0);
+  const GridGaussian square({2, 3}, 1.0);
+  GridGaussian::Workspace workspace(square);
+  std::vector<double> values(5);
+  EXPECT_THROW(square.spread(values, workspace), InvalidArgument);
+  values.resize(6);
+  EXPECT_THROW(line.spread(values, workspace), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+namespace somato::testing {
+
+/// Whether this build counts allocations: sanitizers bring their own operator new, so not there.
+bool counts_allocations();
+
+/// Counts what the current thread allocates through operator new, in any form, while it lives.
+class AllocationCounter {
+ public:
+  AllocationCounter();
+  std::size_t count() const;
+
+ private:
+  std::size_t before_;
+};
+
+}  // namespace somato::testing
