@@ -166,7 +166,9 @@ constexpr Table<Real> make_table() {
 
 }  // namespace
 
+// NOLINTBEGIN(misc-definitions-in-headers): each source that includes this has its own namespace
 extern const Table<float> kFloatTable = make_table<float>();
 extern const Table<double> kDoubleTable = make_table<double>();
+// NOLINTEND(misc-definitions-in-headers)
 
 }  // namespace somato::kernels::SOMATO_KERNELS

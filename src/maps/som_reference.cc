@@ -121,6 +121,7 @@ void ReferenceSom::learn(std::span<const double> input, double learning_rate, do
 
 void ReferenceSom::learn_batch(const std::vector<std::vector<double>>& inputs, double radius) {
   std::vector<std::size_t> winners;
+  winners.reserve(inputs.size());
   for (const auto& input : inputs) winners.push_back(winner(input));
   for (std::size_t neuron = 0; neuron < weights_.rows(); ++neuron) {
     double total = 0.0;

@@ -209,6 +209,7 @@ std::size_t DrawSequence::next() {
 
 const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
                                 Samples& storage) {
+  // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the caller keeps both alive
   if (!parameters.normalize_input.value_or(false)) return samples;
   std::vector<Signal> normalized;
   normalized.reserve(samples.count());
