@@ -149,11 +149,12 @@ CLI::App& place_of(CLI::App& root, const std::string& words, const std::string& 
   const std::size_t blank = words.find(' ');
   if (blank == std::string::npos) return *root.add_subcommand(words, text);
   const std::string group = words.substr(0, blank);
-  CLI::App* parent = root.get_subcommand_no_throw(group);
-  if (!parent) {
-    parent = root.add_subcommand(group, "Self-organizing maps of any data");
-    parent->require_subcommand(1);
-  }
+  const auto is_group = [&](const CLI::App* app) { return app->get_name() == group; };
+  const std::vector<CLI::App*> found = root.get_subcommands(is_group);
+  CLI::App* parent = found.empty()
+                         ? root.add_subcommand(group, "Self-organizing maps of any data")
+                         : found.front();
+  parent->require_subcommand(1);
   return *parent->add_subcommand(words.substr(blank + 1), text);
 }
 
@@ -167,12 +168,13 @@ std::string Arguments::text(const std::string& name) const {
 Result<std::optional<std::size_t>> Arguments::number(const std::string& name,
                                                      std::size_t least) const {
   if (!has(name)) return std::optional<std::size_t>{};
+  constexpr std::int64_t kMost = 1'000'000'000'000;
   ParameterInfo info;
   info.name = name;
   info.type = "integer";
-  info.range = Range::between(static_cast<double>(least), 1e15);
+  info.range = Range::at_least(static_cast<double>(least));
   const Result<Value> value = value_from_text(info, text(name));
-  Result<std::int64_t> whole = detail::read_integer(info, *value);
+  Result<std::int64_t> whole = detail::read_integer(info, *value, 0, kMost);
   if (!whole) {
     whole.error().where = "--" + name;
     return fail(std::move(whole.error()));

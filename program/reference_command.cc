@@ -46,7 +46,7 @@ void add_table(std::string& page, const std::string& name,
 std::string usage_of(const Command& command) {
   std::string usage = "somato " + command.name;
   for (const Positional& positional : command.positionals) {
-    usage += fmt::format(positional.required ? " {}" : " [{}]", positional.name);
+    usage += positional.required ? " " + positional.name : " [" + positional.name + "]";
   }
   for (const Flag& flag : command.flags) {
     if (flag.required) usage += fmt::format(" {} ...", flag.name.substr(0, flag.name.find(',')));
