@@ -19,7 +19,7 @@ struct Colour {
 std::string to_string(const Colour& colour);
 
 /// The colour of a value in [0, 1] (values outside are taken as the nearer end): from dark blue
-/// for 0 over grey to pale yellow for 1. Lightness grows in even steps, so that it reads the same
+/// for 0 over green to pale yellow for 1. Lightness grows in even steps, so that it reads the same
 /// printed in grey, and the hues are those that people with red-green blindness tell apart.
 Colour sequential_colour(double value);
 

@@ -12,11 +12,11 @@ namespace somato {
 /// A map with one value a neuron as the colour of its cell, over a colour bar: a U-matrix, hits,
 /// a component plane.
 struct ValuePanel {
-  std::string title;
-  Grid grid;
-  std::vector<double> values;  ///< One a neuron, all finite.
-  bool write_values = false;   ///< Write the values other than 0 into their cells, where they fit.
-  std::string note;            ///< Below the map; may be empty.
+  std::string title{};
+  Grid grid{};
+  std::vector<double> values{};  ///< One a neuron, all finite.
+  bool write_values = false;  ///< Write the values other than 0 into their cells, where they fit.
+  std::string note{};         ///< Below the map; may be empty.
 };
 
 /// A panel of how many samples each neuron wins, with the numbers written in.
@@ -27,13 +27,13 @@ ValuePanel hits_panel(const Grid& grid, const std::vector<std::size_t>& hits);
 /// stands with their number. Won cells are filled with the colour of most of their samples
 /// (NeuronLabels::by_majority), the others lighter, by their area (areas()).
 struct LabelPanel {
-  std::string title;
-  Grid grid;
-  std::vector<std::string> class_names;  ///< By class number; any text.
-  std::vector<std::size_t> winners;      ///< The winner of each sample.
-  std::vector<std::size_t> classes;      ///< The class number of each sample.
-  bool show_areas = true;                ///< Fill and outline the areas of the classes.
-  std::string note;                      ///< Below the map; may be empty.
+  std::string title{};
+  Grid grid{};
+  std::vector<std::string> class_names{};  ///< By class number; any text.
+  std::vector<std::size_t> winners{};      ///< The winner of each sample.
+  std::vector<std::size_t> classes{};      ///< The class number of each sample.
+  bool show_areas = true;                  ///< Fill and outline the areas of the classes.
+  std::string note{};                      ///< Below the map; may be empty.
 };
 
 using Panel = std::variant<ValuePanel, LabelPanel>;

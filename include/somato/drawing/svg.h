@@ -14,8 +14,8 @@ struct Point {
 
 /// How a shape is painted. Empty strings leave it to the group the shape is in.
 struct Paint {
-  std::string fill;           ///< A colour such as `#rrggbb`, or `none`.
-  std::string stroke;         ///< The same for the outline.
+  std::string fill{};         ///< A colour such as `#rrggbb`, or `none`.
+  std::string stroke{};       ///< The same for the outline.
   double stroke_width = 0.0;  ///< In pixels; 0 leaves it to the group.
 };
 
@@ -39,9 +39,11 @@ class SvgWriter {
   /// InvalidArgument unless both sides are finite and positive.
   SvgWriter(double width, double height, std::string_view name);
 
-  /// Shapes up to the matching close_group() are moved by `offset` and painted with `paint`.
-  /// `name` tells programs what the group holds; it stands in the attribute `class`.
-  void open_group(std::string_view name, Point offset = {}, const Paint& paint = {});
+  /// Shapes up to the matching close_group() are stretched by `scale`, moved by `offset` and
+  /// painted with `paint`. `name` tells programs what the group holds; it stands in the attribute
+  /// `class`.
+  void open_group(std::string_view name, Point offset = {}, const Paint& paint = {},
+                  Point scale = {1.0, 1.0});
   void close_group();
 
   void rectangle(Point corner, double width, double height, const Paint& paint = {},
