@@ -1,0 +1,112 @@
+#include "somato/drawing/map_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "drawing/label_panel.h"
+#include "drawing/panel_frame.h"
+#include "drawing/text_layout.h"
+#include "drawing/value_panel.h"
+#include "somato/core/check.h"
+#include "somato/drawing/svg.h"
+
+namespace somato {
+namespace {
+
+constexpr double kMargin = 20.0;
+constexpr double kGap = 28.0;
+constexpr double kTitleSize = 18.0;
+constexpr double kTitleHeight = 30.0;
+constexpr double kCaptionSize = 12.0;
+constexpr double kCaptionLine = 17.0;
+constexpr std::size_t kMostCaptionLines = 8;
+
+// Panels row after row; each column is as wide as its widest panel, each row as high as its
+// highest.
+struct Layout {
+  std::vector<PanelFrame> frames;
+  std::vector<std::string> caption_lines;
+  std::vector<double> column_widths;
+  std::vector<double> row_heights;
+
+  double width() const { return sum_with_gaps(column_widths) + 2 * kMargin; }
+  double panels_top() const {
+    return kMargin + kTitleHeight + kCaptionLine * static_cast<double>(caption_lines.size());
+  }
+  double height() const { return panels_top() + sum_with_gaps(row_heights) + kMargin; }
+
+  Point corner(std::size_t panel) const {
+    const std::size_t row = panel / column_widths.size();
+    const std::size_t column = panel % column_widths.size();
+    return {kMargin + start(column_widths, column), panels_top() + start(row_heights, row)};
+  }
+
+  static double start(const std::vector<double>& lengths, std::size_t index) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < index; ++i) sum += lengths[i] + kGap;
+    return sum;
+  }
+  static double sum_with_gaps(const std::vector<double>& lengths) {
+    return start(lengths, lengths.size()) - kGap;
+  }
+};
+
+std::size_t columns_for(std::size_t panels) {
+  if (panels <= 3) return panels;
+  return panels == 4 ? 2 : panels <= 9 ? 3 : 4;
+}
+
+Layout lay_out(const std::string& caption, const std::vector<Panel>& panels) {
+  Layout layout;
+  const std::size_t columns = columns_for(panels.size());
+  layout.column_widths.assign(columns, 0.0);
+  layout.row_heights.assign((panels.size() + columns - 1) / columns, 0.0);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const PanelFrame frame =
+        std::visit([](const auto& panel) { return frame_of(panel); }, panels[i]);
+    double& width = layout.column_widths[i % columns];
+    double& height = layout.row_heights[i / columns];
+    width = std::max(width, frame.width);
+    height = std::max(height, frame.height());
+    layout.frames.push_back(frame);
+  }
+  layout.caption_lines =
+      wrapped(caption, layout.width() - 2 * kMargin, kCaptionSize, kMostCaptionLines);
+  return layout;
+}
+
+void draw_heading(SvgWriter& svg, const std::string& title, const Layout& layout) {
+  write_line(svg, {kMargin, kMargin + kTitleSize - 2}, title, layout.width() - 2 * kMargin,
+             {.size = kTitleSize, .bold = true});
+  double base_line = kMargin + kTitleHeight + 4;
+  for (const std::string& line : layout.caption_lines) {
+    svg.text({kMargin, base_line}, line, {.size = kCaptionSize, .fill = "#444444"});
+    base_line += kCaptionLine;
+  }
+}
+
+}  // namespace
+
+ValuePanel hits_panel(const Grid& grid, const std::vector<std::size_t>& hits) {
+  return {.title = "Hits",
+          .grid = grid,
+          .values = std::vector<double>(hits.begin(), hits.end()),
+          .write_values = true,
+          .note = "The number of samples that each neuron wins."};
+}
+
+std::string draw_picture(const std::string& title, const std::string& caption,
+                         const std::vector<Panel>& panels) {
+  require(!panels.empty(), "a picture needs at least one panel");
+  const Layout layout = lay_out(caption, panels);
+  SvgWriter svg(layout.width(), layout.height(), title);
+  draw_heading(svg, title, layout);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    svg.open_group("panel", layout.corner(i));
+    std::visit([&](const auto& panel) { draw_panel(svg, layout.frames[i], panel); }, panels[i]);
+    svg.close_group();
+  }
+  return std::move(svg).finish();
+}
+
+}  // namespace somato

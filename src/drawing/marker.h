@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+#include "somato/drawing/colours.h"
+#include "somato/drawing/svg.h"
+
+namespace somato {
+
+/// Draws the marker of a class. All shapes cover about the area of a circle of `radius`; none
+/// reaches further than 1.4 times that.
+void draw_marker(SvgWriter& svg, Point centre, double radius, const ClassMark& mark,
+                 std::string_view tooltip = {});
+
+}  // namespace somato
