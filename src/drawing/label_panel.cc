@@ -232,9 +232,9 @@ PanelFrame frame_of(const LabelPanel& panel) {
 void draw_panel(SvgWriter& svg, const PanelFrame& frame, const LabelPanel& panel) {
   const std::vector<Won> won = won_by_neuron(panel);
   const Point corner = frame.map_corner();
-  const std::vector<std::size_t> area = has_areas(panel)
-                                            ? areas(panel.grid, panel.winners, panel.classes)
-                                            : std::vector<std::size_t>();
+  const std::vector<std::size_t> area =
+      has_areas(panel) ? WinnerAreas(panel.grid, panel.winners).classes_of_neurons(panel.classes)
+                       : std::vector<std::size_t>();
   draw_frame(svg, frame);
   draw_cells(svg, frame, fills_of(panel, area),
              [&](std::size_t neuron) { return tooltip_of(panel, neuron, won[neuron]); });

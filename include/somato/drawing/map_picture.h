@@ -25,7 +25,7 @@ ValuePanel hits_panel(const Grid& grid, const std::vector<std::size_t>& hits);
 /// A map with its samples marked where they are won, by the shape and colour of their class, and a
 /// legend. The samples of a neuron stand side by side; where they do not fit, one marker a class
 /// stands with their number. Won cells are filled with the colour of most of their samples
-/// (NeuronLabels::by_majority), the others lighter, by their area (areas()).
+/// (NeuronLabels::by_majority), the others lighter, by their area (WinnerAreas).
 struct LabelPanel {
   std::string title{};
   Grid grid{};
