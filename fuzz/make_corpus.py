@@ -106,6 +106,8 @@ def tomls():
     write("toml", "mixed", "a = [1, 'x', { b = 2 }]\n")
     write("toml", "deep", "a = " + "[" * 40 + "]" * 40 + "\n")
     write("toml", "long_key", ".".join("a" * 40) + " = 1\n")
+    write("toml", "letters", 'a.\u00e4 = 1\nb = """\\\n \u0499"""\n')
+    write("toml", "letter_in_date", "a = 2020-01-01T00:00:00\u00e4Z\n")
     write("toml", "wrong", "a = \n[b\n")
 
 
