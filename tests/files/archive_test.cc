@@ -209,6 +209,9 @@ TEST(HostileArchive, BytesAfterTheLastEntry) {
 
 TEST(HostileArchive, EntryCountTooLarge) {
   expect_refused(file_with(0xFFFFFFFF, {}), "too many");
+  Bytes many;
+  for (int i = 0; i < 1001; ++i) many.entry(1, std::to_string(i), {0}, "");
+  expect_refused(file_with(1001, many), "too many");
   expect_refused(file_with(2, Bytes().entry(1, "a", {1}, "x")), "past the end");
 }
 

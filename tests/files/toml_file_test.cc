@@ -75,6 +75,15 @@ TEST(TomlFile, SaysWhereTheSyntaxIsWrong) {
   EXPECT_NE(twice.what.find("redefine existing integer 'a'"), std::string::npos) << twice.what;
 }
 
+// Letters that toml++ 3.3 is not ready for.
+TEST(TomlFile, KnowsLettersOutsideAsciiFromBlanks) {
+  expect_refused("gr\xC3\xB6\xC3\x9F = 1\n", "f:1:3", "");
+  EXPECT_FALSE(parse_toml("a = 1 \xC3\xA4\n", "f"));
+  EXPECT_FALSE(parse_toml("a = 1\xD2\x99\n", "f"));
+  EXPECT_EQ(value_of(table_of("a = \"\"\"x\\\n  \xC3\xA4\"\"\"\n'\xC3\xA4' = 1\n"), "a"),
+            Value{std::string("x\xC3\xA4")});
+}
+
 TEST(TomlFile, RefusesWhatDescriptionsDoNotUse) {
   expect_refused("a = 2020-01-01\n", "f:1:5", "dates and times");
   expect_refused("a = [07:30:00]\n", "f:1:6", "dates and times");

@@ -29,6 +29,7 @@ class FailingFileSystem final : public FileSystem {
 
   bool failed() const { return count_ > failing_; }
   int opened() const { return opened_; }
+  int count() const { return count_; }
 
   Outcome<int> open(const std::string& path, Opening opening) override {
     if (fails()) return tl::unexpected<int>(error_);
@@ -191,14 +192,52 @@ TEST(SaveWhole, FollowsSymbolicLinks) {
   EXPECT_FALSE(save_whole(folder.file("circle"), kNew));
 }
 
-TEST(SaveWhole, ReportsAFullDeviceAndLeavesItADevice) {
-  const Result<void> saved = save_whole("/dev/full", kNew);
+// Lets nothing be created, renamed or removed: a broken save under test, run by the superuser,
+// would otherwise replace the machine's own devices.
+class FixedFileSystem final : public FileSystem {
+ public:
+  bool tried_to_replace() const { return tried_to_replace_; }
+
+  Outcome<int> open(const std::string& path, Opening opening) override {
+    if (opening == Opening::kCreate) return tl::unexpected<int>(refused());
+    return real_.open(path, opening);
+  }
+  Outcome<FileStatus> status(int file) override { return real_.status(file); }
+  Outcome<std::size_t> read(int file, char* bytes, std::size_t count) override {
+    return real_.read(file, bytes, count);
+  }
+  Outcome<std::size_t> write(int file, std::string_view bytes) override {
+    return real_.write(file, bytes);
+  }
+  Outcome<void> set_permissions(int, const FileStatus&) override {
+    return tl::unexpected<int>(refused());
+  }
+  Outcome<void> flush(int file) override { return real_.flush(file); }
+  Outcome<void> close(int file) override { return real_.close(file); }
+  Outcome<void> rename(const std::string&, const std::string&) override {
+    return tl::unexpected<int>(refused());
+  }
+  Outcome<void> remove(const std::string&) override { return tl::unexpected<int>(refused()); }
+
+ private:
+  int refused() {
+    tried_to_replace_ = true;
+    return EPERM;
+  }
+
+  FileSystem& real_ = operating_system();
+  bool tried_to_replace_ = false;
+};
+
+TEST(SaveWhole, ReportsAFullDeviceAndNeverReplacesADevice) {
+  ASSERT_TRUE(fs::is_character_file("/dev/full"));
+  FixedFileSystem files;
+  const Result<void> saved = detail::save_whole(files, "/dev/full", kNew);
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().kind, ErrorKind::kSystem);
   EXPECT_NE(saved.error().what.find("No space left on device"), std::string::npos);
-  EXPECT_TRUE(fs::is_character_file("/dev/full"));
-  EXPECT_TRUE(save_whole("/dev/null", kNew));
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_TRUE(detail::save_whole(files, "/dev/null", kNew));
+  EXPECT_FALSE(files.tried_to_replace());
 }
 
 TEST(SaveWhole, WritesIntoAPipe) {
@@ -285,7 +324,12 @@ TEST(ReadWhole, RefusesWhatIsTooLarge) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kData);
   EXPECT_NE(refused.error().what.find("9 bytes"), std::string::npos);
-  EXPECT_FALSE(read_whole("/dev/zero", 100000)) << "a device without end";
+  const Result<std::string> endless = read_whole("/dev/zero", 100000);
+  ASSERT_FALSE(endless);
+  EXPECT_NE(endless.error().what.find("100000 bytes"), std::string::npos);
+  FailingFileSystem counted(kNever);
+  EXPECT_FALSE(detail::read_whole(counted, "/dev/zero", 100000));
+  EXPECT_LT(counted.count(), 100) << "it was read on after the limit";
 
   const std::string sparse = folder.with("sparse", "");
   fs::resize_file(sparse, std::uintmax_t{1} << 40);

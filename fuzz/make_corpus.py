@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Writes the fuzzers' first inputs into fuzz/corpus, always the same ones."""
+
+import pathlib
+import struct
+
+CORPUS = pathlib.Path(__file__).parent / "corpus"
+
+
+def write(parser, name, content):
+    folder = CORPUS / parser
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def crc32c(content):
+    remainder = 0xFFFFFFFF
+    for byte in content:
+        remainder ^= byte
+        for _ in range(8):
+            remainder = (remainder >> 1) ^ (0x82F63B78 if remainder & 1 else 0)
+    return remainder ^ 0xFFFFFFFF
+
+
+def padded(content):
+    return content + bytes(-len(content) % 8)
+
+
+def entry(kind, name, shape, content):
+    head = struct.pack("<HHI", kind, len(shape), len(name))
+    return head + padded(name) + struct.pack(f"<{len(shape)}Q", *shape) + padded(content)
+
+
+def archive(kind, entries):
+    body = padded(kind) + b"".join(entries)
+    magic = b"\x8fSOMATO\r\n\x1a\n\0"
+    head = struct.pack("<IQII", 1, 32 + len(body) + 4, len(entries), len(kind))
+    whole = magic + head + body
+    return whole + struct.pack("<I", crc32c(whole))
+
+
+def archives():
+    text = entry(1, b"settings", [9], b"rows = 2\n")
+    floats = entry(2, b"weights", [2, 3], struct.pack("<6f", *range(6)))
+    doubles = entry(3, b"norms", [1, 1, 2], struct.pack("<2d", 0.5, -1.0))
+    integers = entry(4, b"counts", [3], struct.pack("<3q", -1, 0, 2**62))
+    write("archive", "empty", archive(b"som", []))
+    write("archive", "one_text", archive(b"som", [text]))
+    write("archive", "every_type", archive(b"tmpsom", [text, floats, doubles, integers]))
+    write("archive", "twice", archive(b"som", [floats, floats]))
+    write("archive", "overflow", archive(b"som", [entry(2, b"a", [2**32, 2**32], b"1234")]))
+    write("archive", "past_the_end", archive(b"som", [entry(2, b"a", [3], b"1234")]))
+    write("archive", "unknown_type", archive(b"som", [entry(9, b"a", [1], b"1234")]))
+    write("archive", "name_no_text", archive(b"som", [entry(1, b"\xc3\x28", [1], b"x")]))
+    write("archive", "text_no_text", archive(b"som", [entry(1, b"a", [1], b"\xff")]))
+
+
+def npy(header, content, version=1):
+    length = "<H" if version == 1 else "<I"
+    before = 8 + struct.calcsize(length)
+    text = header.encode() + b" " * (-(before + len(header) + 1) % 64) + b"\n"
+    return b"\x93NUMPY" + bytes([version, 0]) + struct.pack(length, len(text)) + text + content
+
+
+def header(kind, shape, fortran_order=False):
+    return f"{{'descr': '{kind}', 'fortran_order': {fortran_order}, 'shape': {shape}, }}"
+
+
+def npys():
+    six = struct.pack("<6f", *range(6))
+    write("npy", "two_by_three", npy(header("<f4", "(2, 3)"), six))
+    write("npy", "fortran", npy(header("<f4", "(2, 3)", True), six))
+    write("npy", "version_2", npy(header("<f4", "(6,)"), six, 2))
+    write("npy", "version_3", npy(header("<f4", "(6,)"), six, 3))
+    write("npy", "big_doubles", npy(header(">f8", "(2,)"), struct.pack(">2d", 0.5, 1e300)))
+    write("npy", "booleans", npy(header("|b1", "(3,)"), b"\1\0\1"))
+    write("npy", "bytes", npy(header("|i1", "(3,)"), b"\x80\x00\x7f"))
+    write("npy", "long", npy(header("<u8", "(1L,)"), b"\xff" * 8))
+    write("npy", "scalar", npy(header("<f4", "()"), six[:4]))
+    write("npy", "absurd", npy(header("<f4", "(4294967296, 4294967296)"), six))
+    write("npy", "structured", npy(header("", "(1,)").replace("''", "[('a', '<f4')]"), six[:4]))
+
+
+def csvs():
+    write("csv", "plain", "1,2\n3,4\n")
+    write("csv", "header", "a,b,kind\n1,2,cup\n3,4,ball\n")
+    write("csv", "label_first", "kind;x\ncup;1.5\nball;-2e3\n")
+    write("csv", "blanks", "  1   2\n3 4\n")
+    write("csv", "tabs", "a\tb\r\n1\t2\r\n")
+    write("csv", "quoted", '"a ""b""","c, d"\n1,"2"\n"3" , 4\n')
+    write("csv", "two_lines", '"two\nlines",1\n"x",2\n')
+    write("csv", "comments", "\ufeff# numbers\n\n1,2\n# more\n3,4")
+    write("csv", "ragged", "1,2\n3\n")
+    write("csv", "missing", "a,b\n1,nan\n2,\n3,NA\n")
+    write("csv", "extremes", "1e39,1e-60,-0,+1,.5,5.,1e999,1e-999\n")
+    write("csv", "open_quote", '1,2\n"3,4\n')
+
+
+def tomls():
+    write("toml", "values", "a = true\nb = -15\nc = 0.5\nd = 'x'\ne = [1, 2.5]\nf = [[1], []]\n")
+    write("toml", "tables", "[a.b]\nc = 1\n[[d]]\ne = 'x'\n[[d]]\ne = 'y'\n[d.f]\ng = 2\n")
+    write("toml", "inline", "a = { b = 1, c = { d = [ 'x', \"y\\u00e9\" ] } }\nh.i.j = 3\n")
+    write("toml", "strings", "a = '''\n'x\n'''''\nb = \"\"\"\n\\\"\"\"x\\\n  y\"\"\"\"\n'c d'.e = ''\n")
+    write("toml", "extremes", "a = inf\nb = -nan\nc = 0xFFFF\nd = 1e-400\ne = -9223372036854775808\n")
+    write("toml", "dates", "a = 2020-01-01T00:00:00Z\n")
+    write("toml", "mixed", "a = [1, 'x', { b = 2 }]\n")
+    write("toml", "deep", "a = " + "[" * 40 + "]" * 40 + "\n")
+    write("toml", "long_key", ".".join("a" * 40) + " = 1\n")
+    write("toml", "letters", 'a.\u00e4 = 1\nb = """\\\n \u0499"""\n')
+    write("toml", "letter_in_date", "a = 2020-01-01T00:00:00\u00e4Z\n")
+    write("toml", "wrong", "a = \n[b\n")
+
+
+archives()
+npys()
+csvs()
+tomls()
