@@ -50,11 +50,11 @@ std::vector<std::string> texts(const Element& root) {
   return found;
 }
 
+// Whether a text holds `part`, also when it is broken into lines.
 bool has_text(const Element& root, const std::string& part) {
-  for (const std::string& text : texts(root)) {
-    if (text.find(part) != std::string::npos) return true;
-  }
-  return false;
+  std::string all;
+  for (const std::string& text : texts(root)) all += text + " ";
+  return all.find(part) != std::string::npos;
 }
 
 // The corners of the cell whose tooltip starts with its place; cells have whole-numbered corners.
@@ -125,7 +125,9 @@ TEST(MapPicture, HexagonsAreRegular) {
   const std::string transform = group(root, "cells")["transform"];
   ASSERT_EQ(std::sscanf(transform.c_str() + transform.find("scale"), "scale(%lf,%lf)", &x, &y), 2);
   // From the centre of the first cell, (1, 2): all corners as far as the top one.
-  for (const auto& [column, row] : cells_by_place(root).at("row 1, column 1")) {
+  const auto corners = cells_by_place(root).at("row 1, column 1");
+  ASSERT_EQ(corners.size(), 6U);
+  for (const auto& [column, row] : corners) {
     const double right = (column - 1) * x;
     const double down = (row - 2) * y;
     EXPECT_NEAR(right * right + down * down, 4 * y * y, 1e-3);
