@@ -191,6 +191,12 @@ void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,
     for (Point& end : ends) end = {end.x * cells.unit().x, end.y * cells.unit().y};
     return ends;
   };
+  constexpr double kLeastCellWithLines = 8.0;
+  if (cells.pixels() >= kLeastCellWithLines) {
+    svg.open_group("lines", corner, {.fill = "none", .stroke = "#ffffff", .stroke_width = 0.6});
+    svg.segments(in_pixels(borders.within_areas));
+    svg.close_group();
+  }
   const double width = std::clamp(cells.pixels() * 0.06, 0.6, 1.6);
   svg.open_group("borders", corner, {.fill = "none", .stroke = "#333333", .stroke_width = width});
   svg.segments(in_pixels(borders.around_map));
