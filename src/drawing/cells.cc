@@ -95,8 +95,10 @@ Cells::Borders Cells::borders(const std::vector<std::size_t>& area_of_neuron) co
   }
   Borders borders;
   for (const auto& [edge, sides] : edges) {
-    if (sides.differs) append(borders.between_areas, edge);
-    if (!sides.has_other) append(borders.around_map, edge);
+    append(!sides.has_other ? borders.around_map
+           : sides.differs  ? borders.between_areas
+                            : borders.within_areas,
+           edge);
   }
   return borders;
 }

@@ -36,9 +36,10 @@ class Cells {
   /// In units, clockwise.
   std::vector<Point> corners(std::size_t neuron) const;
 
-  /// The edges between cells of different areas, and those around the map: pairs of ends, in
-  /// units. Areas that meet only across the edge of a torus have no border there.
+  /// The edges between cells of one area, of different areas, and around the map: pairs of ends,
+  /// in units. Areas that meet only across the edge of a torus have no border there.
   struct Borders {
+    std::vector<Point> within_areas;
     std::vector<Point> between_areas;
     std::vector<Point> around_map;
   };

@@ -15,7 +15,7 @@
 namespace somato {
 namespace {
 
-constexpr double kLeastRadius = 2.2;
+constexpr double kLeastRadius = 1.8;
 constexpr double kGreatestRadius = 7.0;
 constexpr double kWidestTooltipName = 600.0;
 
@@ -80,11 +80,11 @@ struct Marker {
 };
 
 double marker_side(const Cells& cells) {
-  return 0.94 * cells.inner_side();
+  return 0.96 * cells.inner_side();
 }
 
 double radius_for(double spacing) {
-  return std::min(0.34 * spacing, kGreatestRadius);
+  return std::min(0.36 * spacing, kGreatestRadius);
 }
 
 // Whether the samples of a neuron have room for a marker each.
@@ -107,13 +107,12 @@ std::vector<Marker> markers_for(const Won& won, bool one_by_one) {
   return markers;
 }
 
-// The number of a marker's samples, below the marker, where there is room.
-void draw_count(SvgWriter& svg, Point middle, double spacing, std::size_t samples) {
-  constexpr double kLeastSize = 4.0;
-  const std::string text = fmt::format("{}", samples);
-  const double size = std::min({0.45 * spacing, 0.95 * spacing / text_width(text, 1.0), 11.0});
-  if (size < kLeastSize) return;
-  svg.text({middle.x, middle.y + 0.46 * spacing}, text, {size, Anchor::kMiddle, true});
+// The size of the number below a marker; 0 where there is no room for it.
+double count_size(double spacing, std::size_t samples) {
+  constexpr double kLeastSize = 7.0;
+  const double narrowest = 0.95 * spacing / text_width(fmt::format("{}", samples), 1.0);
+  const double size = std::min({0.45 * spacing, narrowest, 11.0});
+  return size < kLeastSize ? 0.0 : size;
 }
 
 void draw_won(SvgWriter& svg, const LabelPanel& panel, const Cells& cells, std::size_t neuron,
@@ -129,8 +128,9 @@ void draw_won(SvgWriter& svg, const LabelPanel& panel, const Cells& cells, std::
     const Point at{centre.x + square.offset(i).x, centre.y + square.offset(i).y};
     const std::string tooltip =
         fmt::format("{} x {}, {}", samples, tooltip_name(panel, class_number), place);
-    const Point raised{at.x, at.y - 0.18 * spacing};
-    draw_marker(svg, one_by_one ? at : raised, radius_for(one_by_one ? spacing : 0.7 * spacing),
+    const bool has_count = !one_by_one && count_size(spacing, samples) > 0;
+    const Point raised{at.x, at.y - 0.22 * spacing};
+    draw_marker(svg, has_count ? raised : at, radius_for(has_count ? 0.6 * spacing : spacing),
                 class_mark(class_number), tooltip);
   }
 }
@@ -142,7 +142,10 @@ void draw_counts(SvgWriter& svg, const Cells& cells, std::size_t neuron, const W
   std::size_t marker = 0;
   for (const auto& [class_number, samples] : won) {
     const Point offset = square.offset(marker++);
-    draw_count(svg, {centre.x + offset.x, centre.y + offset.y}, square.spacing(), samples);
+    const double size = count_size(square.spacing(), samples);
+    if (size == 0) continue;
+    svg.text({centre.x + offset.x, centre.y + offset.y + 0.46 * square.spacing()},
+             fmt::format("{}", samples), {size, Anchor::kMiddle, true});
   }
 }
 
@@ -188,6 +191,12 @@ void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,
     for (Point& end : ends) end = {end.x * cells.unit().x, end.y * cells.unit().y};
     return ends;
   };
+  constexpr double kLeastCellWithLines = 8.0;
+  if (cells.pixels() >= kLeastCellWithLines) {
+    svg.open_group("lines", corner, {.fill = "none", .stroke = "#ffffff", .stroke_width = 0.6});
+    svg.segments(in_pixels(borders.within_areas));
+    svg.close_group();
+  }
   const double width = std::clamp(cells.pixels() * 0.06, 0.6, 1.6);
   svg.open_group("borders", corner, {.fill = "none", .stroke = "#333333", .stroke_width = width});
   svg.segments(in_pixels(borders.around_map));
@@ -215,8 +224,7 @@ std::string note_of(const LabelPanel& panel, const Cells& cells) {
       std::all_of(won.begin(), won.end(), [&](const Won& at) { return fit_one_by_one(at, cells); });
   if (all_fit) return panel.note;
   return (panel.note.empty() ? "" : panel.note + " ") +
-         "Where samples lie too close, one marker stands for all of a class; the number counts "
-         "them.";
+         "Where samples lie too close, one marker stands for all of a class; a number counts them.";
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ namespace {
 constexpr double kMargin = 20.0;
 constexpr double kGap = 28.0;
 constexpr double kTitleSize = 18.0;
-constexpr double kTitleHeight = 30.0;
+constexpr double kTitleLine = 24.0;
+constexpr std::size_t kMostTitleLines = 3;
 constexpr double kCaptionSize = 12.0;
 constexpr double kCaptionLine = 17.0;
 constexpr std::size_t kMostCaptionLines = 8;
@@ -25,13 +26,17 @@ constexpr std::size_t kMostCaptionLines = 8;
 // highest.
 struct Layout {
   std::vector<PanelFrame> frames;
+  std::vector<std::string> title_lines;
   std::vector<std::string> caption_lines;
   std::vector<double> column_widths;
   std::vector<double> row_heights;
 
   double width() const { return sum_with_gaps(column_widths) + 2 * kMargin; }
+  double caption_top() const {
+    return kMargin + kTitleLine * static_cast<double>(title_lines.size());
+  }
   double panels_top() const {
-    return kMargin + kTitleHeight + kCaptionLine * static_cast<double>(caption_lines.size());
+    return caption_top() + kCaptionLine * static_cast<double>(caption_lines.size()) + 6;
   }
   double height() const { return panels_top() + sum_with_gaps(row_heights) + kMargin; }
 
@@ -56,7 +61,8 @@ std::size_t columns_for(std::size_t panels) {
   return panels == 4 ? 2 : panels <= 9 ? 3 : 4;
 }
 
-Layout lay_out(const std::string& caption, const std::vector<Panel>& panels) {
+Layout lay_out(const std::string& title, const std::string& caption,
+               const std::vector<Panel>& panels) {
   Layout layout;
   const std::size_t columns = columns_for(panels.size());
   layout.column_widths.assign(columns, 0.0);
@@ -70,18 +76,17 @@ Layout lay_out(const std::string& caption, const std::vector<Panel>& panels) {
     height = std::max(height, frame.height());
     layout.frames.push_back(frame);
   }
-  layout.caption_lines =
-      wrapped(caption, layout.width() - 2 * kMargin, kCaptionSize, kMostCaptionLines);
+  const double width = layout.width() - 2 * kMargin;
+  layout.title_lines = wrapped(title, width, kBoldness * kTitleSize, kMostTitleLines);
+  layout.caption_lines = wrapped(caption, width, kCaptionSize, kMostCaptionLines);
   return layout;
 }
 
-void draw_heading(SvgWriter& svg, const std::string& title, const Layout& layout) {
-  write_line(svg, {kMargin, kMargin + kTitleSize - 2}, title, layout.width() - 2 * kMargin,
-             {.size = kTitleSize, .bold = true});
-  double base_line = kMargin + kTitleHeight + 4;
-  for (const std::string& line : layout.caption_lines) {
-    svg.text({kMargin, base_line}, line, {.size = kCaptionSize, .fill = "#444444"});
-    base_line += kCaptionLine;
+void write_lines(SvgWriter& svg, double top, double line_height,
+                 const std::vector<std::string>& lines, const TextStyle& style) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double base_line = top + line_height * static_cast<double>(i) + style.size;
+    svg.text({kMargin, base_line}, lines[i], style);
   }
 }
 
@@ -98,9 +103,11 @@ ValuePanel hits_panel(const Grid& grid, const std::vector<std::size_t>& hits) {
 std::string draw_picture(const std::string& title, const std::string& caption,
                          const std::vector<Panel>& panels) {
   require(!panels.empty(), "a picture needs at least one panel");
-  const Layout layout = lay_out(caption, panels);
+  const Layout layout = lay_out(title, caption, panels);
   SvgWriter svg(layout.width(), layout.height(), title);
-  draw_heading(svg, title, layout);
+  write_lines(svg, kMargin, kTitleLine, layout.title_lines, {.size = kTitleSize, .bold = true});
+  write_lines(svg, layout.caption_top(), kCaptionLine, layout.caption_lines,
+              {.size = kCaptionSize, .fill = "#444444"});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     svg.open_group("panel", layout.corner(i));
     std::visit([&](const auto& panel) { draw_panel(svg, layout.frames[i], panel); }, panels[i]);

@@ -20,10 +20,10 @@ constexpr std::size_t kMostNoteLines = 6;
 constexpr double kLeastWidth = 260.0;
 constexpr std::size_t kMostTooltips = 2500;
 
-// The width of a cell: maps are about 420 pixels long, but their cells can be seen and one is not a
+// The width of a cell: maps are about 480 pixels long, but their cells can be seen and one is not a
 // poster.
 double cell_pixels(const Grid& grid) {
-  constexpr double kMapSide = 420.0;
+  constexpr double kMapSide = 480.0;
   const auto longest = static_cast<double>(std::max(grid.rows(), grid.columns()));
   return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
 }
@@ -76,11 +76,11 @@ void draw_frame(SvgWriter& svg, const PanelFrame& frame) {
 
 void draw_cells(SvgWriter& svg, const PanelFrame& frame, const std::vector<Colour>& fills,
                 const std::function<std::string(std::size_t)>& tooltip) {
-  // Cells of one colour are outlined in it, half a pixel wide, or the white between them shines
+  // Cells of one colour are outlined in it, nearly a pixel wide, or the white between them shines
   // through where a viewer smooths edges.
   const Point unit = frame.cells.unit();
   const bool has_tooltips = fills.size() <= kMostTooltips;
-  svg.open_group("cells", frame.map_corner(), {.stroke_width = 0.5 / unit.x}, unit);
+  svg.open_group("cells", frame.map_corner(), {.stroke_width = 0.8 / unit.x}, unit);
   for (const auto& [fill, neurons] : neurons_by_fill(fills)) {
     svg.open_group("", {}, {.fill = fill, .stroke = fill});
     for (const std::size_t neuron : neurons) {

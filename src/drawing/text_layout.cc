@@ -76,7 +76,7 @@ std::vector<std::string> wrapped(std::string_view text, double width, double siz
 
 void write_line(SvgWriter& svg, Point at, std::string_view text, double width,
                 const TextStyle& style) {
-  const std::string line = shortened(text, width, style.size * (style.bold ? 1.1 : 1.0));
+  const std::string line = shortened(text, width, style.size * (style.bold ? kBoldness : 1.0));
   const bool is_whole = line == utf8_of(characters_of(text));
   svg.text(at, line, style, is_whole ? std::string_view() : text);
 }

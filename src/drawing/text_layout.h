@@ -8,6 +8,9 @@
 
 namespace somato {
 
+/// How much wider bold text is.
+constexpr double kBoldness = 1.1;
+
 /// About how many pixels wide a line of text is; on the wide side, for the reader's font is
 /// unknown.
 double text_width(std::string_view text, double size);

@@ -57,12 +57,13 @@ void draw_numbers(SvgWriter& svg, const PanelFrame& frame, const ValuePanel& pan
   svg.close_group();
 }
 
-// Each step reaches to the bar's end, so that no gap opens between it and the next.
+// Each step reaches below the next, so that no gap opens between them.
 void draw_gradient(SvgWriter& svg, Point corner, double width) {
   constexpr int kSteps = 64;
   for (int i = 0; i < kSteps; ++i) {
     const double left = width * i / kSteps;
-    svg.rectangle({corner.x + left, corner.y}, width - left, kBarHeight,
+    const double right = width * std::min(i + 2, kSteps) / kSteps;
+    svg.rectangle({corner.x + left, corner.y}, right - left, kBarHeight,
                   {.fill = to_string(sequential_colour((i + 0.5) / kSteps))});
   }
 }

@@ -41,7 +41,7 @@ using Panel = std::variant<ValuePanel, LabelPanel>;
 /// The panels side by side, in up to four columns, under a title and a caption (may be empty), as
 /// a standalone SVG picture. Cells are squares on a rectangular and hexagons on a hexagonal grid;
 /// their size adapts to the grid. Up to 50 x 50 neurons every cell has a tooltip. A grid of 200 x
-/// 200 takes about 2 MB a panel. Panels of a torus say that opposite edges join.
+/// 200 takes about 3 MB a panel. Panels of a torus say that opposite edges join.
 ///
 /// Throws InvalidArgument without panels; when a panel has no neurons, or not one value a neuron,
 /// or a value that is not finite; when winners and classes differ in number, a winner is not on the
