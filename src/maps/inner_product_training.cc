@@ -29,6 +29,7 @@ namespace somato {
 namespace {
 
 constexpr std::uint64_t kIterationsBetweenReports = 256;
+constexpr std::uint64_t kIterationsBetweenClearings = 256;
 
 // The inner products of one vector with all samples: lanes run over dense samples.
 class SampleProducts {
@@ -126,6 +127,9 @@ class InnerProductTrainer {
       kernels.scale_rows(kernels::lanes(products_), factors_.data());
     }
   }
+
+  // Products with samples that are orthogonal decay until they are slow to compute with.
+  void clear_negligible() { kernels::table<double>().clear_negligible(kernels::lanes(products_)); }
 
   Som form_som() const {
     LaneMatrix<float> weights(grid_.size(), samples_.size());
@@ -236,6 +240,7 @@ Result<Som> train_by_inner_products(const SomParameters& parameters, const Sampl
   const Stop stop(options.progress, *parameters.iterations, kIterationsBetweenReports);
   for (std::uint64_t t = 0; t < *parameters.iterations; ++t) {
     trainer.learn(draws.next(), parameters.learning_rate().at(t), parameters.radius().at(t));
+    if ((t + 1) % kIterationsBetweenClearings == 0) trainer.clear_negligible();
     if (stop.after(t + 1)) return Stop::error();
   }
   return trainer.form_som();

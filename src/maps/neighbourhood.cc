@@ -47,7 +47,9 @@ void Neighbourhood::prepare_factors(std::size_t winner, double radius) {
   for (std::size_t r = 0; r < grid_.rows(); ++r) {
     row_factors_[r] = gaussian(grid_.vertical_difference(r, row), radius);
   }
-  for (std::size_t parity = 0; parity < 2; ++parity) {
+  // On a rectangular grid rows of both parities have the same factors.
+  const std::size_t parities = grid_.lattice() == Lattice::kHexagonal ? 2 : 1;
+  for (std::size_t parity = 0; parity < parities; ++parity) {
     for (std::size_t c = 0; c < grid_.columns(); ++c) {
       column_factors_[parity * grid_.columns() + c] =
           gaussian(grid_.horizontal_difference(c, parity, column, row % 2), radius);
@@ -67,7 +69,8 @@ void Neighbourhood::write_around(std::size_t winner, double radius, std::span<Re
   }
   prepare_factors(winner, radius);
   for (std::size_t row = 0; row < grid_.rows(); ++row) {
-    const double* factors = column_factors_.data() + row % 2 * grid_.columns();
+    const std::size_t parity = grid_.lattice() == Lattice::kHexagonal ? row % 2 : 0;
+    const double* factors = column_factors_.data() + parity * grid_.columns();
     for (std::size_t column = 0; column < grid_.columns(); ++column) {
       const double factor = row_factors_[row] * factors[column];
       out[row * grid_.columns() + column] =

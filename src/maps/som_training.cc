@@ -16,6 +16,9 @@ namespace somato {
 namespace {
 
 constexpr std::uint64_t kIterationsBetweenReports = 64;
+// Weights of elements that are mostly zero decay until they are slow to compute with; their squares
+// have left the range of single precision long before.
+constexpr std::uint64_t kIterationsBetweenClearings = 64;
 
 Som initial_som(const SomParameters& parameters, const Samples& prepared) {
   const InitialWeightsSource source(parameters, prepared);
@@ -44,6 +47,9 @@ Result<void> train_online(Som& som, const Samples& prepared, const Progress& pro
   const Stop stop(progress, *p.iterations, kIterationsBetweenReports);
   for (std::uint64_t t = 0; t < *p.iterations; ++t) {
     learner.learn(prepared[draws.next()], p.learning_rate().at(t), p.radius().at(t));
+    if ((t + 1) % kIterationsBetweenClearings == 0) {
+      kernels::table<float>().clear_negligible(kernels::lanes(som.weights()));
+    }
     if (stop.after(t + 1)) return Stop::error();
   }
   return {};

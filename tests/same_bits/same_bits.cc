@@ -9,9 +9,14 @@
 #include <vector>
 
 #include "somato/core/elementary.h"
+#include "somato/core/instruction_set.h"
 #include "somato/core/random.h"
 #include "somato/core/signal.h"
 #include "somato/core/value.h"
+#include "somato/files/archive.h"
+#include "somato/maps/som_archive.h"
+#include "somato/maps/som_training.h"
+#include "somato/maps/t_mpsom_training.h"
 
 namespace somato {
 namespace {
@@ -89,9 +94,113 @@ void print_all() {
   print_case("value.to_toml", [](Random& random) { return to_toml({wide(random)}); });
 }
 
+Samples noise(std::size_t count, std::size_t size) {
+  Random random(11);
+  Matrix<float> rows(count, size);
+  for (float& value : rows.values()) value = static_cast<float>(random.normal());
+  return Samples(std::move(rows));
+}
+
+// A map of each kind of training, as its model file holds it.
+std::string saved_map(const SomParameters& parameters, const Samples& samples,
+                      std::size_t threads) {
+  Archive archive("som");
+  add_som(archive, "", train_som(parameters, samples, {threads, {}}).value());
+  return encode_archive(archive);
+}
+
+std::vector<SomParameters> kinds_of_training() {
+  std::vector<SomParameters> kinds;
+  for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
+    for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
+      SomParameters p;
+      p.rows = 10;
+      p.lattice = lattice;
+      p.similarity = similarity;
+      p.topology = Topology::kTorus;
+      p.arithmetic = Arithmetic::kPlain;
+      p.radius_schedule = ScheduleShape::kExponential;
+      kinds.push_back(p);
+      p.arithmetic = Arithmetic::kInnerProducts;
+      kinds.push_back(p);
+      p.arithmetic = Arithmetic::kAutomatic;
+      p.training = Training::kBatch;
+      kinds.push_back(p);
+    }
+  }
+  return kinds;
+}
+
+std::string name_of(const SomParameters& p) {
+  return "som." + choice_name(p.lattice) + "." + choice_name(p.similarity) + "." +
+         choice_name(p.training) + "." + choice_name(p.arithmetic);
+}
+
+std::string saved_t_mpsom() {
+  TMpsomParameters parameters;
+  parameters.shape = {9, 14};
+  parameters.input_sizes = {20, 30};
+  parameters.iterations = 300;
+  TMpsom map(parameters);
+  Random random(12);
+  TMpsomExploration exploration;
+  for (int frame = 0; frame < 50; ++frame) {
+    exploration.emplace_back();
+    for (const std::size_t size : parameters.input_sizes) {
+      std::vector<float> values(size);
+      for (float& value : values) value = static_cast<float>(random.uniform());
+      exploration.back().push_back(Signal::dense(std::move(values)));
+    }
+  }
+  const std::vector<TMpsomExploration> explorations{exploration};
+  if (!train_t_mpsom(map, explorations)) return {};
+  std::string bytes;
+  for (std::size_t input = 0; input < 2; ++input) {
+    const Matrix<float> weights = map.weights(input);
+    const auto* first = reinterpret_cast<const char*>(weights.values().data());
+    bytes.append(first, weights.values().size_bytes());
+  }
+  return bytes;
+}
+
+// Prints the checksum of what `make(threads)` gives on the portable instruction set with one
+// thread; false when another set or number of threads gives other bytes.
+template <typename Make>
+bool print_everywhere_the_same(const std::string& name, const Make& make) {
+  use_instruction_set(InstructionSet::kPortable);
+  const std::string expected = make(1);
+  Checksum checksum;
+  checksum.add(expected);
+  checksum.print(name.c_str());
+  for (const InstructionSet set : available_instruction_sets()) {
+    use_instruction_set(set);
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      if (make(threads) == expected) continue;
+      std::printf("%s differs with %s, %zu threads\n", name.c_str(), choice_name(set).c_str(),
+                  threads);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool print_trained_maps() {
+  const Samples samples = noise(30, 70);
+  bool same = true;
+  for (const SomParameters& parameters : kinds_of_training()) {
+    same &= print_everywhere_the_same(name_of(parameters), [&](std::size_t threads) {
+      return saved_map(parameters, samples, threads);
+    });
+  }
+  same &=
+      print_everywhere_the_same("t_mpsom", [](std::size_t /*threads*/) { return saved_t_mpsom(); });
+  return same;
+}
+
 }  // namespace
 }  // namespace somato
 
 int main() {
   somato::print_all();
+  return somato::print_trained_maps() ? 0 : 1;
 }
