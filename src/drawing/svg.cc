@@ -113,13 +113,13 @@ void SvgWriter::end_shape(std::string_view tag, const Paint& paint, std::string_
 
 void SvgWriter::rectangle(Point corner, double width, double height, const Paint& paint,
                           std::string_view tooltip) {
-  svg_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", svg_number(corner.x),
+  svg_ += fmt::format(R"(<rect x="{}" y="{}" width="{}" height="{}")", svg_number(corner.x),
                       svg_number(corner.y), svg_number(width), svg_number(height));
   end_shape("rect", paint, tooltip);
 }
 
 void SvgWriter::circle(Point centre, double radius, const Paint& paint, std::string_view tooltip) {
-  svg_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", svg_number(centre.x),
+  svg_ += fmt::format(R"(<circle cx="{}" cy="{}" r="{}")", svg_number(centre.x),
                       svg_number(centre.y), svg_number(radius));
   end_shape("circle", paint, tooltip);
 }
@@ -147,8 +147,8 @@ void SvgWriter::segments(const std::vector<Point>& ends, const Paint& paint) {
 
 void SvgWriter::text(Point at, std::string_view content, const TextStyle& style,
                      std::string_view tooltip) {
-  svg_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"", svg_number(at.x),
-                      svg_number(at.y), svg_number(style.size));
+  svg_ += fmt::format(R"(<text x="{}" y="{}" font-size="{}")", svg_number(at.x), svg_number(at.y),
+                      svg_number(style.size));
   svg_ += attribute("text-anchor", name_of(style.anchor)) +
           attribute("font-weight", style.bold ? "bold" : "") + attribute("fill", style.fill) + ">" +
           xml_escaped(content);

@@ -100,6 +100,7 @@ PanelFrame frame_of(const ValuePanel& panel) {
 void draw_panel(SvgWriter& svg, const PanelFrame& frame, const ValuePanel& panel) {
   const Extent range = extent_of(panel.values);
   std::vector<Colour> fills;
+  fills.reserve(panel.values.size());
   for (const double value : panel.values) fills.push_back(sequential_colour(range.place_of(value)));
   draw_frame(svg, frame);
   draw_cells(svg, frame, fills, [&](std::size_t neuron) {
