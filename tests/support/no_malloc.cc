@@ -1,5 +1,8 @@
 #include "support/no_malloc.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -16,6 +19,25 @@
 namespace {
 
 thread_local std::size_t allocations = 0;
+thread_local std::size_t held = 0;
+thread_local std::size_t most_held = 0;
+
+#if !defined(SOMATO_SANITIZED)
+
+void* note(void* memory) {
+  if (!memory) throw std::bad_alloc();
+  ++allocations;
+  held += malloc_usable_size(memory);
+  most_held = std::max(most_held, held);
+  return memory;
+}
+
+void release(void* memory) noexcept {
+  held -= malloc_usable_size(memory);
+  std::free(memory);
+}
+
+#endif
 
 }  // namespace
 
@@ -29,10 +51,16 @@ bool counts_allocations() {
 #endif
 }
 
-AllocationCounter::AllocationCounter() : before_(allocations) {}
+AllocationCounter::AllocationCounter() : before_(allocations), held_before_(held) {
+  most_held = held;
+}
 
 std::size_t AllocationCounter::count() const {
   return allocations - before_;
+}
+
+std::size_t AllocationCounter::most_bytes() const {
+  return most_held - held_before_;
 }
 
 }  // namespace somato::testing
@@ -41,32 +69,28 @@ std::size_t AllocationCounter::count() const {
 
 // The forms not replaced here (arrays, nothrow, sized) call these.
 void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
+  return note(std::malloc(size != 0 ? size : 1));
 }
 
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
   const auto line = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(line, (size / line + 1) * line)) return memory;
-  throw std::bad_alloc();
+  return note(std::aligned_alloc(line, (size / line + 1) * line));
 }
 
 void operator delete(void* memory) noexcept {
-  std::free(memory);
+  release(memory);
 }
 
 void operator delete(void* memory, std::size_t /*size*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 
 void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 
 void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 
 #endif

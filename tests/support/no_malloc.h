@@ -13,8 +13,12 @@ class AllocationCounter {
   AllocationCounter();
   std::size_t count() const;
 
+  /// The most bytes that the current thread held at once, beyond what it held at the start.
+  std::size_t most_bytes() const;
+
  private:
   std::size_t before_;
+  std::size_t held_before_;
 };
 
 }  // namespace somato::testing
