@@ -48,6 +48,8 @@ struct Table {
   void (*squared_norms)(Lanes<const Real> w, Real* out);
   /// w += gain * (x - w) in each row; blocks whose gains are all zero are not touched.
   void (*move_towards)(Lanes<Real> w, const Real* x, const Real* gains);
+  /// sums += factor * x, element by element in double precision; no alignment needed.
+  void (*add_scaled)(const Real* x, double factor, std::size_t count, double* sums);
   /// w *= factor in each row.
   void (*scale_rows)(Lanes<Real> w, const Real* factors);
   /// w = 0 where its magnitude is below kNegligible. Weights of elements that are always zero decay

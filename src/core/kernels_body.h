@@ -129,6 +129,14 @@ void move_towards(Lanes<Real> w, const Real* x, const Real* gains) {
   }
 }
 
+// Plain, for the compiler to vectorize: the elements do not depend on each other.
+template <typename Real>
+void add_scaled(const Real* x, double factor, std::size_t count, double* sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    sums[i] = __builtin_fma(factor, static_cast<double>(x[i]), sums[i]);
+  }
+}
+
 template <typename Real>
 void scale_rows(Lanes<Real> w, const Real* factors) {
   for (std::size_t block = 0; block < w.blocks; ++block) {
@@ -160,6 +168,7 @@ constexpr Table<Real> make_table() {
           sparse_masked_inner_products<Real>,
           squared_norms<Real>,
           move_towards<Real>,
+          add_scaled<Real>,
           scale_rows<Real>,
           clear_negligible<Real>};
 }

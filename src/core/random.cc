@@ -1,5 +1,6 @@
 #include "somato/core/random.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "somato/core/check.h"
@@ -79,10 +80,30 @@ double Random::normal() {
   return x * factor;
 }
 
-float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column) {
+namespace {
+
+// The four numbers that stand at columns 4 quarter .. 4 quarter + 3 of a row.
+std::array<float, 4> four_uniform(std::uint64_t seed, Stream stream, std::uint32_t row,
+                                  std::uint32_t quarter) {
   const auto words =
-      philox4x32({column / 4, row, static_cast<std::uint32_t>(stream), 1}, key_of(seed));
-  return static_cast<float>(words[column % 4] >> 8) * 0x1p-24F;
+      philox4x32({quarter, row, static_cast<std::uint32_t>(stream), 1}, key_of(seed));
+  std::array<float, 4> numbers{};
+  for (std::size_t i = 0; i < 4; ++i) numbers[i] = static_cast<float>(words[i] >> 8) * 0x1p-24F;
+  return numbers;
+}
+
+}  // namespace
+
+float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column) {
+  return four_uniform(seed, stream, row, column / 4)[column % 4];
+}
+
+void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span<float> out) {
+  for (std::size_t start = 0; start < out.size(); start += 4) {
+    const auto numbers = four_uniform(seed, stream, row, static_cast<std::uint32_t>(start / 4));
+    const std::size_t count = std::min<std::size_t>(4, out.size() - start);
+    std::copy_n(numbers.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(start));
+  }
 }
 
 }  // namespace somato

@@ -60,10 +60,7 @@ void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     write_dense(samples_[sample_of_neuron_[neuron]], out);
   } else {
-    for (std::size_t d = 0; d < out.size(); ++d) {
-      out[d] = uniform_at(parameters_.seed, Stream::kInitialWeights,
-                          static_cast<std::uint32_t>(neuron), static_cast<std::uint32_t>(d));
-    }
+    uniform_row(parameters_.seed, Stream::kInitialWeights, static_cast<std::uint32_t>(neuron), out);
   }
   if (parameters_.initial_weights == InitialWeights::kRange) {
     for (std::size_t d = 0; d < out.size(); ++d) out[d] = low_[d] + (high_[d] - low_[d]) * out[d];

@@ -187,7 +187,7 @@ class InnerProductTrainer {
   // The squared distance without the sample's own length, or the negative inner product.
   double score(std::size_t neuron, std::size_t sample) const {
     const double product = products_(neuron, sample);
-    return dot_product() ? -product : std::fma(-2.0, product, squared_lengths_[neuron]);
+    return dot_product() ? -product : squared_lengths_[neuron] - 2.0 * product;
   }
 
   void move_coefficients(std::size_t neuron, double gain, std::size_t sample) {
@@ -208,12 +208,18 @@ class InnerProductTrainer {
     const double of_start = coefficients_.of_start(neuron);
     for (std::size_t d = 0; d < sum.size(); ++d) sum[d] = of_start * double{start[d]};
     for (std::size_t s = 0; s < samples_.count(); ++s) {
-      const double of_sample = coefficients_.of_sample(neuron, s);
-      const SignalView x = samples_[s];
-      for (std::size_t k = 0; k < x.values.size(); ++k) {
-        double& total = sum[x.sparse ? x.indices[k] : k];
-        total = std::fma(of_sample, double{x.values[k]}, total);
-      }
+      add_sample(coefficients_.of_sample(neuron, s), samples_[s], sum);
+    }
+  }
+
+  static void add_sample(double factor, const SignalView& x, std::vector<double>& sum) {
+    if (!x.sparse) {
+      kernels::table<float>().add_scaled(x.values.data(), factor, sum.size(), sum.data());
+      return;
+    }
+    for (std::size_t k = 0; k < x.values.size(); ++k) {
+      double& total = sum[x.indices[k]];
+      total = std::fma(factor, double{x.values[k]}, total);
     }
   }
 

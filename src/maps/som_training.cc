@@ -105,9 +105,8 @@ void move_to_mean(Som& som, std::size_t neuron, const WinnerSums& sums,
   for (std::size_t winner = 0; winner < gains.size(); ++winner) {
     if (sums.counts[winner] == 0.0 || gains[winner] == 0.0) continue;
     total = std::fma(gains[winner], sums.counts[winner], total);
-    const auto sum = sums.sums.row(winner);
-    for (std::size_t d = 0; d < mean.size(); ++d)
-      mean[d] = std::fma(gains[winner], sum[d], mean[d]);
+    kernels::table<double>().add_scaled(sums.sums.row(winner).data(), gains[winner], mean.size(),
+                                        mean.data());
   }
   if (total == 0.0) return;
   for (std::size_t d = 0; d < mean.size(); ++d) {

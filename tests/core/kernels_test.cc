@@ -142,6 +142,19 @@ TYPED_TEST(Kernels, MoveRowsByTheirGain) {
   }
 }
 
+TYPED_TEST(Kernels, AddScaledVectorsInDoublePrecision) {
+  using Real = TypeParam;
+  Random random(15);
+  const std::vector<double> start(37, 0.25);
+  std::vector<Real> x(37);
+  for (Real& value : x) value = static_cast<Real>(random.normal());
+  std::vector<double> sums = start;
+  kernels::table<Real>().add_scaled(x.data(), 1.5, x.size(), sums.data());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_EQ(sums[i], std::fma(1.5, static_cast<double>(x[i]), 0.25));
+  }
+}
+
 TYPED_TEST(Kernels, ScaleRowsByTheirFactor) {
   using Real = TypeParam;
   Random random(13);

@@ -158,5 +158,15 @@ TEST(UniformAt, DependsOnSeedAndStream) {
   EXPECT_NE(value, uniform_at(5, Stream::kInitialWeights, 4, 3));
 }
 
+TEST(UniformRow, HoldsTheNumbersOfUniformAt) {
+  for (const std::size_t size : {1U, 3U, 4U, 9U, 64U}) {
+    std::vector<float> row(size);
+    uniform_row(5, Stream::kInitialWeights, 7, row);
+    for (std::uint32_t column = 0; column < size; ++column) {
+      EXPECT_EQ(row[column], uniform_at(5, Stream::kInitialWeights, 7, column)) << size;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace somato

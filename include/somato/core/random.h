@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace somato {
 
@@ -51,5 +52,8 @@ class Random {
 /// A number at a place, so that it need not be stored: uniform in [0, 1), a multiple of 2^-24, for
 /// this seed, stream, row and column. Any order of calls gives the same numbers.
 float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column);
+
+/// The numbers of uniform_at() for one row and columns 0 .. out.size()-1, faster.
+void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span<float> out);
 
 }  // namespace somato
