@@ -167,13 +167,21 @@ struct Field<std::vector<T>> {
 };
 
 template <typename T>
-std::vector<std::string> choice_names() {
-  std::vector<std::string> names;
-  if constexpr (std::is_enum_v<T>) {
-    for (const auto& choice : Choices<T>::all()) names.push_back(choice.second);
+struct ChoiceNames {
+  static std::vector<std::string> of() {
+    std::vector<std::string> names;
+    if constexpr (std::is_enum_v<T>) {
+      for (const auto& choice : Choices<T>::all()) names.push_back(choice.second);
+    }
+    return names;
   }
-  return names;
-}
+};
+
+template <typename T>
+struct ChoiceNames<std::optional<T>> : ChoiceNames<T> {};
+
+template <typename T>
+struct ChoiceNames<std::vector<T>> : ChoiceNames<T> {};
 
 }  // namespace detail
 
@@ -203,7 +211,7 @@ class Declarations {
                        std::move(unit),
                        std::move(text),
                        range,
-                       detail::choice_names<T>(),
+                       detail::ChoiceNames<T>::of(),
                        to_toml(detail::Field<T>::write(access(defaults)))};
     auto assign = [info, access](S& target, const Value& value) -> Result<void> {
       Result<T> field = detail::Field<T>::read(info, value);
