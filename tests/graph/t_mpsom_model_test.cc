@@ -27,7 +27,7 @@ TEST(TMpsomModel, RefusesEveryTruncationAndEveryTurnedBit) {
   const TemporaryFolder folder;
   const std::string path = folder.file("model.somato");
   ASSERT_TRUE(save_t_mpsom(path, small_map()));
-  testing::expect_damage_refused(folder, path, load_t_mpsom);
+  testing::expect_damage_refused(path, load_t_mpsom);
 }
 
 Archive saved_archive() {
