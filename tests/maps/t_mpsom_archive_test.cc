@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "somato/maps/t_mpsom_training.h"
 #include "support/saved_maps.h"
+#include "support/t_mpsom_problems.h"
 
 namespace somato {
 namespace {
@@ -30,42 +30,12 @@ std::string parameters_text() {
   return *archive_of(small_map()).get<std::string>("map.parameters", "").value();
 }
 
-TMpsomParameters random_parameters(Random& random) {
-  TMpsomParameters parameters;
-  const std::size_t axes = 1 + random.below(3);
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    parameters.shape.push_back(1 + random.below(4));
-    parameters.input_sizes.push_back(1 + random.below(5));
-  }
-  if (random.below(2) == 0) parameters.combination = TMpsomCombination::kAdded;
-  if (random.below(2) == 0) parameters.input_norm = TMpsomNorm::kNone;
-  if (random.below(2) == 0) parameters.weight_norm = TMpsomNorm::kNone;
-  parameters.arbor_sigma = 0.1 + random.uniform();
-  parameters.neighbourhood_sigma = 0.1 + random.uniform();
-  parameters.learning_rate_start = random.uniform();
-  parameters.learning_rate_end = parameters.learning_rate_start * random.uniform();
-  parameters.iterations = 20;
-  parameters.seed = random.next();
-  return parameters;
-}
-
-TMpsom trained_map(Random& random) {
-  TMpsom map(random_parameters(random));
-  TMpsomFrame frame;
-  for (const std::size_t size : map.parameters().input_sizes) {
-    std::vector<float> values(size);
-    for (float& value : values) value = static_cast<float>(random.uniform());
-    frame.push_back(Signal::dense(values));
-  }
-  const std::vector<TMpsomExploration> explorations{{frame}};
-  EXPECT_TRUE(train_t_mpsom(map, explorations));
-  return map;
-}
-
 TEST(TMpsomArchive, GivesTheSameMapBack) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
-    const TMpsom map = trained_map(random);
+    const TMpsomParameters parameters = testing::random_parameters(random);
+    const auto weights = testing::random_weights(random, parameters, testing::Sign::kEither);
+    const TMpsom map = TMpsom::from_weights(parameters, weights).value();
     const Archive archive = archive_of(map);
     const TMpsom again = t_mpsom_from(archive, "map.", "here").value();
     EXPECT_EQ(again, map);
