@@ -142,15 +142,15 @@ TEST(ReadStudy, RefusesNumbersOutOfRange) {
                  "study.toml:2: 'wrong_groupings' must be a whole number, 0 to 10000, not 10001");
 }
 
-// Another value than the default.
+// Another value than the default, and for every name another.
 Value other_value(const ParameterInfo& info) {
-  if (info.type == "text") return {std::string("other")};
+  if (info.type == "text") return {"other " + info.name};
   if (info.type == "list of text") return {Value::List{{std::string("a")}, {std::string("b")}}};
   if (info.type == "list of choice") return {Value::List{{info.choices.back()}}};
   if (info.type == "choice") return {info.choices.back()};
   if (info.type == "switch") return {info.default_text != "true"};
   if (info.type == "number") return {0.25};
-  return {std::int64_t{6}};
+  return {static_cast<std::int64_t>(info.name.size())};
 }
 
 // A field that is not declared could not be set from a description, nor stand in the results; two
