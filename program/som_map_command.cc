@@ -6,19 +6,12 @@
 
 #include "commands.h"
 #include "data.h"
+#include "somato/files/csv.h"
 #include "somato/files/npy.h"
 #include "somato/files/whole_file.h"
 
 namespace somato::program {
 namespace {
-
-// A class name as a CSV field.
-std::string field(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string winners_csv(const MapAndData& both) {
   const Som& som = both.model.som;
@@ -33,7 +26,7 @@ std::string winners_csv(const MapAndData& both) {
                    som.distance(sample, winner, workspace));
     if (labelled) {
       const std::size_t its_class = both.model.labels.classify(som, sample, workspace);
-      csv += "," + field(both.model.classes[its_class]);
+      csv += "," + csv_field(both.model.classes[its_class]);
     }
     csv += "\n";
   }

@@ -218,14 +218,10 @@ bool is_plain(char c) {
          c == '-' || c == '.';
 }
 
-// Quoted unless nobody could take it for anything else.
+// As a field that parse_csv() can read again.
 std::string written(const std::string& text) {
   require(is_utf8(text) && text.find('\0') == std::string::npos, "a text is not UTF-8");
-  const bool plain = std::all_of(text.begin(), text.end(), is_plain);
-  if (plain && read_number(text).meaning == Meaning::kText) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
+  return csv_field(text);
 }
 
 void append_header(std::string& out, const NumberTable& table) {
@@ -272,6 +268,14 @@ Result<NumberTable> parse_csv(std::string_view text, std::string_view where,
 Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options) {
   return read_whole(path).and_then(
       [&](const std::string& bytes) { return parse_csv(bytes, path, options); });
+}
+
+std::string csv_field(const std::string& text) {
+  const bool plain = std::all_of(text.begin(), text.end(), is_plain);
+  if (plain && read_number(text).meaning == Meaning::kText) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
 }
 
 std::string format_csv(const NumberTable& table) {

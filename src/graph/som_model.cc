@@ -4,6 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "graph/model_parts.h"
+#include "maps/map_parts.h"
+#include "somato/core/check.h"
 #include "somato/files/archive.h"
 #include "somato/files/toml_file.h"
 #include "somato/maps/som_archive.h"
@@ -13,10 +16,8 @@ namespace {
 
 const std::string kKind = "som";
 const std::string kPrefix = "som.";
-
-tl::unexpected<Error> damaged(const std::string& what, const std::string& where) {
-  return fail(ErrorKind::kData, what, where, "the file is damaged; save it again");
-}
+const std::set<std::string> kKnownParts{kPrefix + "parameters", kPrefix + "weights", "features",
+                                        "standardization",      "classes",           "labels"};
 
 // A list of names as a line of TOML, so that a name may hold anything.
 std::string names_to_toml(const std::vector<std::string>& names) {
@@ -35,10 +36,12 @@ Result<std::vector<std::string>> read_names(const Archive& archive, const std::s
   const Table::Entry* entry = table ? table->find("names") : nullptr;
   const Value* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
   const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
-  if (!list) return damaged("'" + name + "' is not a list of names", where);
+  if (!list || list->empty()) {
+    return damaged_model("'" + name + "' is not a list of names", where);
+  }
   for (const Value& item : *list) {
     const auto* item_text = std::get_if<std::string>(&item.content);
-    if (!item_text) return damaged("'" + name + "' is not a list of names", where);
+    if (!item_text) return damaged_model("'" + name + "' is not a list of names", where);
     names.push_back(*item_text);
   }
   return names;
@@ -59,11 +62,11 @@ Result<void> read_standardization(const Archive& archive, const std::string& whe
   const std::vector<double>& values = (*array)->values;
   const std::size_t size = model.som.input_size();
   if ((*array)->shape != std::vector<std::uint64_t>{2, size}) {
-    return damaged("the standardization does not fit the map", where);
+    return damaged_model("the standardization does not fit the map", where);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]) || (i >= size && values[i] < 0.0)) {
-      return damaged("the standardization holds an impossible number", where);
+      return damaged_model("the standardization holds an impossible number", where);
     }
   }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(size);
@@ -82,37 +85,40 @@ Array<std::int64_t> labels_array(const NeuronLabels& labels) {
 }
 
 Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
-  if (model.classes.empty()) return {};
+  if (model.classes.empty() && !archive.find("labels")) return {};
   auto array = archive.get<Array<std::int64_t>>("labels", where);
   if (!array) return fail(std::move(array.error()));
   if ((*array)->shape != std::vector<std::uint64_t>{model.som.neurons()}) {
-    return damaged("the labels do not fit the map", where);
+    return damaged_model("the labels do not fit the map", where);
   }
   std::vector<std::optional<std::size_t>> class_of_neuron;
   for (const std::int64_t label : (*array)->values) {
     if (label < kNoLabel || label >= static_cast<std::int64_t>(model.classes.size())) {
-      return damaged("a neuron has the label of a class that is not there", where);
+      return damaged_model("a neuron has the label of a class that is not there", where);
     }
     class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}
                                                 : static_cast<std::size_t>(label));
   }
   model.labels = NeuronLabels(std::move(class_of_neuron));
+  if (model.labels.labelled().empty()) return damaged_model("no neuron has a label", where);
   return {};
 }
 
-Result<void> check_entries(const Archive& archive, const std::string& path) {
-  if (archive.kind() != kKind) {
-    return fail(ErrorKind::kData, "the file holds '" + archive.kind() + "', not a map", path,
-                "give a file that 'somato som train' wrote");
+// What could be saved but not be loaded again.
+void require_fit(const SomModel& model) {
+  const std::size_t size = model.som.input_size();
+  require(model.features.empty() || model.features.size() == size,
+          "a model needs a name for each input element, or none");
+  require(!model.standardization || (model.standardization->means.size() == size &&
+                                     model.standardization->deviations.size() == size),
+          "a model's standardization needs as many columns as the map");
+  require(model.labels.neurons() == (model.classes.empty() ? 0 : model.som.neurons()),
+          "a model with classes needs a label or none for each neuron, one without nothing");
+  require(model.classes.empty() || !model.labels.labelled().empty(),
+          "a model with classes needs a neuron with a label");
+  for (const std::size_t neuron : model.labels.labelled()) {
+    require(*model.labels[neuron] < model.classes.size(), "a neuron's class has no name");
   }
-  const std::set<std::string> known{kPrefix + "parameters", kPrefix + "weights", "features",
-                                    "standardization",      "classes",           "labels"};
-  for (const Archive::Entry& entry : archive.entries()) {
-    if (!known.contains(entry.name)) {
-      return damaged("the model has an unknown part '" + entry.name + "'", path);
-    }
-  }
-  return {};
 }
 
 }  // namespace
@@ -122,6 +128,7 @@ Samples SomModel::prepare(const Samples& samples) const {
 }
 
 Result<void> save_som_model(const std::string& path, const SomModel& model) {
+  require_fit(model);
   Archive archive(kKind);
   add_som(archive, kPrefix, model.som);
   if (!model.features.empty()) archive.add("features", names_to_toml(model.features));
@@ -138,7 +145,8 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
 Result<SomModel> load_som_model(const std::string& path) {
   auto archive = load_archive(path);
   if (!archive) return fail(std::move(archive.error()));
-  if (auto known = check_entries(*archive, path); !known) return fail(std::move(known.error()));
+  if (auto right = check_kind(*archive, kKind, path); !right) return fail(right.error());
+  if (auto known = check_parts(*archive, kKnownParts, path); !known) return fail(known.error());
   auto som = som_from(*archive, kPrefix, path);
   if (!som) return fail(std::move(som.error()));
   auto features = read_names(*archive, "features", path);
@@ -147,7 +155,7 @@ Result<SomModel> load_som_model(const std::string& path) {
   if (!classes) return fail(std::move(classes.error()));
   SomModel model{std::move(*som), std::move(*features), {}, std::move(*classes), {}};
   if (!model.features.empty() && model.features.size() != model.som.input_size()) {
-    return damaged("the names of the features do not fit the map", path);
+    return damaged_model("the names of the features do not fit the map", path);
   }
   if (auto read = read_standardization(*archive, path, model); !read) return fail(read.error());
   if (auto read = read_labels(*archive, path, model); !read) return fail(read.error());

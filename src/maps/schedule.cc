@@ -20,4 +20,11 @@ double Schedule::at(std::uint64_t step) const {
   return start * power(end / start, share);
 }
 
+Result<void> Schedule::validate(const std::string& name) const {
+  if (shape != ScheduleShape::kExponential || (start > 0.0 && end > 0.0)) return {};
+  return fail(ErrorKind::kUsage,
+              "an exponential schedule of the " + name + " cannot start or end at 0", {},
+              "use a linear schedule or values above 0");
+}
+
 }  // namespace somato

@@ -1,63 +1,43 @@
 #include "somato/maps/som_archive.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "somato/files/toml_file.h"
+#include "maps/map_parts.h"
 
 namespace somato {
 namespace {
 
-tl::unexpected<Error> damaged(const std::string& what, const std::string& where) {
-  return fail(ErrorKind::kData, what, where, "the file is damaged or not a map; save it again");
-}
-
-// What a file says is data, whatever reads it.
-tl::unexpected<Error> as_data(Error error) {
-  error.kind = ErrorKind::kData;
-  return fail(std::move(error));
-}
-
-Result<SomParameters> read_decided(const std::string& toml, const std::string& where) {
-  Result<Table> table = parse_toml(toml, where);
-  if (!table) return as_data(std::move(table.error()));
-  Result<SomParameters> parameters = read_parameters<SomParameters>(*table);
-  if (!parameters) return as_data(std::move(parameters.error()));
+// Without a parameter that resolve() would decide: what it decides depends on the samples.
+Result<SomParameters> read_decided(const Archive& archive, const std::string& name,
+                                   const std::string& where) {
+  auto parameters = parameters_from<SomParameters>(archive, name, where);
+  if (!parameters) return parameters;
   const bool decided = parameters->normalize_input && parameters->iterations &&
                        parameters->radius_start && parameters->radius_reached_at &&
-                       parameters->learning_rate_reached_at;
-  if (!decided) return damaged("a parameter of the map is left automatic", where);
-  Result<SomParameters> resolved = resolve(*parameters, 1, 1);
-  if (!resolved) return as_data(std::move(resolved.error()));
+                       parameters->learning_rate_reached_at &&
+                       parameters->arithmetic != Arithmetic::kAutomatic;
+  if (!decided) return damaged_model("a parameter of the map is left automatic", where);
+  auto resolved = resolve(*parameters, 1, 1);
+  if (!resolved) return damaged_model(std::move(resolved.error()), where);
   return resolved;
 }
 
 }  // namespace
 
 void add_som(Archive& archive, const std::string& prefix, const Som& som) {
-  const Matrix<float> weights = som.weights().to_matrix();
   archive.add(prefix + "parameters", parameters_to_toml(som.parameters()));
-  archive.add(prefix + "weights", Array<float>{{weights.rows(), weights.columns()},
-                                               {weights.values().begin(), weights.values().end()}});
+  add_matrix(archive, prefix + "weights", som.weights().to_matrix());
 }
 
 Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where) {
-  auto toml = archive.get<std::string>(prefix + "parameters", where);
-  if (!toml) return fail(std::move(toml.error()));
-  auto weights = archive.get<Array<float>>(prefix + "weights", where);
-  if (!weights) return fail(std::move(weights.error()));
-  auto parameters = read_decided(**toml, where);
+  auto parameters = read_decided(archive, prefix + "parameters", where);
   if (!parameters) return fail(std::move(parameters.error()));
-  const Array<float>& array = **weights;
-  if (array.shape.size() != 2 || array.shape[0] != parameters->grid().size()) {
-    return damaged("the map's weights do not fit its grid", where);
+  auto weights = matrix_from(archive, prefix + "weights", where);
+  if (!weights) return fail(std::move(weights.error()));
+  if (weights->rows() != parameters->grid().size()) {
+    return damaged_model("the map's weights do not fit its grid", where);
   }
-  if (!std::all_of(array.values.begin(), array.values.end(),
-                   [](float weight) { return std::isfinite(weight); })) {
-    return damaged("a weight of the map is not finite", where);
-  }
-  return Som(*parameters, Matrix<float>(array.shape[0], array.shape[1], array.values));
+  return Som(*parameters, *weights);
 }
 
 }  // namespace somato

@@ -14,16 +14,6 @@ bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
          2 * samples <= features && *parameters.iterations >= 2 * samples;
 }
 
-Result<void> validate_schedule(const std::string& name, const Schedule& schedule) {
-  const bool exponential = schedule.shape == ScheduleShape::kExponential;
-  if (exponential && (schedule.start <= 0.0 || schedule.end <= 0.0)) {
-    return fail(ErrorKind::kUsage,
-                "an exponential schedule of the " + name + " cannot start or end at 0", {},
-                "use a linear schedule or values above 0");
-  }
-  return {};
-}
-
 }  // namespace
 
 const std::vector<std::pair<Similarity, std::string>>& Choices<Similarity>::all() {
@@ -193,7 +183,7 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
   }
   for (const auto& [name, schedule] : {std::pair<std::string, Schedule>{"radius", p.radius()},
                                        {"learning rate", p.learning_rate()}}) {
-    if (auto valid = validate_schedule(name, schedule); !valid) return fail(valid.error());
+    if (auto valid = schedule.validate(name); !valid) return fail(valid.error());
   }
   return parameters;
 }

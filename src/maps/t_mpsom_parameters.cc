@@ -87,9 +87,11 @@ Result<void> check_sizes(const TMpsomParameters& parameters) {
 }
 
 Result<void> check_rates(const TMpsomParameters& parameters) {
-  if (parameters.learning_rate_end <= parameters.learning_rate_start) return {};
-  return refuse("'learning_rate_end' is above 'learning_rate_start'",
-                "the learning rate may only fall");
+  if (parameters.learning_rate_end > parameters.learning_rate_start) {
+    return refuse("'learning_rate_end' is above 'learning_rate_start'",
+                  "the learning rate may only fall");
+  }
+  return parameters.learning_rate().validate("learning rate");
 }
 
 Declarations<TMpsomParameters> declare() {
@@ -119,12 +121,19 @@ Declarations<TMpsomParameters> declare() {
       "width of the Gaussian G through which neurons contribute to each other's learning; not "
       "given in the paper");
   all.add(
+      "learning_rate_schedule", [](P& p) -> auto& { return p.learning_rate_schedule; }, "",
+      Range::any(), "how the learning rate goes from start to end; not given in the paper");
+  all.add(
       "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
       Range::between(0, 1), "learning rate of the first iteration; not given in the paper");
   all.add(
       "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
-      Range::between(0, 1),
-      "learning rate reached in a straight line after all iterations; not given in the paper");
+      Range::between(0, 1), "learning rate at the end; not given in the paper");
+  all.add(
+      "learning_rate_reached_at", [](P& p) -> auto& { return p.learning_rate_reached_at; },
+      "iterations", Range::at_least(1),
+      "when the learning rate has reached its end, where it stays; automatic: after all "
+      "iterations");
   all.add(
       "input_norm", [](P& p) -> auto& { return p.input_norm; }, "", Range::any(),
       "norm that each input is divided by in every iteration; which one is not given in the "
@@ -187,13 +196,6 @@ std::size_t TMpsomParameters::neurons() const {
 std::size_t TMpsomParameters::place(std::size_t neuron, std::size_t axis) const {
   for (std::size_t later = shape.size() - 1; later > axis; --later) neuron /= shape[later];
   return neuron % shape[axis];
-}
-
-double t_mpsom_learning_rate(const TMpsomParameters& parameters, std::uint64_t iteration) {
-  if (iteration >= parameters.iterations) return parameters.learning_rate_end;
-  const double passed = static_cast<double>(iteration) / static_cast<double>(parameters.iterations);
-  return parameters.learning_rate_start +
-         (parameters.learning_rate_end - parameters.learning_rate_start) * passed;
 }
 
 }  // namespace somato

@@ -66,7 +66,7 @@ Result<void> check_explorations(std::span<const TMpsomExploration> explorations,
 class Training {
  public:
   Training(TMpsom& map, const Progress& progress)
-      : map_(map), progress_(progress), workspace_(map) {}
+      : map_(map), progress_(progress), rate_(map.parameters().learning_rate()), workspace_(map) {}
 
   bool is_over() const { return done_ == total() || interrupted_; }
   bool is_interrupted() const { return interrupted_; }
@@ -76,7 +76,7 @@ class Training {
   void learn(const TMpsomFrame& frame) {
     inputs_.clear();
     for (const Signal& signal : frame) inputs_.push_back(signal.view());
-    const double alpha = t_mpsom_learning_rate(map_.parameters(), done_);
+    const double alpha = rate_.at(done_);
     learned_ += map_.learn(inputs_, alpha, workspace_) ? 1 : 0;
     ++done_;
     if (done_ % kIterationsBetweenReports == 0 || done_ == total()) report();
@@ -88,6 +88,7 @@ class Training {
 
   TMpsom& map_;
   const Progress& progress_;
+  Schedule rate_;
   TMpsom::Workspace workspace_;
   std::vector<SignalView> inputs_;
   std::uint64_t done_ = 0;

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,6 +15,7 @@
 #include <vector>
 
 #include "somato/core/value.h"
+#include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -37,17 +36,6 @@ struct Trial {
   std::string object;
   unsigned number = 0;
 };
-
-Result<std::string> read_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-  if (stream.bad() || !stream.is_open()) {
-    return fail(ErrorKind::kSystem, "the file cannot be read", path.string(),
-                "check that it is there and may be read");
-  }
-  return text.str();
-}
 
 // The lines without their ends; blank ones at the end of the file do not count.
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -225,7 +213,7 @@ Result<std::vector<Trial>> find_trials(const std::filesystem::path& folder) {
 }
 
 Result<Exploration> read_trial(const Trial& trial) {
-  return read_text(trial.file)
+  return read_whole(trial.file.string())
       .and_then(
           [&](const std::string& text) { return TrialReader(trial.file.string(), text).read(); })
       .map([&](std::vector<Channel> channels) {

@@ -1,5 +1,6 @@
 #include "studies/question.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,6 +31,20 @@ Result<std::vector<std::size_t>> individuals_of(const Recording& recording,
   return labels_of(recording, name).map([](const std::vector<std::string>& labels) {
     return Classes::from_names(labels).of_sample;
   });
+}
+
+// Individuals are dealt to classes as wholes, so each must belong to one.
+Result<void> check_individuals(const Question& question, const StudyParameters& parameters) {
+  std::map<std::size_t, std::size_t> class_of;
+  for (std::size_t i = 0; i < question.individuals.size(); ++i) {
+    const std::size_t its_class = question.classes.of_sample[i];
+    if (class_of.emplace(question.individuals[i], its_class).first->second == its_class) continue;
+    return fail(ErrorKind::kData,
+                "explorations with the same '" + parameters.individual + "' differ in '" +
+                    parameters.label + "'",
+                {}, "name another label as 'individual', or leave it empty");
+  }
+  return {};
 }
 
 Result<Standardization> standardize_on(const Question& question, const VectorParameters& parameters,
@@ -82,6 +97,9 @@ Result<Question> make_question(const StudyDescription& description, const Record
     return fail(ErrorKind::kData,
                 "every exploration has the same '" + description.study.label + "'", {},
                 "there is nothing to tell apart; name another label");
+  }
+  if (auto whole = check_individuals(question, description.study); !whole) {
+    return fail(std::move(whole.error()));
   }
   return question;
 }

@@ -43,12 +43,18 @@ Json systems_json(const std::vector<SystemResults>& systems) {
   return json;
 }
 
-// TOML's numbers, texts, switches and lists of them are JSON's as they stand.
+// TOML's numbers, texts, switches and lists of them are JSON's as they stand; only a text that is
+// not UTF-8 is not.
+Json setting_json(const std::string& value) {
+  Json json = Json::parse(value, nullptr, false);
+  return json.is_discarded() ? Json(value) : json;
+}
+
 Json settings_json(const std::vector<Settings>& parts) {
   Json json = Json::object();
   for (const Settings& part : parts) {
     for (const Setting& setting : part.settings) {
-      json[part.part][setting.name] = Json::parse(setting.value);
+      json[part.part][setting.name] = setting_json(setting.value);
     }
   }
   return json;

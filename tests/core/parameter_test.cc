@@ -214,6 +214,33 @@ Result<Settings> from_flag(const std::string& name, const std::string& argument)
   return read_one(name, *value);
 }
 
+struct Walls {
+  std::vector<Shape> shapes{Shape::kPlane};
+  std::optional<Shape> floor;
+
+  static const Declarations<Walls>& declarations() {
+    static const auto kAll =
+        Declarations<Walls>()
+            .add(
+                "shapes", [](Walls& w) -> auto& { return w.shapes; }, "", Range::any(), "Of all.")
+            .add("floor", [](Walls& w) -> auto& { return w.floor; }, "", Range::any(), "Below.");
+    return kAll;
+  }
+};
+
+// Lists of choices and choices that may be automatic are choices too.
+TEST(Parameters, ChooseInListsAndOptionally) {
+  for (const auto& parameter : Walls::declarations().all()) {
+    EXPECT_EQ(parameter.info.choices, (std::vector<std::string>{"plane", "torus"}));
+  }
+  const Value both{Value::List{text("torus"), text("plane")}};
+  const Table table{"a.toml:1",
+                    {{"shapes", "a.toml:2", both}, {"floor", "a.toml:3", text("torus")}}};
+  const Walls walls = read_parameters<Walls>(table).value();
+  EXPECT_EQ(walls.shapes, (std::vector<Shape>{Shape::kTorus, Shape::kPlane}));
+  EXPECT_EQ(walls.floor, Shape::kTorus);
+}
+
 TEST(Flags, AreReadByTheTypeOfTheirParameter) {
   EXPECT_EQ(from_flag("rows", "20")->rows, 20U);
   EXPECT_EQ(from_flag("learning_rate", "1e-3")->learning_rate, 1e-3);

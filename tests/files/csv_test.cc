@@ -172,6 +172,16 @@ std::string awkward_text(Random& random) {
   return text;
 }
 
+TEST(CsvField, IsQuotedUnlessItIsAPlainWord) {
+  EXPECT_EQ(csv_field("ball_1"), "ball_1");
+  EXPECT_EQ(csv_field("red ball"), "\"red ball\"");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("a\nb"), "\"a\nb\"");
+  EXPECT_EQ(csv_field("\"x\""), "\"\"\"x\"\"\"");
+  EXPECT_EQ(csv_field("12"), "\"12\"");
+  EXPECT_EQ(csv_field("nan"), "\"nan\"");
+}
+
 TEST(Csv, ReadsBackWhatItWrote) {
   Random random(1);
   for (int i = 0; i < 3000; ++i) {

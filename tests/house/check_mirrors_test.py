@@ -31,6 +31,17 @@ class Mirrors(TreeTest):
         self.write("include/somato/maps/grid.h")
         self.assertEqual(self.problems(), ["include/somato/maps/grid.h: no tests/maps/grid_test.cc"])
 
+    def test_passes_one_subject_of_a_header(self):
+        for name in ("include/somato/maps/grid.h", "src/maps/grid.cc", "tests/maps/grid_test.cc",
+                     "tests/maps/grid_laws_test.cc"):
+            self.write(name)
+        self.assertEqual(self.problems(), [])
+
+    def test_one_subject_does_not_stand_for_the_whole(self):
+        for name in ("include/somato/maps/grid.h", "src/maps/grid.cc", "tests/maps/grid_laws_test.cc"):
+            self.write(name)
+        self.assertEqual(self.problems(), ["include/somato/maps/grid.h: no tests/maps/grid_test.cc"])
+
     def test_refuses_a_test_of_nothing(self):
         self.write("tests/maps/gird_test.cc")
         self.assertEqual(self.problems(), ["tests/maps/gird_test.cc: no header of that name"])

@@ -28,5 +28,16 @@ TEST(Schedule, StaysConstant) {
   EXPECT_EQ(schedule.at(9), 3.0);
 }
 
+TEST(Schedule, CannotGoByEqualRatiosToOrFromZero) {
+  for (const auto& [start, end] : {std::pair{0.0, 1.0}, std::pair{1.0, 0.0}}) {
+    const auto valid = Schedule{ScheduleShape::kExponential, start, end, 4}.validate("radius");
+    ASSERT_FALSE(valid);
+    EXPECT_EQ(valid.error().kind, ErrorKind::kUsage);
+    EXPECT_NE(valid.error().what.find("of the radius cannot"), std::string::npos);
+    EXPECT_TRUE((Schedule{ScheduleShape::kLinear, start, end, 4}.validate("radius")));
+  }
+  EXPECT_TRUE((Schedule{ScheduleShape::kExponential, 2.0, 0.1, 4}.validate("radius")));
+}
+
 }  // namespace
 }  // namespace somato

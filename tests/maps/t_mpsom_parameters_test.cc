@@ -67,6 +67,9 @@ TEST(TMpsomParameters, RefuseNumbersOutOfRange) {
   p = third();
   p.learning_rate_end = 0.2;
   expect_refused(p, "'learning_rate_end' is above 'learning_rate_start'", "fall");
+  p.learning_rate_schedule = ScheduleShape::kExponential;
+  p.learning_rate_end = 0.0;
+  expect_refused(p, "learning rate cannot start or end at 0", "linear");
   p = third();
   p.iterations = 0;
   expect_refused(p, "'iterations' must be", "");
@@ -116,22 +119,35 @@ TEST(TMpsomParameters, AreWrittenAndReadAgain) {
 }
 
 TEST(TMpsomParameters, SayWhatThePapersDoNotGive) {
-  for (const char* name : {"arbor_sigma", "neighbourhood_sigma", "learning_rate_start",
-                           "learning_rate_end", "input_norm", "weight_norm"}) {
+  for (const char* name :
+       {"arbor_sigma", "neighbourhood_sigma", "learning_rate_start", "learning_rate_schedule",
+        "learning_rate_end", "input_norm", "weight_norm"}) {
     const auto* parameter = TMpsomParameters::declarations().find(name);
     ASSERT_NE(parameter, nullptr) << name;
     EXPECT_NE(parameter->info.text.find("not given in the paper"), std::string::npos) << name;
   }
 }
 
-TEST(TMpsomLearningRate, FallsInAStraightLineAndStays) {
+TEST(TMpsomParameters, LetTheLearningRateFallInAStraightLine) {
   TMpsomParameters p = third();
   p.learning_rate_start = 0.5;
   p.learning_rate_end = 0.1;
   p.iterations = 4;
   const double expected[] = {0.5, 0.4, 0.3, 0.2, 0.1, 0.1};
   for (std::uint64_t t = 0; t < 6; ++t) {
-    EXPECT_NEAR(t_mpsom_learning_rate(p, t), expected[t], 1e-15) << t;
+    EXPECT_NEAR(p.learning_rate().at(t), expected[t], 1e-15) << t;
+  }
+}
+
+TEST(TMpsomParameters, LetTheLearningRateFallAsTold) {
+  TMpsomParameters p = third();
+  p.learning_rate_schedule = ScheduleShape::kExponential;
+  p.learning_rate_start = 0.4;
+  p.learning_rate_end = 0.1;
+  p.learning_rate_reached_at = 2;
+  const double expected[] = {0.4, 0.2, 0.1, 0.1};
+  for (std::uint64_t t = 0; t < 4; ++t) {
+    EXPECT_NEAR(p.learning_rate().at(t), expected[t], 1e-15) << t;
   }
 }
 

@@ -155,7 +155,7 @@ TEST_F(ImportIcubGrasp, RefusesAFileThatCannotBeRead) {
   const Result<Recording> recording = import_icub_grasp(folder_);
   ASSERT_FALSE(recording);
   EXPECT_EQ(recording.error().kind, ErrorKind::kSystem);
-  EXPECT_EQ(recording.error().what, "the file cannot be read");
+  EXPECT_EQ(recording.error().what, "cannot read: Is a directory");
   EXPECT_EQ(recording.error().where, (folder_ / "ball_1.txt").string());
 }
 

@@ -32,6 +32,10 @@ Result<NumberTable> parse_csv(std::string_view text, std::string_view where,
 /// The table in the file at `path`; see parse_csv() and read_whole().
 Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options = {});
 
+/// The text as a field of a CSV file: between quotes, those inside doubled, unless nobody could
+/// take it for a number or anything else.
+std::string csv_field(const std::string& text);
+
 /// The table as text that reads back to the same bits: names if there are any, commas, the labels
 /// as last column `label`. Throws InvalidArgument when sizes do not match, a value is not finite,
 /// or a text is not UTF-8.

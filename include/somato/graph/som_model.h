@@ -25,6 +25,7 @@ struct SomModel {
 };
 
 /// Saves wholly or not at all (see save_whole); docs/formats/model-file.md describes the file.
+/// Throws InvalidArgument when features, standardization or labels do not fit the map.
 Result<void> save_som_model(const std::string& path, const SomModel& model);
 
 /// The same model, bit by bit. Errors: kSystem for a file that cannot be read, kData for one that

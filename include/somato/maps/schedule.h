@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "somato/core/parameter.h"
+#include "somato/core/result.h"
 
 namespace somato {
 
@@ -33,6 +34,9 @@ struct Schedule {
 
   /// The value at `step`. An exponential schedule needs a start and an end above 0.
   double at(std::uint64_t step) const;
+
+  /// Fails (kUsage) for an exponential schedule that starts or ends at 0; `name` says of what.
+  Result<void> validate(const std::string& name) const;
 };
 
 }  // namespace somato

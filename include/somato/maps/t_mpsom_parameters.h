@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
+#include "somato/maps/schedule.h"
 
 namespace somato {
 
@@ -46,8 +48,10 @@ struct TMpsomParameters {
   TMpsomCombination combination = TMpsomCombination::kMultiplied;
   double arbor_sigma = 1.0;
   double neighbourhood_sigma = 1.0;
+  ScheduleShape learning_rate_schedule = ScheduleShape::kLinear;
   double learning_rate_start = 0.1;
   double learning_rate_end = 0.0;
+  std::optional<std::uint64_t> learning_rate_reached_at;
   TMpsomNorm input_norm = TMpsomNorm::kL2;
   TMpsomNorm weight_norm = TMpsomNorm::kL2;
   std::uint64_t iterations = 5000;
@@ -58,6 +62,13 @@ struct TMpsomParameters {
   /// Whether shape, inputs, axes and rates fit together and every number is in its declared range;
   /// errors (kUsage) name the parameters.
   Result<void> validate() const;
+
+  /// alpha(t) over the iterations, counted from 0. P06 and P11 ask for 0 <= alpha(t) <= 1 and
+  /// alpha(t) -> 0; the values are not given in the paper.
+  Schedule learning_rate() const {
+    return {learning_rate_schedule, learning_rate_start, learning_rate_end,
+            learning_rate_reached_at.value_or(iterations)};
+  }
 
   /// The axis each input is spread along, the default written out.
   std::vector<std::size_t> axes() const;
@@ -70,10 +81,5 @@ struct TMpsomParameters {
 
   bool operator==(const TMpsomParameters&) const = default;
 };
-
-/// alpha(t) for iteration `iteration`, counted from 0: in a straight line from
-/// `learning_rate_start` to `learning_rate_end`, which is reached at `iterations` and kept. P06 and
-/// P11 ask for 0 <= alpha(t) <= 1 and alpha(t) -> 0; the values are not given in the paper.
-double t_mpsom_learning_rate(const TMpsomParameters& parameters, std::uint64_t iteration);
 
 }  // namespace somato

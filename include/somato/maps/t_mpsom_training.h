@@ -20,7 +20,7 @@ using TMpsomExploration = std::vector<TMpsomFrame>;
 /// Trains `map` for `iterations` iterations, one a frame: explorations are drawn at random with
 /// replacement (Random(seed, Stream::kDraws); with or without replacement is not given in the
 /// paper) and their frames learned one after the other, the last exploration as far as iterations
-/// are left (P06 section 4.2). The learning rate is t_mpsom_learning_rate().
+/// are left (P06 section 4.2). The learning rate is parameters().learning_rate().
 ///
 /// Returns the number of iterations in which something was learned. Errors: no explorations, an
 /// exploration without frames, a frame that does not fit the map or is not finite (kData, before

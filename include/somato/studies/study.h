@@ -33,8 +33,8 @@ struct StudyOutcome {
 /// number of threads.
 ///
 /// Errors: a recording that is not valid (kData) or lacks the channels or labels asked for
-/// (kUsage); fewer than two explorations, or only one class (kData); a constant element (kData,
-/// unless told to make it zero); kInterrupted.
+/// (kUsage); fewer than two explorations, only one class, or an individual in two classes (kData);
+/// a constant element (kData, unless told to make it zero); kInterrupted.
 Result<StudyOutcome> run_study(const StudyDescription& description, const Recording& recording,
                                const StudyOptions& options = {});
 

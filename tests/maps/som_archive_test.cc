@@ -1,0 +1,175 @@
+#include "somato/maps/som_archive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/saved_maps.h"
+
+namespace somato {
+namespace {
+
+using testing::with_line;
+using testing::with_part;
+using testing::without_part;
+
+Archive archive_of(const Som& som) {
+  Archive archive("test");
+  add_som(archive, "map.", som);
+  return archive;
+}
+
+Som small_som() {
+  SomParameters parameters;
+  parameters.rows = 2;
+  parameters.columns = 2;
+  return {resolve(parameters, 10, 3).value(),
+          Matrix<float>(4, 3, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})};
+}
+
+std::string parameters_text() {
+  return *archive_of(small_som()).get<std::string>("map.parameters", "").value();
+}
+
+TEST(SomArchive, GivesTheSameMapBack) {
+  Random random(1);
+  for (const testing::Variant& variant : testing::all_variants()) {
+    for (int map = 0; map < 5; ++map) {
+      const Som som = testing::trained_som(variant, 1 + random.below(5), random);
+      const Archive archive = archive_of(som);
+      const Som again = som_from(archive, "map.", "here").value();
+      EXPECT_EQ(again.weights(), som.weights()) << testing::name_of(variant);
+      EXPECT_EQ(parameters_to_toml(again.parameters()), parameters_to_toml(som.parameters()));
+      EXPECT_EQ(encode_archive(archive_of(again)), encode_archive(archive));
+    }
+  }
+}
+
+TEST(SomArchive, KeepsEveryWeightAndParameterThatIsPossible) {
+  Som som = small_som();
+  som.weights()(0, 0) = -0.0F;
+  som.weights()(1, 1) = std::numeric_limits<float>::denorm_min();
+  som.weights()(2, 2) = -std::numeric_limits<float>::max();
+  SomParameters parameters = som.parameters();
+  parameters.learning_rate_start = 0.1 + 0.2;
+  parameters.radius_end = 1e-300;
+  parameters.softmax_exponent = 1e300;
+  parameters.seed = 1'000'000'000'000'000;
+  parameters.arithmetic = Arithmetic::kInnerProducts;
+  const Som odd(parameters, som.weights());
+  const Som again = som_from(archive_of(odd), "map.", "here").value();
+  EXPECT_TRUE(std::signbit(again.weights()(0, 0)));
+  EXPECT_EQ(again.weights(), odd.weights());
+  EXPECT_EQ(again.parameters().learning_rate_start, 0.1 + 0.2);
+  EXPECT_EQ(again.parameters().radius_end, 1e-300);
+  EXPECT_EQ(parameters_to_toml(again.parameters()), parameters_to_toml(parameters));
+}
+
+TEST(SomArchive, FindsTwoMapsByTheirPrefixes) {
+  Archive archive("test");
+  Som other = small_som();
+  other.weights()(3, 0) = 70.0F;
+  add_som(archive, "first.", small_som());
+  add_som(archive, "second.", other);
+  EXPECT_EQ(som_from(archive, "first.", "")->weights(), small_som().weights());
+  EXPECT_EQ(som_from(archive, "second.", "")->weights(), other.weights());
+}
+
+void expect_refused(const Archive& archive, const std::string& because) {
+  const auto som = som_from(archive, "map.", "a.somato");
+  ASSERT_FALSE(som) << because;
+  EXPECT_EQ(som.error().kind, ErrorKind::kData);
+  EXPECT_TRUE(som.error().where.starts_with("a.somato")) << to_string(som.error());
+  EXPECT_NE(som.error().what.find(because), std::string::npos) << to_string(som.error());
+}
+
+void expect_line_refused(const std::string& key, const std::string& line,
+                         const std::string& because) {
+  expect_refused(
+      with_part(archive_of(small_som()), "map.parameters", with_line(parameters_text(), key, line)),
+      because);
+}
+
+TEST(SomArchive, RefusesMissingParts) {
+  const Archive archive = archive_of(small_som());
+  expect_refused(without_part(archive, "map.parameters"), "'map.parameters' is missing");
+  expect_refused(without_part(archive, "map.weights"), "'map.weights' is missing");
+}
+
+TEST(SomArchive, RefusesPartsOfAnotherType) {
+  const Archive archive = archive_of(small_som());
+  expect_refused(with_part(archive, "map.parameters", Array<float>{{1}, {1}}), "another type");
+  expect_refused(with_part(archive, "map.weights", std::string("0 1 2")), "another type");
+  expect_refused(with_part(archive, "map.weights", Array<double>{{4, 3}, std::vector<double>(12)}),
+                 "another type");
+}
+
+TEST(SomArchive, RefusesWeightsOfAnotherShape) {
+  const Archive archive = archive_of(small_som());
+  const auto with_shape = [&](std::vector<std::uint64_t> shape) {
+    return with_part(archive, "map.weights",
+                     Array<float>{std::move(shape), std::vector<float>(12)});
+  };
+  expect_refused(with_shape({12}), "not a matrix");
+  expect_refused(with_shape({4, 3, 1}), "not a matrix");
+  expect_refused(with_shape({3, 4}), "do not fit its grid");
+  expect_refused(with_shape({12, 1}), "do not fit its grid");
+  EXPECT_TRUE(som_from(with_shape({4, 3}), "map.", ""));
+}
+
+TEST(SomArchive, RefusesWeightsThatAreNotFinite) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float wrong : {std::nanf(""), kInfinity, -kInfinity}) {
+    for (const std::size_t place : {0U, 11U}) {
+      std::vector<float> values(12);
+      values[place] = wrong;
+      expect_refused(
+          with_part(archive_of(small_som()), "map.weights", Array<float>{{4, 3}, values}),
+          "not finite");
+    }
+  }
+}
+
+TEST(SomArchive, RefusesParametersThatAreLeftAutomatic) {
+  for (const char* key : {"normalize_input", "iterations", "radius_start", "radius_reached_at",
+                          "learning_rate_reached_at", "arithmetic"}) {
+    expect_line_refused(key, std::string(key) + " = \"automatic\"", "left automatic");
+  }
+}
+
+TEST(SomArchive, RefusesParametersThatCannotBe) {
+  expect_line_refused("rows", "rows = 0", "'rows' must be");
+  expect_line_refused("rows", "rows = 2.0", "'rows' must be");
+  expect_line_refused("rows", "rows = 3", "do not fit its grid");
+  expect_line_refused("radius_end", "radius_end = nan", "'radius_end' must be");
+  expect_line_refused("radius_end", "radius_end = inf", "'radius_end' must be");
+  expect_line_refused("learning_rate_end", "learning_rate_end = 1.5", "'learning_rate_end' must");
+  expect_line_refused("lattice", "lattice = \"triangular\"", "'lattice' must be one of");
+  expect_line_refused("seed", "seeds = 3", "unknown key 'seeds'");
+  expect_line_refused("seed", "[seed]", "must be a value");
+  expect_line_refused("seed", "seed = ", "");
+  expect_line_refused("seed", "rows = 2", "");  // twice
+}
+
+TEST(SomArchive, RefusesParametersThatContradictEachOther) {
+  std::string text =
+      with_line(parameters_text(), "radius_schedule", "radius_schedule = \"exponential\"");
+  text = with_line(text, "radius_end", "radius_end = 0.0");
+  expect_refused(with_part(archive_of(small_som()), "map.parameters", text), "at 0");
+  text = with_line(parameters_text(), "training", "training = \"batch\"");
+  text = with_line(text, "arithmetic", "arithmetic = \"inner_products\"");
+  expect_refused(with_part(archive_of(small_som()), "map.parameters", text), "inner products");
+}
+
+TEST(SomArchive, RefusesAGridBeyondMemory) {
+  std::string text = with_line(parameters_text(), "rows", "rows = 16777216");
+  text = with_line(text, "columns", "columns = 16777216");
+  expect_refused(with_part(archive_of(small_som()), "map.parameters", text),
+                 "a map of 16777216 x 16777216 has more than");
+  expect_line_refused("rows", "rows = 9223372036854775807", "'rows' must be");
+  expect_line_refused("rows", "rows = 4194304", "do not fit its grid");
+}
+
+}  // namespace
+}  // namespace somato

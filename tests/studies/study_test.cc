@@ -1,0 +1,390 @@
+#include "somato/studies/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "somato/core/random.h"
+#include "somato/maps/areas.h"
+#include "somato/maps/som_training.h"
+#include "somato/recording/content_hash.h"
+#include "somato/studies/wrong_groupings.h"
+#include "support/made_recording.h"
+
+namespace somato {
+namespace {
+
+using testing::exploration_of;
+using testing::objects_apart;
+
+StudyDescription small_study() {
+  StudyDescription description;
+  description.study.name = "small";
+  description.study.seeds = 2;
+  description.study.first_seed = 5;
+  description.vector.channels = {"joints"};
+  description.map.rows = 5;
+  description.map.columns = 5;
+  description.map.iterations = 300;
+  return description;
+}
+
+StudyOutcome outcome_of(const StudyDescription& description, const Recording& recording) {
+  return run_study(description, recording).value();
+}
+
+const SystemResults& system_of(const StudyOutcome& outcome, const std::string& protocol) {
+  for (const SystemResults& system : outcome.results.systems) {
+    if (system.protocol == protocol) return system;
+  }
+  throw std::out_of_range(protocol);
+}
+
+std::vector<double> values_of(const SystemResults& system, const std::string& metric) {
+  for (const Metric& candidate : system.metrics) {
+    if (candidate.name == metric) return candidate.values;
+  }
+  return {};
+}
+
+using Values = std::vector<double>;
+
+TEST(Study, TellsClassesApartThatAreApart) {
+  const StudyOutcome outcome = outcome_of(small_study(), objects_apart(3, 4, 2.0, 1));
+  for (const SystemResults& system : outcome.results.systems) {
+    EXPECT_EQ(values_of(system, "accuracy"), (Values{1, 1})) << system.protocol;
+    EXPECT_EQ(values_of(system, "individuals_apart"), (Values{1, 1})) << system.protocol;
+    EXPECT_EQ(values_of(system, "baseline_accuracy"), (Values{1, 1})) << system.protocol;
+  }
+  EXPECT_EQ(outcome.results.systems.size(), 2U);
+}
+
+Recording noise_with_random_labels(std::size_t samples, std::uint64_t seed) {
+  Random random(seed);
+  Recording recording;
+  for (std::size_t i = 0; i < samples; ++i) {
+    std::vector<float> joints;
+    for (int joint = 0; joint < 4; ++joint) joints.push_back(static_cast<float>(random.normal()));
+    recording.explorations.push_back(exploration_of(std::to_string(random.below(4)), joints));
+  }
+  return recording;
+}
+
+// 80 samples of 4 classes: a standard deviation of 0.05 around a quarter for each seed. Held out
+// there is nothing to find; a map that is tested on what it learned remembers some of it.
+TEST(Study, FindsNothingInNoiseThatIsHeldOut) {
+  StudyDescription description = small_study();
+  description.study.seeds = 3;
+  description.map.iterations = 200;
+  const StudyOutcome outcome = outcome_of(description, noise_with_random_labels(80, 3));
+  const SystemResults& held_out = system_of(outcome, "leave_one_out");
+  const SystemResults& remembered = system_of(outcome, "train_is_test");
+  for (std::size_t seed = 0; seed < 3; ++seed) {
+    EXPECT_GT(values_of(held_out, "accuracy")[seed], 0.08);
+    EXPECT_LT(values_of(held_out, "accuracy")[seed], 0.42);
+    EXPECT_GT(values_of(remembered, "accuracy")[seed], 0.42);
+    EXPECT_EQ(values_of(remembered, "baseline_accuracy")[seed], 1.0);
+  }
+}
+
+double share_right(const Run& run) {
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < run.labels.size(); ++i) {
+    if (run.labels[i] == run.predictions[i]) ++right;
+  }
+  return static_cast<double>(right) / static_cast<double>(run.labels.size());
+}
+
+TEST(Study, CountsAccuracyFromItsRuns) {
+  const Recording recording = objects_apart(3, 4, 150.0, 2);
+  const StudyOutcome outcome = outcome_of(small_study(), recording);
+  for (const SystemResults& system : outcome.results.systems) {
+    ASSERT_EQ(system.runs.size(), 2U);
+    EXPECT_EQ(system.samples, 12U);
+    EXPECT_EQ(system.name, "small");
+    EXPECT_EQ(system.label, "object");
+    Values accuracy;
+    for (std::size_t seed = 0; seed < 2; ++seed) {
+      const somato::Run& run = system.runs[seed];
+      EXPECT_EQ(run.seed, 5 + seed);
+      EXPECT_EQ(run.winners.size(), 12U);
+      for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_EQ(run.labels[i], recording.explorations[i].labels[0].value);
+      }
+      accuracy.push_back(share_right(run));
+    }
+    EXPECT_EQ(values_of(system, "accuracy"), accuracy);
+  }
+  const Values held_out = values_of(system_of(outcome, "leave_one_out"), "accuracy");
+  EXPECT_LT(*std::max_element(held_out.begin(), held_out.end()),
+            1.0);  // there was something to count
+}
+
+// Metrics over folds, recomputed from the map that the study hands out.
+TEST(Study, MeasuresTheMapOfTrainIsTest) {
+  const Recording recording = objects_apart(3, 4, 150.0, 2);
+  const StudyOutcome outcome = outcome_of(small_study(), recording);
+  const SystemResults& system = system_of(outcome, "train_is_test");
+  EXPECT_EQ(system.runs[0].winners, outcome.winners);
+  EXPECT_EQ(outcome.map.parameters().seed, 5U);
+
+  std::vector<Signal> signals;
+  for (const Exploration& exploration : recording.explorations) {
+    const auto values = exploration.channels[0].frames.row(0);
+    signals.push_back(Signal::dense({values.begin(), values.end()}));
+  }
+  const Samples raw = Samples::from_signals(signals);
+  const Samples samples = Standardization::fit(raw)->apply(raw);
+  SomParameters parameters = small_study().map;
+  parameters.seed = 5;
+  const Som map = train_som(parameters, samples).value();
+  EXPECT_EQ(map.weights(), outcome.map.weights());
+  SomWorkspace workspace;
+  double distance = 0.0;
+  double torn = 0.0;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Winners winners = map.winners(samples[i], workspace);
+    distance += map.distance(samples[i], winners.first, workspace);
+    torn += map.grid().adjacent(winners.first, winners.second) ? 0.0 : 1.0;
+  }
+  EXPECT_NEAR(values_of(system, "quantization_error")[0], distance / 12.0, 1e-9);
+  EXPECT_NEAR(values_of(system, "topographic_error")[0], torn / 12.0, 1e-9);
+  const std::vector<std::size_t>& classes = outcome.classes.of_sample;
+  const bool apart = individuals_apart(outcome.winners, classes);
+  const bool connected = WinnerAreas(map.grid(), outcome.winners).connected(classes);
+  EXPECT_EQ(values_of(system, "individuals_apart")[0], apart ? 1.0 : 0.0);
+  EXPECT_EQ(values_of(system, "areas_connected")[0], connected ? 1.0 : 0.0);
+}
+
+void expect_same_for_threads(const StudyDescription& description, const Recording& recording) {
+  const StudyOutcome one = outcome_of(description, recording);
+  for (const std::size_t threads : {2U, 4U}) {
+    StudyOptions options;
+    options.threads = threads;
+    const StudyOutcome several = run_study(description, recording, options).value();
+    EXPECT_EQ(to_json(several.results), to_json(one.results)) << threads;
+    EXPECT_EQ(several.map.weights(), one.map.weights()) << threads;
+    EXPECT_EQ(several.winners, one.winners) << threads;
+  }
+}
+
+TEST(Study, GivesTheSameForAnyNumberOfThreads) {
+  expect_same_for_threads(small_study(), objects_apart(3, 4, 150.0, 2));
+}
+
+TEST(Study, GivesTheSameEveryTimeAndForEverySeedAnother) {
+  const Recording recording = objects_apart(3, 4, 150.0, 2);
+  const StudyOutcome outcome = outcome_of(small_study(), recording);
+  EXPECT_EQ(to_json(outcome_of(small_study(), recording).results), to_json(outcome.results));
+  StudyDescription later = small_study();
+  later.study.first_seed = 6;
+  const StudyOutcome shifted = outcome_of(later, recording);
+  for (const char* protocol : {"train_is_test", "leave_one_out"}) {
+    const SystemResults& runs = system_of(outcome, protocol);
+    EXPECT_EQ(system_of(shifted, protocol).runs[0].winners, runs.runs[1].winners);
+    EXPECT_NE(runs.runs[0].winners, runs.runs[1].winners);
+  }
+}
+
+TEST(Study, SaysWhatItRanOn) {
+  const Recording recording = objects_apart(3, 4, 2.0, 2);
+  const StudyResults results = outcome_of(small_study(), recording).results;
+  EXPECT_EQ(results.study, "small");
+  EXPECT_EQ(results.seeds, 2U);
+  EXPECT_EQ(results.data_hash, content_hash(recording));
+  std::vector<std::string> parts;
+  for (const Settings& part : results.settings) parts.push_back(part.part);
+  EXPECT_EQ(parts, (std::vector<std::string>{"study", "recording", "vector", "map"}));
+  for (const Setting& setting : results.settings[3].settings) {
+    EXPECT_EQ(setting.value.find("automatic"), std::string::npos) << setting.name;
+    if (setting.name != "iterations") continue;
+    EXPECT_EQ(setting.value, "300");
+  }
+}
+
+// Two objects, two trials each. `shared` pairs trials across objects, `own` tells objects apart.
+Recording crossed(float shared, float own, std::size_t shared_columns, std::size_t own_columns) {
+  Recording recording;
+  for (int object = 0; object < 2; ++object) {
+    for (int trial = 0; trial < 2; ++trial) {
+      std::vector<float> joints(shared_columns, shared * (static_cast<float>(trial) +
+                                                          0.01F * static_cast<float>(object)));
+      joints.insert(joints.end(), own_columns,
+                    own * (static_cast<float>(object) + 0.01F * static_cast<float>(trial)));
+      recording.explorations.push_back(exploration_of(std::to_string(object), joints));
+    }
+  }
+  return recording;
+}
+
+void expect_baselines(const Recording& recording, double raw, double standardized) {
+  StudyDescription description = small_study();
+  for (const bool standardize : {true, false}) {
+    description.vector.standardize = standardize;
+    const StudyOutcome outcome = outcome_of(description, recording);
+    const SystemResults& system = system_of(outcome, "leave_one_out");
+    EXPECT_EQ(values_of(system, "baseline_accuracy_raw"), (Values{raw, raw}));
+    EXPECT_EQ(values_of(system, "baseline_accuracy_standardized"),
+              (Values{standardized, standardized}));
+    EXPECT_EQ(values_of(system, "baseline_accuracy"), (Values{1, 1}));
+  }
+}
+
+// The large column decides raw, the greater number of columns when they are standardized.
+TEST(Study, TakesTheBetterBaseline) {
+  expect_baselines(crossed(100.0F, 1.0F, 1, 3), 0.0, 1.0);
+  expect_baselines(crossed(1.0F, 100.0F, 3, 1), 1.0, 0.0);
+}
+
+Recording with_constant_joint() {
+  Recording recording = objects_apart(2, 3, 1.0, 4);
+  for (Exploration& exploration : recording.explorations) {
+    exploration.channels[0].frames(0, 1) = 5.0F;
+  }
+  return recording;
+}
+
+TEST(Study, RefusesAConstantElementByName) {
+  const auto outcome = run_study(small_study(), with_constant_joint());
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::kData);
+  EXPECT_NE(outcome.error().what.find("'joints.2') is 5 in all 6"), std::string::npos)
+      << to_string(outcome.error());
+}
+
+TEST(Study, RefusesAnElementThatIsConstantInOneTrainingPart) {
+  StudyDescription description = small_study();
+  description.study.protocols = {Protocol::kLeaveOneOut};
+  Recording recording = with_constant_joint();
+  recording.explorations[4].channels[0].frames(0, 1) = 6.0F;
+  const auto outcome = run_study(description, recording);
+  ASSERT_FALSE(outcome);
+  EXPECT_NE(outcome.error().what.find("'joints.2') is 5 in all 5"), std::string::npos)
+      << to_string(outcome.error());
+}
+
+TEST(Study, MakesAConstantElementZeroWhenTold) {
+  StudyDescription description = small_study();
+  description.vector.constant_columns = ConstantColumns::kZero;
+  const StudyOutcome outcome = outcome_of(description, with_constant_joint());
+  for (std::size_t neuron = 0; neuron < outcome.map.neurons(); ++neuron) {
+    EXPECT_EQ(outcome.map.weights()(neuron, 1), 0.0F);
+  }
+}
+
+TEST(Study, TakesAConstantElementAsItIsWithoutStandardization) {
+  StudyDescription description = small_study();
+  description.vector.standardize = false;
+  const StudyOutcome outcome = outcome_of(description, with_constant_joint());
+  for (std::size_t neuron = 0; neuron < outcome.map.neurons(); ++neuron) {
+    EXPECT_EQ(outcome.map.weights()(neuron, 1), 5.0F);
+  }
+}
+
+void expect_refused(const StudyDescription& description, const Recording& recording, ErrorKind kind,
+                    const std::string& what) {
+  const auto outcome = run_study(description, recording);
+  ASSERT_FALSE(outcome) << what;
+  EXPECT_EQ(outcome.error().kind, kind);
+  EXPECT_NE(outcome.error().what.find(what), std::string::npos) << to_string(outcome.error());
+}
+
+TEST(Study, RefusesWhatCannotBeAsked) {
+  const Recording good = objects_apart(2, 2, 1.0, 1);
+  expect_refused(small_study(), {}, ErrorKind::kData, "no explorations");
+  expect_refused(small_study(), {{good.explorations[0]}}, ErrorKind::kData, "only one exploration");
+  expect_refused(small_study(), objects_apart(1, 3, 1.0, 1), ErrorKind::kData,
+                 "every exploration has the same 'object'");
+  StudyDescription description = small_study();
+  description.study.label = "objects";
+  expect_refused(description, good, ErrorKind::kUsage, "unknown label 'objects'");
+  description = small_study();
+  description.study.individual = "trial";
+  expect_refused(description, good, ErrorKind::kUsage, "unknown label 'trial'");
+  description = small_study();
+  description.vector.channels = {"touch"};
+  expect_refused(description, good, ErrorKind::kUsage, "unknown channel 'touch'");
+  description = small_study();
+  description.map.radius_schedule = ScheduleShape::kExponential;
+  description.map.radius_end = 0.0;
+  expect_refused(description, good, ErrorKind::kUsage, "cannot start or end at 0");
+}
+
+TEST(Study, RefusesAnIndividualOfTwoClasses) {
+  Recording recording = objects_apart(2, 2, 1.0, 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    recording.explorations[i].labels.push_back({"thing", i < 3 ? "a" : "b"});
+  }
+  StudyDescription description = small_study();
+  description.study.individual = "thing";
+  expect_refused(description, recording, ErrorKind::kData,
+                 "explorations with the same 'thing' differ in 'object'");
+}
+
+// What share of groupings into wrong classes has connected areas on the map of the first seed.
+double share_connected(const StudyOutcome& outcome, const std::vector<std::size_t>& individuals) {
+  const WinnerAreas areas(outcome.map.grid(), outcome.winners);
+  const auto wrong = wrong_groupings(outcome.classes.of_sample, individuals, 50, 5);
+  const auto connected = std::count_if(
+      wrong.begin(), wrong.end(), [&](const auto& classes) { return areas.connected(classes); });
+  return static_cast<double>(connected) / 50.0;
+}
+
+TEST(Study, DealsIndividualsAsWholes) {
+  Recording recording = objects_apart(6, 2, 60.0, 1);
+  for (std::size_t i = 0; i < 12; ++i) {
+    recording.explorations[i].labels.push_back({"shape", i < 6 ? "round" : "edged"});
+  }
+  StudyDescription description = small_study();
+  description.study.label = "shape";
+  description.study.individual = "object";
+  description.study.wrong_groupings = 50;
+  const StudyOutcome whole = outcome_of(description, recording);
+  description.study.individual = "";
+  const StudyOutcome single = outcome_of(description, recording);
+  const std::string metric = "areas_connected_wrong_groupings";
+  const double whole_share = values_of(system_of(whole, "train_is_test"), metric)[0];
+  const double single_share = values_of(system_of(single, "train_is_test"), metric)[0];
+  EXPECT_NEAR(whole_share, share_connected(whole, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}), 1e-12);
+  EXPECT_NEAR(single_share, share_connected(single, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}), 1e-12);
+  EXPECT_NE(whole_share, single_share);
+}
+
+TEST(Study, TellsItsProgressTrainingByTraining) {
+  std::vector<std::uint64_t> told;
+  StudyOptions options;
+  options.progress = [&](std::uint64_t done, std::uint64_t total) {
+    EXPECT_EQ(total, 2 * (1 + 6U));  // seeds x (all, and each left out)
+    told.push_back(done);
+    return true;
+  };
+  ASSERT_TRUE(run_study(small_study(), objects_apart(2, 3, 1.0, 1), options));
+  ASSERT_EQ(told.size(), 14U);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], i + 1);
+}
+
+void expect_stops(std::size_t threads, std::uint64_t most_told) {
+  std::uint64_t told = 0;
+  StudyOptions options;
+  options.threads = threads;
+  options.progress = [&](std::uint64_t, std::uint64_t) {
+    ++told;
+    return false;
+  };
+  const auto outcome = run_study(small_study(), objects_apart(3, 10, 1.0, 1), options);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
+  EXPECT_LE(told, most_told);
+}
+
+TEST(Study, StopsWhenTold) {
+  expect_stops(1, 1);
+}
+
+// The trainings under way may end, but none begins.
+TEST(Study, StopsOnAllThreadsWhenTold) {
+  expect_stops(4, 4);
+}
+
+}  // namespace
+}  // namespace somato
