@@ -170,13 +170,14 @@ Error missing(const CLI::App& app, const CLI::ParseError& error) {
           fmt::format("choose one of {}; {}", fmt::join(commands, ", "), see_help(app))};
 }
 
-// What the parser says of one option, without its own turn of phrase.
+// What the parser says of one option, without its own turn of phrase: "--rows: 1 required VALUE
+// missing", or "standardize was given a disallowed flag override".
 Error wrong_values(const CLI::App& app, const CLI::ParseError& error) {
   const std::string said = error.what();
   const std::string name = said.substr(0, said.find_first_of(": "));
-  const bool too_few = said.ends_with("missing");
-  return {ErrorKind::kUsage, too_few ? "a value is missing" : "takes no value", name,
-          see_help(app)};
+  const Error wrong = said.ends_with("missing") ? usage_error("a value is missing", name)
+                                                : usage_error("takes no value", "--" + name);
+  return {wrong.kind, wrong.what, wrong.where, see_help(app)};
 }
 
 int report_parse_error(const CLI::App& root, const CLI::ParseError& error) {
@@ -261,18 +262,18 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
   CLI::App root("A self-organizing sense of touch", "somato");
   root.set_version_flag("--version", SOMATO_VERSION);
   root.require_subcommand(1);
-  root.footer(
-      "A map in three steps:\n"
-      "  somato som train data.csv -o my.map --standardize\n"
-      "  somato som quality my.map data.csv\n"
-      "  somato som plot my.map data.csv -o my.svg\n"
-      "All flags of a command: somato som train --help");
   root.get_formatter()->column_width(34);
   std::vector<Parser> parsers;
   parsers.reserve(commands.size());
   for (const Command& command : commands) {
     parsers.emplace_back(place_of(root, command.name, command.text), command);
   }
+  root.footer(
+      "A map in three steps:\n"
+      "  somato som train data.csv -o my.map --standardize\n"
+      "  somato som quality my.map data.csv\n"
+      "  somato som plot my.map data.csv -o my.svg\n"
+      "All flags of a command: somato som train --help");
   try {
     root.parse(argc, argv);
   } catch (const CLI::Success& help) {

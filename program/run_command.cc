@@ -93,6 +93,12 @@ void print_table(const StudyResults& results) {
   }
 }
 
+// What a recording as a whole lacks is told with its path.
+Error with_place(Error error, const std::string& data) {
+  if (error.kind == ErrorKind::kData && error.where.empty()) error.where = data;
+  return error;
+}
+
 Result<void> save(const OutputFolder& folder, const StudyDescription& description,
                   const StudyOutcome& outcome) {
   if (auto saved = save_whole(folder.results(), to_json(outcome.results)); !saved) return saved;
@@ -110,7 +116,7 @@ Result<void> run(const Arguments& arguments) {
   if (auto made = folder.make(); !made) return made;
   const StudyOptions options{*threads, terminal_progress(description->study.name)};
   auto outcome = run_study(*description, *recording, options);
-  if (!outcome) return fail(std::move(outcome.error()));
+  if (!outcome) return fail(with_place(std::move(outcome.error()), arguments.text("data")));
   if (auto saved = save(folder, *description, *outcome); !saved) return saved;
   print_table(outcome->results);
   fmt::print("\nWritten: {}, {}\n", folder.results(), folder.map());

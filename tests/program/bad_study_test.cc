@@ -118,8 +118,8 @@ TEST_F(BadStudy, RecordingsThatCannotBeUsed) {
                      {run_of("study.toml"), {"study.toml: "}},
                      {run_of("broken"), {"broken/ball_small_2.txt:", "repair the file"}},
                      {run_of("hollow"), {"hollow/block_large_1.txt"}},
-                     {run_of("single"), {"single", "two"}},
-                     {run_of("alike"), {"alike", "class"}}});
+                     {run_of("single"), {"single: ", "two"}},
+                     {run_of("alike"), {"alike", "same 'object'"}}});
 }
 
 TEST_F(BadStudy, OutputThatCannotBeSaved) {
