@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <new>
+#include <system_error>
 
 #include "somato/core/instruction_set.h"
 #include "version.h"
@@ -21,9 +24,14 @@ int exit_code(ErrorKind kind) {
   return kind == ErrorKind::kInterrupted ? kInterrupted : kFailed;
 }
 
+// Where standard error cannot be written to there is nobody left to tell; the exit code still does.
 int report(const Error& error) {
-  fmt::print(stderr, "somato: {}\n", to_string(error));
+  std::fputs(fmt::format("somato: {}\n", to_string(error)).c_str(), stderr);
   return exit_code(error.kind);
+}
+
+Error usage_error(const std::string& what, const std::string& where) {
+  return {ErrorKind::kUsage, what, where, {}};
 }
 
 std::string description_of(const ParameterInfo& info) {
@@ -45,7 +53,9 @@ class Parser {
  public:
   Parser(CLI::App& app, const Command& command) : app_(app), command_(command) {
     for (const Positional& positional : command.positionals) {
-      add(positional.name, positional.name, positional.text)->required(positional.required);
+      add(positional.name, positional.name, positional.text)
+          ->required(positional.required)
+          ->type_name("");
     }
     for (const Flag& flag : command.flags) add_flag(flag);
     for (const ParameterInfo& info : command.parameters) {
@@ -56,13 +66,14 @@ class Parser {
 
   bool chosen() const { return app_.parsed(); }
 
-  int run() const {
+  Result<void> run() const {
     Arguments arguments;
     for (const auto& [name, option] : options_) {
-      if (option->count() > 0) arguments.texts[name] = option->results().back();
+      if (option->count() == 0) continue;
+      if (auto usable = check(*option); !usable) return usable;
+      arguments.texts[name] = option->results().back();
     }
-    const Result<void> done = command_.run(arguments);
-    return done ? 0 : report(done.error());
+    return command_.run(arguments);
   }
 
   std::vector<std::string> flags() const {
@@ -78,8 +89,17 @@ class Parser {
     auto value = std::make_unique<std::string>();
     CLI::Option* option = app_.add_option(names, *value, text);
     values_.push_back(std::move(value));
+    option->take_last();  // check() tells of repeats
     options_[key] = option;
     return option;
+  }
+
+  static Result<void> check(const CLI::Option& option) {
+    if (option.count() > 1) {
+      return fail(usage_error(fmt::format("given {} times", option.count()), option.get_name()));
+    }
+    if (!option.results().back().empty()) return {};
+    return fail(usage_error("the value is empty", option.get_name()));
   }
 
   void add_flag(const Flag& flag) {
@@ -87,7 +107,7 @@ class Parser {
     if (flag.takes_value) {
       add(key, flag.name, flag.text)->required(flag.required)->type_name("VALUE");
     } else {
-      options_[key] = app_.add_flag(flag.name, flag.text);
+      options_[key] = app_.add_flag(flag.name, flag.text)->disable_flag_override();
     }
   }
 
@@ -112,36 +132,59 @@ const CLI::App& innermost(const CLI::App& app) {
   return *at;
 }
 
-std::string usage_of(const CLI::App& app) {
-  std::string path = app.get_name();
-  for (const CLI::App* parent = app.get_parent(); parent; parent = parent->get_parent()) {
-    path = parent->get_name() + " " + path;
-  }
-  return path;
+// "som train"; empty for the program itself.
+std::string words_of(const CLI::App& app) {
+  if (!app.get_parent()) return {};
+  const std::string before = words_of(*app.get_parent());
+  return before.empty() ? app.get_name() : before + " " + app.get_name();
 }
 
-Error unexpected_argument(const CLI::App& app, const std::string& argument) {
-  if (!argument.starts_with("-")) {
-    const std::vector<std::string> commands = names_of_subcommands(app);
-    if (!commands.empty()) return unknown_name("command", argument, usage_of(app), commands);
-    return {ErrorKind::kUsage, fmt::format("unexpected argument '{}'", argument), usage_of(app),
-            fmt::format("see '{} --help'", usage_of(app))};
-  }
+std::string see_help(const CLI::App& app) {
+  const std::string words = words_of(app);
+  return fmt::format("see 'somato{}{} --help'", words.empty() ? "" : " ", words);
+}
+
+// The nearest name, or where all of them stand.
+Error unknown_flag(const CLI::App& app, const std::string& flag) {
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
   }
-  return unknown_name("flag", argument.substr(0, argument.find('=')), usage_of(app), flags);
+  Error error = unknown_name("flag", flag, words_of(app), flags);
+  if (nearest_name(flag, flags).empty()) error.advice = see_help(app);
+  return error;
+}
+
+Error unexpected_argument(const CLI::App& app, const std::string& argument) {
+  if (argument.starts_with("-")) return unknown_flag(app, argument.substr(0, argument.find('=')));
+  const std::vector<std::string> commands = names_of_subcommands(app);
+  if (!commands.empty()) return unknown_name("command", argument, words_of(app), commands);
+  return {ErrorKind::kUsage, fmt::format("unexpected argument '{}'", argument), words_of(app),
+          see_help(app)};
+}
+
+Error missing(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> commands = names_of_subcommands(app);
+  if (commands.empty()) return {ErrorKind::kUsage, error.what(), words_of(app), see_help(app)};
+  return {ErrorKind::kUsage, "a command is missing", words_of(app),
+          fmt::format("choose one of {}; {}", fmt::join(commands, ", "), see_help(app))};
+}
+
+// What the parser says of one option, without its own turn of phrase: "--rows: 1 required VALUE
+// missing", or "standardize was given a disallowed flag override".
+Error wrong_values(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string said = error.what();
+  const std::string name = said.substr(0, said.find_first_of(": "));
+  const Error wrong = said.ends_with("missing") ? usage_error("a value is missing", name)
+                                                : usage_error("takes no value", "--" + name);
+  return {wrong.kind, wrong.what, wrong.where, see_help(app)};
 }
 
 int report_parse_error(const CLI::App& root, const CLI::ParseError& error) {
   const CLI::App& app = innermost(root);
   const std::vector<std::string> left = root.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) && !left.empty()) {
-    return report(unexpected_argument(app, left.front()));
-  }
-  return report({ErrorKind::kUsage, error.what(), usage_of(app),
-                 fmt::format("see '{} --help'", usage_of(app))});
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return report(wrong_values(app, error));
+  return report(left.empty() ? missing(app, error) : unexpected_argument(app, left.front()));
 }
 
 // The parser of the command named `words`, below groups such as "som".
@@ -151,9 +194,8 @@ CLI::App& place_of(CLI::App& root, const std::string& words, const std::string& 
   const std::string group = words.substr(0, blank);
   const auto is_group = [&](const CLI::App* app) { return app->get_name() == group; };
   const std::vector<CLI::App*> found = root.get_subcommands(is_group);
-  CLI::App* parent = found.empty()
-                         ? root.add_subcommand(group, "Self-organizing maps of any data")
-                         : found.front();
+  CLI::App* parent = found.empty() ? root.add_subcommand(group, "Self-organizing maps of any data")
+                                   : found.front();
   parent->require_subcommand(1);
   return *parent->add_subcommand(words.substr(blank + 1), text);
 }
@@ -188,6 +230,34 @@ std::string flag_of(const std::string& parameter_name) {
   return flag;
 }
 
+namespace {
+
+// Runs the chosen command; what the standard library throws for want of memory, threads or a
+// place to write to becomes an error like others.
+Result<void> run_chosen(const std::vector<Parser>& parsers) {
+  try {
+    for (const Parser& parser : parsers) {
+      if (parser.chosen()) return parser.run();
+    }
+    return fail(usage_error("a command is missing", {}));
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorKind::kSystem, "there is not enough memory", {},
+                "choose a smaller map or less data");
+  } catch (const std::system_error& error) {
+    return fail(ErrorKind::kSystem, error.what());
+  }
+}
+
+// Output that did not arrive is a failure, however late that turns out.
+int finish(int code) {
+  if (code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
+  const std::string reason = std::generic_category().message(errno);
+  return report({ErrorKind::kSystem, "cannot write: " + reason, "standard output",
+                 "make room, or write to another place"});
+}
+
+}  // namespace
+
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands) {
   CLI::App root("A self-organizing sense of touch", "somato");
   root.set_version_flag("--version", SOMATO_VERSION);
@@ -198,17 +268,21 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
   for (const Command& command : commands) {
     parsers.emplace_back(place_of(root, command.name, command.text), command);
   }
+  root.footer(
+      "A map in three steps:\n"
+      "  somato som train data.csv -o my.map --standardize\n"
+      "  somato som quality my.map data.csv\n"
+      "  somato som plot my.map data.csv -o my.svg\n"
+      "All flags of a command: somato som train --help");
   try {
     root.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return root.exit(help);
+    return finish(root.exit(help));
   } catch (const CLI::ParseError& error) {
     return report_parse_error(root, error);
   }
-  for (const Parser& parser : parsers) {
-    if (parser.chosen()) return parser.run();
-  }
-  return kWrongUsage;
+  const Result<void> done = run_chosen(parsers);
+  return finish(done ? 0 : report(done.error()));
 }
 
 }  // namespace somato::program

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "commands.h"
-#include "somato/core/threads.h"
+#include "data.h"
+#include "output.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
@@ -17,12 +18,12 @@ namespace somato::program {
 namespace {
 
 Result<StudyDescription> describe(const Arguments& arguments) {
+  auto seeds = arguments.number("seeds", 1);
+  if (!seeds) return fail(std::move(seeds.error()));
   Result<Table> file = read_toml(arguments.text("STUDY"));
   if (!file) return fail(std::move(file.error()));
   Result<StudyDescription> description = read_study(*file);
   if (!description) return description;
-  auto seeds = arguments.number("seeds", 1);
-  if (!seeds) return fail(std::move(seeds.error()));
   if (*seeds) description->study.seeds = **seeds;
   return description;
 }
@@ -35,14 +36,35 @@ Result<Recording> read_recording(const StudyDescription& description, const std:
   return fail(ErrorKind::kUsage, "this recording format cannot be read");
 }
 
-// Made before the work begins: an hour of training should not end at a missing folder.
-Result<void> make_folder(const std::filesystem::path& folder) {
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (!code) return {};
-  return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(), folder.string(),
-              "give --out a folder that can be written to");
-}
+// The folder for the results, made before the work begins: an hour of training should not end at a
+// missing folder. When there are no results a folder that was made for them goes again.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  ~OutputFolder() {
+    std::error_code not_empty;
+    if (made_) std::filesystem::remove(path_, not_empty);
+  }
+
+  Result<void> make() {
+    std::error_code code;
+    made_ = std::filesystem::create_directories(path_, code);
+    if (code) {
+      return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
+                  path_.string(), "give --out a folder that can be written to");
+    }
+    return check_output(results()).and_then([&] { return check_output(map()); });
+  }
+
+  std::string results() const { return (path_ / "results.json").string(); }
+  std::string map() const { return (path_ / "map.svg").string(); }
+
+ private:
+  std::filesystem::path path_;
+  bool made_ = false;
+};
 
 std::string picture_of(const StudyDescription& description, const StudyOutcome& outcome) {
   LabelPanel panel;
@@ -71,25 +93,33 @@ void print_table(const StudyResults& results) {
   }
 }
 
+// What a recording as a whole lacks is told with its path.
+Error with_place(Error error, const std::string& data) {
+  if (error.kind == ErrorKind::kData && error.where.empty()) error.where = data;
+  return error;
+}
+
+Result<void> save(const OutputFolder& folder, const StudyDescription& description,
+                  const StudyOutcome& outcome) {
+  if (auto saved = save_whole(folder.results(), to_json(outcome.results)); !saved) return saved;
+  return save_whole(folder.map(), picture_of(description, outcome));
+}
+
 Result<void> run(const Arguments& arguments) {
+  auto threads = read_threads(arguments);
+  if (!threads) return fail(std::move(threads.error()));
   auto description = describe(arguments);
   if (!description) return fail(std::move(description.error()));
-  auto threads = arguments.number("threads", 1);
-  if (!threads) return fail(std::move(threads.error()));
-  const std::filesystem::path folder = arguments.text("out");
   auto recording = read_recording(*description, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
-  if (auto made = make_folder(folder); !made) return made;
-  const StudyOptions options{threads->value_or(available_threads()),
-                             terminal_progress(description->study.name)};
+  OutputFolder folder(arguments.text("out"));
+  if (auto made = folder.make(); !made) return made;
+  const StudyOptions options{*threads, terminal_progress(description->study.name)};
   auto outcome = run_study(*description, *recording, options);
-  if (!outcome) return fail(std::move(outcome.error()));
-  const std::string results_path = (folder / "results.json").string();
-  const std::string map_path = (folder / "map.svg").string();
-  if (auto saved = save_whole(results_path, to_json(outcome->results)); !saved) return saved;
-  if (auto saved = save_whole(map_path, picture_of(*description, *outcome)); !saved) return saved;
+  if (!outcome) return fail(with_place(std::move(outcome.error()), arguments.text("data")));
+  if (auto saved = save(folder, *description, *outcome); !saved) return saved;
   print_table(outcome->results);
-  fmt::print("\nWritten: {}, {}\n", results_path, map_path);
+  fmt::print("\nWritten: {}, {}\n", folder.results(), folder.map());
   return {};
 }
 
@@ -102,7 +132,7 @@ Command run_command() {
           {{"--data", "The recording, in the format that the study names", true},
            {"--out", "Folder for results.json and map.svg", true},
            {"--seeds", "Number of seeds, instead of the study's"},
-           {"--threads", "Threads; the results do not depend on it. Default: all cores"}},
+           threads_flag()},
           {},
           run};
 }

@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "data.h"
 #include "somato/files/csv.h"
+#include "output.h"
 #include "somato/files/npy.h"
 #include "somato/files/whole_file.h"
 
@@ -43,6 +44,8 @@ Result<void> write_activity(const MapAndData& both, const std::string& path) {
 }
 
 Result<void> map(const Arguments& arguments) {
+  if (auto savable = check_output(arguments, "output"); !savable) return savable;
+  if (auto savable = check_output(arguments, "activity"); !savable) return savable;
   auto both = read_map_and_data(arguments);
   if (!both) return fail(std::move(both.error()));
   if (arguments.has("activity")) {

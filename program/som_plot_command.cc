@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "data.h"
+#include "output.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/whole_file.h"
 #include "somato/maps/som_quality.h"
@@ -37,6 +38,20 @@ Result<std::vector<std::string>> chosen_panels(const Arguments& arguments) {
 
 bool wants(const std::vector<std::string>& chosen, const std::string& panel) {
   return std::find(chosen.begin(), chosen.end(), panel) != chosen.end();
+}
+
+// Only what was asked for by name can be missed.
+Result<void> check_panels(const Arguments& arguments, const std::vector<std::string>& chosen) {
+  if (!arguments.has("panels")) return {};
+  const bool labelled = arguments.has("labels") || arguments.has("label-column");
+  if (wants(chosen, "hits") && !arguments.has("DATA")) {
+    return fail(ErrorKind::kUsage, "hits cannot be drawn without data", "--panels", "give DATA");
+  }
+  if (wants(chosen, "labels") && !(labelled && arguments.has("DATA"))) {
+    return fail(ErrorKind::kUsage, "labels cannot be drawn without labelled data", "--panels",
+                "give DATA with --labels or --label-column");
+  }
+  return {};
 }
 
 ValuePanel value_panel(std::string title, const Som& som, std::vector<double> values) {
@@ -83,6 +98,8 @@ Result<void> plot(const Arguments& arguments) {
   if (!chosen) return fail(std::move(chosen.error()));
   auto most = arguments.number("components", 0);
   if (!most) return fail(std::move(most.error()));
+  if (auto usable = check_panels(arguments, *chosen); !usable) return usable;
+  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto both = read_map_and_perhaps_data(arguments);
   if (!both) return fail(std::move(both.error()));
   const Som& som = both->model.som;
@@ -94,7 +111,7 @@ Result<void> plot(const Arguments& arguments) {
   if (wants(*chosen, "components")) add_components(both->model, most->value_or(12), panels);
   if (panels.empty()) {
     return fail(ErrorKind::kUsage, "there is nothing to draw", "--panels",
-                "hits need DATA, labels need DATA with labels");
+                "name a panel, or give --components more than 0");
   }
   const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
   const std::string caption =
@@ -108,8 +125,10 @@ Result<void> plot(const Arguments& arguments) {
 Command som_plot_command() {
   std::vector<Flag> flags = data_flags();
   flags.push_back({"-o,--output", "SVG file", true});
-  flags.push_back({"--panels", fmt::format("What to draw, of {}; default: all that the data allow",
-                                           fmt::join(kPanels, ","))});
+  flags.push_back(
+      {"--panels",
+       fmt::format("What to draw, with commas between: {}; default: all that the data allow",
+                   fmt::join(kPanels, ", "))});
   flags.push_back({"--components", "The most component planes to draw; default: 12"});
   return {"som plot",
           "Draw a map: U-matrix, hits, labels, component planes",

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "data.h"
+#include "output.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
@@ -46,6 +47,7 @@ Result<void> train(const Arguments& arguments) {
   if (!parameters) return fail(std::move(parameters.error()));
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
+  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto data = read_training_data(arguments);
   if (!data) return fail(std::move(data.error()));
   SomModel model;

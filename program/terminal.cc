@@ -1,10 +1,12 @@
 #include "terminal.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -37,10 +39,11 @@ class ProgressLine {
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - started_).count();
     const double share = static_cast<double>(done) / static_cast<double>(total);
-    fmt::print(
-        stderr, "\r{}: {:3.0f} %, {}\033[K{}", what_, 100.0 * share,
+    const std::string line = fmt::format(
+        "\r{}: {:3.0f} %, {}\033[K{}", what_, 100.0 * share,
         finished ? "took " + duration(elapsed) : duration(elapsed / share - elapsed) + " left",
         finished ? "\n" : "");
+    std::fputs(line.c_str(), stderr);
   }
 
  private:
@@ -51,20 +54,29 @@ class ProgressLine {
   Clock::time_point shown_{};
 };
 
+// What the caller wants ignored (nohup, a job in the background) stays ignored.
+void catch_signal(int signal) {
+  if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+void prepare_process() {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that can be reported
+  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(standard, F_GETFD) != -1) continue;
+    (void)open("/dev/null", standard == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
 }
 
 Progress terminal_progress(std::string what) {
+  catch_signal(SIGINT);
+  catch_signal(SIGTERM);
   std::shared_ptr<ProgressLine> line;
   if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
   return [line](std::uint64_t done, std::uint64_t total) {
     if (line) line->show(done, total);
-    if (interrupted && line) fmt::print(stderr, "\n");
+    if (interrupted && line) std::fputs("\n", stderr);
     return interrupted == 0;
   };
 }

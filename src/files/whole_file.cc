@@ -33,6 +33,10 @@ std::string advice_for(int error) {
     case ENOSPC:
     case EDQUOT:
       return "make room or choose another place";
+    case EFBIG:
+      return "raise the limit on file sizes (ulimit -f) or choose another place";
+    case ELOOP:
+      return "the symbolic links lead round in a circle";
     default:
       return {};
   }

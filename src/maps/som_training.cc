@@ -1,5 +1,7 @@
 #include "somato/maps/som_training.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,7 @@
 #include "maps/inner_product_training.h"
 #include "maps/stop.h"
 #include "somato/core/check.h"
+#include "somato/core/memory.h"
 #include "somato/core/threads.h"
 #include "somato/maps/initial_weights.h"
 
@@ -16,6 +19,27 @@ namespace somato {
 namespace {
 
 constexpr std::uint64_t kIterationsBetweenReports = 64;
+constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 26;
+
+// Fewer on a large map: whoever asks it to stop does not want to wait.
+std::uint64_t iterations_between_reports(const Som& som) {
+  const std::uint64_t weights = std::uint64_t{som.neurons()} * som.input_size();
+  return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, 1, kIterationsBetweenReports);
+}
+
+// Refused before it is asked for: a system that promises more memory than it has would end the
+// program later, without a word.
+Result<void> check_memory(const SomParameters& parameters, const Samples& samples) {
+  const double gibibytes = static_cast<double>(parameters.grid().size()) *
+                           static_cast<double>(samples.size()) * sizeof(float) / (1 << 30);
+  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
+  if (gibibytes <= there) return {};
+  return fail(ErrorKind::kSystem,
+              fmt::format("{} x {} neurons of {} features need {:.1f} GiB of memory, and this "
+                          "machine has {:.1f}",
+                          parameters.rows, parameters.columns, samples.size(), gibibytes, there),
+              {}, "choose fewer rows or columns");
+}
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
 constexpr std::uint64_t kIterationsBetweenClearings = 64;
@@ -44,7 +68,7 @@ Result<void> train_online(Som& som, const Samples& prepared, const Progress& pro
   const SomParameters& p = som.parameters();
   DrawSequence draws(p.draws, prepared.count(), p.seed);
   SomLearner learner(som);
-  const Stop stop(progress, *p.iterations, kIterationsBetweenReports);
+  const Stop stop(progress, *p.iterations, iterations_between_reports(som));
   for (std::uint64_t t = 0; t < *p.iterations; ++t) {
     learner.learn(prepared[draws.next()], p.learning_rate().at(t), p.radius().at(t));
     if ((t + 1) % kIterationsBetweenClearings == 0) {
@@ -173,6 +197,7 @@ Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
   if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
   Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
   if (!resolved) return fail(std::move(resolved.error()));
+  if (auto fits = check_memory(*resolved, samples); !fits) return fail(std::move(fits.error()));
   Samples storage;
   const Samples& prepared = prepared_samples(*resolved, samples, storage);
   if (resolved->arithmetic == Arithmetic::kInnerProducts) {

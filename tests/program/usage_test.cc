@@ -1,0 +1,158 @@
+#include "program/program_test.h"
+
+namespace somato {
+namespace {
+
+class Usage : public ProgramTest {};
+
+TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
+  write_data();
+  expect_refused(
+      2, {{{}, {"a command is missing", "run, som, reference", "somato --help"}},
+          {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
+          {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
+          {{"som", "trian", "data.csv", "-o", "x"},
+           {"som: unknown command 'trian'", "did you mean 'train'?"}},
+          {{"--hlep"}, {"unknown flag '--hlep'", "'--help'"}},
+          {{"som", "train", "data.csv", "-o", "x", "--rwos", "3"},
+           {"som train: unknown flag '--rwos'", "did you mean '--rows'?"}},
+          {{"som", "train", "data.csv", "--rwos=3"}, {"unknown flag '--rwos'", "'--rows'"}},
+          {{"som", "train", "data.csv", "-o", "x", "-z"},
+           {"unknown flag '-z'", "see 'somato som train --help'"}},
+          {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
+          {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
+          {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
+          {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
+}
+
+TEST_F(Usage, MissingArgumentsAreNamed) {
+  write_data();
+  expect_refused(
+      2, {{{"som", "train"}, {"som train: DATA is required", "som train --help"}},
+          {{"som", "train", "data.csv"}, {"--output is required"}},
+          {{"som", "map"}, {"MAP is required"}},
+          {{"som", "map", "m"}, {"DATA is required"}},
+          {{"som", "quality", "m"}, {"DATA is required"}},
+          {{"som", "plot", "m"}, {"--output is required"}},
+          {{"run"}, {"is required"}},
+          {{"run", "s", "--out", "o"}, {"--data is required"}},
+          {{"run", "s", "--data", "o"}, {"--out is required"}},
+          {{"som", "train", "data.csv", "-o", "x", "--rows"}, {"--rows: a value is missing"}},
+          {{"som", "train", "data.csv", "-o"}, {"--output: a value is missing"}},
+          {{"som", "train", "data.csv", "-o", ""}, {"--output: the value is empty"}},
+          {{"som", "train", "", "-o", "x"}, {"DATA: the value is empty"}},
+          {{"run", "", "--data", "c", "--out", "d"}, {"STUDY: the value is empty"}}});
+}
+
+TEST_F(Usage, FlagsAreGivenOnce) {
+  write_data();
+  const Words train{"som", "train", "data.csv", "-o", "x"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), train.begin(), train.end());
+    return more;
+  };
+  expect_refused(2, {{with({"--seed", "1", "--seed", "2"}), {"--seed: given 2 times"}},
+                     {with({"--output", "y"}), {"--output: given 2 times"}},
+                     {with({"--standardize", "--standardize"}), {"--standardize: given 2 times"}},
+                     {with({"--standardize=no"}), {"--standardize: takes no value"}}});
+}
+
+TEST_F(Usage, ValuesOfTheWrongTypeOrOutOfRangeAreRefused) {
+  write_data();
+  const std::vector<std::pair<Words, Words>> cases{
+      {{"--rows", "0"}, {"--rows: ", "a whole number, 1 to 16777216, not 0"}},
+      {{"--rows", "-1"}, {"--rows: ", "not -1"}},
+      {{"--rows", "1e9"}, {"--rows: ", "1e9"}},
+      {{"--rows", "1000000000"}, {"--rows: ", "not 1000000000"}},
+      {{"--rows", "99999999999999999999999"}, {"--rows: ", "99999999999999999999999"}},
+      {{"--rows", "3.5"}, {"--rows: ", "3.5"}},
+      {{"--rows", "many"}, {"--rows: ", "many"}},
+      {{"--rows", ""}, {"--rows: ", "empty"}},
+      {{"--rows", "4097", "--columns", "4096"}, {"4097 x 4096", "16777216", "fewer"}},
+      {{"--lattice", "hexagonal", "--topology", "torus", "--rows", "3"}, {"even number of rows"}},
+      {{"--learning-rate-start", "2"}, {"--learning-rate-start: ", "0 to 1, not 2"}},
+      {{"--learning-rate-end", "-0.5"}, {"--learning-rate-end: ", "-0.5"}},
+      {{"--radius-start", "nan"}, {"--radius-start: ", "nan", "automatic"}},
+      {{"--radius-end", "inf"}, {"--radius-end: ", "inf"}},
+      {{"--seed", "-1"}, {"--seed: ", "not -1"}},
+      {{"--iterations", "lots"}, {"--iterations: ", "lots", "automatic"}},
+      {{"--lattice", "hexagon"}, {"--lattice: ", "did you mean 'hexagonal'?"}},
+      {{"--training", "bach"}, {"--training: ", "online, batch", "did you mean 'batch'?"}},
+      {{"--normalize-input", "maybe"}, {"--normalize-input: ", "true or false"}},
+      {{"--softmax-exponent", "0"}, {"--softmax-exponent: ", "above 0"}},
+      {{"--threads", "0"}, {"--threads: ", "at least 1"}},
+      {{"--threads", "two"}, {"--threads: ", "two"}},
+      {{"--labels", "l", "--label-column", "1"}, {"--label-column: ", "either --labels or"}}};
+  for (const auto& [flags, says] : cases) {
+    Words arguments{"som", "train", "data.csv", "-o", "x"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    expect_refused(2, arguments, says);
+  }
+}
+
+TEST_F(Usage, OtherCommandsCheckTheirFlagsToo) {
+  train();
+  expect_refused(
+      2, {{{"som", "quality", "good.map", "data.csv", "--threads", "-2"}, {"--threads: ", "-2"}},
+          {{"som", "plot", "good.map", "-o", "x", "--components", "x"}, {"--components: "}},
+          {{"som", "plot", "good.map", "-o", "x", "--components", "-1"}, {"--components: ", "-1"}},
+          {{"som", "plot", "good.map", "-o", "x", "--panels", "hit"},
+           {"--panels: ", "did you mean 'hits'?"}},
+          {{"som", "plot", "good.map", "-o", "x", "--panels", "hits"},
+           {"--panels: hits cannot be drawn without data", "give DATA"}},
+          {{"som", "plot", "good.map", "data.csv", "-o", "x", "--panels", "u_matrix,labels"},
+           {"--panels: labels cannot be drawn", "--label-column"}},
+          {{"som", "plot", "good.map", "-o", "x", "--panels", "components", "--components", "0"},
+           {"nothing to draw"}},
+          {{"run", "missing", "--data", "d", "--out", "o", "--seeds", "0"},
+           {"--seeds: ", "at least 1, not 0"}},
+          {{"run", "missing", "--data", "d", "--out", "o", "--threads", "0"}, {"--threads: "}}});
+}
+
+TEST_F(Usage, VersionAndHelpGoToStandardOutput) {
+  EXPECT_NE(output_of({"--version"}).find('.'), std::string::npos);
+  for (const Words& words : {Words{"--help"}, {"-h"}, {"som", "--help"}, {"run", "--help"}}) {
+    EXPECT_NE(output_of(words).find("Usage: somato"), std::string::npos);
+  }
+}
+
+// Words such as --rows of a help text.
+std::vector<std::string> flags_in(const std::string& help) {
+  std::vector<std::string> flags;
+  for (std::size_t at = help.find(" --"); at != std::string::npos; at = help.find(" --", at + 1)) {
+    const std::size_t end = help.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at + 1);
+    flags.push_back(help.substr(at + 1, end - at - 1));
+  }
+  return flags;
+}
+
+TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
+  const std::string page = output_of({"reference"});
+  for (const Words& command :
+       {Words{"run"}, {"som", "train"}, {"som", "map"}, {"som", "quality"}, {"som", "plot"}}) {
+    std::string title = "### `somato";
+    for (const std::string& word : command) title += " " + word;
+    const std::size_t begin = page.find(title);
+    ASSERT_NE(begin, std::string::npos) << title;
+    const std::string section = page.substr(begin, page.find("\n##", begin + 1) - begin);
+    Words arguments = command;
+    arguments.push_back("--help");
+    const auto flags = flags_in(output_of(arguments));
+    EXPECT_GE(flags.size(), 2u);
+    for (const std::string& flag : flags) {
+      if (flag == "--help" || flag == "--output") continue;
+      EXPECT_NE(section.find("`" + flag + "`"), std::string::npos) << title << " lacks " << flag;
+    }
+  }
+}
+
+TEST_F(Usage, TheReferenceNamesTheTablesOfAStudy) {
+  const std::string page = output_of({"reference"});
+  for (const char* part :
+       {"[study]", "[recording]", "[vector]", "[map]", "`channels`", "`seeds`"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+}
+
+}  // namespace
+}  // namespace somato
