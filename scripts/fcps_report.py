@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Trains maps on the FCPS point sets and writes what came of it: a table and pictures.
 
-usage: fcps_report.py FOLDER OUT [--seeds FIRST-LAST] [--program FILE] [--no-pictures] [FLAG=VALUE]...
+usage: fcps_report.py --data FOLDER --out OUT [--seeds FIRST-LAST] [--program FILE]
+                      [--no-pictures] [FLAG=VALUE]...
 
 FOLDER holds Atom.data, Chainlink.data, Hepta.data, Target.data and TwoDiamonds.data: numbers between
 blanks, a point a line, no labels. Which class a line belongs to is known by its number and stands in
@@ -36,7 +37,7 @@ GRIDS = [(lattice, topology) for lattice in ("rectangular", "hexagonal")
 PICTURES = {"Hepta": ("hexagonal", "plane"), "Chainlink": ("hexagonal", "torus"),
             "Atom": ("hexagonal", "plane"), "Target": ("hexagonal", "plane"),
             "TwoDiamonds": ("rectangular", "plane")}
-SETTINGS = {"rows": "20", "columns": "20"}
+SETTINGS = {"rows": "20", "columns": "20", "iterations": "40000", "radius-end": "0.5"}
 MEASURES = ["quantization_error", "topographic_error", "accuracy", "individuals_apart",
             "areas_connected"]
 SHARES = {"individuals_apart", "areas_connected"}  # yes or no; the table gives the number of seeds
@@ -63,14 +64,14 @@ def train(options, name, grid, seed):
     settings.update(flag.split("=", 1) for flag in options.flags)
     path = options.out / f"{name}.somato"
     flags = [part for flag, value in settings.items() for part in (f"--{flag}", value)]
-    somato(options, "train", options.folder / f"{name}.data", "--labels",
+    somato(options, "train", options.data / f"{name}.data", "--labels",
            options.out / f"{name}.labels", "-o", path, *flags)
     return path
 
 
 def measure(options, name, path):
     """The measures of a map, as numbers."""
-    printed = somato(options, "quality", path, options.folder / f"{name}.data", "--labels",
+    printed = somato(options, "quality", path, options.data / f"{name}.data", "--labels",
                      options.out / f"{name}.labels")
     values = dict(line.split() for line in printed.splitlines())
     return {key: float({"true": 1, "false": 0}.get(values[key], values[key])) for key in MEASURES}
@@ -92,7 +93,7 @@ def rows_of(options, name):
 
 def draw(options, name):
     path = train(options, name, PICTURES[name], options.seeds[0])
-    somato(options, "plot", path, options.folder / f"{name}.data", "--labels",
+    somato(options, "plot", path, options.data / f"{name}.data", "--labels",
            options.out / f"{name}.labels", "--panels", "labels,u_matrix", "-o",
            options.out / f"{name}.svg")
 
@@ -104,8 +105,8 @@ def seeds_of(text):
 
 def main():
     parser = argparse.ArgumentParser(description="FCPS point sets on Somato's maps")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("out", type=Path)
+    parser.add_argument("--data", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("flags", nargs="*", help="FLAG=VALUE of somato som train")
     parser.add_argument("--seeds", type=seeds_of, default=seeds_of("1-10"))
     parser.add_argument("--program", default="build/release/somato")
