@@ -6,8 +6,8 @@
 
 #include "commands.h"
 #include "data.h"
-#include "somato/files/csv.h"
 #include "output.h"
+#include "somato/files/csv.h"
 #include "somato/files/npy.h"
 #include "somato/files/whole_file.h"
 

@@ -7,7 +7,8 @@
 - ```cpp blocks with `int main` are compiled, linked with the library and run.
 - The blocks of a document run in order in one fresh folder, in which the folders of the source tree
   and build/release/somato are found; `somato` is on the path.
-- `<!-- test: skip REASON -->` before a block leaves it out; REASONS says which blocks may be.
+- `<!-- test: skip REASON -->` before a block leaves it out; REASONS says which blocks may be. Data of
+  others are a `--data FOLDER` or a quoted variable, such as "$FCPS".
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
 """
@@ -24,7 +25,7 @@ from pathlib import Path
 # Why a block may be left out, and what each of its lines must then look like.
 REASONS = {
     "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?)",
-    "needs data of others": r"(#.*|.*--data .*|.*\\|  .*)",
+    "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }
 TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(

@@ -42,17 +42,19 @@ const Declarations<OneHotParameters>& OneHotParameters::declarations() {
       Declarations<P>()
           .add(
               "low", [](P& p) -> double& { return p.low; }, "unit of the value", Range::any(),
-              "lower end of the first bin; not given in the paper")
+              "Lower end of the first bin. Not given in the paper.")
           .add(
               "high", [](P& p) -> double& { return p.high; }, "unit of the value", Range::any(),
-              "upper end of the last bin; not given in the paper")
+              "Upper end of the last bin. Not given in the paper.")
           .add(
               "elements", [](P& p) -> std::size_t& { return p.elements; }, "",
               Range::between(1, static_cast<double>(kMostElements)),
-              "number of bins, and of elements of the code")
+              "Number of bins, and of elements of the code; 10 in the papers.")
           .add(
               "outside", [](P& p) -> OutsideRange& { return p.outside; }, "", Range::any(),
-              "what happens to a value outside the range; not given in the paper");
+              "What happens to a value outside the range: it is an error, or belongs to the "
+              "nearest bin. "
+              "Not given in the paper.");
   return kAll;
 }
 

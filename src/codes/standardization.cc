@@ -77,7 +77,8 @@ const Declarations<StandardizationParameters>& StandardizationParameters::declar
   static const Declarations<P> kAll = Declarations<P>().add(
       "constant_columns", [](P& p) -> ConstantColumns& { return p.constant_columns; }, "",
       Range::any(),
-      "what happens to a column without spread in the training samples; not given in the paper");
+      "What happens to a column that never changes in the training samples: it is an error, or it "
+      "becomes 0. Not given in the paper.");
   return kAll;
 }
 

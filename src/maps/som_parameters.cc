@@ -69,13 +69,15 @@ const Declarations<SomParameters>& SomParameters::declarations() {
       Declarations<P>()
           .add(
               "rows", [](P& p) -> auto& { return p.rows; }, "neurons", Range::between(1, 1 << 24),
-              "Rows of the map.")
+              "Rows of the map; even on a hexagonal torus.")
           .add(
               "columns", [](P& p) -> auto& { return p.columns; }, "neurons",
               Range::between(1, 1 << 24), "Columns of the map.")
           .add(
               "lattice", [](P& p) -> auto& { return p.lattice; }, "", Range::any(),
-              "Layout of the neurons; the papers draw rectangular maps.")
+              "Layout of the neurons: four neighbours at right angles, or six. The papers draw "
+              "rectangular "
+              "maps.")
           .add(
               "topology", [](P& p) -> auto& { return p.topology; }, "", Range::any(),
               "Whether the map ends at its edges or goes on at the opposite ones.")
@@ -107,7 +109,9 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "How samples are drawn in online training. Not given in the paper.")
           .add(
               "neighbourhood", [](P& p) -> auto& { return p.neighbourhood; }, "", Range::any(),
-              "How much the neurons around a winner learn with it.")
+              "How much the neurons around a winner learn with it: less with distance, or all "
+              "alike up "
+              "to the radius.")
           .add(
               "radius_schedule", [](P& p) -> auto& { return p.radius_schedule; }, "", Range::any(),
               "How the neighbourhood radius goes from start to end. Not given in the paper.")
@@ -118,7 +122,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "longer side of the map. P11 gives 15 for the texture map only.")
           .add(
               "radius_end", [](P& p) -> auto& { return p.radius_end; }, "neurons",
-              Range::at_least(0), "Neighbourhood radius at the end.")
+              Range::at_least(0), "Neighbourhood radius at the end. About 1 in P11.")
           .add(
               "radius_reached_at", [](P& p) -> auto& { return p.radius_reached_at; },
               "iterations or epochs", Range::between(1, 1e15),
@@ -143,7 +147,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
           .add(
               "arithmetic", [](P& p) -> auto& { return p.arithmetic; }, "", Range::any(),
               "How online training computes; the map is the same up to rounding. Automatic: inner "
-              "products when features are at least twice as many as samples.")
+              "products when there are at least twice as many features, and iterations, as "
+              "samples.")
           .add(
               "softmax", [](P& p) -> auto& { return p.softmax; }, "", Range::any(),
               "Form of the map's activity from its similarities s: s^m or exp(m s).")

@@ -101,54 +101,55 @@ Declarations<TMpsomParameters> declare() {
   Declarations<P> all;
   all.add(
       "shape", [](P& p) -> auto& { return p.shape; }, "neurons", Range::between(1, longest),
-      "neurons along each axis of the grid");
+      "Neurons along each axis of the grid. Has to be given.");
   all.add(
       "input_sizes", [](P& p) -> auto& { return p.input_sizes; }, "elements",
-      Range::between(1, largest), "elements of each input");
+      Range::between(1, largest), "Elements of each input. Has to be given.");
   all.add(
       "input_axes", [](P& p) -> auto& { return p.input_axes; }, "", Range::at_least(0),
-      "axis of the grid, counted from 0, that each input is spread along; several inputs may "
-      "share one; when empty, input 0 has axis 0, input 1 axis 1, and so on");
+      "Axis of the grid, counted from 0, that each input is spread along; several inputs may "
+      "share one. Empty: input 0 has axis 0, input 1 axis 1, and so on.");
   all.add(
       "combination", [](P& p) -> auto& { return p.combination; }, "", Range::any(),
-      "how the partial activations of the inputs make a neuron's activity");
+      "How the partial activations of the inputs make a neuron's activity.");
   all.add(
       "arbor_sigma", [](P& p) -> auto& { return p.arbor_sigma; }, "neurons", Range::above(0),
-      "width of the receptive fields; \"rather small\", the value is not given in the paper");
+      "Width of the receptive fields: \"rather small\" in P06; the value is not given in the "
+      "paper.");
   all.add(
       "neighbourhood_sigma", [](P& p) -> auto& { return p.neighbourhood_sigma; }, "neurons",
       Range::above(0),
-      "width of the Gaussian G through which neurons contribute to each other's learning; not "
-      "given in the paper");
+      "Width of the Gaussian G through which neurons contribute to each other's learning; not "
+      "given in the paper.");
   all.add(
       "learning_rate_schedule", [](P& p) -> auto& { return p.learning_rate_schedule; }, "",
-      Range::any(), "how the learning rate goes from start to end; not given in the paper");
+      Range::any(), "How the learning rate goes from start to end; not given in the paper.");
   all.add(
       "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
-      Range::between(0, 1), "learning rate of the first iteration; not given in the paper");
+      Range::between(0, 1), "Learning rate of the first iteration; not given in the paper.");
   all.add(
       "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
-      Range::between(0, 1), "learning rate at the end; not given in the paper");
+      Range::between(0, 1), "Learning rate at the end; not given in the paper.");
   all.add(
       "learning_rate_reached_at", [](P& p) -> auto& { return p.learning_rate_reached_at; },
       "iterations", Range::at_least(1),
-      "when the learning rate has reached its end, where it stays; automatic: after all "
-      "iterations");
+      "When the learning rate has reached its end, where it stays; automatic: after all "
+      "iterations.");
   all.add(
       "input_norm", [](P& p) -> auto& { return p.input_norm; }, "", Range::any(),
-      "norm that each input is divided by in every iteration; which one is not given in the "
-      "paper; with l2 the strength of an input is lost");
+      "Norm that each input is divided by in every iteration; with l2 the strength of an input "
+      "is lost; which norm is not given in the paper.");
   all.add(
       "weight_norm", [](P& p) -> auto& { return p.weight_norm; }, "", Range::any(),
-      "norm that each weight vector is divided by in every iteration; which one is not given "
-      "in the paper");
+      "Norm that each weight vector is divided by in every iteration; which norm is not given in "
+      "the paper.");
   all.add(
       "iterations", [](P& p) -> auto& { return p.iterations; }, "iterations", Range::at_least(1),
-      "iterations of training, one a frame (P06: 5000)");
+      "Length of training, one frame an iteration; 5000 in P06.");
   all.add(
       "seed", [](P& p) -> auto& { return p.seed; }, "", Range::at_least(0),
-      "seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
-      "drawing of explorations");
+      "Seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
+      "drawing of explorations.");
   return all;
 }
 

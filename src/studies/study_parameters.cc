@@ -17,11 +17,20 @@ Result<void> read_part(const Table::Entry& entry, Parameters& parameters) {
   return {};
 }
 
+// A study gives every run a seed of its own, so that one in [map] would be passed over.
+Result<void> read_map(const Table::Entry& entry, SomParameters& parameters) {
+  const Table* table = std::get_if<Table>(&entry.content);
+  const Table::Entry* seed = table ? table->find("seed") : nullptr;
+  if (!seed) return read_part(entry, parameters);
+  return fail(ErrorKind::kUsage, "a study's map has no 'seed' of its own", seed->where,
+              "write first_seed = ... in [study]");
+}
+
 Result<void> read_part(const Table::Entry& entry, StudyDescription& description) {
   if (entry.name == "study") return read_part(entry, description.study);
   if (entry.name == "recording") return read_part(entry, description.recording);
   if (entry.name == "vector") return read_part(entry, description.vector);
-  if (entry.name == "map") return read_part(entry, description.map);
+  if (entry.name == "map") return read_map(entry, description.map);
   return fail(
       unknown_name("table", entry.name, entry.where, {"study", "recording", "vector", "map"}));
 }
@@ -64,18 +73,19 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
       Declarations<P>()
           .add(
               "name", [](P& p) -> auto& { return p.name; }, "", Range::any(),
-              "Name of the study; stands in the results.")
+              "Name of the study; stands in the results. Has to be given.")
           .add(
               "label", [](P& p) -> auto& { return p.label; }, "", Range::any(),
-              "Label of the explorations that the map is asked for.")
+              "Which label of the explorations the map is asked to tell apart.")
           .add(
               "individual", [](P& p) -> auto& { return p.individual; }, "", Range::any(),
               "Label of what is dealt to classes anew in wrong groupings, such as the object when "
               "the label is its shape; empty: each exploration on its own.")
           .add(
               "protocols", [](P& p) -> auto& { return p.protocols; }, "", Range::any(),
-              "Which samples are learned from and which are tested; the papers' is "
-              "train_is_test.")
+              "Which samples are learned from and which are tested: all for both, as in the "
+              "papers, or "
+              "each in turn on a map that never met it.")
           .add(
               "seeds", [](P& p) -> auto& { return p.seeds; }, "", Range::between(1, 1e6),
               "Number of seeds, each a map of its own. The papers show one map.")
@@ -103,14 +113,15 @@ const Declarations<VectorParameters>& VectorParameters::declarations() {
       Declarations<P>()
           .add(
               "channels", [](P& p) -> auto& { return p.channels; }, "", Range::any(),
-              "Channels of the recording, put after each other.")
+              "Channels of the recording, put after each other. Have to be given.")
           .add(
               "frames", [](P& p) -> auto& { return p.frames; }, "", Range::any(),
-              "Which frames of an exploration make its vector; P11 III reads the joints once, "
-              "when the hand is closed.")
+              "Which frames of an exploration make its vector: the first, the last, or the last "
+              "less "
+              "the first. P11 III reads the joints once, when the hand is closed.")
           .add(
               "standardize", [](P& p) -> auto& { return p.standardize; }, "", Range::any(),
-              "Give each element mean 0 and standard deviation 1 on the training part.")
+              "Give each element mean 0 and standard deviation 1, learned on the training part.")
           .add(
               "constant_columns", [](P& p) -> auto& { return p.constant_columns; }, "",
               Range::any(),

@@ -74,6 +74,10 @@ class DocBlocks(TreeTest):
         mark = "<!-- test: skip sets up the machine -->\n"
         self.assertIn("skipped README.md:2", self.assert_passes(mark + fenced("sh", "./dev test\n")))
         self.assert_fails(mark + fenced("sh", "./dev test\nsomato run\n"), "no line to skip")
+        mark = "<!-- test: skip needs data of others -->\n"
+        self.assert_passes(mark + fenced("sh", 'false --data "$ICUB"\nls "$ICUB"/trials && false\n'))
+        self.assert_fails(mark + fenced("sh", "false\n"), "no line to skip")
+        self.assert_fails(mark + fenced("sh", "echo $HOME\n"), "no line to skip")
         self.assert_fails("<!-- test: skip boring -->\n" + fenced("sh", "true\n"), "is no reason")
 
 

@@ -133,6 +133,9 @@ TEST(ReadStudy, RefusesEveryWrongTypeWithItsPlace) {
 }
 
 TEST(ReadStudy, RefusesNumbersOutOfRange) {
+  expect_refused("[map]\nrows = 3\nseed = 4\n",
+                 "study.toml:3: a study's map has no 'seed' of its own; "
+                 "write first_seed = ... in [study]");
   expect_refused("[study]\nseeds = 0\n",
                  "study.toml:2: 'seeds' must be a whole number, 1 to 1000000, not 0");
   expect_refused("[study]\nfirst_seed = -1\n",
