@@ -1,6 +1,5 @@
 #include "terminal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -61,12 +60,8 @@ void catch_signal(int signal) {
 
 }  // namespace
 
-void prepare_process() {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that can be reported
-  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(standard, F_GETFD) != -1) continue;
-    (void)open("/dev/null", standard == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  }
+void report_file_size_limits() {
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Progress terminal_progress(std::string what) {

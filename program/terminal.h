@@ -6,9 +6,8 @@
 
 namespace somato::program {
 
-/// Makes the process ready: a file size limit is reported instead of ending it, and a closed
-/// standard stream stays one that fails, so that no other file can take its place.
-void prepare_process();
+/// Makes a file size limit an error that is reported; without this it ends the process.
+void report_file_size_limits();
 
 /// Progress of something called `what` for a person at a terminal: a line on standard error with
 /// the share done and the time left. Silent when standard error is no terminal. Either way the

@@ -310,7 +310,7 @@ TEST_F(Workflow, TheSameSeedIsTheSameFileForEveryNumberOfThreads) {
       EXPECT_TRUE(read("a.map") == map) << threads << " threads";
     }
     Words other = with(train_words("plain.csv"), flags);
-    other[std::find(other.begin(), other.end(), "7") - other.begin()] = "8";
+    *std::find(other.begin(), other.end(), "7") = "8";
     output_of(other);
     EXPECT_FALSE(read("a.map") == map) << "another seed";
   }
