@@ -160,7 +160,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "Whether activities add up to 1 or the winner has 1. Not given in the paper.")
           .add(
               "seed", [](P& p) -> auto& { return p.seed; }, "", Range::between(0, 1e15),
-              "Seed of initial weights and draws: the same seed gives the same bits.");
+              "Seed of initial weights and draws: the same seed gives the same bits. A study has "
+              "first_seed in its place.");
   return declared;
 }
 

@@ -115,6 +115,7 @@ std::string wrong_value(const ParameterInfo& info) {
 template <typename Parameters>
 void expect_wrong_types_refused(const std::string& table) {
   for (const auto& parameter : Parameters::declarations().all()) {
+    if (table == "map" && parameter.info.name == "seed") continue;  // refused whatever its value
     const std::string line = parameter.info.name + " = " + wrong_value(parameter.info);
     const auto description = read("# a study\n[" + table + "]\n" + line + "\n");
     ASSERT_FALSE(description) << line;
