@@ -42,7 +42,9 @@ class OutputFolder {
  public:
   explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
   OutputFolder(const OutputFolder&) = delete;
+  OutputFolder(OutputFolder&&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
+  OutputFolder& operator=(OutputFolder&&) = delete;
   ~OutputFolder() {
     std::error_code not_empty;
     if (made_) std::filesystem::remove(path_, not_empty);
