@@ -34,11 +34,28 @@ bool is_constant(const Samples& samples, std::size_t column) {
   return true;
 }
 
+// Columns in another order than the map's would give answers that look right.
+Result<void> check_names(const std::vector<std::string>& of_map,
+                         const std::vector<std::string>& of_data, const std::string& path) {
+  if (of_map.empty() || of_data.empty()) return {};
+  for (std::size_t i = 0; i < of_map.size(); ++i) {
+    if (of_map[i] == of_data[i]) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("column {} is '{}', but the map was trained on '{}' there", i + 1,
+                            of_data[i], of_map[i]),
+                path, "give the columns in the order of the training data");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Flag> data_flags() {
   return {{"--labels", "Text file with the label of each row, one a line"},
-          {"--label-column", "Column of a CSV file that holds labels, by name or number from 1"}};
+          {"--label-column", "Column of a CSV file that holds labels, by name or number from 1"},
+          {"--header",
+           "Whether the first line of a text file holds names, yes or no; default: "
+           "when it holds something that is no number"}};
 }
 
 Result<Data> read_data(const Arguments& arguments) {
@@ -48,6 +65,14 @@ Result<Data> read_data(const Arguments& arguments) {
   }
   CsvOptions options;
   options.label_column = arguments.text("label-column");
+  if (arguments.has("header")) {
+    const std::string header = arguments.text("header");
+    if (header != "yes" && header != "no") {
+      return fail(ErrorKind::kUsage, fmt::format("must be yes or no, not '{}'", header),
+                  "--header");
+    }
+    options.header = header == "yes";
+  }
   auto table = read_numbers(arguments.text("DATA"), options);
   if (!table) return fail(std::move(table.error()));
   Data data{std::move(table->names), Samples(std::move(table->values)), std::move(table->labels)};
@@ -77,6 +102,9 @@ Result<MapAndData> read_map_and_data(const Arguments& arguments) {
                 fmt::format("the rows have {} numbers, but the map takes {}", data->samples.size(),
                             model->som.input_size()),
                 arguments.text("DATA"), "give data with the columns that the map was trained on");
+  }
+  if (auto fit = check_names(model->features, data->features, arguments.text("DATA")); !fit) {
+    return fail(std::move(fit.error()));
   }
   MapAndData both{std::move(*model), std::move(*data), {}};
   both.samples = both.model.prepare(both.data.samples);

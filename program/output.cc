@@ -12,6 +12,17 @@ Result<void> refuse(const std::string& path, int reason, const std::string& advi
               advice);
 }
 
+// Whether two paths lead to one regular file, or to the same place where there is none yet.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code missing;
+  if (std::filesystem::exists(a, missing)) {
+    return std::filesystem::is_regular_file(a, missing) &&
+           std::filesystem::equivalent(a, b, missing);
+  }
+  return std::filesystem::weakly_canonical(a, missing) ==
+         std::filesystem::weakly_canonical(b, missing);
+}
+
 }  // namespace
 
 Result<void> check_output(const std::string& path) {
@@ -27,7 +38,15 @@ Result<void> check_output(const std::string& path) {
 }
 
 Result<void> check_output(const Arguments& arguments, const std::string& name) {
-  return arguments.has(name) ? check_output(arguments.text(name)) : Result<void>();
+  if (!arguments.has(name)) return {};
+  const std::string path = arguments.text(name);
+  for (const char* other : {"DATA", "MAP", "labels", "output", "activity"}) {
+    if (other == name || !arguments.has(other) || !same_file(path, arguments.text(other))) continue;
+    return fail(ErrorKind::kUsage,
+                "the file is given twice; saving would write over " + std::string(other), path,
+                "name another file");
+  }
+  return check_output(path);
 }
 
 }  // namespace somato::program

@@ -47,12 +47,16 @@ class OutputFolder {
   OutputFolder& operator=(OutputFolder&&) = delete;
   ~OutputFolder() {
     std::error_code not_empty;
-    if (made_) std::filesystem::remove(path_, not_empty);
+    for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, not_empty);
   }
 
   Result<void> make() {
     std::error_code code;
-    made_ = std::filesystem::create_directories(path_, code);
+    std::filesystem::path missing = std::filesystem::absolute(path_, code).lexically_normal();
+    for (; !std::filesystem::exists(missing, code); missing = missing.parent_path()) {
+      made_.push_back(missing);
+    }
+    std::filesystem::create_directories(path_, code);
     if (code) {
       return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
                   path_.string(), "give --out a folder that can be written to");
@@ -65,7 +69,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path path_;
-  bool made_ = false;
+  std::vector<std::filesystem::path> made_;  // innermost first
 };
 
 std::string picture_of(const StudyDescription& description, const StudyOutcome& outcome) {

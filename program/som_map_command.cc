@@ -66,7 +66,10 @@ Command som_map_command() {
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
           {{"-o,--output", "CSV file instead of standard output"},
            {"--activity", "NPY file for the activity of every neuron, a row a sample"},
-           {"--label-column", "Column of a CSV file that holds labels, which is left out"}},
+           {"--label-column", "Column of a CSV file that holds labels, which is left out"},
+           {"--header",
+            "Whether the first line of a text file holds names, yes or no; default: when it holds "
+            "something that is no number"}},
           {},
           map};
 }

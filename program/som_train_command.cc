@@ -42,8 +42,19 @@ void add_labels(SomModel& model, const std::vector<std::string>& names,
   model.classes = std::move(classes.names);
 }
 
-Result<void> train(const Arguments& arguments) {
+Result<SomParameters> read_som_parameters(const Arguments& arguments) {
   auto parameters = read_flags<SomParameters>(arguments);
+  if (!parameters) return parameters;
+  for (const std::string& name : SomParameters::declarations().names()) {
+    const std::string reason = reason_without_effect(*parameters, name);
+    if (reason.empty() || !arguments.has(flag_of(name).substr(2))) continue;
+    return fail(without_effect(name, reason, flag_of(name)));
+  }
+  return parameters;
+}
+
+Result<void> train(const Arguments& arguments) {
+  auto parameters = read_som_parameters(arguments);
   if (!parameters) return fail(std::move(parameters.error()));
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));

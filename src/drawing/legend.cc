@@ -48,14 +48,16 @@ void Legend::draw(SvgWriter& svg, Point corner) const {
   const std::size_t lines = (shown_ + columns_ - 1) / columns_;
   svg.open_group("legend", corner, {.stroke = "#222222", .stroke_width = 0.75});
   for (std::size_t i = 0; i < shown_; ++i) {
-    const double left = column * static_cast<double>(i / lines);
+    const std::size_t column_number = i / lines;
+    const double left = column * static_cast<double>(column_number);
     const double middle = kLine * (static_cast<double>(i % lines) + 0.5);
     draw_marker(svg, {left + 8, middle}, kMarkerRadius, class_mark(i));
   }
   svg.close_group();
   svg.open_group("names", corner);
   for (std::size_t i = 0; i < shown_; ++i) {
-    const double left = column * static_cast<double>(i / lines);
+    const std::size_t column_number = i / lines;
+    const double left = column * static_cast<double>(column_number);
     const double middle = kLine * (static_cast<double>(i % lines) + 0.5);
     write_line(svg, {left + kMarkerRoom, middle + 4}, names_[i], column - kMarkerRoom - kGap / 2,
                {.size = kNameSize});

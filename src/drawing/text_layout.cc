@@ -13,8 +13,8 @@ constexpr char32_t kEllipsis = 0x2026;
 double width_of(char32_t character) {
   constexpr std::u32string_view kNarrow = U" .,:;|!'()[]{}/ijltfrI-";
   constexpr std::u32string_view kWide = U"mwMW@%";
-  if (kNarrow.find(character) != kNarrow.npos) return 0.4;
-  if (kWide.find(character) != kWide.npos) return 1.0;
+  if (kNarrow.find(character) != std::u32string_view::npos) return 0.4;
+  if (kWide.find(character) != std::u32string_view::npos) return 1.0;
   if (character >= 0x1100 && character != kEllipsis) return 1.1;  // CJK, emoji
   const bool is_capital = character >= 'A' && character <= 'Z';
   return is_capital || character >= 0x80 ? 0.75 : 0.63;
@@ -70,6 +70,7 @@ std::vector<std::string> wrapped(std::string_view text, double width, double siz
     }
   }
   std::vector<std::string> cut;
+  cut.reserve(lines.size());
   for (const std::u32string& line : lines) cut.push_back(utf8_of(shortened(line, width / size)));
   return cut;
 }

@@ -224,6 +224,8 @@ std::vector<std::uint64_t> read_shape(Reader& reader, std::uint16_t dimensions) 
 }
 
 void read_entry(Reader& reader, Archive& archive) {
+  // A type that is none of them is refused below.
+  // NOLINTNEXTLINE(clang-analyzer-optin.core.EnumCastOutOfRange)
   const auto type = static_cast<Type>(reader.number<std::uint16_t>());
   const auto dimensions = reader.number<std::uint16_t>();
   const std::string name(reader.name(reader.number<std::uint32_t>()));

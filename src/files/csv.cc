@@ -126,14 +126,16 @@ class TableReader {
     const std::string& wanted = options_.label_column;
     if (wanted.empty()) return {};
     std::vector<std::string> names;
+    names.reserve(fields_.size());
     for (const CsvField& field : fields_) names.push_back(field.text);
     const auto named = std::find(names.begin(), names.end(), wanted);
     const std::optional<std::size_t> number = number_from_one(wanted);
-    if (named != names.end() && options_.header.value_or(true) && !(number && *number < width_)) {
+    const bool is_number = number && *number < width_;
+    if (named != names.end() && options_.header.value_or(true) && !is_number) {
       label_ = static_cast<std::size_t>(named - names.begin());
       named_label_ = true;
-    } else if (number && *number < width_) {
-      label_ = *number;
+    } else if (is_number) {
+      label_ = number;
     } else {
       return fail(
           ErrorKind::kUsage, fmt::format("there is no column {}", shown(wanted)), where_,

@@ -10,7 +10,7 @@ std::size_t token_length(std::string_view text) {
   const char first = text[0];
   if (first == '#') return std::min(text.find('\n'), text.size());
   if (first != '"' && first != '\'') return 1;
-  const std::string_view triple = first == '"' ? "\"\"\"" : "'''";
+  const std::string_view triple = first == '"' ? R"(""")" : "'''";
   const bool many_lines = text.starts_with(triple);
   const std::string_view end = many_lines ? triple : triple.substr(0, 1);
   for (std::size_t i = end.size(); i < text.size(); ++i) {

@@ -34,6 +34,11 @@ enum class Opening {
 /// let any of them fail. Each is one system call and does not try again.
 class FileSystem {
  public:
+  FileSystem() = default;
+  FileSystem(const FileSystem&) = delete;
+  FileSystem(FileSystem&&) = delete;
+  FileSystem& operator=(const FileSystem&) = delete;
+  FileSystem& operator=(FileSystem&&) = delete;
   virtual ~FileSystem() = default;
 
   virtual Outcome<int> open(const std::string& path, Opening opening) = 0;

@@ -56,9 +56,10 @@ Result<void> Grid::validate(std::size_t rows, std::size_t columns, Lattice latti
         "choose fewer rows or columns");
   }
   if (lattice == Lattice::kHexagonal && topology == Topology::kTorus && rows % 2 == 1) {
-    return fail(ErrorKind::kUsage,
-                fmt::format("a hexagonal torus needs an even number of rows, not {}", rows), {},
-                fmt::format("set 'rows' to {} or {}", rows - 1, rows + 1));
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("a hexagonal torus needs an even number of rows, not {}", rows), {},
+        rows == 1 ? "set 'rows' to 2" : fmt::format("set 'rows' to {} or {}", rows - 1, rows + 1));
   }
   return {};
 }

@@ -194,4 +194,22 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
   return parameters;
 }
 
+std::string reason_without_effect(const SomParameters& parameters, std::string_view name) {
+  const bool of_online = name == "iterations" || name == "draws" || name == "arithmetic" ||
+                         name.starts_with("learning_rate");
+  if (parameters.training == Training::kBatch && of_online) return "training is batch";
+  if (parameters.training == Training::kOnline && name == "epochs") return "training is online";
+  const bool of_change = name.ends_with("_end") || name.ends_with("_reached_at");
+  const ScheduleShape shape =
+      name.starts_with("radius") ? parameters.radius_schedule : parameters.learning_rate_schedule;
+  if (of_change && shape == ScheduleShape::kConstant) return "its schedule is constant";
+  return {};
+}
+
+Error without_effect(std::string_view name, std::string_view reason, std::string_view where) {
+  return {ErrorKind::kUsage,
+          "'" + std::string(name) + "' has no effect, because " + std::string(reason),
+          std::string(where), "leave it out"};
+}
+
 }  // namespace somato

@@ -101,6 +101,21 @@ Result<void> check_samples(const Samples& samples) {
               "give at least one sample of at least one element");
 }
 
+// Distances are summed in single precision: beyond its range every winner would be the first.
+Result<void> check_range(const Samples& prepared) {
+  constexpr double kLongest = 1e18;
+  constexpr double kShortest = 1e-15;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < prepared.count(); ++i) {
+    longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
+  }
+  if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
+  return fail(ErrorKind::kData,
+              longest > kLongest ? "the samples are too large to be told apart in single precision"
+                                 : "the samples are too small to be told apart in single precision",
+              {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
+}
+
 // Sums of the samples by winner, and how many there are: double precision, in the samples' order.
 struct WinnerSums {
   Matrix<double> sums;
@@ -200,6 +215,7 @@ Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
   if (auto fits = check_memory(*resolved, samples); !fits) return fail(std::move(fits.error()));
   Samples storage;
   const Samples& prepared = prepared_samples(*resolved, samples, storage);
+  if (auto fit = check_range(prepared); !fit) return fail(std::move(fit.error()));
   if (resolved->arithmetic == Arithmetic::kInnerProducts) {
     return train_by_inner_products(*resolved, prepared, options);
   }
@@ -217,6 +233,7 @@ Result<void> continue_som(Som& som, const Samples& samples, const TrainingOption
   Som trained = som;
   Samples storage;
   const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
+  if (auto fit = check_range(prepared); !fit) return fit;
   auto result = train_in_place(trained, prepared, options);
   if (result) som = std::move(trained);
   return result;

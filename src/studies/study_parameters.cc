@@ -1,5 +1,7 @@
 #include "somato/studies/study_parameters.h"
 
+#include <algorithm>
+
 namespace somato {
 namespace {
 
@@ -17,11 +19,22 @@ Result<void> read_part(const Table::Entry& entry, Parameters& parameters) {
   return {};
 }
 
+Result<void> refuse_without_effect(const Table& table, const SomParameters& parameters) {
+  for (const Table::Entry& key : table.entries) {
+    const std::string reason = reason_without_effect(parameters, key.name);
+    if (!reason.empty()) return fail(without_effect(key.name, reason, key.where));
+  }
+  return {};
+}
+
 // A study gives every run a seed of its own, so that one in [map] would be passed over.
 Result<void> read_map(const Table::Entry& entry, SomParameters& parameters) {
   const Table* table = std::get_if<Table>(&entry.content);
   const Table::Entry* seed = table ? table->find("seed") : nullptr;
-  if (!seed) return read_part(entry, parameters);
+  if (!seed) {
+    if (auto read = read_part(entry, parameters); !read) return read;
+    return refuse_without_effect(*table, parameters);
+  }
   return fail(ErrorKind::kUsage, "a study's map has no 'seed' of its own", seed->where,
               "write first_seed = ... in [study]");
 }
@@ -35,6 +48,12 @@ Result<void> read_part(const Table::Entry& entry, StudyDescription& description)
       unknown_name("table", entry.name, entry.where, {"study", "recording", "vector", "map"}));
 }
 
+template <typename T>
+bool has_duplicates(std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
+}
+
 Result<void> check_complete(const StudyDescription& description, const std::string& where) {
   const auto missing = [&](const std::string& what, const std::string& advice) {
     return fail(ErrorKind::kUsage, what, where, advice);
@@ -44,6 +63,12 @@ Result<void> check_complete(const StudyDescription& description, const std::stri
   }
   if (description.study.protocols.empty()) {
     return missing("the study has no protocols", "add protocols = [\"leave_one_out\"] to [study]");
+  }
+  if (has_duplicates(description.study.protocols)) {
+    return missing("a protocol is named twice", "name each of protocols in [study] once");
+  }
+  if (has_duplicates(description.vector.channels)) {
+    return missing("a channel is named twice", "name each of channels in [vector] once");
   }
   if (description.vector.channels.empty()) {
     return missing("the study names no channels", "add channels = [\"...\"] to [vector]");

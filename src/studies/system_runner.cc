@@ -66,8 +66,7 @@ void SystemRunner::run(std::size_t training, Tally& tally) {
   SomParameters parameters = description_.map;
   parameters.seed = seed(seed_index);
   auto outcome = run_fold(parameters, folds_[training % folds_.size()], question_.classes.of_sample,
-                          wrong_groupings(question_.classes.of_sample, question_.individuals,
-                                          description_.study.wrong_groupings, seed(seed_index)));
+                          wrong_groupings_of(seed_index));
   if (!outcome) return tally.failed(std::move(outcome.error()));
   outcomes_[training] = std::move(*outcome);
   tally.one_done();
@@ -123,7 +122,7 @@ std::vector<Metric> SystemRunner::metrics(const std::vector<Run>& runs) const {
   const double raw = share_right(folds_, question_, &PreparedFold::raw_baseline);
   const double standardized = share_right(folds_, question_, &PreparedFold::standardized_baseline);
   const std::size_t samples = question_.classes.of_sample.size();
-  return {
+  std::vector<Metric> metrics{
       accuracy(runs),
       for_every_seed("baseline_accuracy", std::max(raw, standardized)),
       for_every_seed("baseline_accuracy_raw", raw),
@@ -138,6 +137,19 @@ std::vector<Metric> SystemRunner::metrics(const std::vector<Run>& runs) const {
                  [](const FoldOutcome& o) { return o.summed_distance; }),
       over_folds("topographic_error", samples, [](const FoldOutcome& o) { return o.torn; }),
   };
+  if (wrong_groupings_of(0).empty()) {
+    // Nothing was compared, and 0 would say that luck never does this.
+    std::erase_if(metrics, [](const Metric& metric) {
+      return metric.name == "areas_connected_wrong_groupings";
+    });
+  }
+  return metrics;
+}
+
+std::vector<std::vector<std::size_t>> SystemRunner::wrong_groupings_of(
+    std::size_t seed_index) const {
+  return wrong_groupings(question_.classes.of_sample, question_.individuals,
+                         description_.study.wrong_groupings, seed(seed_index));
 }
 
 }  // namespace somato

@@ -62,6 +62,7 @@ class SystemRunner {
   template <typename Value>
   Metric over_folds(std::string name, std::size_t count, const Value& value) const;
   Metric for_every_seed(std::string name, double value) const;
+  std::vector<std::vector<std::size_t>> wrong_groupings_of(std::size_t seed_index) const;
   std::vector<Metric> metrics(const std::vector<Run>& runs) const;
 
   const StudyDescription& description_;

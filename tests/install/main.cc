@@ -6,6 +6,8 @@
 #include "somato/core/parameter.h"
 #include "somato/core/random.h"
 #include "somato/core/signal.h"
+#include "somato/graph/som_model.h"
+#include "somato/maps/som_training.h"
 
 namespace {
 
@@ -25,9 +27,20 @@ bool messages_are_right() {
   return to_string(error) == "a.toml:2: unknown key 'row'; did you mean 'rows'?";
 }
 
+// Trains, saves and loads a map: the rooms above the core.
+bool a_map_comes_back(const char* path) {
+  const somato::Samples samples(somato::Matrix<float>(3, 2, {0, 0, 1, 0, 1, 1}));
+  somato::SomModel model;
+  model.som = somato::train_som({}, samples).value();
+  if (!somato::save_som_model(path, model)) return false;
+  const auto loaded = somato::load_som_model(path);
+  return loaded && loaded->som.weights() == model.som.weights();
+}
+
 }  // namespace
 
 int main() {
+  if (!a_map_comes_back("installed.somato")) return 2;
   if (inner_product_is_right() && random_numbers_are_right() && messages_are_right()) return 0;
   std::puts("the installed library gives wrong answers");
   return 1;

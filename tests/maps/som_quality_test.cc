@@ -35,7 +35,7 @@ TEST(SomQuality, ATorusJoinsTheEnds) {
   p.columns = 4;
   p.topology = Topology::kTorus;
   const Som som(resolve(p, 1, 1).value(), Matrix<float>(4, 1, {0, 10, 20, 1}));
-  EXPECT_EQ(measure_quality(som, Samples(Matrix<float>(1, 1, {0.25F}))).topographic_error, 0.0);
+  EXPECT_EQ(measure_quality(som, Samples(Matrix<float>(1, 1, 0.25F))).topographic_error, 0.0);
 }
 
 TEST(SomQuality, IsTheSameForEveryNumberOfThreads) {

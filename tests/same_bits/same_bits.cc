@@ -128,11 +128,22 @@ std::vector<SomParameters> kinds_of_training() {
       kinds.push_back(p);
     }
   }
+  SomParameters bubble;
+  bubble.lattice = Lattice::kHexagonal;
+  bubble.neighbourhood = NeighbourhoodShape::kBubble;
+  bubble.initial_weights = InitialWeights::kSamples;
+  bubble.draws = Draws::kWithoutReplacement;
+  bubble.arithmetic = Arithmetic::kPlain;
+  kinds.push_back(bubble);
+  bubble.initial_weights = InitialWeights::kUniform;
+  bubble.training = Training::kBatch;
+  kinds.push_back(bubble);
   return kinds;
 }
 
 std::string name_of(const SomParameters& p) {
-  return "som." + choice_name(p.lattice) + "." + choice_name(p.similarity) + "." +
+  return "som." + choice_name(p.lattice) + "." + choice_name(p.topology) + "." +
+         choice_name(p.neighbourhood) + "." + choice_name(p.similarity) + "." +
          choice_name(p.training) + "." + choice_name(p.arithmetic);
 }
 
@@ -187,6 +198,9 @@ bool print_everywhere_the_same(const std::string& name, const Make& make) {
 bool print_trained_maps() {
   const Samples samples = noise(30, 70);
   bool same = true;
+  for (const InstructionSet set : available_instruction_sets()) {
+    std::printf("compared: %s\n", choice_name(set).c_str());
+  }
   for (const SomParameters& parameters : kinds_of_training()) {
     same &= print_everywhere_the_same(name_of(parameters), [&](std::size_t threads) {
       return saved_map(parameters, samples, threads);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -136,5 +137,12 @@ struct SomParameters {
 /// The parameters with every automatic one decided for `samples` samples of `features` elements, as
 /// a model file keeps them. Fails (kUsage) when parameters contradict each other.
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features);
+
+/// Why the parameter `name` has no effect beside the others, such as "training is batch"; empty
+/// when it has one. A person who sets such a parameter should be told.
+std::string reason_without_effect(const SomParameters& parameters, std::string_view name);
+
+/// The failure (kUsage) for a parameter that was set but has no effect.
+Error without_effect(std::string_view name, std::string_view reason, std::string_view where);
 
 }  // namespace somato

@@ -24,7 +24,8 @@ struct TrainingOptions {
 /// of threads, instruction set and compiler.
 ///
 /// Fails with kUsage when the parameters contradict each other, with kData when there are no
-/// samples or they have no elements, with kInterrupted when the progress says stop.
+/// samples, they have no elements or a length outside 1e-15 .. 1e18, with kInterrupted when the
+/// progress says stop.
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options = {});
 
