@@ -34,6 +34,21 @@ TEST(SomParameters, CountsABatchTrainingsScheduleInEpochs) {
   EXPECT_EQ(*resolve(p, 30, 9).value().radius_reached_at, 7U);
 }
 
+TEST(SomParameters, KnowsWhichHaveNoEffect) {
+  SomParameters p;
+  EXPECT_EQ(reason_without_effect(p, "epochs"), "training is online");
+  EXPECT_EQ(reason_without_effect(p, "iterations"), "");
+  EXPECT_EQ(reason_without_effect(p, "radius_end"), "");
+  p.training = Training::kBatch;
+  EXPECT_EQ(reason_without_effect(p, "epochs"), "");
+  for (const char* name : {"iterations", "draws", "arithmetic", "learning_rate_start"}) {
+    EXPECT_EQ(reason_without_effect(p, name), "training is batch") << name;
+  }
+  p.radius_schedule = ScheduleShape::kConstant;
+  EXPECT_EQ(reason_without_effect(p, "radius_end"), "its schedule is constant");
+  EXPECT_EQ(reason_without_effect(p, "radius_start"), "");
+}
+
 TEST(SomParameters, RefusesContradictions) {
   SomParameters zero_end;
   zero_end.radius_schedule = ScheduleShape::kExponential;

@@ -312,6 +312,17 @@ TEST(SomTraining, RefusesWhatCannotBeTrainedOn) {
   EXPECT_EQ(train_som(odd, Samples(Matrix<float>(3, 2))).error().kind, ErrorKind::kUsage);
 }
 
+TEST(SomTraining, RefusesSamplesBeyondSinglePrecision) {
+  for (const float scale : {1e20F, 1e-20F}) {
+    const auto som = train_som({}, Samples(Matrix<float>(3, 2, {0, scale, scale, 0, 0, 0})));
+    ASSERT_FALSE(som) << scale;
+    EXPECT_EQ(som.error().kind, ErrorKind::kData);
+    EXPECT_NE(to_string(som.error()).find("scale or standardize"), std::string::npos);
+  }
+  EXPECT_TRUE(train_som({}, Samples(Matrix<float>(3, 2))));  // zeros are small, but alike
+  EXPECT_TRUE(train_som({}, Samples(Matrix<float>(1, 2, {1e17F, 0}))));
+}
+
 TEST(DrawSequence, WithoutReplacementTakesEverySampleOnceARound) {
   DrawSequence draws(Draws::kWithoutReplacement, 10, 3);
   for (int round = 0; round < 3; ++round) {

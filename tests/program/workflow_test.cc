@@ -117,7 +117,12 @@ class Workflow : public ProgramTest {
             "--columns", "6",     "--iterations", "600", "--seed", "7"};
   }
 
+  // Batch training counts in epochs and refuses iterations.
   static Words with(Words words, const Words& more) {
+    if (std::find(more.begin(), more.end(), "batch") != more.end()) {
+      const auto iterations = std::find(words.begin(), words.end(), "--iterations");
+      words.erase(iterations, iterations + 2);
+    }
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -314,6 +319,43 @@ TEST_F(Workflow, TheSameSeedIsTheSameFileForEveryNumberOfThreads) {
     output_of(other);
     EXPECT_FALSE(read("a.map") == map) << "another seed";
   }
+}
+
+TEST_F(Workflow, ColumnsMustStandAsTheMapLearnedThem) {
+  write("ab.csv", "a,b\n1,10\n2,20\n3,30\n");
+  write("ba.csv", "b,a\n10,1\n20,2\n30,3\n");
+  output_of(train_words("ab.csv"));
+  for (const char* command : {"map", "quality"}) {
+    const ProgramRun done = run({"som", command, "a.map", "ba.csv"});
+    EXPECT_EQ(done.exit_code, 1) << command;
+    EXPECT_NE(done.err.find("column 1 is 'b', but the map was trained on 'a' there"),
+              std::string::npos)
+        << done.err;
+  }
+}
+
+TEST_F(Workflow, AnOutputNeverWritesOverAnInput) {
+  write("ab.csv", "a,b\n1,10\n2,20\n3,30\n");
+  output_of(train_words("ab.csv"));
+  const std::string model = read("a.map");
+  const std::string data = read("ab.csv");
+  for (const Words& words : {Words{"som", "train", "ab.csv", "-o", "./ab.csv"},
+                             {"som", "plot", "a.map", "-o", "a.map"},
+                             {"som", "map", "a.map", "ab.csv", "-o", "ab.csv"},
+                             {"som", "map", "a.map", "ab.csv", "--activity", "new", "-o", "new"}}) {
+    const ProgramRun done = run(words);
+    EXPECT_EQ(done.exit_code, 2) << ::testing::PrintToString(words);
+    EXPECT_NE(done.err.find("given twice"), std::string::npos) << done.err;
+  }
+  EXPECT_TRUE(read("a.map") == model);
+  EXPECT_EQ(read("ab.csv"), data);
+}
+
+TEST_F(Workflow, AHeaderOfNumbersCanBeNamedAsOne) {
+  write("years.csv", "2020,2021\n1,10\n2,20\n3,30\n");
+  EXPECT_NE(output_of(train_words("years.csv")).find("4 samples"), std::string::npos);
+  EXPECT_NE(output_of(with(train_words("years.csv"), {"--header", "yes"})).find("3 samples"),
+            std::string::npos);
 }
 
 TEST_F(Workflow, PlotDrawsThePanelsAskedFor) {

@@ -134,6 +134,13 @@ TEST(ReadStudy, RefusesEveryWrongTypeWithItsPlace) {
 }
 
 TEST(ReadStudy, RefusesNumbersOutOfRange) {
+  expect_refused("[map]\ntraining = \"batch\"\niterations = 4\n",
+                 "study.toml:3: 'iterations' has no effect, because training is batch; "
+                 "leave it out");
+  expect_refused(
+      "[study]\nname = \"a\"\nprotocols = [\"leave_one_out\", \"leave_one_out\"]\n"
+      "[vector]\nchannels = [\"joints\"]\n",
+      "study.toml:1: a protocol is named twice; name each of protocols in [study] once");
   expect_refused("[map]\nrows = 3\nseed = 4\n",
                  "study.toml:3: a study's map has no 'seed' of its own; "
                  "write first_seed = ... in [study]");

@@ -350,6 +350,17 @@ TEST(Study, DealsIndividualsAsWholes) {
   EXPECT_NE(whole_share, single_share);
 }
 
+TEST(Study, LeavesOutTheMeasureOfWrongGroupingsWhenThereIsNone) {
+  StudyDescription description = small_study();
+  description.study.wrong_groupings = 0;
+  const StudyOutcome outcome = outcome_of(description, objects_apart(2, 3, 1.0, 1));
+  for (const SystemResults& system : outcome.results.systems) {
+    for (const Metric& metric : system.metrics) {
+      EXPECT_NE(metric.name, "areas_connected_wrong_groupings");
+    }
+  }
+}
+
 TEST(Study, TellsItsProgressTrainingByTraining) {
   std::vector<std::uint64_t> told;
   StudyOptions options;
