@@ -55,6 +55,7 @@ std::string flag_of(const std::string& parameter_name);
 template <typename S>
 std::vector<ParameterInfo> parameter_flags() {
   std::vector<ParameterInfo> infos;
+  infos.reserve(S::declarations().all().size());
   for (const auto& parameter : S::declarations().all()) infos.push_back(parameter.info);
   return infos;
 }

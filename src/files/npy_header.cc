@@ -98,7 +98,9 @@ class HeaderParser {
     if (!take('(')) return false;
     while (!take(')')) {
       if (!size(sizes)) return false;
-      if (!take(',') && !(at(')') && sizes.size() > 1)) return false;
+      const bool goes_on = take(',');
+      const bool ends = at(')') && sizes.size() > 1;
+      if (!goes_on && !ends) return false;
     }
     return true;
   }

@@ -161,6 +161,7 @@ struct Field<std::vector<T>> {
   }
   static Value write(const std::vector<T>& fields) {
     Value::List list;
+    list.reserve(fields.size());
     for (const T& field : fields) list.push_back(Field<T>::write(field));
     return {std::move(list)};
   }
@@ -171,6 +172,7 @@ struct ChoiceNames {
   static std::vector<std::string> of() {
     std::vector<std::string> names;
     if constexpr (std::is_enum_v<T>) {
+      names.reserve(Choices<T>::all().size());
       for (const auto& choice : Choices<T>::all()) names.push_back(choice.second);
     }
     return names;
@@ -238,6 +240,7 @@ class Declarations {
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
+    names.reserve(all_.size());
     for (const Parameter<S>& parameter : all_) names.push_back(parameter.info.name);
     return names;
   }
