@@ -64,6 +64,8 @@ auto uninterrupted(Operation operation) {
 // An open file that is closed on every way out.
 class OpenFile {
  public:
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
   OpenFile(FileSystem& files, int number) : files_(&files), number_(number) {}
   OpenFile(OpenFile&& other) noexcept
       : files_(other.files_), number_(std::exchange(other.number_, -1)) {}
