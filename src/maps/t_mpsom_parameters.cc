@@ -79,7 +79,8 @@ Result<void> check_sizes(const TMpsomParameters& parameters) {
     neurons *= extent;
     if (neurons > kMostCounted) break;
   }
-  if (neurons <= kMostCounted && elements <= kMostCounted && neurons <= kMostWeights / elements) {
+  if (neurons <= kMostCounted && elements <= kMostCounted &&
+      neurons <= kMostWeights / std::max<std::size_t>(1, elements)) {
     return {};
   }
   return refuse(fmt::format("'shape' and 'input_sizes' ask for more than {} weights", kMostWeights),

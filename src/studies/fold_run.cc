@@ -13,6 +13,7 @@ namespace {
 std::vector<std::size_t> at(const std::vector<std::size_t>& values,
                             const std::vector<std::size_t>& places) {
   std::vector<std::size_t> chosen;
+  chosen.reserve(places.size());
   for (const std::size_t place : places) chosen.push_back(values[place]);
   return chosen;
 }

@@ -46,7 +46,7 @@ Json systems_json(const std::vector<SystemResults>& systems) {
 // TOML's numbers, texts, switches and lists of them are JSON's as they stand; only a text that is
 // not UTF-8 is not.
 Json setting_json(const std::string& value) {
-  Json json = Json::parse(value, nullptr, false);
+  const Json json = Json::parse(value, nullptr, false);
   return json.is_discarded() ? Json(value) : json;
 }
 
