@@ -20,6 +20,7 @@ std::vector<std::size_t> class_of_individuals(const std::vector<std::size_t>& cl
     require(found->second == classes[i], "all samples of an individual must have one class");
   }
   std::vector<std::size_t> dealt;
+  dealt.reserve(class_of.size());
   for (const auto& [individual, its_class] : class_of) dealt.push_back(its_class);
   return dealt;
 }
@@ -28,6 +29,7 @@ std::vector<std::size_t> class_of_individuals(const std::vector<std::size_t>& cl
 std::vector<std::size_t> partition(const std::vector<std::size_t>& dealt) {
   std::map<std::size_t, std::size_t> number;
   std::vector<std::size_t> canonical;
+  canonical.reserve(dealt.size());
   for (const std::size_t its_class : dealt) {
     canonical.push_back(number.emplace(its_class, number.size()).first->second);
   }
@@ -64,6 +66,7 @@ std::vector<std::vector<std::size_t>> wrong_groupings(const std::vector<std::siz
     shuffle(dealt, random);
     if (partition(dealt) == right) continue;
     std::vector<std::size_t> grouping;
+    grouping.reserve(individuals.size());
     for (const std::size_t individual : individuals) {
       grouping.push_back(dealt[place_of_individual[individual]]);
     }
