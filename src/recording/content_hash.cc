@@ -43,6 +43,11 @@ void add_channel(Hash& hash, const Channel& channel) {
   for (const float value : channel.frames.values()) hash.add(double{value});
   hash.add(std::uint64_t{channel.times.size()});
   for (const double time : channel.times) hash.add(time);
+  hash.add(channel.rate);
+  hash.add(std::uint64_t{channel.frame_shape().size()});
+  for (const std::size_t length : channel.frame_shape()) hash.add(std::uint64_t{length});
+  hash.add(std::uint64_t{channel.valid.values().size()});
+  for (const std::uint8_t valid : channel.valid.values()) hash.add(std::uint64_t{valid});
 }
 
 }  // namespace

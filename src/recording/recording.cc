@@ -68,6 +68,49 @@ Result<void> check_times(const Channel& channel) {
   return {};
 }
 
+Result<void> check_rate(const Channel& channel) {
+  if (!std::isfinite(channel.rate) || channel.rate < 0.0) {
+    return bad_data(fmt::format("channel '{}' has a rate of {} Hz", channel.name, channel.rate),
+                    "give a rate above 0, or none");
+  }
+  if (channel.rate == 0.0 || channel.times.empty()) return {};
+  return bad_data(fmt::format("channel '{}' has both times and a rate", channel.name),
+                  "keep one of them");
+}
+
+Result<void> check_shape(const Channel& channel) {
+  std::size_t elements = 1;
+  for (const std::size_t length : channel.shape) {
+    if (length == 0 || elements > channel.frames.columns()) break;
+    elements *= length;
+  }
+  if (elements == channel.frames.columns() || channel.shape.empty()) return {};
+  return bad_data(
+      fmt::format("channel '{}' has frames of {} elements, which do not fill its shape "
+                  "{}",
+                  channel.name, channel.frames.columns(), fmt::join(channel.shape, " x ")));
+}
+
+Result<void> check_mask(const Channel& channel) {
+  const Matrix<std::uint8_t>& valid = channel.valid;
+  if (valid.empty()) return {};
+  if (valid.rows() != channel.frames.rows() || valid.columns() != channel.frames.columns()) {
+    return bad_data(fmt::format("channel '{}' has {} x {} marks of validity for {} x {} values",
+                                channel.name, valid.rows(), valid.columns(), channel.frames.rows(),
+                                channel.frames.columns()));
+  }
+  for (std::size_t i = 0; i < valid.values().size(); ++i) {
+    if (valid.values()[i] <= 1 && (valid.values()[i] == 1 || channel.frames.values()[i] == 0.0F)) {
+      continue;
+    }
+    return bad_data(
+        fmt::format("channel '{}', frame {}, element {}: a mark of validity is 0 or 1, "
+                    "and the value is 0 where nothing is valid",
+                    channel.name, i / valid.columns() + 1, i % valid.columns() + 1));
+  }
+  return {};
+}
+
 Result<void> check_values(const Channel& channel) {
   for (std::size_t frame = 0; frame < channel.frames.rows(); ++frame) {
     for (std::size_t element = 0; element < channel.frames.columns(); ++element) {
@@ -90,7 +133,11 @@ Result<void> check_channel(const Channel& channel) {
                                 channel.element_names.size(), channel.frames.columns()),
                     "give one name an element, or none");
   }
-  return check_times(channel).and_then([&] { return check_values(channel); });
+  return check_times(channel)
+      .and_then([&] { return check_rate(channel); })
+      .and_then([&] { return check_shape(channel); })
+      .and_then([&] { return check_mask(channel); })
+      .and_then([&] { return check_values(channel); });
 }
 
 Result<void> check_alone(const Exploration& exploration) {
@@ -122,6 +169,11 @@ Result<void> check_like(const Channel& channel, const Channel& first) {
                                 channel.name, channel.unit, first.unit),
                     "convert one of them");
   }
+  if (channel.frame_shape() != first.frame_shape()) {
+    return bad_data(fmt::format("channel '{}' has the shape {}, but {} in the first exploration",
+                                channel.name, fmt::join(channel.frame_shape(), " x "),
+                                fmt::join(first.frame_shape(), " x ")));
+  }
   return check_same(fmt::format("elements of channel '{}'", channel.name), channel.element_names,
                     first.element_names);
 }
@@ -138,6 +190,20 @@ Result<void> check_like(const Exploration& exploration, const Exploration& first
 }
 
 }  // namespace
+
+std::vector<std::size_t> Channel::frame_shape() const {
+  return shape.empty() ? std::vector<std::size_t>{frames.columns()} : shape;
+}
+
+double Channel::frame_rate() const {
+  if (rate > 0.0 || times.size() < 2) return rate;
+  std::vector<double> steps;
+  steps.reserve(times.size() - 1);
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0.0 ? 1.0 / *middle : 0.0;
+}
 
 Result<const Channel*> find_channel(const Exploration& exploration, std::string_view name) {
   return find_named(exploration.channels, "channel", name, exploration.source);

@@ -21,7 +21,7 @@ Recording one_exploration() {
 // The offset basis of the 64-bit hash; the second was worked out by a program of its own.
 TEST(ContentHash, IsFnv1aOfTheContent) {
   EXPECT_EQ(content_hash({}), "fnv1a64:cbf29ce484222325");
-  EXPECT_EQ(content_hash(one_exploration()), "fnv1a64:0b0c3dcaf1ff021e");
+  EXPECT_EQ(content_hash(one_exploration()), "fnv1a64:02560ac64e1b4afd");
 }
 
 TEST(ContentHash, DoesNotDependOnTheSource) {
@@ -36,6 +36,9 @@ TEST(ContentHash, DiffersWhenAnythingElseDoes) {
       [](Exploration& e) { e.labels[0].value = "bowl"; },
       [](Exploration& e) { e.labels[0].name = "thing"; },
       [](Exploration& e) { e.labels[0] = {"objectb", "all"}; },
+      [](Exploration& e) { e.channels[0].shape = {2, 1}; },
+      [](Exploration& e) { e.channels[0].rate = 8.0; },
+      [](Exploration& e) { e.channels[0].valid = Matrix<std::uint8_t>(2, 2, 1); },
       [](Exploration& e) { e.labels.clear(); },
       [](Exploration& e) { e.labels.push_back({"trial", "1"}); },
       [](Exploration& e) { e.channels[0].name = "wrist"; },

@@ -132,5 +132,57 @@ TEST(Validate, AllowsDifferentNumbersOfFrames) {
       "");
 }
 
+TEST(Validate, AcceptsARateAShapeAndAMask) {
+  Recording recording = recording_of_two();
+  for (Exploration& exploration : recording.explorations) {
+    Channel& touch = exploration.channels[1];
+    touch.rate = 50.0;
+    touch.shape = {2, 2};
+    touch.valid = Matrix<std::uint8_t>(2, 4, 1);
+    touch.valid(1, 3) = 0;
+    touch.frames(1, 3) = 0.0F;
+  }
+  EXPECT_TRUE(validate(recording));
+}
+
+TEST(Validate, RefusesARateThatIsNoneOrBesideTimes) {
+  EXPECT_NE(error_after([](Exploration& e) { e.channels[1].rate = -1.0; }).what.find("-1 Hz"),
+            std::string::npos);
+  EXPECT_NE(error_after([](Exploration& e) { e.channels[0].rate = 10.0; }).what.find("both"),
+            std::string::npos);
+}
+
+TEST(Validate, RefusesAShapeThatDoesNotFitOrDiffers) {
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].shape = {3, 2}; }).what,
+            "channel 'touch' has frames of 4 elements, which do not fill its shape 3 x 2");
+  EXPECT_NE(error_after([](Exploration& e) { e.channels[1].shape = {4, 0}; }).what, "");
+  EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].shape = {2, 2}; }).what,
+            "channel 'touch' has the shape 2 x 2, but 4 in the first exploration");
+}
+
+TEST(Validate, RefusesAMaskThatDoesNotFit) {
+  EXPECT_NE(error_after([](Exploration& e) {
+              e.channels[1].valid = Matrix<std::uint8_t>(2, 3, 1);
+            }).what.find("2 x 3 marks"),
+            std::string::npos);
+  EXPECT_NE(error_after([](Exploration& e) {
+              e.channels[1].valid = Matrix<std::uint8_t>(2, 4, 2);
+            }).what.find("0 or 1"),
+            std::string::npos);
+  EXPECT_NE(error_after([](Exploration& e) {
+              e.channels[1].valid = Matrix<std::uint8_t>(2, 4, 0);
+            }).what.find("frame 1, element 1"),
+            std::string::npos);
+}
+
+TEST(Channel, KnowsItsRateFromTheMedianStep) {
+  Channel channel{"touch", "", {}, Matrix<float>(4, 1), {0.0, 0.1, 0.2, 0.9}};
+  EXPECT_NEAR(channel.frame_rate(), 10.0, 1e-9);
+  channel.times.clear();
+  EXPECT_EQ(channel.frame_rate(), 0.0);
+  channel.rate = 16000.0;
+  EXPECT_EQ(channel.frame_rate(), 16000.0);
+}
+
 }  // namespace
 }  // namespace somato

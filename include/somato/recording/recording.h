@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,13 +11,27 @@
 
 namespace somato {
 
-/// What one group of sensors reported during an exploration.
+/// What one group of sensors reported during an exploration. When its frames were taken is told by
+/// `times`, by `rate`, or by neither where nobody knows.
 struct Channel {
   std::string name;  ///< Such as "height", "wrist", "joints", "touch", "sound".
   std::string unit;  ///< Of all elements, such as "deg" or "counts"; empty where there is none.
   std::vector<std::string> element_names;  ///< One an element, or empty.
   Matrix<float> frames;                    ///< frames x elements, in the order they were taken.
-  std::vector<double> times;               ///< Seconds, one a frame; empty where unknown.
+  std::vector<double> times;               ///< Seconds, one a frame; or empty.
+  double rate = 0.0;                       ///< Frames a second, evenly spaced from 0 s; or 0.
+  std::vector<std::size_t> shape = {};     ///< Of a frame, row-major, such as {5, 12}; empty: flat.
+  Matrix<std::uint8_t> valid = {};  ///< frames x elements: 0 where the sensor told nothing (the
+                                    ///< value is then 0), else 1; empty when all is valid.
+
+  /// The shape of a frame, written out.
+  std::vector<std::size_t> frame_shape() const;
+
+  /// Frames a second: `rate`, or one divided by the median step between `times`, or 0 where neither
+  /// is known.
+  double frame_rate() const;
+
+  bool operator==(const Channel&) const = default;
 };
 
 /// What is known about an exploration, such as object, shape, material or trial.
@@ -31,12 +47,16 @@ struct Exploration {
   std::vector<Label> labels;
   std::string source;  ///< The file it came from, or another place to point at.
   std::vector<Channel> channels;
+
+  bool operator==(const Exploration&) const = default;
 };
 
 /// What exploring yields, the same whether it was simulated, read from files or taken live. All
 /// explorations have the same channels and the same names of labels; see validate().
 struct Recording {
   std::vector<Exploration> explorations;
+
+  bool operator==(const Recording&) const = default;
 };
 
 /// The channel of that name; an unknown name is an error (kUsage) with the nearest known one. The
@@ -51,8 +71,8 @@ Result<std::string> find_label(const Exploration& exploration, std::string_view 
 Result<std::vector<std::string>> label_values(const Recording& recording, std::string_view name);
 
 /// Checks that there is an exploration and that each has channels with frames of finite values,
-/// names and times that fit, and the same channels (name, unit, elements) and names of labels as
-/// the first one. Errors (kData) name exploration and channel.
+/// names, times, rates, shapes and masks that fit, and the same channels (name, unit, elements,
+/// shape) and names of labels as the first one. Errors (kData) name exploration and channel.
 Result<void> validate(const Recording& recording);
 
 }  // namespace somato
