@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "graph/labels_part.h"
 #include "graph/model_parts.h"
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
@@ -74,33 +75,11 @@ Result<void> read_standardization(const Archive& archive, const std::string& whe
   return {};
 }
 
-constexpr std::int64_t kNoLabel = -1;
-
-Array<std::int64_t> labels_array(const NeuronLabels& labels) {
-  Array<std::int64_t> array{{labels.neurons()}, {}};
-  for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
-    array.values.push_back(labels[neuron] ? static_cast<std::int64_t>(*labels[neuron]) : kNoLabel);
-  }
-  return array;
-}
-
 Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
   if (model.classes.empty() && !archive.find("labels")) return {};
-  auto array = archive.get<Array<std::int64_t>>("labels", where);
-  if (!array) return fail(std::move(array.error()));
-  if ((*array)->shape != std::vector<std::uint64_t>{model.som.neurons()}) {
-    return damaged_model("the labels do not fit the map", where);
-  }
-  std::vector<std::optional<std::size_t>> class_of_neuron;
-  for (const std::int64_t label : (*array)->values) {
-    if (label < kNoLabel || label >= static_cast<std::int64_t>(model.classes.size())) {
-      return damaged_model("a neuron has the label of a class that is not there", where);
-    }
-    class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}
-                                                : static_cast<std::size_t>(label));
-  }
-  model.labels = NeuronLabels(std::move(class_of_neuron));
-  if (model.labels.labelled().empty()) return damaged_model("no neuron has a label", where);
+  auto labels = labels_from(archive, model.som.neurons(), model.classes.size(), where);
+  if (!labels) return fail(std::move(labels.error()));
+  model.labels = std::move(*labels);
   return {};
 }
 

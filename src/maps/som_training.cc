@@ -71,9 +71,6 @@ Result<void> train_online(Som& som, const Samples& prepared, const Progress& pro
   const Stop stop(progress, *p.iterations, iterations_between_reports(som));
   for (std::uint64_t t = 0; t < *p.iterations; ++t) {
     learner.learn(prepared[draws.next()], p.learning_rate().at(t), p.radius().at(t));
-    if ((t + 1) % kIterationsBetweenClearings == 0) {
-      kernels::table<float>().clear_negligible(kernels::lanes(som.weights()));
-    }
     if (stop.after(t + 1)) return Stop::error();
   }
   return {};
@@ -114,6 +111,23 @@ Result<void> check_range(const Samples& prepared) {
               longest > kLongest ? "the samples are too large to be told apart in single precision"
                                  : "the samples are too small to be told apart in single precision",
               {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
+}
+
+// Parameters all decided, and the samples as the map sees them.
+struct Prepared {
+  SomParameters parameters;
+  const Samples* samples;
+};
+
+Result<Prepared> prepare(const SomParameters& parameters, const Samples& samples,
+                         Samples& storage) {
+  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
+  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
+  if (!resolved) return fail(std::move(resolved.error()));
+  if (auto fits = check_memory(*resolved, samples); !fits) return fail(std::move(fits.error()));
+  const Samples& prepared = prepared_samples(*resolved, samples, storage);
+  if (auto fit = check_range(prepared); !fit) return fail(std::move(fit.error()));
+  return Prepared{std::move(*resolved), &prepared};
 }
 
 // Sums of the samples by winner, and how many there are: double precision, in the samples' order.
@@ -173,6 +187,9 @@ std::size_t SomLearner::learn(const SignalView& input, double learning_rate, dou
   if (som_.parameters().similarity == Similarity::kDotProduct) {
     normalize_rows(som_.weights(), factors_);
   }
+  if (++learned_ % kIterationsBetweenClearings == 0) {
+    kernels::table<float>().clear_negligible(kernels::lanes(som_.weights()));
+  }
   return winner;
 }
 
@@ -207,20 +224,23 @@ std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double ra
   return winners;
 }
 
+Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
+  Samples storage;
+  auto ready = prepare(parameters, samples, storage);
+  if (!ready) return fail(std::move(ready.error()));
+  return initial_som(ready->parameters, *ready->samples);
+}
+
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
-  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
-  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
-  if (!resolved) return fail(std::move(resolved.error()));
-  if (auto fits = check_memory(*resolved, samples); !fits) return fail(std::move(fits.error()));
   Samples storage;
-  const Samples& prepared = prepared_samples(*resolved, samples, storage);
-  if (auto fit = check_range(prepared); !fit) return fail(std::move(fit.error()));
-  if (resolved->arithmetic == Arithmetic::kInnerProducts) {
-    return train_by_inner_products(*resolved, prepared, options);
+  auto ready = prepare(parameters, samples, storage);
+  if (!ready) return fail(std::move(ready.error()));
+  if (ready->parameters.arithmetic == Arithmetic::kInnerProducts) {
+    return train_by_inner_products(ready->parameters, *ready->samples, options);
   }
-  Som som = initial_som(*resolved, prepared);
-  if (auto trained = train_in_place(som, prepared, options); !trained) {
+  Som som = initial_som(ready->parameters, *ready->samples);
+  if (auto trained = train_in_place(som, *ready->samples, options); !trained) {
     return fail(std::move(trained.error()));
   }
   return som;

@@ -29,6 +29,10 @@ struct TrainingOptions {
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options = {});
 
+/// The map that train_som() starts from, which has learned nothing yet. `samples` decide automatic
+/// parameters and initial weights. Fails as train_som() does.
+Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples);
+
 /// Goes on training `som` on `samples` by its own parameters, from its weights as they are. Online
 /// training on the weights themselves or batch training; `som` keeps its weights when it fails.
 Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options = {});
@@ -50,6 +54,7 @@ class SomLearner {
   AlignedVector<float> gains_;
   AlignedVector<float> factors_;
   AlignedVector<float> input_;
+  std::uint64_t learned_ = 0;
 };
 
 /// One epoch of batch training: every weight becomes the mean of all samples, each weighted by the

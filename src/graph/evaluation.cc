@@ -1,0 +1,88 @@
+#include "somato/graph/evaluation.h"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <optional>
+
+#include "graph/exploration_run.h"
+#include "somato/core/threads.h"
+
+namespace somato {
+namespace {
+
+std::string place_of(const Recording& recording, std::size_t exploration) {
+  const std::string& source = recording.explorations[exploration].source;
+  return source.empty() ? fmt::format("exploration {}", exploration + 1) : source;
+}
+
+// The error of the exploration that comes first, whichever thread was first to fail.
+class FirstError {
+ public:
+  void keep(std::size_t exploration, Error error) {
+    const std::lock_guard lock(mutex_);
+    if (error_ && exploration_ < exploration) return;
+    exploration_ = exploration;
+    error_ = std::move(error);
+  }
+  const std::optional<Error>& error() const { return error_; }
+
+ private:
+  std::mutex mutex_;
+  std::size_t exploration_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<void> evaluate(const System& system, const Recording& recording,
+                      std::span<const std::size_t> explorations,
+                      const std::vector<std::size_t>& wanted, std::size_t threads,
+                      Activations& activations) {
+  std::vector<bool> is_wanted(system.modules().size(), false);
+  for (const std::size_t module : wanted) is_wanted[module] = true;
+  FirstError first;
+  for_each_task(explorations.size(), threads, [&](std::size_t task) {
+    const std::size_t exploration = explorations[task];
+    ExplorationRun run(system, &recording.explorations[exploration], [&](std::size_t module) {
+      return activations.find(module, exploration);
+    });
+    if (auto computed = run.compute(is_wanted); !computed) {
+      Error error = std::move(computed.error());
+      error.where = place_of(recording, exploration) + ", " + error.where;
+      first.keep(exploration, std::move(error));
+      return;
+    }
+    for (const std::size_t module : wanted) {
+      if (!activations.find(module, exploration)) {
+        activations.set(module, exploration, run.take(module));
+      }
+    }
+  });
+  if (first.error()) return fail(*first.error());
+  return {};
+}
+
+Result<Activations> evaluate_fixed(const System& system, const Recording& recording,
+                                   const std::vector<std::size_t>& also, std::size_t threads) {
+  std::vector<bool> is_wanted(system.modules().size(), false);
+  for (const std::size_t module : also) is_wanted[module] = system.is_fixed(module);
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    if (system.is_fixed(module)) continue;
+    for (const std::size_t input : system.modules()[module].inputs) {
+      is_wanted[input] = is_wanted[input] || system.is_fixed(input);
+    }
+  }
+  std::vector<std::size_t> wanted;
+  for (std::size_t module = 0; module < is_wanted.size(); ++module) {
+    if (is_wanted[module]) wanted.push_back(module);
+  }
+  std::vector<std::size_t> explorations(recording.explorations.size());
+  for (std::size_t i = 0; i < explorations.size(); ++i) explorations[i] = i;
+  Activations activations(system.modules().size(), explorations.size());
+  auto evaluated = evaluate(system, recording, explorations, wanted, threads, activations);
+  if (!evaluated) return fail(std::move(evaluated.error()));
+  return activations;
+}
+
+}  // namespace somato

@@ -1,0 +1,44 @@
+#include "graph/labels_part.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "maps/map_parts.h"
+
+namespace somato {
+namespace {
+
+constexpr std::int64_t kNoLabel = -1;
+
+}  // namespace
+
+Array<std::int64_t> labels_array(const NeuronLabels& labels) {
+  Array<std::int64_t> array{{labels.neurons()}, {}};
+  for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
+    array.values.push_back(labels[neuron] ? static_cast<std::int64_t>(*labels[neuron]) : kNoLabel);
+  }
+  return array;
+}
+
+Result<NeuronLabels> labels_from(const Archive& archive, std::size_t neurons, std::size_t classes,
+                                 const std::string& where) {
+  const auto array = archive.get<Array<std::int64_t>>("labels", where);
+  if (!array) return fail(array.error());
+  if ((*array)->shape != std::vector<std::uint64_t>{neurons}) {
+    return damaged_model("the labels do not fit the map", where);
+  }
+  std::vector<std::optional<std::size_t>> class_of_neuron;
+  for (const std::int64_t label : (*array)->values) {
+    if (label < kNoLabel || label >= static_cast<std::int64_t>(classes)) {
+      return damaged_model("a neuron has the label of a class that is not there", where);
+    }
+    class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}
+                                                : static_cast<std::size_t>(label));
+  }
+  NeuronLabels labels(std::move(class_of_neuron));
+  if (labels.labelled().empty()) return damaged_model("no neuron has a label", where);
+  return labels;
+}
+
+}  // namespace somato

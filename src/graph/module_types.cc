@@ -1,0 +1,47 @@
+#include <algorithm>
+
+#include "graph/modules/support.h"
+#include "somato/graph/module.h"
+
+namespace somato {
+namespace {
+
+std::vector<ModuleType> all_types() {
+  std::vector<ModuleType> all;
+  for (auto group : {modules::source_types(), modules::code_types(), modules::scaling_types(),
+                     modules::frame_types(), modules::map_types()}) {
+    std::move(group.begin(), group.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<void> Learner::learn(const Lesson& /*lesson*/, const TrainingInputs& /*explorations*/) {
+  return fail(ErrorKind::kUsage, "it cannot learn all at once");
+}
+
+Result<std::uint64_t> Learner::begin(const Lesson& /*lesson*/,
+                                     const TrainingInputs& /*explorations*/) {
+  return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
+}
+
+Result<void> Learner::step(std::span<const SignalView> /*inputs*/, std::uint64_t /*draw*/) {
+  return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
+}
+
+const std::vector<ModuleType>& module_types() {
+  static const std::vector<ModuleType> all = all_types();
+  return all;
+}
+
+Result<const ModuleType*> find_module_type(const std::string& name, const std::string& where) {
+  std::vector<std::string> known;
+  for (const ModuleType& type : module_types()) {
+    if (type.name == name) return &type;
+    known.push_back(type.name);
+  }
+  return fail(unknown_name("type of module", name, where, known));
+}
+
+}  // namespace somato

@@ -1,0 +1,316 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "graph/modules/som_module.h"
+#include "graph/modules/support.h"
+#include "maps/map_parts.h"
+#include "somato/core/memory.h"
+#include "somato/maps/som_archive.h"
+#include "somato/maps/t_mpsom.h"
+#include "somato/maps/t_mpsom_archive.h"
+
+namespace somato {
+namespace modules {
+namespace {
+
+// Refused before it is asked for: a system that promises more memory than it has would end the
+// program later, without a word.
+Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::string& port) {
+  const double gibibytes =
+      static_cast<double>(neurons) * static_cast<double>(elements) * sizeof(float) / (1 << 30);
+  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
+  if (gibibytes <= there) return {};
+  return fail(ErrorKind::kUsage,
+              fmt::format("{} neurons with {} elements need {:.1f} GiB of memory, and this machine "
+                          "has {:.1f}",
+                          neurons, elements, gibibytes, there),
+              port, "choose fewer neurons or elements");
+}
+
+Samples all_values(const TrainingInputs& explorations) {
+  std::vector<Signal> signals;
+  for (const auto& ports : explorations) {
+    const Samples& values = ports.front()->values;
+    for (std::size_t i = 0; i < values.count(); ++i) {
+      signals.push_back(copy_of(values[i], {values.size()}));
+    }
+  }
+  return Samples::from_signals(signals);
+}
+
+class SomStepper : public Stepper {
+ public:
+  explicit SomStepper(const Som& som) : som_(som) {}
+
+  Result<Signal> step(std::span<const SignalView> inputs) override {
+    std::vector<float> activity(som_.neurons());
+    som_.activity(inputs.front(), workspace_, activity);
+    return Signal::dense({som_.grid().rows(), som_.grid().columns()}, std::move(activity));
+  }
+
+ private:
+  const Som& som_;
+  SomWorkspace workspace_;
+};
+
+}  // namespace
+
+Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
+  const PortType& input = inputs.front().type;
+  input_size_ = input.size();
+  rate_ = input.rate;
+  if (auto grid = Grid::validate(parameters_.rows, parameters_.columns, parameters_.lattice,
+                                 parameters_.topology);
+      !grid) {
+    return fail(std::move(grid.error()));
+  }
+  const std::size_t neurons = parameters_.rows * parameters_.columns;
+  if (auto fits = check_memory(neurons, input_size_, inputs.front().port); !fits) {
+    return fail(std::move(fits.error()));
+  }
+  if (auto possible = resolve(parameters_, 2, input_size_); !possible) {
+    return fail(std::move(possible.error()));
+  }
+  return checked_size({rate_, {parameters_.rows, parameters_.columns}, false, input.clock},
+                      inputs.front().port);
+}
+
+std::unique_ptr<Stepper> SomModule::start() const { return std::make_unique<SomStepper>(som_); }
+
+std::size_t SomModule::memory() const {
+  return parameters_.rows * parameters_.columns * input_size_ * sizeof(float);
+}
+
+SomParameters SomModule::parameters_for(const Lesson& lesson) const {
+  SomParameters parameters = parameters_;
+  parameters.seed = lesson.seed;
+  if (lesson.draws) parameters.iterations = lesson.draws;
+  if (lesson.order) parameters.draws = *lesson.order;
+  return parameters;
+}
+
+Result<void> SomModule::learn(const Lesson& lesson, const TrainingInputs& explorations) {
+  auto trained =
+      train_som(parameters_for(lesson), all_values(explorations), {1, lesson.progress});
+  if (!trained) return fail(std::move(trained.error()));
+  som_ = std::move(*trained);
+  return {};
+}
+
+Result<std::uint64_t> SomModule::begin(const Lesson& lesson, const TrainingInputs& explorations) {
+  SomParameters parameters = parameters_for(lesson);
+  parameters.arithmetic = Arithmetic::kPlain;
+  if (lesson.inputs_unknown && parameters.initial_weights != InitialWeights::kUniform) {
+    return fail(ErrorKind::kUsage,
+                "it hears itself, so its weights cannot start from what it will hear", {},
+                "write initial_weights = \"uniform\"");
+  }
+  auto som = untrained_som(parameters, lesson.inputs_unknown
+                                           ? Samples(Matrix<float>(1, input_size_))
+                                           : all_values(explorations));
+  if (!som) return fail(std::move(som.error()));
+  som_ = std::move(*som);
+  learner_.emplace(som_);
+  return *som_.parameters().iterations;
+}
+
+Result<void> SomModule::step(std::span<const SignalView> inputs, std::uint64_t draw) {
+  const SomParameters& p = som_.parameters();
+  learner_->learn(inputs.front(), p.learning_rate().at(draw), p.radius().at(draw));
+  return {};
+}
+
+void SomModule::save(Archive& archive, const std::string& prefix) const {
+  add_som(archive, prefix, som_);
+}
+
+Result<void> SomModule::load(const Archive& archive, const std::string& prefix,
+                             const std::string& where) {
+  auto som = som_from(archive, prefix, where);
+  if (!som) return fail(std::move(som.error()));
+  if (som->input_size() != input_size_ || som->grid().rows() != parameters_.rows ||
+      som->grid().columns() != parameters_.columns) {
+    return damaged_model("a map does not fit its place in the system", where);
+  }
+  som_ = std::move(*som);
+  return {};
+}
+
+namespace {
+
+// What the description may say of a T-MPSOM: all but what follows from its inputs.
+struct TMpsomModuleParameters {
+  TMpsomParameters map;
+
+  static const Declarations<TMpsomModuleParameters>& declarations() {
+    using P = TMpsomModuleParameters;
+    static const auto declared = [] {
+      Declarations<P> all;
+      const auto text = [](const char* name) {
+        return TMpsomParameters::declarations().find(name)->info;
+      };
+      const auto add = [&](const char* name, auto access) {
+        const ParameterInfo info = text(name);
+        all.add(name, access, info.unit, info.range, info.text);
+      };
+      add("shape", [](P& p) -> auto& { return p.map.shape; });
+      add("input_axes", [](P& p) -> auto& { return p.map.input_axes; });
+      add("combination", [](P& p) -> auto& { return p.map.combination; });
+      add("arbor_sigma", [](P& p) -> auto& { return p.map.arbor_sigma; });
+      add("neighbourhood_sigma", [](P& p) -> auto& { return p.map.neighbourhood_sigma; });
+      add("learning_rate_schedule", [](P& p) -> auto& { return p.map.learning_rate_schedule; });
+      add("learning_rate_start", [](P& p) -> auto& { return p.map.learning_rate_start; });
+      add("learning_rate_end", [](P& p) -> auto& { return p.map.learning_rate_end; });
+      add("learning_rate_reached_at", [](P& p) -> auto& { return p.map.learning_rate_reached_at; });
+      add("input_norm", [](P& p) -> auto& { return p.map.input_norm; });
+      add("weight_norm", [](P& p) -> auto& { return p.map.weight_norm; });
+      add("iterations", [](P& p) -> auto& { return p.map.iterations; });
+      return all;
+    }();
+    return declared;
+  }
+};
+
+class TMpsomStepper : public Stepper {
+ public:
+  explicit TMpsomStepper(const TMpsom& map) : map_(map), workspace_(map) {}
+
+  Result<Signal> step(std::span<const SignalView> inputs) override {
+    std::vector<float> activity(map_.neurons());
+    map_.activation(inputs, workspace_, activity);
+    return Signal::dense(map_.parameters().shape, std::move(activity));
+  }
+
+ private:
+  const TMpsom& map_;
+  TMpsom::Workspace workspace_;
+};
+
+class TMpsomModule : public SteppedModule, public Learner {
+ public:
+  using Parameters = TMpsomModuleParameters;
+  explicit TMpsomModule(Parameters parameters) : parameters_(std::move(parameters.map)) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto together = expect_together(inputs); !together) return fail(together.error());
+    std::size_t elements = 0;
+    for (const Connection& input : inputs) {
+      parameters_.input_sizes.push_back(input.type.size());
+      elements += input.type.size();
+    }
+    if (auto valid = parameters_.validate(); !valid) return fail(std::move(valid.error()));
+    // Weights, arbors, and as much again while learning.
+    if (auto fits = check_memory(parameters_.neurons(), 4 * elements, inputs.front().port); !fits) {
+      return fail(std::move(fits.error()));
+    }
+    const PortType& first = inputs.front().type;
+    return checked_size({first.rate, parameters_.shape, false, first.clock}, inputs.front().port);
+  }
+
+  Learner* learner() override { return this; }
+  std::unique_ptr<Stepper> start() const override { return std::make_unique<TMpsomStepper>(*map_); }
+
+  std::size_t memory() const override {
+    std::size_t elements = 0;
+    for (const std::size_t size : parameters_.input_sizes) elements += size;
+    return 2 * parameters_.neurons() * elements * sizeof(float);
+  }
+
+  bool learns_at_once() const override { return false; }
+  bool learns_by_draws() const override { return true; }
+
+  Result<std::uint64_t> begin(const Lesson& lesson,
+                              const TrainingInputs& /*explorations*/) override {
+    TMpsomParameters parameters = parameters_;
+    parameters.seed = lesson.seed;
+    parameters.iterations = lesson.draws.value_or(parameters.iterations);
+    if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));
+    map_.emplace(parameters);
+    workspace_.emplace(*map_);
+    return parameters.iterations;
+  }
+
+  Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override {
+    map_->learn(inputs, map_->parameters().learning_rate().at(draw), *workspace_);
+    return {};
+  }
+
+  void save(Archive& archive, const std::string& prefix) const override {
+    add_t_mpsom(archive, prefix, *map_);
+  }
+
+  Result<void> load(const Archive& archive, const std::string& prefix,
+                    const std::string& where) override {
+    auto map = t_mpsom_from(archive, prefix, where);
+    if (!map) return fail(std::move(map.error()));
+    if (map->parameters().input_sizes != parameters_.input_sizes ||
+        map->parameters().shape != parameters_.shape) {
+      return damaged_model("a T-MPSOM does not fit its place in the system", where);
+    }
+    map_ = std::move(*map);
+    return {};
+  }
+
+ private:
+  TMpsomParameters parameters_;
+  std::optional<TMpsom> map_;
+  std::optional<TMpsom::Workspace> workspace_;
+};
+
+class WinnerModule : public MappedModule {
+ public:
+  using Parameters = NoParameters;
+  explicit WinnerModule(const Parameters& /*parameters*/) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    type_ = inputs.front().type;
+    type_.sparse = true;
+    return type_;
+  }
+
+  Result<Signal> map(std::span<const SignalView> inputs) const override {
+    std::vector<float> values(type_.size());
+    write_dense(inputs.front(), values);
+    const auto most = std::max_element(values.begin(), values.end()) - values.begin();
+    return Signal::sparse(type_.shape, {static_cast<std::uint32_t>(most)}, {1.0F});
+  }
+
+ private:
+  PortType type_;
+};
+
+ModuleType som_type() {
+  ModuleType type = describe<SomModule>(
+      "som", "A self-organizing map.", {input_port("What the map learns, flattened.")},
+      "The activity of the neurons, rows x columns.", true);
+  // A study gives every run a seed of its own.
+  std::erase_if(type.parameters, [](const ParameterInfo& info) { return info.name == "seed"; });
+  type.make = [](const Table& table) -> Result<std::unique_ptr<Module>> {
+    Result<SomParameters> parameters = read_parameters<SomParameters>(table);
+    if (!parameters) return fail(std::move(parameters.error()));
+    for (const Table::Entry& key : table.entries) {
+      const std::string reason = reason_without_effect(*parameters, key.name);
+      if (!reason.empty()) return fail(without_effect(key.name, reason, key.where));
+    }
+    return std::make_unique<SomModule>(std::move(*parameters));
+  };
+  return type;
+}
+
+}  // namespace
+
+std::vector<ModuleType> map_types() {
+  return {som_type(),
+          describe<TMpsomModule>(
+              "t_mpsom", "A T-MPSOM (P06 section 4.1, P07, P11 section II).",
+              {input_ports("One or more signals, each spread along an axis of the map.")},
+              "The activity of the neurons, in the map's shape.", true),
+          describe<WinnerModule>("winner", "The place of the greatest element.",
+                                 {input_port("Such as a map's activity.")},
+                                 "The input's shape, 1 at that place and 0 elsewhere; sparse.")};
+}
+
+}  // namespace modules
+}  // namespace somato

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graph/modules/support.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_training.h"
+
+namespace somato::modules {
+
+/// A SOM in a system. Studies look at the map itself.
+class SomModule : public SteppedModule, public Learner {
+ public:
+  using Parameters = SomParameters;
+  explicit SomModule(Parameters parameters) : parameters_(std::move(parameters)) {}
+
+  const Som& som() const { return som_; }
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override;
+  Learner* learner() override { return this; }
+  std::unique_ptr<Stepper> start() const override;
+  std::size_t memory() const override;
+
+  bool learns_at_once() const override { return rate_ == Rate::kExploration; }
+  bool learns_by_draws() const override { return parameters_.training == Training::kOnline; }
+  Result<void> learn(const Lesson& lesson, const TrainingInputs& explorations) override;
+  Result<std::uint64_t> begin(const Lesson& lesson, const TrainingInputs& explorations) override;
+  Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override;
+  void save(Archive& archive, const std::string& prefix) const override;
+  Result<void> load(const Archive& archive, const std::string& prefix,
+                    const std::string& where) override;
+
+ private:
+  SomParameters parameters_for(const Lesson& lesson) const;
+
+  SomParameters parameters_;
+  std::size_t input_size_ = 0;
+  Rate rate_ = Rate::kExploration;
+  Som som_;
+  std::optional<SomLearner> learner_;
+};
+
+}  // namespace somato::modules

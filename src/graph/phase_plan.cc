@@ -1,0 +1,252 @@
+#include "graph/phase_plan.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "graph/wiring.h"
+
+namespace somato {
+namespace {
+
+bool contains(const std::vector<std::size_t>& all, std::size_t one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+tl::unexpected<Error> refuse(const PhaseDescription& phase, std::string what, std::string advice) {
+  return fail(ErrorKind::kUsage, std::move(what), phase.where, std::move(advice));
+}
+
+class Planner {
+ public:
+  explicit Planner(const System& system) : system_(system), planned_(system.modules().size()) {}
+
+  Result<std::vector<Phase>> plan() {
+    const auto named = find_named();
+    if (!named) return fail(named.error());
+    for (std::size_t i = 0; i < named->size(); ++i) {
+      if (auto added = add(system_.description().phases[i], (*named)[i], *named); !added) {
+        return fail(std::move(added.error()));
+      }
+    }
+    for (const std::size_t module : in_order()) {
+      if (!learns(module) || planned_[module]) continue;
+      if (auto added = add_own(module); !added) return fail(std::move(added.error()));
+    }
+    return std::move(phases_);
+  }
+
+ private:
+  bool learns(std::size_t module) const {
+    return system_.modules()[module].module->learner() != nullptr;
+  }
+  Learner& learner(std::size_t module) const {
+    return *system_.modules()[module].module->learner();
+  }
+  const std::string& name(std::size_t module) const { return system_.modules()[module].name; }
+
+  std::vector<std::size_t> in_order() const {
+    std::vector<std::size_t> order;
+    for (const auto& group : system_.wiring().groups()) {
+      order.insert(order.end(), group.begin(), group.end());
+    }
+    return order;
+  }
+
+  // The learners of each phase of the description, in the order in which they run.
+  Result<std::vector<std::vector<std::size_t>>> find_named() const {
+    std::vector<std::vector<std::size_t>> named;
+    std::vector<std::size_t> all;
+    for (const PhaseDescription& phase : system_.description().phases) {
+      if (phase.learn.empty()) {
+        return refuse(phase, "the phase does not say which modules learn",
+                      "write learn = [\"NAME\", ...]");
+      }
+      named.emplace_back();
+      for (const std::string& module_name : phase.learn) {
+        const auto module = system_.find(module_name, phase.where);
+        if (!module) return fail(module.error());
+        if (!learns(*module)) {
+          return refuse(phase, "'" + module_name + "' has nothing to learn",
+                        "leave it out of 'learn'");
+        }
+        if (contains(all, *module)) {
+          return refuse(phase, "'" + module_name + "' is to learn twice",
+                        "name each module once in all phases");
+        }
+        all.push_back(*module);
+        named.back().push_back(*module);
+      }
+      sort_as_run(named.back());
+    }
+    return named;
+  }
+
+  void sort_as_run(std::vector<std::size_t>& learners) const {
+    const std::vector<std::size_t> order = in_order();
+    std::sort(learners.begin(), learners.end(), [&](std::size_t a, std::size_t b) {
+      return std::find(order.begin(), order.end(), a) < std::find(order.begin(), order.end(), b);
+    });
+  }
+
+  // Whatever the learners depend on learns before them: by itself when no phase names it.
+  Result<void> add(const PhaseDescription& description, const std::vector<std::size_t>& learners,
+                   const std::vector<std::vector<std::size_t>>& named) {
+    for (const std::size_t before : in_order()) {
+      if (!learns(before) || planned_[before] || contains(learners, before)) continue;
+      for (const std::size_t after : learners) {
+        if (!system_.wiring().reaches(before, after)) continue;
+        const bool later = std::any_of(named.begin(), named.end(), [&](const auto& phase) {
+          return contains(phase, before);
+        });
+        if (later) {
+          return refuse(description,
+                        "'" + name(after) + "' learns before '" + name(before) +
+                            "', which it depends on",
+                        "put the phase of '" + name(before) + "' first, or name both in one phase");
+        }
+        if (auto added = add_own(before); !added) return added;
+        break;
+      }
+    }
+    return add_phase({learners, description.draws, description.order, Rate::kExploration},
+                     description);
+  }
+
+  Result<void> add_own(std::size_t module) {
+    return add_phase({{module}, {}, {}, Rate::kExploration},
+                     PhaseDescription{{}, {}, {}, {}, system_.modules()[module].where});
+  }
+
+  Result<void> add_phase(Phase phase, const PhaseDescription& description) {
+    if (auto rate = find_rate(phase, description); !rate) return rate;
+    if (auto possible = check_learners(phase, description); !possible) return possible;
+    if (auto once = check_said_once(phase); !once) return once;
+    for (const std::size_t module : phase.learners) planned_[module] = true;
+    phases_.push_back(std::move(phase));
+    return {};
+  }
+
+  Rate rate_of(std::size_t module) const {
+    return system_.modules()[system_.modules()[module].inputs.front()].output.rate;
+  }
+
+  const std::string& clock_of(std::size_t module) const {
+    return system_.modules()[system_.modules()[module].inputs.front()].output.clock;
+  }
+
+  Result<void> find_rate(Phase& phase, const PhaseDescription& description) const {
+    phase.of = rate_of(phase.learners.front());
+    for (const std::size_t module : phase.learners) {
+      if (rate_of(module) == phase.of) {
+        if (clock_of(module) == clock_of(phase.learners.front())) continue;
+        return refuse(description,
+                      "'" + name(phase.learners.front()) + "' and '" + name(module) +
+                          "' cannot learn together: their frames are not taken together",
+                      "give each a phase of its own");
+      }
+      return refuse(description,
+                    "'" + name(phase.learners.front()) + "' and '" + name(module) +
+                        "' cannot learn together: one learns frames, the other explorations",
+                    "give each a phase of its own");
+    }
+    if (!description.of || *description.of == phase.of) return {};
+    return refuse(description,
+                  "'" + name(phase.learners.front()) + "' learns " + choice_name(phase.of) +
+                      ", not " + choice_name(*description.of),
+                  "write of = \"" + choice_name(phase.of) + "\", or leave it out");
+  }
+
+  Result<void> check_learners(const Phase& phase, const PhaseDescription& description) const {
+    if (phase.learners.size() == 1 && learner(phase.learners.front()).learns_at_once() &&
+        !in_loop(phase.learners.front())) {
+      return check_alone(phase, description);
+    }
+    for (const std::size_t module : phase.learners) {
+      if (learner(module).learns_by_draws()) continue;
+      return refuse(description,
+                    "'" + name(module) + "' learns from everything at once, which it cannot do " +
+                        (phase.learners.size() > 1 ? "together with others" : "here"),
+                    phase.learners.size() > 1
+                        ? "leave it out of this phase: it then learns as soon as it can"
+                        : "bring its input to one value an exploration, and out of loops");
+    }
+    if (phase.learners.size() > 1 && !phase.draws) {
+      return refuse(description, "the phase does not say how long its modules learn",
+                    "write draws = ...");
+    }
+    return check_between(phase, description);
+  }
+
+  // What a phase says, its modules cannot say as well; and where it draws, its modules do not.
+  Result<void> check_said_once(const Phase& phase) const {
+    for (const std::size_t module : phase.learners) {
+      const bool phase_draws = phase.learners.size() > 1 || in_loop(module) ||
+                               !learner(module).learns_at_once();
+      for (const auto& [key, of_phase, elsewhere] :
+           {std::tuple{"iterations", "draws", phase.draws.has_value()},
+            std::tuple{"draws", "order", phase.order.has_value() || phase_draws}}) {
+        const Table::Entry* entry = system_.description().modules[module].settings.find(key);
+        if (!elsewhere || !entry) continue;
+        return fail(system_.at_module(
+            without_effect(key, std::string("that is for its [[phase]] to say, as '") + of_phase +
+                                    "'",
+                           entry->where),
+            module));
+      }
+    }
+    return {};
+  }
+
+  bool in_loop(std::size_t module) const { return system_.wiring().reaches(module, module); }
+
+  Result<void> check_alone(const Phase& phase, const PhaseDescription& description) const {
+    if (learner(phase.learners.front()).learns_by_draws()) return {};
+    if (!description.draws && !description.order) return {};
+    return refuse(description,
+                  "'" + name(phase.learners.front()) +
+                      "' learns from everything at once: nothing is drawn",
+                  "leave out 'draws' and 'order'");
+  }
+
+  // Frames are computed one after the other, so that nothing in between may need them all.
+  Result<void> check_between(const Phase& phase, const PhaseDescription& description) const {
+    if (phase.of == Rate::kExploration) return {};
+    for (const std::size_t module : computed_in(system_, phase)) {
+      if (system_.modules()[module].module->is_stepped()) continue;
+      return refuse(description,
+                    "'" + name(module) +
+                        "' needs explorations as a whole, so the modules before and after it "
+                        "cannot learn frames together",
+                    "give each a phase of its own");
+    }
+    return {};
+  }
+
+  const System& system_;
+  std::vector<bool> planned_;
+  std::vector<Phase> phases_;
+};
+
+}  // namespace
+
+Result<std::vector<Phase>> plan_phases(const System& system) { return Planner(system).plan(); }
+
+std::vector<std::size_t> computed_in(const System& system, const Phase& phase) {
+  const Wiring& wiring = system.wiring();
+  const auto is_near = [&](std::size_t module, bool after) {
+    return std::any_of(phase.learners.begin(), phase.learners.end(), [&](std::size_t learner) {
+      return learner == module ||
+             (after ? wiring.reaches(learner, module) : wiring.reaches(module, learner));
+    });
+  };
+  std::vector<std::size_t> computed;
+  for (const auto& group : wiring.groups()) {
+    for (const std::size_t module : group) {
+      if (is_near(module, true) && is_near(module, false)) computed.push_back(module);
+    }
+  }
+  return computed;
+}
+
+}  // namespace somato

@@ -1,0 +1,174 @@
+#include "somato/graph/system_model.h"
+
+#include <set>
+#include <utility>
+
+#include "graph/labels_part.h"
+#include "graph/model_parts.h"
+#include "graph/modules/som_module.h"
+#include "maps/map_parts.h"
+#include "somato/core/check.h"
+#include "somato/files/archive.h"
+#include "somato/files/toml_file.h"
+
+namespace somato {
+namespace {
+
+const std::string kKind = "system";
+
+std::string prefix_of(const SystemModule& module) { return "module." + module.name + "."; }
+
+// A channel of the layout as TOML reads it.
+struct ChannelPart {
+  ChannelLayout channel;
+
+  static const Declarations<ChannelPart>& declarations() {
+    using P = ChannelPart;
+    static const auto declared =
+        Declarations<P>()
+            .add("name", [](P& p) -> auto& { return p.channel.name; }, "", Range::any(), "Name.")
+            .add("unit", [](P& p) -> auto& { return p.channel.unit; }, "", Range::any(), "Unit.")
+            .add(
+                "shape", [](P& p) -> auto& { return p.channel.shape; }, "", Range::at_least(1),
+                "Shape of a frame.")
+            .add(
+                "elements", [](P& p) -> auto& { return p.channel.element_names; }, "",
+                Range::any(), "Names of the elements.")
+            .add(
+                "clock", [](P& p) -> auto& { return p.channel.clock; }, "", Range::any(),
+                "Whose frames go together with its own.");
+    return declared;
+  }
+};
+
+std::string layout_to_toml(const RecordingLayout& layout) {
+  std::string text;
+  for (const ChannelLayout& channel : layout.channels) {
+    text += "[[channel]]\n" + parameters_to_toml(ChannelPart{channel});
+  }
+  return text;
+}
+
+Result<RecordingLayout> read_layout(const std::string& text, const std::string& where) {
+  const auto table = parse_toml(text, where);
+  if (!table) return damaged_model(table.error(), where);
+  RecordingLayout layout;
+  for (const Table::Entry& entry : table->entries) {
+    const auto* channels = std::get_if<std::vector<Table>>(&entry.content);
+    if (!channels || entry.name != "channel") return damaged_model("the layout is none", where);
+    for (const Table& channel : *channels) {
+      auto part = read_parameters<ChannelPart>(channel);
+      if (!part) return damaged_model(std::move(part.error()), where);
+      layout.channels.push_back(std::move(part->channel));
+    }
+  }
+  return layout;
+}
+
+struct AnswerPart {
+  SystemAnswer answer;
+
+  static const Declarations<AnswerPart>& declarations() {
+    using P = AnswerPart;
+    static const auto declared =
+        Declarations<P>()
+            .add("map", [](P& p) -> auto& { return p.answer.map; }, "", Range::any(), "Map.")
+            .add("label", [](P& p) -> auto& { return p.answer.label; }, "", Range::any(), "Label.")
+            .add(
+                "classes", [](P& p) -> auto& { return p.answer.classes; }, "", Range::any(),
+                "Names of the classes.");
+    return declared;
+  }
+};
+
+void require_fit(const System& system, const SystemAnswer& answer) {
+  const auto module = system.find(answer.map);
+  const Som* som = module ? som_of(system, *module) : nullptr;
+  require(som != nullptr, "a system's answer needs the name of a map");
+  require(som->neurons() == answer.labels.neurons() && !answer.labels.labelled().empty(),
+          "a system's answer needs a label or none for each neuron of the map, and at least one");
+  for (const std::size_t neuron : answer.labels.labelled()) {
+    require(*answer.labels[neuron] < answer.classes.size(), "a neuron's class has no name");
+  }
+}
+
+Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
+                                 const std::string& where) {
+  auto part = parameters_from<AnswerPart>(archive, "answer", where);
+  if (!part) return fail(std::move(part.error()));
+  const auto module = system.find(part->answer.map, where);
+  const Som* som = module ? som_of(system, *module) : nullptr;
+  if (som == nullptr) return damaged_model("the map that answers is not there", where);
+  auto labels = labels_from(archive, som->neurons(), part->answer.classes.size(), where);
+  if (!labels) return fail(std::move(labels.error()));
+  part->answer.labels = std::move(*labels);
+  return std::move(part->answer);
+}
+
+Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer) {
+  Archive archive(kKind);
+  archive.add("description", to_toml(system.description()));
+  archive.add("layout", layout_to_toml(system.layout()));
+  for (const SystemModule& module : system.modules()) {
+    if (const Learner* learner = module.module->learner()) learner->save(archive, prefix_of(module));
+  }
+  if (answer) {
+    archive.add("answer", parameters_to_toml(AnswerPart{*answer}));
+    archive.add("labels", labels_array(answer->labels));
+  }
+  return archive;
+}
+
+Result<System> build(const Archive& archive, const std::string& where) {
+  const auto description = archive.get<std::string>("description", where);
+  if (!description) return fail(description.error());
+  const auto layout_text = archive.get<std::string>("layout", where);
+  if (!layout_text) return fail(layout_text.error());
+  const auto table = parse_toml(**description, where);
+  if (!table) return damaged_model(table.error(), where);
+  auto read = read_system(*table);
+  if (!read) return damaged_model(std::move(read.error()), where);
+  auto layout = read_layout(**layout_text, where);
+  if (!layout) return fail(std::move(layout.error()));
+  auto system = System::build(std::move(*read), std::move(*layout));
+  if (!system) return damaged_model(std::move(system.error()), where);
+  return system;
+}
+
+}  // namespace
+
+const Som* som_of(const System& system, std::size_t module) {
+  const auto* som = dynamic_cast<const modules::SomModule*>(system.modules()[module].module.get());
+  return som != nullptr ? &som->som() : nullptr;
+}
+
+Result<void> save_system(const std::string& path, const System& system,
+                         const std::optional<SystemAnswer>& answer) {
+  if (answer) require_fit(system, *answer);
+  return save_archive(path, archive_of(system, answer));
+}
+
+Result<SystemModel> load_system(const std::string& path) {
+  const auto archive = load_archive(path);
+  if (!archive) return fail(archive.error());
+  if (auto right = check_kind(*archive, kKind, path); !right) return fail(right.error());
+  auto system = build(*archive, path);
+  if (!system) return fail(std::move(system.error()));
+  for (const SystemModule& module : system->modules()) {
+    Learner* learner = module.module->learner();
+    if (learner == nullptr) continue;
+    auto loaded = learner->load(*archive, prefix_of(module), path);
+    if (!loaded) return damaged_model(std::move(loaded.error()), path);
+  }
+  SystemModel model{std::move(*system), {}};
+  if (archive->find("answer")) {
+    auto answer = read_answer(*archive, model.system, path);
+    if (!answer) return fail(std::move(answer.error()));
+    model.answer = std::move(*answer);
+  }
+  // Saving again must give the same parts, neither more nor fewer.
+  if (archive_of(model.system, model.answer) == *archive) return model;
+  return damaged_model("the parts do not belong together", path);
+}
+
+}  // namespace somato

@@ -1,0 +1,38 @@
+#include "somato/recording/layout.h"
+
+#include <algorithm>
+
+namespace somato {
+namespace {
+
+std::vector<std::size_t> frames_of(const Recording& recording, std::size_t channel) {
+  std::vector<std::size_t> frames;
+  frames.reserve(recording.explorations.size());
+  for (const Exploration& exploration : recording.explorations) {
+    frames.push_back(exploration.channels[channel].frames.rows());
+  }
+  return frames;
+}
+
+}  // namespace
+
+RecordingLayout layout_of(const Recording& recording) {
+  RecordingLayout layout;
+  layout.explorations = recording.explorations.size();
+  if (recording.explorations.empty()) return layout;
+  std::vector<std::vector<std::size_t>> frames;
+  for (const Channel& channel : recording.explorations.front().channels) {
+    frames.push_back(frames_of(recording, layout.channels.size()));
+    const auto same = std::find(frames.begin(), frames.end(), frames.back()) - frames.begin();
+    const auto first = static_cast<std::size_t>(same);
+    layout.channels.push_back(
+        {channel.name, channel.unit, channel.frame_shape(), channel.element_names,
+         first + 1 < frames.size() ? layout.channels[first].name : channel.name});
+    std::size_t total = 0;
+    for (const std::size_t count : frames.back()) total += count;
+    layout.frames = std::max(layout.frames, total);
+  }
+  return layout;
+}
+
+}  // namespace somato
