@@ -83,6 +83,7 @@ const modules::Delay* delay_of(const SystemModule& module) {
 
 }  // namespace
 
+System::System() = default;
 System::System(System&&) noexcept = default;
 System& System::operator=(System&&) noexcept = default;
 System::~System() = default;

@@ -1,30 +1,85 @@
 #include "somato/studies/protocol.h"
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "somato/core/check.h"
+#include "somato/core/random.h"
 
 namespace somato {
+namespace {
 
-const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
-  static const std::vector<std::pair<Protocol, std::string>> choices{
-      {Protocol::kTrainIsTest, "train_is_test"}, {Protocol::kLeaveOneOut, "leave_one_out"}};
-  return choices;
+std::vector<std::size_t> range(std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> numbers(end - begin);
+  std::iota(numbers.begin(), numbers.end(), begin);
+  return numbers;
 }
 
-std::vector<Fold> folds(Protocol protocol, std::size_t samples) {
-  require(samples >= (protocol == Protocol::kTrainIsTest ? 1U : 2U),
-          "a protocol needs something to train on");
-  std::vector<std::size_t> all(samples);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  if (protocol == Protocol::kTrainIsTest) return {{all, all}};
+// A fold for each part: `parts[i]` says which one sample i is tested in.
+std::vector<Fold> folds_of_parts(const std::vector<std::size_t>& parts) {
+  const std::set<std::size_t> distinct(parts.begin(), parts.end());
   std::vector<Fold> folds;
-  for (std::size_t left_out = 0; left_out < samples; ++left_out) {
-    Fold fold{all, {left_out}};
-    fold.training.erase(fold.training.begin() + static_cast<std::ptrdiff_t>(left_out));
+  folds.reserve(distinct.size());
+  for (const std::size_t part : distinct) {
+    Fold fold;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      (parts[i] == part ? fold.test : fold.training).push_back(i);
+    }
     folds.push_back(std::move(fold));
   }
   return folds;
+}
+
+// Class by class, each in random order, the samples are dealt to the parts in turn.
+std::vector<std::size_t> deal(const FoldSamples& samples) {
+  Random random(samples.seed, Stream::kGroupings);
+  std::vector<std::size_t> order = range(0, samples.samples);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return samples.classes[a] < samples.classes[b];
+  });
+  std::vector<std::size_t> parts(samples.samples);
+  for (std::size_t i = 0; i < order.size(); ++i) parts[order[i]] = i % samples.folds;
+  return parts;
+}
+
+}  // namespace
+
+const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
+  static const std::vector<std::pair<Protocol, std::string>> choices{
+      {Protocol::kTrainIsTest, "train_is_test"},
+      {Protocol::kLeaveOneOut, "leave_one_out"},
+      {Protocol::kLeaveGroupOut, "leave_group_out"},
+      {Protocol::kFolds, "k_folds"},
+      {Protocol::kTestData, "test_data"}};
+  return choices;
+}
+
+std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
+  const bool divides = protocol != Protocol::kTrainIsTest && protocol != Protocol::kTestData;
+  require(samples.samples >= (divides ? 2U : 1U), "a protocol needs something to train on");
+  const std::vector<std::size_t> all = range(0, samples.samples);
+  switch (protocol) {
+    case Protocol::kTrainIsTest:
+      return {{all, all}};
+    case Protocol::kTestData:
+      require(samples.test_samples > 0, "test_data needs samples to test");
+      return {{all, range(samples.samples, samples.samples + samples.test_samples)}};
+    case Protocol::kLeaveOneOut:
+      return folds_of_parts(all);
+    case Protocol::kLeaveGroupOut: {
+      require(samples.groups.size() == samples.samples, "leave_group_out needs a group a sample");
+      std::vector<Fold> groups = folds_of_parts(samples.groups);
+      require(groups.size() >= 2, "leave_group_out needs two groups");
+      return groups;
+    }
+    case Protocol::kFolds:
+      break;
+  }
+  require(samples.classes.size() == samples.samples, "k_folds needs a class a sample");
+  require(samples.folds >= 2 && samples.folds <= samples.samples, "k_folds needs a sample a fold");
+  return folds_of_parts(deal(samples));
 }
 
 }  // namespace somato

@@ -1,12 +1,13 @@
 #include "studies/question.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
-#include "somato/codes/standardization.h"
-#include "somato/studies/nearest_neighbour.h"
+#include "somato/graph/system_model.h"
 
 namespace somato {
 namespace {
@@ -21,12 +22,11 @@ Result<std::vector<std::string>> labels_of(const Recording& recording, const std
   return labels;
 }
 
-Result<std::vector<std::size_t>> individuals_of(const Recording& recording,
-                                                const std::string& name) {
-  std::vector<std::size_t> individuals;
+Result<std::vector<std::size_t>> numbers_of(const Recording& recording, const std::string& name) {
   if (name.empty()) {
-    for (std::size_t i = 0; i < recording.explorations.size(); ++i) individuals.push_back(i);
-    return individuals;
+    std::vector<std::size_t> numbers(recording.explorations.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
+    return numbers;
   }
   return labels_of(recording, name).map([](const std::vector<std::string>& labels) {
     return Classes::from_names(labels).of_sample;
@@ -47,49 +47,119 @@ Result<void> check_individuals(const Question& question, const StudyParameters& 
   return {};
 }
 
-Result<Standardization> standardize_on(const Question& question, const VectorParameters& parameters,
-                                       const std::vector<std::size_t>& training) {
-  // The baseline alone must not refuse what the map takes as it is.
-  const ConstantColumns constant =
-      parameters.standardize ? parameters.constant_columns : ConstantColumns::kZero;
-  return Standardization::fit(question.vectors.samples.subset(training), {constant},
-                              question.vectors.element_names);
+Result<Recording> join(const Recording& recording, const Recording* test) {
+  Recording all = recording;
+  if (test) {
+    all.explorations.insert(all.explorations.end(), test->explorations.begin(),
+                            test->explorations.end());
+  }
+  if (auto valid = validate(all); !valid) return fail(std::move(valid.error()));
+  return all;
 }
 
-Result<PreparedFold> prepare_fold(const Question& question, const VectorParameters& parameters,
-                                  Fold fold) {
-  const Samples& raw = question.vectors.samples;
-  PreparedFold prepared{std::move(fold), raw, {}, {}};
-  const std::vector<std::size_t>& training = prepared.fold.training;
-  std::optional<Samples> standardized;
-  if (training.size() >= 2) {
-    auto standardization = standardize_on(question, parameters, training);
-    if (!standardization) return fail(std::move(standardization.error()));
-    standardized = standardization->apply(raw);
+Result<void> divide(const StudyParameters& study, std::size_t learned, Question& question) {
+  const std::size_t all = question.recording.explorations.size();
+  question.samples.samples = learned;
+  question.samples.test_samples = all - learned;
+  question.samples.folds = study.folds;
+  question.samples.seed = study.first_seed;
+  question.samples.classes = question.classes.of_sample;
+  question.samples.classes.resize(learned);
+  auto groups = numbers_of(question.recording, study.group);
+  if (!groups) return fail(std::move(groups.error()));
+  question.samples.groups = std::move(*groups);
+  question.samples.groups.resize(learned);
+  const auto& first = question.samples.groups.front();
+  for (const Protocol protocol : study.protocols) {
+    if (protocol == Protocol::kFolds && study.folds > learned) {
+      return fail(ErrorKind::kData,
+                  fmt::format("{} explorations cannot be divided into {} parts", learned,
+                              study.folds),
+                  {}, "write a smaller number of 'folds' in [study]");
+    }
+    if (protocol == Protocol::kLeaveGroupOut &&
+        std::count(question.samples.groups.begin(), question.samples.groups.end(), first) ==
+            static_cast<std::ptrdiff_t>(learned)) {
+      return fail(ErrorKind::kData, "every exploration has the same '" + study.group + "'", {},
+                  "there are no groups to leave out; name another label as 'group'");
+    }
   }
-  const Samples& comparable = standardized ? *standardized : raw;
-  for (const std::size_t sample : prepared.fold.test) {
-    prepared.raw_baseline.push_back(
-        nearest_neighbour_class(raw, training, sample, question.classes.of_sample));
-    prepared.standardized_baseline.push_back(
-        nearest_neighbour_class(comparable, training, sample, question.classes.of_sample));
+  return {};
+}
+
+bool answers(const System& system, std::size_t module) {
+  if (!som_of(system, module)) return false;
+  const auto& modules = system.modules();
+  return std::none_of(modules.begin(), modules.end(), [&](const SystemModule& listener) {
+    return std::find(listener.inputs.begin(), listener.inputs.end(), module) !=
+           listener.inputs.end();
+  });
+}
+
+Result<std::size_t> find_map(const System& system, const std::string& name) {
+  std::vector<std::string> candidates;
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
+      candidates.push_back(system.modules()[module].name);
+    }
   }
-  if (parameters.standardize) prepared.samples = comparable;
-  return prepared;
+  if (!name.empty()) {
+    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
+      return system.find(name);
+    }
+    return fail(unknown_name("module of type som", name, {}, candidates));
+  }
+  if (candidates.size() == 1) return system.find(candidates.front());
+  return fail(ErrorKind::kUsage,
+              candidates.empty() ? "the system has no map that answers"
+                                 : "more than one map could answer",
+              {},
+              candidates.empty()
+                  ? "add a module of type som, or name one with 'map' in [study]"
+                  : fmt::format("name one of {} with 'map' in [study]",
+                                fmt::join(candidates, ", ")));
+}
+
+Result<void> find_modules(const System& system, const StudyParameters& study, Question& question) {
+  const auto map = find_map(system, study.map);
+  if (!map) return fail(map.error());
+  question.map = *map;
+  question.vectors = system.modules()[*map].inputs.front();
+  const SystemModule& input = system.modules()[question.vectors];
+  if (input.output.rate == Rate::kFrame) {
+    return fail(system.at_module({ErrorKind::kUsage,
+                                  "a study asks about explorations, and this map has frames coming "
+                                  "in",
+                                  {}, "put the frames together first, as with 'last'"},
+                                 *map));
+  }
+  if (input.type->name == "standardization") question.vectors = input.inputs.front();
+  return {};
 }
 
 }  // namespace
 
-Result<Question> make_question(const StudyDescription& description, const Recording& recording) {
+Result<System> Question::system(const StudyDescription& description) const {
+  return System::build(description.system, layout);
+}
+
+Result<Question> make_question(const StudyDescription& description, const Recording& recording,
+                               const Recording* test, std::size_t threads) {
   if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
-  auto labels = labels_of(recording, description.study.label);
+  Question question;
+  auto all = join(recording, test);
+  if (!all) return fail(std::move(all.error()));
+  question.recording = std::move(*all);
+  question.layout = layout_of(question.recording);
+  auto system = question.system(description);
+  if (!system) return fail(std::move(system.error()));
+  auto labels = labels_of(question.recording, description.study.label);
   if (!labels) return fail(std::move(labels.error()));
-  auto individuals = individuals_of(recording, description.study.individual);
+  question.classes = Classes::from_names(*labels);
+  auto individuals = numbers_of(question.recording, description.study.individual);
   if (!individuals) return fail(std::move(individuals.error()));
-  auto vectors = make_vectors(recording, description.vector);
-  if (!vectors) return fail(std::move(vectors.error()));
-  Question question{std::move(*vectors), Classes::from_names(*labels), std::move(*individuals)};
-  if (question.vectors.samples.count() < 2) {
+  question.individuals = std::move(*individuals);
+  if (recording.explorations.size() < 2) {
     return fail(ErrorKind::kData, "the recording has only one exploration", {},
                 "a study needs at least two");
   }
@@ -98,22 +168,19 @@ Result<Question> make_question(const StudyDescription& description, const Record
                 "every exploration has the same '" + description.study.label + "'", {},
                 "there is nothing to tell apart; name another label");
   }
-  if (auto whole = check_individuals(question, description.study); !whole) {
-    return fail(std::move(whole.error()));
-  }
+  Result<void> ready = check_individuals(question, description.study)
+                           .and_then([&] {
+                             return divide(description.study, recording.explorations.size(),
+                                           question);
+                           })
+                           .and_then([&] {
+                             return find_modules(*system, description.study, question);
+                           });
+  if (!ready) return fail(std::move(ready.error()));
+  auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
+  if (!fixed) return fail(std::move(fixed.error()));
+  question.fixed = std::move(*fixed);
   return question;
-}
-
-Result<std::vector<PreparedFold>> prepare_folds(const Question& question,
-                                                const VectorParameters& parameters,
-                                                Protocol protocol) {
-  std::vector<PreparedFold> prepared;
-  for (Fold& fold : folds(protocol, question.vectors.samples.count())) {
-    auto ready = prepare_fold(question, parameters, std::move(fold));
-    if (!ready) return fail(std::move(ready.error()));
-    prepared.push_back(std::move(*ready));
-  }
-  return prepared;
 }
 
 }  // namespace somato

@@ -19,35 +19,6 @@ Result<void> read_part(const Table::Entry& entry, Parameters& parameters) {
   return {};
 }
 
-Result<void> refuse_without_effect(const Table& table, const SomParameters& parameters) {
-  for (const Table::Entry& key : table.entries) {
-    const std::string reason = reason_without_effect(parameters, key.name);
-    if (!reason.empty()) return fail(without_effect(key.name, reason, key.where));
-  }
-  return {};
-}
-
-// A study gives every run a seed of its own, so that one in [map] would be passed over.
-Result<void> read_map(const Table::Entry& entry, SomParameters& parameters) {
-  const Table* table = std::get_if<Table>(&entry.content);
-  const Table::Entry* seed = table ? table->find("seed") : nullptr;
-  if (!seed) {
-    if (auto read = read_part(entry, parameters); !read) return read;
-    return refuse_without_effect(*table, parameters);
-  }
-  return fail(ErrorKind::kUsage, "a study's map has no 'seed' of its own", seed->where,
-              "write first_seed = ... in [study]");
-}
-
-Result<void> read_part(const Table::Entry& entry, StudyDescription& description) {
-  if (entry.name == "study") return read_part(entry, description.study);
-  if (entry.name == "recording") return read_part(entry, description.recording);
-  if (entry.name == "vector") return read_part(entry, description.vector);
-  if (entry.name == "map") return read_map(entry, description.map);
-  return fail(
-      unknown_name("table", entry.name, entry.where, {"study", "recording", "vector", "map"}));
-}
-
 template <typename T>
 bool has_duplicates(std::vector<T> values) {
   std::sort(values.begin(), values.end());
@@ -67,11 +38,19 @@ Result<void> check_complete(const StudyDescription& description, const std::stri
   if (has_duplicates(description.study.protocols)) {
     return missing("a protocol is named twice", "name each of protocols in [study] once");
   }
-  if (has_duplicates(description.vector.channels)) {
-    return missing("a channel is named twice", "name each of channels in [vector] once");
+  const auto has = [&](Protocol protocol) {
+    const std::vector<Protocol>& all = description.study.protocols;
+    return std::find(all.begin(), all.end(), protocol) != all.end();
+  };
+  if (has(Protocol::kTestData)) {
+    return missing("'test_data' is no protocol to name", "run the study with --test-data instead");
   }
-  if (description.vector.channels.empty()) {
-    return missing("the study names no channels", "add channels = [\"...\"] to [vector]");
+  if (has(Protocol::kLeaveGroupOut) == description.study.group.empty()) {
+    return missing(description.study.group.empty()
+                       ? "leave_group_out needs the label whose groups are left out"
+                       : "'group' has no effect without the protocol leave_group_out",
+                   description.study.group.empty() ? "add group = \"...\" to [study]"
+                                                   : "leave it out, or add the protocol");
   }
   return {};
 }
@@ -81,14 +60,6 @@ Result<void> check_complete(const StudyDescription& description, const std::stri
 const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
   static const std::vector<std::pair<RecordingFormat, std::string>> choices{
       {RecordingFormat::kIcubGrasp, "icub_grasp"}};
-  return choices;
-}
-
-const std::vector<std::pair<FrameChoice, std::string>>& Choices<FrameChoice>::all() {
-  static const std::vector<std::pair<FrameChoice, std::string>> choices{
-      {FrameChoice::kFirst, "first"},
-      {FrameChoice::kLast, "last"},
-      {FrameChoice::kChange, "change"}};
   return choices;
 }
 
@@ -107,10 +78,20 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
               "Label of what is dealt to classes anew in wrong groupings, such as the object when "
               "the label is its shape; empty: each exploration on its own.")
           .add(
+              "map", [](P& p) -> auto& { return p.map; }, "", Range::any(),
+              "Name of the module of type som whose winners answer; empty: the one that no other "
+              "module listens to.")
+          .add(
               "protocols", [](P& p) -> auto& { return p.protocols; }, "", Range::any(),
-              "Which samples are learned from and which are tested: all for both, as in the "
-              "papers, or "
-              "each in turn on a map that never met it.")
+              "Which explorations are learned from and which are tested: all for both, as in the "
+              "papers; or each in turn, each group, or each of some equal parts on what never met "
+              "it. test_data comes with --test-data.")
+          .add(
+              "group", [](P& p) -> auto& { return p.group; }, "", Range::any(),
+              "Label whose values are the groups of leave_group_out.")
+          .add(
+              "folds", [](P& p) -> auto& { return p.folds; }, "", Range::between(2, 1e6),
+              "Number of parts of k_folds.")
           .add(
               "seeds", [](P& p) -> auto& { return p.seeds; }, "", Range::between(1, 1e6),
               "Number of seeds, each a map of its own. The papers show one map.")
@@ -132,34 +113,18 @@ const Declarations<RecordingParameters>& RecordingParameters::declarations() {
   return declared;
 }
 
-const Declarations<VectorParameters>& VectorParameters::declarations() {
-  using P = VectorParameters;
-  static const auto declared =
-      Declarations<P>()
-          .add(
-              "channels", [](P& p) -> auto& { return p.channels; }, "", Range::any(),
-              "Channels of the recording, put after each other. Have to be given.")
-          .add(
-              "frames", [](P& p) -> auto& { return p.frames; }, "", Range::any(),
-              "Which frames of an exploration make its vector: the first, the last, or the last "
-              "less "
-              "the first. P11 III reads the joints once, when the hand is closed.")
-          .add(
-              "standardize", [](P& p) -> auto& { return p.standardize; }, "", Range::any(),
-              "Give each element mean 0 and standard deviation 1, learned on the training part.")
-          .add(
-              "constant_columns", [](P& p) -> auto& { return p.constant_columns; }, "",
-              Range::any(),
-              "What happens to an element that never changes in the training part: it is an error, "
-              "or it becomes 0.");
-  return declared;
-}
-
 Result<StudyDescription> read_study(const Table& file) {
   StudyDescription description;
   for (const Table::Entry& entry : file.entries) {
-    if (auto part = read_part(entry, description); !part) return fail(std::move(part.error()));
+    Result<void> part;
+    if (entry.name == "study") part = read_part(entry, description.study);
+    if (entry.name == "recording") part = read_part(entry, description.recording);
+    if (!part) return fail(std::move(part.error()));
   }
+  auto system = read_system(file, {"study", "recording"});
+  if (!system) return fail(std::move(system.error()));
+  description.system = std::move(*system);
+  if (description.system.name.empty()) description.system.name = description.study.name;
   if (auto complete = check_complete(description, file.where); !complete) {
     return fail(std::move(complete.error()));
   }

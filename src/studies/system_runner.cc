@@ -1,6 +1,7 @@
 #include "studies/system_runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "somato/studies/wrong_groupings.h"
@@ -8,28 +9,18 @@
 namespace somato {
 namespace {
 
-double share_right(const std::vector<PreparedFold>& folds, const Question& question,
-                   std::vector<std::size_t> PreparedFold::* predictions) {
-  double right = 0.0;
-  for (const PreparedFold& fold : folds) {
-    for (std::size_t i = 0; i < fold.fold.test.size(); ++i) {
-      const std::size_t true_class = question.classes.of_sample[fold.fold.test[i]];
-      right += (fold.*predictions)[i] == true_class ? 1.0 : 0.0;
-    }
-  }
-  return right / static_cast<double>(question.classes.of_sample.size());
+constexpr auto kNowAndThen = std::chrono::milliseconds(50);
+
+std::vector<std::size_t> all_tested(const std::vector<Fold>& folds) {
+  std::vector<std::size_t> tested;
+  for (const Fold& fold : folds) tested.insert(tested.end(), fold.test.begin(), fold.test.end());
+  std::sort(tested.begin(), tested.end());
+  return tested;
 }
 
-Metric accuracy(const std::vector<Run>& runs) {
-  Metric metric{"accuracy", {}};
-  for (const Run& run : runs) {
-    double right = 0.0;
-    for (std::size_t i = 0; i < run.labels.size(); ++i) {
-      right += run.labels[i] == run.predictions[i] ? 1.0 : 0.0;
-    }
-    metric.values.push_back(right / static_cast<double>(run.labels.size()));
-  }
-  return metric;
+// The better of the two, seed by seed on average: in favour of the baseline.
+Metric better_of(const Metric& a, const Metric& b) {
+  return {"baseline_accuracy", a.mean() >= b.mean() ? a.values : b.values};
 }
 
 }  // namespace
@@ -40,6 +31,17 @@ void Tally::one_done() {
   if (progress_ && !progress_(done_, total_)) {
     keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
   }
+}
+
+bool Tally::goes_on() {
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (stopped_ || now - asked_ < kNowAndThen) return !stopped_;
+  asked_ = now;
+  if (progress_ && !progress_(done_, total_)) {
+    keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
+  }
+  return !stopped_;
 }
 
 void Tally::failed(Error error) {
@@ -53,21 +55,29 @@ void Tally::keep(Error error) {
 }
 
 SystemRunner::SystemRunner(const StudyDescription& description, const Question& question,
-                           Protocol protocol, std::vector<PreparedFold> folds)
+                           Protocol protocol, std::size_t number)
     : description_(description),
       question_(question),
       protocol_(protocol),
-      folds_(std::move(folds)),
+      number_(number),
+      folds_(folds(protocol, question.samples)),
+      tested_(all_tested(folds_)),
       outcomes_(description.study.seeds * folds_.size()) {}
 
-void SystemRunner::run(std::size_t training, Tally& tally) {
+void SystemRunner::run(std::size_t training, Journal& journal, Tally& tally) {
   if (tally.stopped()) return;
+  if (const FoldOutcome* known = journal.find(number_, training)) {
+    outcomes_[training] = *known;
+    return tally.one_done();
+  }
   const std::size_t seed_index = training / folds_.size();
-  SomParameters parameters = description_.map;
-  parameters.seed = seed(seed_index);
-  auto outcome = run_fold(parameters, folds_[training % folds_.size()], question_.classes.of_sample,
-                          wrong_groupings_of(seed_index));
+  auto outcome = run_fold(description_, question_, folds_[training % folds_.size()],
+                          seed(seed_index), wrong_groupings_of(seed_index),
+                          [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
   if (!outcome) return tally.failed(std::move(outcome.error()));
+  if (auto kept = journal.add(number_, training, *outcome); !kept) {
+    return tally.failed(std::move(kept.error()));
+  }
   outcomes_[training] = std::move(*outcome);
   tally.one_done();
 }
@@ -77,26 +87,28 @@ SystemResults SystemRunner::results() const {
   results.name = description_.study.name;
   results.protocol = choice_name(protocol_);
   results.label = description_.study.label;
-  results.samples = question_.classes.of_sample.size();
+  results.samples = tested_.size();
   for (std::size_t s = 0; s < description_.study.seeds; ++s) results.runs.push_back(run_of(s));
-  results.metrics = metrics(results.runs);
+  results.metrics = metrics();
   return results;
 }
 
 Run SystemRunner::run_of(std::size_t seed_index) const {
-  const std::size_t samples = question_.classes.of_sample.size();
+  const std::size_t samples = tested_.size();
   Run run{seed(seed_index), std::vector<std::size_t>(samples), {}, {}};
   run.predictions.resize(samples);
+  const std::vector<std::string>& names = question_.classes.names;
   for (std::size_t f = 0; f < folds_.size(); ++f) {
     const FoldOutcome& result = outcome(seed_index, f);
     for (std::size_t i = 0; i < result.winners.size(); ++i) {
-      const std::size_t sample = folds_[f].fold.test[i];
+      const auto place = std::lower_bound(tested_.begin(), tested_.end(), folds_[f].test[i]);
+      const auto sample = static_cast<std::size_t>(place - tested_.begin());
       run.winners[sample] = result.winners[i];
-      run.predictions[sample] = question_.classes.names[result.predictions[i]];
+      run.predictions[sample] = names[result.predictions[i]];
     }
   }
-  for (const std::size_t its_class : question_.classes.of_sample) {
-    run.labels.push_back(question_.classes.names[its_class]);
+  for (const std::size_t sample : tested_) {
+    run.labels.push_back(names[question_.classes.of_sample[sample]]);
   }
   return run;
 }
@@ -113,29 +125,41 @@ Metric SystemRunner::over_folds(std::string name, std::size_t count, const Value
   return metric;
 }
 
-// The baseline knows no seed: the same value for each.
-Metric SystemRunner::for_every_seed(std::string name, double value) const {
-  return {std::move(name), std::vector<double>(description_.study.seeds, value)};
+// The share of the tested samples whose class was predicted.
+Metric SystemRunner::accuracy(std::string name, Predictions predictions) const {
+  Metric metric{std::move(name), {}};
+  for (std::size_t s = 0; s < description_.study.seeds; ++s) {
+    std::size_t right = 0;
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      const std::vector<std::size_t>& predicted = outcome(s, f).*predictions;
+      for (std::size_t i = 0; i < predicted.size(); ++i) {
+        const std::size_t true_class = question_.classes.of_sample[folds_[f].test[i]];
+        right += predicted[i] == true_class ? 1 : 0;
+      }
+    }
+    metric.values.push_back(static_cast<double>(right) / static_cast<double>(tested_.size()));
+  }
+  return metric;
 }
 
-std::vector<Metric> SystemRunner::metrics(const std::vector<Run>& runs) const {
-  const double raw = share_right(folds_, question_, &PreparedFold::raw_baseline);
-  const double standardized = share_right(folds_, question_, &PreparedFold::standardized_baseline);
-  const std::size_t samples = question_.classes.of_sample.size();
+std::vector<Metric> SystemRunner::metrics() const {
+  const Metric raw = accuracy("baseline_accuracy_raw", &FoldOutcome::raw_baseline);
+  const Metric standardized =
+      accuracy("baseline_accuracy_standardized", &FoldOutcome::standardized_baseline);
   std::vector<Metric> metrics{
-      accuracy(runs),
-      for_every_seed("baseline_accuracy", std::max(raw, standardized)),
-      for_every_seed("baseline_accuracy_raw", raw),
-      for_every_seed("baseline_accuracy_standardized", standardized),
+      accuracy("accuracy", &FoldOutcome::predictions),
+      better_of(raw, standardized),
+      raw,
+      standardized,
       over_folds("individuals_apart", folds_.size(),
                  [](const FoldOutcome& o) { return o.apart ? 1.0 : 0.0; }),
       over_folds("areas_connected", folds_.size(),
                  [](const FoldOutcome& o) { return o.connected ? 1.0 : 0.0; }),
       over_folds("areas_connected_wrong_groupings", folds_.size(),
                  [](const FoldOutcome& o) { return o.connected_wrong; }),
-      over_folds("quantization_error", samples,
+      over_folds("quantization_error", tested_.size(),
                  [](const FoldOutcome& o) { return o.summed_distance; }),
-      over_folds("topographic_error", samples, [](const FoldOutcome& o) { return o.torn; }),
+      over_folds("topographic_error", tested_.size(), [](const FoldOutcome& o) { return o.torn; }),
   };
   if (wrong_groupings_of(0).empty()) {
     // Nothing was compared, and 0 would say that luck never does this.

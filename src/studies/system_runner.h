@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "somato/studies/results.h"
 #include "somato/studies/study_parameters.h"
 #include "studies/fold_run.h"
+#include "studies/journal.h"
 #include "studies/question.h"
 
 namespace somato {
@@ -27,6 +29,9 @@ class Tally {
   bool stopped() const { return stopped_; }
   const Error& error() const { return *error_; }
 
+  /// Asks now and then, during a training, whether to stop.
+  bool goes_on();
+
  private:
   void keep(Error error);
 
@@ -34,6 +39,7 @@ class Tally {
   std::uint64_t total_;
   std::uint64_t done_ = 0;
   std::mutex mutex_;
+  std::chrono::steady_clock::time_point asked_;
   std::optional<Error> error_;
   std::atomic<bool> stopped_ = false;
 };
@@ -42,13 +48,14 @@ class Tally {
 /// question must outlive it.
 class SystemRunner {
  public:
+  /// `number` is the place of the protocol among those of the study.
   SystemRunner(const StudyDescription& description, const Question& question, Protocol protocol,
-               std::vector<PreparedFold> folds);
+               std::size_t number);
 
   std::size_t trainings() const { return outcomes_.size(); }
 
-  /// Training number `training`, from any thread.
-  void run(std::size_t training, Tally& tally);
+  /// Training number `training`, from any thread, or what the journal knows of it.
+  void run(std::size_t training, Journal& journal, Tally& tally);
 
   /// After all trainings.
   SystemResults results() const;
@@ -61,14 +68,17 @@ class SystemRunner {
   Run run_of(std::size_t seed_index) const;
   template <typename Value>
   Metric over_folds(std::string name, std::size_t count, const Value& value) const;
-  Metric for_every_seed(std::string name, double value) const;
+  using Predictions = std::vector<std::size_t> FoldOutcome::*;
+  Metric accuracy(std::string name, Predictions predictions) const;
   std::vector<std::vector<std::size_t>> wrong_groupings_of(std::size_t seed_index) const;
-  std::vector<Metric> metrics(const std::vector<Run>& runs) const;
+  std::vector<Metric> metrics() const;
 
   const StudyDescription& description_;
   const Question& question_;
   Protocol protocol_;
-  std::vector<PreparedFold> folds_;
+  std::size_t number_;
+  std::vector<Fold> folds_;
+  std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
   std::vector<FoldOutcome> outcomes_;
 };
 

@@ -44,6 +44,8 @@ class System {
   /// delay, shapes and rates that do not fit, phases that cannot be.
   static Result<System> build(SystemDescription description, RecordingLayout layout);
 
+  /// A system without modules.
+  System();
   System(System&&) noexcept;
   System& operator=(System&&) noexcept;
   System(const System&) = delete;
@@ -71,8 +73,6 @@ class System {
   Error at_module(Error error, std::size_t module) const;
 
  private:
-  System() = default;
-
   Result<void> make_modules();
   Result<void> connect_ports();
   Result<void> wire();

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "somato/codes/standardization.h"
 #include "somato/core/parameter.h"
-#include "somato/maps/som_parameters.h"
+#include "somato/graph/system_description.h"
 #include "somato/studies/protocol.h"
 
 namespace somato {
@@ -18,7 +17,10 @@ struct StudyParameters {
   std::string name;
   std::string label = "object";
   std::string individual;
+  std::string map;
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
+  std::string group;
+  std::size_t folds = 10;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;
   std::size_t wrong_groupings = 20;
@@ -38,43 +40,21 @@ struct RecordingParameters {
   static const Declarations<RecordingParameters>& declarations();
 };
 
-/// Which frames of an exploration make its vector.
-enum class FrameChoice {
-  kFirst,   ///< The first frame.
-  kLast,    ///< The last frame.
-  kChange,  ///< The last frame less the first: what happened during the exploration.
-};
-
-/// How an exploration becomes the map's input.
-struct VectorParameters {
-  std::vector<std::string> channels;
-  FrameChoice frames = FrameChoice::kLast;
-  bool standardize = true;
-  ConstantColumns constant_columns = ConstantColumns::kRefuse;
-
-  static const Declarations<VectorParameters>& declarations();
-};
-
 template <>
 struct Choices<RecordingFormat> {
   static const std::vector<std::pair<RecordingFormat, std::string>>& all();
 };
-template <>
-struct Choices<FrameChoice> {
-  static const std::vector<std::pair<FrameChoice, std::string>>& all();
-};
 
-/// A whole study, as its TOML file describes it: a table for each part.
+/// A whole study, as its TOML file describes it.
 struct StudyDescription {
   StudyParameters study;
   RecordingParameters recording;
-  VectorParameters vector;
-  SomParameters map;
+  SystemDescription system;
 };
 
-/// Reads a study from the tables [study], [recording], [vector] and [map]. Errors (kUsage) with
-/// their place: unknown tables or keys (with the nearest known one), values out of range, no name,
-/// no channels, no protocols.
+/// Reads a study from the tables [study] and [recording] and those of its system (see
+/// read_system()). Errors (kUsage) with their place: unknown tables or keys (with the nearest known
+/// one), values out of range, no name, no protocols, a protocol without what it needs.
 Result<StudyDescription> read_study(const Table& file);
 
 }  // namespace somato

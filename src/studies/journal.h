@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "somato/core/result.h"
+#include "studies/fold_run.h"
+
+namespace somato {
+
+/// The trainings of a study that are done, kept in a file as they are done, so that a study that
+/// was interrupted goes on where it was. A line a training; a last line that was cut is left out.
+class Journal {
+ public:
+  /// No file: nothing is kept.
+  Journal() = default;
+
+  /// Goes on with the journal at `path`, or begins one. `fingerprint` tells studies apart. Errors:
+  /// kSystem; kUsage when the file is the journal of another study, kData when it is no journal.
+  static Result<Journal> open(const std::string& path, const std::string& fingerprint);
+
+  /// What training number `training` of protocol number `protocol` gave, if it is done.
+  const FoldOutcome* find(std::size_t protocol, std::size_t training) const;
+
+  /// Keeps what a training gave, from any thread. Errors: kSystem.
+  Result<void> add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome);
+
+  std::size_t done() const { return known_.size(); }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  std::map<std::pair<std::size_t, std::size_t>, FoldOutcome> known_;
+};
+
+}  // namespace somato
