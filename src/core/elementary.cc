@@ -36,6 +36,21 @@ constexpr std::array<double, 11> odd_reciprocals() {
   return terms;
 }
 
+constexpr double kTwoPi = 0x1.921fb54442d18p+2;
+
+// (-1)^k / (2k + Odd)! for k = 0 .. 8: cosine (Odd = 0) and sine (Odd = 1) as series in x^2; on
+// |x| <= pi/4 the remainder is below 2^-59.
+template <std::size_t Odd>
+constexpr std::array<double, 9> alternating_inverse_factorials() {
+  std::array<double, 9> terms{};
+  double factorial = 1.0;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    if (k > 0) factorial *= static_cast<double>((2 * k + Odd - 1) * (2 * k + Odd));
+    terms[k] = (k % 2 == 0 ? 1.0 : -1.0) / factorial;
+  }
+  return terms;
+}
+
 }  // namespace
 
 double exponential(double x) {
@@ -74,6 +89,17 @@ double power(double base, double exponent) {
   if (exponent == 0.0) return 1.0;
   if (base == 0.0 && exponent > 0.0) return 0.0;
   return exponential(exponent * natural_log(base));
+}
+
+double cosine_of_turns(double turns) {
+  static constexpr auto kCosine = alternating_inverse_factorials<0>();
+  static constexpr auto kSine = alternating_inverse_factorials<1>();
+  if (!std::isfinite(turns)) return std::numeric_limits<double>::quiet_NaN();
+  const double part = std::fabs(turns - std::nearbyint(turns));  // 0 to 1/2, exact
+  const double folded = part > 0.25 ? 0.5 - part : part;         // 0 to 1/4, exact
+  const double sign = part > 0.25 ? -1.0 : 1.0;
+  const double x = kTwoPi * (folded > 0.125 ? 0.25 - folded : folded);
+  return sign * (folded > 0.125 ? x * horner(kSine, x * x) : horner(kCosine, x * x));
 }
 
 }  // namespace somato

@@ -66,5 +66,31 @@ TEST(Power, AgreesWithRepeatedMultiplication) {
   EXPECT_EQ(power(0.0, 0.0), 1.0);
 }
 
+TEST(CosineOfTurns, IsWithinItsErrorOfTheLongDoubleValue) {
+  const long double two_pi = 2.0L * std::acos(-1.0L);
+  Random random(4);
+  for (int i = 0; i < 100000; ++i) {
+    const double turns = 8.0 * random.uniform() - 4.0;
+    const long double exact = std::cos(two_pi * static_cast<long double>(turns));
+    EXPECT_LT(std::fabs(static_cast<long double>(cosine_of_turns(turns)) - exact), 0x1p-52L)
+        << turns;
+  }
+}
+
+TEST(CosineOfTurns, IsExactAtEveryQuarter) {
+  for (int turn = -3; turn <= 3; ++turn) {
+    EXPECT_EQ(cosine_of_turns(turn), 1.0);
+    EXPECT_EQ(cosine_of_turns(turn + 0.25), 0.0);
+    EXPECT_EQ(cosine_of_turns(turn + 0.5), -1.0);
+    EXPECT_EQ(cosine_of_turns(turn + 0.75), 0.0);
+  }
+  EXPECT_EQ(cosine_of_turns(1e300), 1.0);
+}
+
+TEST(CosineOfTurns, HasNoValueAtInfinity) {
+  EXPECT_TRUE(std::isnan(cosine_of_turns(std::nan(""))));
+  EXPECT_TRUE(std::isnan(cosine_of_turns(std::numeric_limits<double>::infinity())));
+}
+
 }  // namespace
 }  // namespace somato
