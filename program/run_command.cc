@@ -10,7 +10,7 @@
 #include "somato/drawing/map_picture.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
-#include "somato/recording/icub_grasp.h"
+#include "somato/recording/format.h"
 #include "somato/studies/study.h"
 #include "terminal.h"
 
@@ -26,14 +26,6 @@ Result<StudyDescription> describe(const Arguments& arguments) {
   if (!description) return description;
   if (*seeds) description->study.seeds = **seeds;
   return description;
-}
-
-Result<Recording> read_recording(const StudyDescription& description, const std::string& path) {
-  switch (description.recording.format) {
-    case RecordingFormat::kIcubGrasp:
-      return import_icub_grasp(path);
-  }
-  return fail(ErrorKind::kUsage, "this recording format cannot be read");
 }
 
 // The folder for the results, made before the work begins: an hour of training should not end at a
@@ -116,7 +108,7 @@ Result<void> run(const Arguments& arguments) {
   if (!threads) return fail(std::move(threads.error()));
   auto description = describe(arguments);
   if (!description) return fail(std::move(description.error()));
-  auto recording = read_recording(*description, arguments.text("data"));
+  auto recording = load_recording(description->recording.format, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
   OutputFolder folder(arguments.text("out"));
   if (auto made = folder.make(); !made) return made;

@@ -78,12 +78,6 @@ Result<void> check_complete(const StudyDescription& description, const std::stri
 
 }  // namespace
 
-const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
-  static const std::vector<std::pair<RecordingFormat, std::string>> choices{
-      {RecordingFormat::kIcubGrasp, "icub_grasp"}};
-  return choices;
-}
-
 const std::vector<std::pair<FrameChoice, std::string>>& Choices<FrameChoice>::all() {
   static const std::vector<std::pair<FrameChoice, std::string>> choices{
       {FrameChoice::kFirst, "first"},

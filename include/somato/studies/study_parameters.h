@@ -9,6 +9,7 @@
 #include "somato/codes/standardization.h"
 #include "somato/core/parameter.h"
 #include "somato/maps/som_parameters.h"
+#include "somato/recording/format.h"
 #include "somato/studies/protocol.h"
 
 namespace somato {
@@ -24,11 +25,6 @@ struct StudyParameters {
   std::size_t wrong_groupings = 20;
 
   static const Declarations<StudyParameters>& declarations();
-};
-
-/// The file formats a study can read.
-enum class RecordingFormat {
-  kIcubGrasp,  ///< A folder of text files; see recording/icub_grasp.h.
 };
 
 /// Where the samples come from.
@@ -55,10 +51,6 @@ struct VectorParameters {
   static const Declarations<VectorParameters>& declarations();
 };
 
-template <>
-struct Choices<RecordingFormat> {
-  static const std::vector<std::pair<RecordingFormat, std::string>>& all();
-};
 template <>
 struct Choices<FrameChoice> {
   static const std::vector<std::pair<FrameChoice, std::string>>& all();
