@@ -63,6 +63,9 @@ Result<void> check_trials(const CsvTrials& trials) {
   if (!std::isfinite(trials.rate) || trials.rate < 0.0) {
     return wrong(fmt::format("the rate is {} Hz", trials.rate), "give a rate above 0, or none");
   }
+  if (const auto ignored = expand_columns(trials.ignore); !ignored) {
+    return wrong("'ignore': " + ignored.error().what, ignored.error().advice);
+  }
   if (trials.time.empty() || trials.rate == 0.0) return {};
   return wrong("there are both 'time' and 'rate'", "keep the one that tells the truth");
 }

@@ -29,7 +29,7 @@ constexpr KnownFiles kKnown[] = {
 
 bool fits(const NamePattern& pattern, const std::string& file) {
   const auto labels = pattern.match(file);
-  return !labels || labels->has_value();  // a name that can be read in two ways fits too
+  return labels && labels->has_value();
 }
 
 std::string described(const KnownFiles& known) {
