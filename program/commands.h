@@ -5,6 +5,8 @@
 namespace somato::program {
 
 Command run_command();
+Command apply_command();
+Command systems_command();
 Command som_train_command();
 Command som_map_command();
 Command som_quality_command();

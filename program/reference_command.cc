@@ -4,46 +4,22 @@
 #include <iterator>
 
 #include "commands.h"
-#include "somato/codes/one_hot.h"
-#include "somato/codes/standardization.h"
-#include "somato/maps/t_mpsom_parameters.h"
+#include "parameter_table.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::program {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
-  return out;
-}
-
-// A bound that only keeps a number within its type tells a reader nothing.
-Range range_worth_showing(Range range) {
-  constexpr double kAsGoodAsNone = 1e12;
-  return range.high < kAsGoodAsNone ? range
-                                    : Range{range.low, Range::any().high, range.low_excluded};
-}
-
-std::string values_of(const ParameterInfo& info) {
-  std::string values = info.choices.empty()
-                           ? info.type
-                           : fmt::format("{}{}", info.type.starts_with("list") ? "list of " : "",
-                                         fmt::join(info.choices, ", "));
-  const std::string range = to_string(range_worth_showing(info.range));
-  if (!range.empty()) values += ", " + range;
-  if (!info.unit.empty()) values += fmt::format(" [{}]", info.unit);
-  return values;
+void add_table(std::string& page, const std::string& title,
+               const std::vector<ParameterInfo>& parameters) {
+  page += fmt::format("### {}\n\n", title);
+  page += parameter_table(parameters) + "\n";
 }
 
 template <typename Parameters>
 void add_table(std::string& page, const std::string& title) {
-  page += fmt::format("### {}\n\n| key | values | default | meaning |\n|---|---|---|---|\n", title);
-  for (const ParameterInfo& info : parameter_flags<Parameters>()) {
-    fmt::format_to(std::back_inserter(page), "| `{}` | {} | `{}` | {} |\n", info.name,
-                   escaped(values_of(info)), info.default_text, escaped(info.text));
-  }
-  page += "\n";
+  add_table(page, title, parameter_flags<Parameters>());
 }
 
 // "-o,--output" as `-o`, `--output`.
@@ -68,10 +44,10 @@ void add_arguments(std::string& page, const Command& command) {
   if (command.positionals.size() + command.flags.size() == 0) return;
   page += "| argument | meaning |\n|---|---|\n";
   for (const Positional& positional : command.positionals) {
-    page += fmt::format("| `{}` | {}. |\n", positional.name, escaped(positional.text));
+    page += fmt::format("| `{}` | {}. |\n", positional.name, markdown_cell(positional.text));
   }
   for (const Flag& flag : command.flags) {
-    page += fmt::format("| {} | {}{}. |\n", flag_cell(flag), escaped(flag.text),
+    page += fmt::format("| {} | {}{}. |\n", flag_cell(flag), markdown_cell(flag.text),
                         flag.required ? "; required" : "");
   }
   page += "\n";
@@ -83,7 +59,7 @@ void add_command(std::string& page, const Command& command) {
   if (command.parameters.empty()) return;
   const std::string& key = command.parameters.back().name;
   page += fmt::format(
-      "Every key of [`[map]`](#map) is a flag too, with dashes for underscores: `{}` is `{}`, "
+      "Every [key of a map](#keys-of-a-map) is a flag too, with dashes for underscores: `{}` is `{}`, "
       "`radius_start` is `{}`.\n\n",
       key, flag_of(key), flag_of("radius_start"));
 }
@@ -99,22 +75,15 @@ std::string reference_page(const std::vector<Command>& commands) {
       "interrupted.\n\n## Commands\n\n";
   for (const Command& command : commands) add_command(page, command);
   page +=
-      "## Study files\n\nA study is a TOML file of the tables `[study]`, `[recording]`, `[vector]` "
-      "and `[map]`. A key that is left out has its default; an unknown one is refused. Values "
-      "stand here as TOML writes them; \"automatic\" is decided from the data, as the key says, "
-      "and "
-      "`results.json` tells how.\n\n";
+      "## Study files\n\nA study is a TOML file: the tables `[study]` and `[recording]`, and a "
+      "system of the tables `[module.NAME]` and, where need be, `[[phase]]`. A key that is left "
+      "out has its default; an unknown one is refused. Values stand here as TOML writes them; "
+      "\"automatic\" is decided from the data, as the key says. [Types of modules](modules.md) "
+      "have a page of their own.\n\n";
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
-  add_table<VectorParameters>(page, "`[vector]`");
-  add_table<SomParameters>(page, "`[map]`");
-  page +=
-      "## In the library alone\n\nParameters of what C++ programs can use, but no command or study "
-      "file yet.\n\n";
-  add_table<TMpsomParameters>(page, "`TMpsomParameters` ([T-MPSOM](../mathematics/t-mpsom.md))");
-  add_table<OneHotParameters>(page, "`OneHotParameters` ([codes](../mathematics/codes.md))");
-  add_table<StandardizationParameters>(
-      page, "`StandardizationParameters` ([codes](../mathematics/codes.md))");
+  add_table<PhaseDescription>(page, "`[[phase]]`");
+  add_table<SomParameters>(page, "Keys of a map");
   return page;
 }
 

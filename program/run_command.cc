@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "commands.h"
 #include "data.h"
+#include "explanation.h"
 #include "output.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
-#include "somato/recording/icub_grasp.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/format.h"
+#include "somato/recording/layout.h"
 #include "somato/studies/study.h"
+#include "study_data.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -26,14 +31,6 @@ Result<StudyDescription> describe(const Arguments& arguments) {
   if (!description) return description;
   if (*seeds) description->study.seeds = **seeds;
   return description;
-}
-
-Result<Recording> read_recording(const StudyDescription& description, const std::string& path) {
-  switch (description.recording.format) {
-    case RecordingFormat::kIcubGrasp:
-      return import_icub_grasp(path);
-  }
-  return fail(ErrorKind::kUsage, "this recording format cannot be read");
 }
 
 // The folder for the results, made before the work begins: an hour of training should not end at a
@@ -61,11 +58,15 @@ class OutputFolder {
       return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
                   path_.string(), "give --out a folder that can be written to");
     }
-    return check_output(results()).and_then([&] { return check_output(map()); });
+    return check_output(results())
+        .and_then([&] { return check_output(map()); })
+        .and_then([&] { return check_output(system()); });
   }
 
   std::string results() const { return (path_ / "results.json").string(); }
   std::string map() const { return (path_ / "map.svg").string(); }
+  std::string system() const { return (path_ / "system.somato").string(); }
+  std::string journal() const { return (path_ / "unfinished.jsonl").string(); }
 
  private:
   std::filesystem::path path_;
@@ -75,7 +76,7 @@ class OutputFolder {
 std::string picture_of(const StudyDescription& description, const StudyOutcome& outcome) {
   LabelPanel panel;
   panel.title = "Winners by " + description.study.label;
-  panel.grid = outcome.map.grid();
+  panel.grid = outcome.map().grid();
   panel.class_names = outcome.classes.names;
   panel.winners = outcome.winners;
   panel.classes = outcome.classes.of_sample;
@@ -99,16 +100,73 @@ void print_table(const StudyResults& results) {
   }
 }
 
-// What a recording as a whole lacks is told with its path.
-Error with_place(Error error, const std::string& data) {
-  if (error.kind == ErrorKind::kData && error.where.empty()) error.where = data;
-  return error;
-}
-
 Result<void> save(const OutputFolder& folder, const StudyDescription& description,
                   const StudyOutcome& outcome) {
   if (auto saved = save_whole(folder.results(), to_json(outcome.results)); !saved) return saved;
-  return save_whole(folder.map(), picture_of(description, outcome));
+  if (auto saved = save_whole(folder.map(), picture_of(description, outcome)); !saved) return saved;
+  return save_system(folder.system(), outcome.model.system, outcome.model.answer);
+}
+
+// Without data the channels are as their modules say.
+Result<void> explain(const Arguments& arguments, const StudyDescription& description) {
+  RecordingLayout layout;
+  if (arguments.has("data")) {
+    auto recording = read_study_data(description.recording.format, arguments.text("data"));
+    if (!recording) return fail(std::move(recording.error()));
+    layout = layout_of(*recording);
+  }
+  const auto system = System::build(description.system, std::move(layout));
+  if (!system) return fail(system.error());
+  fmt::print("{}", explanation(*system));
+  return {};
+}
+
+Result<void> check_needed(const Arguments& arguments) {
+  for (const std::string needed : {"data", "out"}) {
+    if (arguments.has(needed)) continue;
+    return fail(ErrorKind::kUsage, "--" + needed + " is required", "run",
+                "see: somato run --help");
+  }
+  return {};
+}
+
+Result<std::optional<Recording>> read_test_data(const Arguments& arguments,
+                                                RecordingFormat format) {
+  if (!arguments.has("test-data")) return std::optional<Recording>{};
+  return read_study_data(format, arguments.text("test-data")).map([](Recording recording) {
+    return std::optional<Recording>(std::move(recording));
+  });
+}
+
+Error how_to_go_on(Error error) {
+  if (error.kind == ErrorKind::kInterrupted) {
+    error.advice = "what is done is kept; the same command goes on from there";
+  }
+  return error;
+}
+
+Result<void> run_whole(const Arguments& arguments, const StudyDescription& description,
+                       std::size_t threads) {
+  if (auto needed = check_needed(arguments); !needed) return needed;
+  const RecordingFormat format = description.recording.format;
+  auto recording = read_study_data(format, arguments.text("data"));
+  if (!recording) return fail(std::move(recording.error()));
+  auto test_data = read_test_data(arguments, format);
+  if (!test_data) return fail(std::move(test_data.error()));
+  OutputFolder folder(arguments.text("out"));
+  if (auto made = folder.make(); !made) return made;
+  const StudyOptions options{threads, terminal_progress(description.study.name),
+                             *test_data ? &**test_data : nullptr, folder.journal()};
+  auto outcome = run_study(description, *recording, options);
+  if (!outcome) {
+    return fail(how_to_go_on(with_place(std::move(outcome.error()), arguments.text("data"))));
+  }
+  if (auto saved = save(folder, description, *outcome); !saved) return saved;
+  std::error_code gone;
+  std::filesystem::remove(folder.journal(), gone);
+  print_table(outcome->results);
+  fmt::print("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
+  return {};
 }
 
 Result<void> run(const Arguments& arguments) {
@@ -116,28 +174,21 @@ Result<void> run(const Arguments& arguments) {
   if (!threads) return fail(std::move(threads.error()));
   auto description = describe(arguments);
   if (!description) return fail(std::move(description.error()));
-  auto recording = read_recording(*description, arguments.text("data"));
-  if (!recording) return fail(std::move(recording.error()));
-  OutputFolder folder(arguments.text("out"));
-  if (auto made = folder.make(); !made) return made;
-  const StudyOptions options{*threads, terminal_progress(description->study.name)};
-  auto outcome = run_study(*description, *recording, options);
-  if (!outcome) return fail(with_place(std::move(outcome.error()), arguments.text("data")));
-  if (auto saved = save(folder, *description, *outcome); !saved) return saved;
-  print_table(outcome->results);
-  fmt::print("\nWritten: {}, {}\n", folder.results(), folder.map());
-  return {};
+  return arguments.has("explain") ? explain(arguments, *description)
+                                  : run_whole(arguments, *description, *threads);
 }
 
 }  // namespace
 
 Command run_command() {
   return {"run",
-          "Run a study: train maps on a recording and test them",
-          {{"STUDY", "TOML file that describes the study", true}},
-          {{"--data", "The recording, in the format that the study names", true},
-           {"--out", "Folder for results.json and map.svg", true},
+          "Run a study: train a system on a recording and test it",
+          {{"STUDY", "TOML file that describes the study and its system", true}},
+          {{"--data", "The recording: its file, or a folder of original files"},
+           {"--test-data", "A recording of its own to test what learned from all of --data"},
+           {"--out", "Folder for results.json, map.svg and system.somato"},
            {"--seeds", "Number of seeds, instead of the study's"},
+           {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
            threads_flag()},
           {},
           run};

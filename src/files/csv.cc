@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "files/csv_number.h"
 #include "files/csv_records.h"
 #include "files/text.h"
 #include "somato/core/check.h"
@@ -16,70 +17,15 @@
 namespace somato {
 namespace {
 
-enum class Meaning { kNumber, kMissing, kTooLarge, kText };
-
-struct Reading {
-  Meaning meaning;
-  float number = 0.0f;
-};
-
-bool is_missing_word(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  for (const char* missing : {"", "na", "n/a", "none", "null", "?", "-"}) {
-    if (word == missing) return true;
-  }
-  if (word.starts_with('+') || word.starts_with('-')) word.erase(0, 1);
-  return word == "nan" || word == "inf" || word == "infinity";
-}
-
-// from_chars takes no plus sign.
-std::string_view without_plus(std::string_view text) {
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-  return plus ? text.substr(1) : text;
-}
-
-// What float32 cannot tell from zero is zero; what lies beyond it is too large.
-Reading out_of_range(std::string_view text) {
-  double number = 0.0;
-  const auto error = std::from_chars(text.data(), text.data() + text.size(), number).ec;
-  if (error != std::errc() || std::fabs(number) > 1.0) return {Meaning::kTooLarge};
-  return {Meaning::kNumber, static_cast<float>(number)};
-}
-
-Reading read_number(std::string_view field) {
-  if (is_missing_word(field)) return {Meaning::kMissing};
-  const std::string_view text = without_plus(field);
-  const char* const end = text.data() + text.size();
-  float number = 0.0f;
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (stop != end || error == std::errc::invalid_argument) return {Meaning::kText};
-  if (error == std::errc::result_out_of_range) return out_of_range(text);
-  if (!std::isfinite(number)) return {Meaning::kMissing};
-  return {Meaning::kNumber, number};
+bool is_text(std::string_view field) {
+  return read_csv_number<float>(field).meaning == CsvMeaning::kText;
 }
 
 Result<float> number_in(const CsvField& field, const std::string& place) {
-  const Reading reading = read_number(field.text);
-  switch (reading.meaning) {
-    case Meaning::kNumber:
-      return reading.number;
-    case Meaning::kMissing:
-      return fail(ErrorKind::kData,
-                  field.text.empty() ? "the field is empty"
-                                     : fmt::format("{} is no finite number", shown(field.text)),
-                  place, "leave the row out or fill in a number");
-    case Meaning::kTooLarge:
-      return fail(ErrorKind::kData,
-                  fmt::format("{} is beyond what a 32-bit number holds", shown(field.text)), place,
-                  "scale the column");
-    case Meaning::kText:
-      break;
-  }
-  const bool comma = field.text.find(',') != std::string::npos;
-  return fail(
-      ErrorKind::kData, fmt::format("{} is not a number", shown(field.text)), place,
-      comma ? "write decimals with a point" : "correct it, or name the column as the label column");
+  const CsvReading<float> reading = read_csv_number<float>(field.text);
+  if (reading.meaning == CsvMeaning::kNumber) return reading.number;
+  return no_csv_number(field, reading.meaning, place,
+                       "correct it, or name the column as the label column");
 }
 
 std::optional<std::size_t> number_from_one(const std::string& text) {
@@ -115,7 +61,7 @@ class TableReader {
   bool seems_header() const {
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       if (is_label(i)) continue;
-      if (fields_[i].quoted || read_number(fields_[i].text).meaning == Meaning::kText) return true;
+      if (fields_[i].quoted || is_text(fields_[i].text)) return true;
     }
     return false;
   }
@@ -274,7 +220,7 @@ Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options)
 
 std::string csv_field(const std::string& text) {
   const bool plain = std::all_of(text.begin(), text.end(), is_plain);
-  if (plain && read_number(text).meaning == Meaning::kText) return text;
+  if (plain && is_text(text)) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";

@@ -57,12 +57,6 @@ Result<void> check_complete(const StudyDescription& description, const std::stri
 
 }  // namespace
 
-const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
-  static const std::vector<std::pair<RecordingFormat, std::string>> choices{
-      {RecordingFormat::kIcubGrasp, "icub_grasp"}};
-  return choices;
-}
-
 const Declarations<StudyParameters>& StudyParameters::declarations() {
   using P = StudyParameters;
   static const auto declared =
@@ -109,7 +103,7 @@ const Declarations<RecordingParameters>& RecordingParameters::declarations() {
   using P = RecordingParameters;
   static const auto declared = Declarations<P>().add(
       "format", [](P& p) -> auto& { return p.format; }, "", Range::any(),
-      "Format of the data that the study is given.");
+      "Format of the data that the study is given; automatic: by the files' names.");
   return declared;
 }
 

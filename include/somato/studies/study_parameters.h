@@ -8,6 +8,7 @@
 
 #include "somato/core/parameter.h"
 #include "somato/graph/system_description.h"
+#include "somato/recording/format.h"
 #include "somato/studies/protocol.h"
 
 namespace somato {
@@ -28,21 +29,11 @@ struct StudyParameters {
   static const Declarations<StudyParameters>& declarations();
 };
 
-/// The file formats a study can read.
-enum class RecordingFormat {
-  kIcubGrasp,  ///< A folder of text files; see recording/icub_grasp.h.
-};
-
 /// Where the samples come from.
 struct RecordingParameters {
-  RecordingFormat format = RecordingFormat::kIcubGrasp;
+  RecordingFormat format = RecordingFormat::kAutomatic;
 
   static const Declarations<RecordingParameters>& declarations();
-};
-
-template <>
-struct Choices<RecordingFormat> {
-  static const std::vector<std::pair<RecordingFormat, std::string>>& all();
 };
 
 /// A whole study, as its TOML file describes it.

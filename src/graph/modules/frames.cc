@@ -15,9 +15,7 @@ class ClosingModule : public Module {
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
     if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
-    type_ = inputs.front().type;
-    type_.rate = Rate::kExploration;
-    type_.clock.clear();
+    type_ = once(inputs.front().type);
     return checked_size(type_, inputs.front().port);
   }
 

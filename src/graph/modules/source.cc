@@ -35,6 +35,7 @@ namespace {
 
 struct ChannelParameters {
   std::string channel;
+  std::vector<std::size_t> shape;
   std::vector<std::string> elements;
   Invalid invalid = Invalid::kRefuse;
 
@@ -45,6 +46,9 @@ struct ChannelParameters {
             .add(
                 "channel", [](P& p) -> auto& { return p.channel; }, "", Range::any(),
                 "Name of the recording's channel. Has to be given.")
+            .add(
+                "shape", [](P& p) -> auto& { return p.shape; }, "", Range::between(1, 1 << 24),
+                "Shape of a frame, which the recording must have; none: whatever it has.")
             .add(
                 "elements", [](P& p) -> auto& { return p.elements; }, "", Range::any(),
                 "The elements to take, by name or by number from 1; none: all of them.")
@@ -83,6 +87,7 @@ class ChannelModule : public Source {
 
   Result<void> open(const RecordingLayout& layout) override {
     std::vector<std::string> known;
+    if (layout.channels.empty()) return open_without_recording();
     for (const ChannelLayout& channel : layout.channels) {
       if (channel.name == parameters_.channel) return open(channel);
       known.push_back(channel.name);
@@ -114,7 +119,27 @@ class ChannelModule : public Source {
   }
 
  private:
+  // Its own word is all there is.
+  Result<void> open_without_recording() {
+    if (parameters_.channel.empty()) {
+      return fail(ErrorKind::kUsage, "it does not say which channel it is", {},
+                  "add channel = \"...\"");
+    }
+    if (parameters_.shape.empty()) {
+      return fail(ErrorKind::kUsage, "without a recording its shape is unknown", {},
+                  "give a recording with --data, or write shape = [...]");
+    }
+    return open(ChannelLayout{parameters_.channel, {}, parameters_.shape, {}, "the recording"});
+  }
+
   Result<void> open(const ChannelLayout& channel) {
+    if (!parameters_.shape.empty() && parameters_.shape != channel.shape) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("channel '{}' has the shape {} in the recording, not {}",
+                              channel.name, fmt::join(channel.shape, " x "),
+                              fmt::join(parameters_.shape, " x ")),
+                  {}, "correct 'shape', or leave it out");
+    }
     type_ = {Rate::kFrame, channel.shape, false, channel.clock};
     source_elements_ = type_.size();
     for (std::size_t i = 0; parameters_.elements.empty() && i < source_elements_; ++i) {

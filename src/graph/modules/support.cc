@@ -33,6 +33,12 @@ Result<void> expect_frames(const Connection& input) {
               input.port, "connect it before the frames are put together");
 }
 
+PortType once(PortType type) {
+  type.rate = Rate::kExploration;
+  type.clock.clear();
+  return type;
+}
+
 Result<void> expect_together(const std::vector<Connection>& inputs) {
   const PortType& first = inputs.front().type;
   for (const Connection& input : inputs) {

@@ -18,6 +18,9 @@ struct NoParameters {
 /// Refuses values that come once an exploration where frames are needed.
 Result<void> expect_frames(const Connection& input);
 
+/// A frame port as it is once an exploration; the clock is gone.
+PortType once(PortType type);
+
 /// Refuses inputs that do not come together: of another rate, or frames of other channels.
 Result<void> expect_together(const std::vector<Connection>& inputs);
 
@@ -82,6 +85,7 @@ InputPort input_ports(std::string text);
 std::vector<ModuleType> source_types();
 std::vector<ModuleType> code_types();
 std::vector<ModuleType> frame_types();
+std::vector<ModuleType> feature_types();
 std::vector<ModuleType> memory_types();
 std::vector<ModuleType> scaling_types();
 std::vector<ModuleType> map_types();

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <numeric>
+#include <utility>
+
+#include "commands.h"
+#include "data.h"
+#include "output.h"
+#include "somato/files/csv.h"
+#include "somato/files/whole_file.h"
+#include "somato/graph/evaluation.h"
+#include "somato/graph/system_model.h"
+#include "study_data.h"
+
+namespace somato::program {
+namespace {
+
+Result<RecordingFormat> read_format(const Arguments& arguments) {
+  if (!arguments.has("format")) return RecordingFormat::kAutomatic;
+  for (const auto& [format, name] : Choices<RecordingFormat>::all()) {
+    if (name == arguments.text("format")) return format;
+  }
+  std::vector<std::string> known;
+  for (const auto& choice : Choices<RecordingFormat>::all()) known.push_back(choice.second);
+  return fail(unknown_name("format", arguments.text("format"), "--format", known));
+}
+
+Result<std::size_t> answering_map(const SystemModel& model, const std::string& path) {
+  if (model.answer) return model.system.find(model.answer->map);
+  return fail(ErrorKind::kData, "the system has no map that answers", path,
+              "apply one that 'somato run' has saved");
+}
+
+// The channels must be what they were when the system learned.
+Result<void> check_layout(const System& system, const RecordingLayout& layout) {
+  return System::build(system.description(), layout).and_then([&](const System& other) {
+    for (std::size_t i = 0; i < other.modules().size(); ++i) {
+      const PortType& now = other.modules()[i].output;
+      const PortType& then = system.modules()[i].output;
+      if (now.shape == then.shape) continue;
+      return Result<void>(fail(
+          ErrorKind::kData,
+          fmt::format("module '{}' gives {} here, but {} when it learned", other.modules()[i].name,
+                      to_string(now), to_string(then)),
+          {}, "apply it to recordings with the same channels"));
+    }
+    return Result<void>();
+  });
+}
+
+std::string line_of(const SystemModel& model, const Som& som, const SignalView& input,
+                    const Exploration& exploration) {
+  SomWorkspace workspace;
+  const std::size_t winner = som.winner(input, workspace);
+  const std::size_t label = model.answer->labels.classify(som, input, workspace);
+  return fmt::format("{},{},{},{},{:.9g},{}\n", csv_field(exploration.source), winner,
+                     winner / som.grid().columns(), winner % som.grid().columns(),
+                     som.distance(input, winner, workspace),
+                     csv_field(model.answer->classes[label]));
+}
+
+Result<void> apply(const Arguments& arguments) {
+  auto threads = read_threads(arguments);
+  if (!threads) return fail(std::move(threads.error()));
+  if (auto fits = check_output(arguments, "output"); !fits) return fits;
+  const std::string data = arguments.text("DATA");
+  const auto format = read_format(arguments);
+  if (!format) return fail(format.error());
+  const auto model = load_system(arguments.text("SYSTEM"));
+  if (!model) return fail(model.error());
+  const auto map = answering_map(*model, arguments.text("SYSTEM"));
+  if (!map) return fail(map.error());
+  const auto recording = read_study_data(*format, data);
+  if (!recording) return fail(recording.error());
+  if (auto same = check_layout(model->system, layout_of(*recording)); !same) {
+    return fail(with_place(std::move(same.error()), data));
+  }
+  std::vector<std::size_t> all(recording->explorations.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Activations activations(model->system.modules().size(), all.size());
+  const std::size_t input = model->system.modules()[*map].inputs.front();
+  auto seen = evaluate(model->system, *recording, all, {input}, *threads, activations);
+  if (!seen) return seen;
+  std::string text = "exploration,winner,row,column,distance," + csv_field(model->answer->label) + "\n";
+  for (const std::size_t exploration : all) {
+    text += line_of(*model, *som_of(model->system, *map),
+                    activations.find(input, exploration)->values[0],
+                    recording->explorations[exploration]);
+  }
+  if (arguments.has("output")) return save_whole(arguments.text("output"), text);
+  fmt::print("{}", text);
+  return {};
+}
+
+}  // namespace
+
+Command apply_command() {
+  return {"apply",
+          "Ask a trained system about the explorations of a recording",
+          {{"SYSTEM", "A system that 'somato run' has saved", true},
+           {"DATA", "The recording: its file, or a folder of original files", true}},
+          {{"-o,--output", "File for the answers, as CSV; standard output without it"},
+           {"--format", "Format of the original files, when their names do not tell"},
+           threads_flag()},
+          {},
+          apply};
+}
+
+}  // namespace somato::program

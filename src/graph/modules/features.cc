@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "graph/modules/support.h"
+#include "somato/codes/change.h"
+#include "somato/codes/mean_removal.h"
+#include "somato/codes/onset.h"
+#include "somato/codes/resampling.h"
+#include "somato/codes/spectrum.h"
+
+namespace somato::modules {
+namespace {
+
+class MeanRemovalModule : public Module {
+ public:
+  using Parameters = NoParameters;
+  explicit MeanRemovalModule(const Parameters& /*parameters*/) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    PortType type = inputs.front().type;
+    type.sparse = false;
+    return checked_size(std::move(type), inputs.front().port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    return Sequence{Samples(mean_removed(dense_rows(*inputs.front()))), inputs.front()->rate};
+  }
+};
+
+class ChangeModule : public Module {
+ public:
+  using Parameters = NoParameters;
+  explicit ChangeModule(const Parameters& /*parameters*/) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    PortType type = once(inputs.front().type);
+    type.sparse = false;
+    return checked_size(std::move(type), inputs.front().port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    return change_of(dense_rows(*inputs.front())).map([&](Signal change) {
+      return single(std::move(change), inputs.front()->rate);
+    });
+  }
+};
+
+class ResamplingModule : public Module {
+ public:
+  using Parameters = ResamplingParameters;
+  explicit ResamplingModule(const Parameters& parameters) : parameters_(parameters) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    PortType type = once(inputs.front().type);
+    type.sparse = false;
+    type.shape.insert(type.shape.begin(), parameters_.points);
+    shape_ = type.shape;
+    return checked_size(std::move(type), inputs.front().port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    return resampled(dense_rows(*inputs.front()), parameters_).map([&](const Matrix<float>& points) {
+      const auto values = points.values();
+      return single(Signal::dense(shape_, {values.begin(), values.end()}));
+    });
+  }
+
+ private:
+  Parameters parameters_;
+  std::vector<std::size_t> shape_;
+};
+
+class OnsetWindowModule : public Module {
+ public:
+  using Parameters = OnsetParameters;
+  explicit OnsetWindowModule(const Parameters& parameters) : parameters_(parameters) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    PortType type = inputs.front().type;
+    if (parameters_.element > type.size()) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("'element' is {}, but {} come in", parameters_.element, type.size()),
+                  {}, "number the elements from 1; 0 stands for any of them");
+    }
+    type.sparse = false;
+    // Other frames than those of the channel: windows of two modules may lie elsewhere.
+    type.clock = fmt::format("a window of {} frames on {}", parameters_.length, type.clock);
+    return checked_size(std::move(type), inputs.front().port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    return window_at_onset(dense_rows(*inputs.front()), parameters_).map([&](Matrix<float> window) {
+      return Sequence{Samples(std::move(window)), inputs.front()->rate};
+    });
+  }
+
+ private:
+  Parameters parameters_;
+};
+
+class SpectrumModule : public Module {
+ public:
+  using Parameters = SpectrumParameters;
+  explicit SpectrumModule(const Parameters& parameters) : parameters_(parameters) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto valid = parameters_.validate(); !valid) return fail(std::move(valid.error()));
+    const Connection& input = inputs.front();
+    if (auto frames = expect_frames(input); !frames) return fail(frames.error());
+    if (inputs.size() > 1 && inputs.back().type.size() != 1) {
+      return fail(ErrorKind::kUsage, "a speed is a single number", inputs.back().port,
+                  "take one element");
+    }
+    spectrum_.emplace(parameters_);
+    PortType type = once(input.type);
+    type.sparse = false;
+    type.shape = {input.type.size(), spectrum_->bands()};
+    return checked_size(std::move(type), input.port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    std::optional<double> speed;
+    if (inputs.size() > 1) speed = mean_of(*inputs.back());
+    const Sequence& input = *inputs.front();
+    return spectrum_->apply(dense_rows(input), input.rate, speed).map([](Signal spectrum) {
+      return single(std::move(spectrum));
+    });
+  }
+
+ private:
+  static double mean_of(const Sequence& speed) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < speed.values.count(); ++i) {
+      float value = 0.0F;
+      write_dense(speed.values[i], {&value, 1});
+      sum += double{value};
+    }
+    return sum / static_cast<double>(speed.values.count());
+  }
+
+  Parameters parameters_;
+  std::optional<Spectrum> spectrum_;
+};
+
+}  // namespace
+
+std::vector<ModuleType> feature_types() {
+  return {describe<ChangeModule>("change", "The last frame of an exploration less the first.",
+                                 {input_port("Frames.")}, "The shape of a frame."),
+          describe<ResamplingModule>(
+              "resampling", "An exploration of any length as so many points, interpolated.",
+              {input_port("Frames.")}, "Points x the shape of a frame."),
+          describe<OnsetWindowModule>("onset_window",
+                                      "So many frames from where something is touched.",
+                                      {input_port("Frames.")}, "Frames of the same shape."),
+          describe<MeanRemovalModule>("mean_removal",
+                                      "Frames less their mean over the exploration.",
+                                      {input_port("Frames.")}, "Frames of the same shape."),
+          describe<SpectrumModule>(
+              "spectrum", "How strong each element of the frames is at each frequency (P11 IV-B).",
+              {input_port("Frames."),
+               {"speed",
+                "A number in mm/s, averaged over its frames: frequencies become cycles per mm.",
+                false, false}},
+              "Elements x bands.")};
+}
+
+}  // namespace somato::modules

@@ -1,0 +1,224 @@
+#include "somato/recording/acoustic_hardness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/text.h"
+#include "recording/files_below.h"
+#include "somato/files/whole_file.h"
+
+namespace somato {
+namespace {
+
+using Json = nlohmann::json;
+using Pointer = Json::json_pointer;
+
+constexpr std::size_t kLargestSample = std::size_t{64} << 20;
+constexpr int kDeepest = 16;
+constexpr std::string_view kAdvice = "repair the file or take it out";
+
+// Not yet parsed, a text of nothing but brackets would ask for a hundred times its own size.
+bool is_too_deep(std::string_view text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size() && depth <= kDeepest; ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') ++i;
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '[' || c == '{')) ++depth;
+    if (!quoted && (c == ']' || c == '}')) --depth;
+  }
+  return depth > kDeepest;
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return fmt::format("{}:{}", line, before.size() - line_start + 1);
+}
+
+Result<Json> parse_json(std::string_view text, const std::string& where) {
+  if (is_too_deep(text)) {
+    return fail(ErrorKind::kData, fmt::format("the JSON is nested more than {} deep", kDeepest),
+                where, std::string(kAdvice));
+  }
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    return fail(ErrorKind::kData, "the text is no JSON",
+                fmt::format("{}:{}", where, line_and_column(text, error.byte)),
+                std::string(kAdvice));
+  } catch (const Json::out_of_range& /*error*/) {
+    return fail(ErrorKind::kData, "a number is beyond what JSON readers hold", where,
+                std::string(kAdvice));
+  }
+}
+
+// The members of one file that are wanted; every error knows its place.
+class SampleReader {
+ public:
+  SampleReader(const Json& json, const std::string& file) : json_(json), file_(file) {}
+
+  Result<std::string> sample_id() const { return text("/metadata/sample_id"); }
+
+  Result<std::vector<Label>> labels() const {
+    auto hardness = text("/metadata/class");
+    if (!hardness) return fail(std::move(hardness.error()));
+    auto material = text("/metadata/material");
+    if (!material) return fail(std::move(material.error()));
+    auto release = this->release();
+    if (!release) return fail(std::move(release.error()));
+    return std::vector<Label>{
+        {"hardness", *hardness}, {"material", *material}, {"release", *release}};
+  }
+
+  Result<Channel> sound() const {
+    auto checked = refuse_overflow();
+    if (!checked) return fail(std::move(checked.error()));
+    auto rate = sample_rate();
+    if (!rate) return fail(std::move(rate.error()));
+    auto values = samples();
+    if (!values) return fail(std::move(values.error()));
+    Channel channel{"sound", "counts", {}, {}, {}};
+    const std::size_t count = values->size();
+    channel.frames = Matrix<float>(count, 1, std::move(*values));
+    channel.rate = *rate;
+    return channel;
+  }
+
+ private:
+  tl::unexpected<Error> bad(std::string what, const std::string& path) const {
+    return fail(ErrorKind::kData, std::move(what), fmt::format("{}:{}", file_, path),
+                std::string(kAdvice));
+  }
+
+  // The member at `path`, or null where there is none.
+  const Json& at(const std::string& path) const {
+    static const Json missing;
+    const Pointer pointer(path);
+    return json_.contains(pointer) ? json_.at(pointer) : missing;
+  }
+
+  Result<std::string> text(const std::string& path) const {
+    const Json& member = at(path);
+    if (!member.is_string()) return bad("a text is missing", path);
+    auto content = member.get<std::string>();
+    if (is_name(content)) return content;
+    return bad("the text is empty, longer than 255 bytes or not on one line", path);
+  }
+
+  Result<std::string> release() const {
+    const std::string path = "/metadata/comment";
+    const Json& comment = at(path);
+    if (comment.is_null() || comment == "") return std::string("device");
+    return text(path);
+  }
+
+  Result<void> refuse_overflow() const {
+    const std::string path = "/audio/overflow";
+    const Json& overflow = at(path);
+    if (overflow.is_null() || overflow == false || overflow == 0) return {};
+    if (overflow.is_boolean() || overflow.is_number()) {
+      return bad("the recorder overflowed: samples are lost", path);
+    }
+    return bad("it must be true or false", path);
+  }
+
+  Result<double> sample_rate() const {
+    const std::string path = "/audio/sample_rate";
+    const Json& rate = at(path);
+    if (!rate.is_number()) return bad("a number is missing", path);
+    const double hertz = rate.get<double>();
+    if (std::isfinite(hertz) && hertz > 0.0) return hertz;
+    return bad(fmt::format("{} Hz is no sampling rate", hertz), path);
+  }
+
+  Result<std::vector<float>> samples() const {
+    const std::string path = "/audio/values";
+    const Json& values = at(path);
+    if (!values.is_array() || values.empty()) return bad("a list of samples is missing", path);
+    const Json& count = at("/audio/num_samples");
+    if (count != values.size()) {
+      return bad(fmt::format("there are {} samples, but num_samples is {}", values.size(),
+                             shown(count.dump())),
+                 path);
+    }
+    std::vector<float> samples;
+    samples.reserve(values.size());
+    for (const Json& value : values) {
+      if (!is_sample(value)) {
+        return bad(fmt::format("{} is no whole number of 16 bits", shown(value.dump())),
+                   fmt::format("{}/{}", path, samples.size()));
+      }
+      samples.push_back(value.get<float>());
+    }
+    return samples;
+  }
+
+  static bool is_sample(const Json& value) {
+    return value.is_number_integer() && value >= INT16_MIN && value <= INT16_MAX;
+  }
+
+  const Json& json_;
+  const std::string& file_;
+};
+
+struct Impact {
+  std::string id;
+  Exploration exploration;
+};
+
+Result<Impact> read_impact(const std::string& file) {
+  const Result<std::string> bytes = read_whole(file, kLargestSample);
+  if (!bytes) return fail(bytes.error());
+  const auto json =
+      text_of(*bytes, file).and_then([&](std::string_view text) { return parse_json(text, file); });
+  if (!json) return fail(json.error());
+  const SampleReader reader(*json, file);
+  auto id = reader.sample_id();
+  if (!id) return fail(std::move(id.error()));
+  auto labels = reader.labels();
+  if (!labels) return fail(std::move(labels.error()));
+  auto sound = reader.sound();
+  if (!sound) return fail(std::move(sound.error()));
+  return Impact{std::move(*id), {std::move(*labels), file, {std::move(*sound)}}};
+}
+
+}  // namespace
+
+Result<Recording> import_acoustic_hardness(const std::filesystem::path& folder) {
+  const auto files = files_below(folder, ".json");
+  if (!files) return fail(files.error());
+  if (files->empty()) {
+    return fail(ErrorKind::kData, "there are no JSON files", folder.string(),
+                "give the folder of the data set, or one of its phases");
+  }
+  Recording recording;
+  recording.explorations.reserve(files->size());
+  std::map<std::string, std::string> seen;
+  for (const std::string& name : *files) {
+    const std::string file = (folder / name).string();
+    auto impact = read_impact(file);
+    if (!impact) return fail(std::move(impact.error()));
+    const auto [twin, is_new] = seen.emplace(impact->id, file);
+    if (!is_new) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the file has the same sample_id as {}", twin->second), file,
+                  "take one of them out");
+    }
+    recording.explorations.push_back(std::move(impact->exploration));
+  }
+  return recording;
+}
+
+}  // namespace somato

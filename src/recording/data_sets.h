@@ -1,0 +1,12 @@
+#pragma once
+
+namespace somato {
+
+// What the files of known data sets are called, as NamePattern reads it.
+inline constexpr const char* kIcubGraspFiles = "{object}_{trial:number}.txt";
+inline constexpr const char* kFabricslideFiles =
+    "{fabric}_F{force:number}_V{velocity:number}mmps_{trial:number}.csv";
+inline constexpr const char* kHkustPressSlideFiles = "Material_{material}_raw_{trial:number}.csv";
+inline constexpr const char* kAcousticHardnessFiles = "{sample}.json";
+
+}  // namespace somato

@@ -1,0 +1,98 @@
+#include "somato/recording/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "recording/data_sets.h"
+#include "recording/files_below.h"
+#include "recording/name_pattern.h"
+#include "somato/recording/acoustic_hardness.h"
+#include "somato/recording/fabricslide.h"
+#include "somato/recording/hkust_press_slide.h"
+#include "somato/recording/icub_grasp.h"
+
+namespace somato {
+namespace {
+
+struct KnownFiles {
+  RecordingFormat format;
+  const char* pattern;
+};
+
+constexpr KnownFiles kKnown[] = {
+    {RecordingFormat::kIcubGrasp, kIcubGraspFiles},
+    {RecordingFormat::kFabricslide, kFabricslideFiles},
+    {RecordingFormat::kHkustPressSlide, kHkustPressSlideFiles},
+    {RecordingFormat::kAcousticHardness, kAcousticHardnessFiles},
+};
+
+bool fits(const NamePattern& pattern, const std::string& file) {
+  const auto labels = pattern.match(file);
+  return labels && labels->has_value();
+}
+
+std::string described(const KnownFiles& known) {
+  return fmt::format("{} ({})", choice_name(known.format), known.pattern);
+}
+
+std::vector<KnownFiles> fitting(const std::vector<std::string>& files) {
+  std::vector<KnownFiles> found;
+  for (const KnownFiles& known : kKnown) {
+    const NamePattern pattern = NamePattern::parse(known.pattern).value();
+    const auto fit = [&](const std::string& file) { return fits(pattern, file); };
+    if (std::any_of(files.begin(), files.end(), fit)) found.push_back(known);
+  }
+  return found;
+}
+
+template <typename Formats>
+std::string listed(const Formats& formats) {
+  std::string text;
+  for (const KnownFiles& known : formats) text += (text.empty() ? "" : ", ") + described(known);
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
+  static const std::vector<std::pair<RecordingFormat, std::string>> choices{
+      {RecordingFormat::kAutomatic, "automatic"},
+      {RecordingFormat::kIcubGrasp, "icub_grasp"},
+      {RecordingFormat::kFabricslide, "fabricslide"},
+      {RecordingFormat::kHkustPressSlide, "hkust_press_slide"},
+      {RecordingFormat::kAcousticHardness, "acoustic_hardness"}};
+  return choices;
+}
+
+Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
+  const auto files = files_below(folder, "");
+  if (!files) return fail(files.error());
+  const std::vector<KnownFiles> found = fitting(*files);
+  if (found.size() == 1) return found.front().format;
+  if (found.empty()) {
+    return fail(ErrorKind::kData, "the folder holds none of the known formats: " + listed(kKnown),
+                folder.string(), "give another folder, or import it with a description of its own");
+  }
+  return fail(ErrorKind::kData, "the folder holds more than one format: " + listed(found),
+              folder.string(), "give a folder below, or say which format is meant");
+}
+
+Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& folder) {
+  switch (format) {
+    case RecordingFormat::kAutomatic:
+      return recognize_format(folder).and_then(
+          [&](RecordingFormat found) { return load_recording(found, folder); });
+    case RecordingFormat::kIcubGrasp:
+      return import_icub_grasp(folder);
+    case RecordingFormat::kFabricslide:
+      return import_fabricslide(folder);
+    case RecordingFormat::kHkustPressSlide:
+      return import_hkust_press_slide(folder);
+    case RecordingFormat::kAcousticHardness:
+      return import_acoustic_hardness(folder);
+  }
+  return fail(ErrorKind::kUsage, "this recording format cannot be read");
+}
+
+}  // namespace somato

@@ -1,0 +1,142 @@
+#include "recording/name_pattern.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+
+#include <set>
+
+namespace somato {
+namespace {
+
+// "fabric=Linen force=120", or what is wrong, or "no".
+std::string reading(const char* pattern, const char* path) {
+  const auto labels = NamePattern::parse(pattern).value().match(path);
+  if (!labels) return labels.error().what;
+  if (!*labels) return "no";
+  std::string text;
+  for (const Label& label : **labels) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", label.name, label.value);
+  }
+  return text;
+}
+
+std::string refusal(const char* pattern) {
+  const auto parsed = NamePattern::parse(pattern);
+  if (parsed) return "none";
+  EXPECT_EQ(parsed.error().kind, ErrorKind::kUsage);
+  return parsed.error().what;
+}
+
+TEST(NamePattern, ReadsLabels) {
+  EXPECT_EQ(reading("{fabric}_F{force}_{trial}.csv", "Linen_F120_0.csv"),
+            "fabric=Linen force=120 trial=0");
+  EXPECT_EQ(reading("a{x}", "abc"), "x=bc");
+  EXPECT_EQ(reading("{x}", "a.b c"), "x=a.b c");
+}
+
+TEST(NamePattern, FitsWholeNamesOnly) {
+  for (const char* name : {"", "a.csv", "_1.csv", "a_.csv", "a_1.csv~", "a_1.CSV", "a_1"}) {
+    EXPECT_EQ(reading("{a}_{b}.csv", name), "no") << name;
+  }
+  EXPECT_EQ(reading("raw_{a}.csv", "a.csv"), "no");
+  EXPECT_EQ(reading("{a}.csv", ".csv"), "no");
+}
+
+TEST(NamePattern, NarrowsALabelToNumbers) {
+  EXPECT_EQ(reading("{object}_{trial:number}.txt", "blue_bear_12.txt"),
+            "object=blue_bear trial=12");
+  EXPECT_EQ(reading("V{v:number}", "V-0.25"), "v=-0.25");
+  EXPECT_EQ(reading("V{v:number}", "V+3"), "v=+3");
+  for (const char* name : {"V", "V-", "V1.", "V.5", "V1e3", "Vx", "V1.2.3", "V--1", "V 1"}) {
+    EXPECT_EQ(reading("V{v:number}", name), "no") << name;
+  }
+}
+
+TEST(NamePattern, RefusesANameWithTwoReadings) {
+  EXPECT_EQ(reading("{object}_{trial}.csv", "blue_bear_1.csv"),
+            "the name can be read in more than one way: object = 'blue', trial = 'bear_1'; or "
+            "object = 'blue_bear', trial = '1'");
+}
+
+TEST(NamePattern, TakesLabelsFromFolders) {
+  EXPECT_EQ(reading("{material}/{trial}.csv", "wood/1.csv"), "material=wood trial=1");
+  EXPECT_EQ(reading("{material}/{trial}.csv", "day 2/wood/1.csv"), "material=wood trial=1");
+  EXPECT_EQ(reading("{material}/{trial}.csv", "1.csv"), "no");
+  EXPECT_EQ(reading("{trial}.csv", "day 2/wood/1.csv"), "trial=1");
+  EXPECT_EQ(reading("raw/{trial}.csv", "raw/1.csv"), "trial=1");
+  EXPECT_EQ(reading("raw/{trial}.csv", "1.csv"), "no");
+}
+
+TEST(NamePattern, RefusesAWrongPattern) {
+  EXPECT_EQ(refusal("all.csv"), "the pattern has no labels");
+  EXPECT_EQ(refusal(""), "the pattern has no labels");
+  EXPECT_EQ(refusal("{a}{b}.csv"),
+            "two labels of the pattern touch, so that nothing tells where one ends");
+  EXPECT_EQ(refusal("{a}_{a}"), "two labels are named 'a'");
+  EXPECT_EQ(refusal("{}_1"), "a label of the pattern has no name");
+  EXPECT_EQ(refusal("{:number}_1"), "a label of the pattern has no name");
+  EXPECT_EQ(refusal("{a:text}"), "a label cannot be narrowed to 'text', only to 'number'");
+  EXPECT_EQ(refusal("{a:}"), "a label cannot be narrowed to '', only to 'number'");
+  for (const char* pattern : {"{a", "a}", "{a}_}", "{a{b}}", "{a}_{"}) {
+    EXPECT_EQ(refusal(pattern), "a brace of the pattern has no counterpart") << pattern;
+  }
+}
+
+TEST(NamePattern, KnowsItsLabelsAndExtension) {
+  const NamePattern pattern = NamePattern::parse("a.b/{x}_{y}.raw.csv").value();
+  EXPECT_EQ(pattern.labels(), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(pattern.extension(), ".csv");
+  EXPECT_EQ(NamePattern::parse("{x}")->extension(), "");
+  EXPECT_EQ(NamePattern::parse("a.{x}")->extension(), "");
+}
+
+// Every way to cut `name` into non-empty values with `separators` between them.
+std::set<std::vector<std::string>> all_cuts(const std::string& name,
+                                            const std::vector<std::string>& separators) {
+  if (separators.empty()) {
+    return name.empty() ? std::set<std::vector<std::string>>{}
+                        : std::set<std::vector<std::string>>{{name}};
+  }
+  std::set<std::vector<std::string>> cuts;
+  const std::vector<std::string> rest(separators.begin() + 1, separators.end());
+  for (std::size_t end = 1; end <= name.size(); ++end) {
+    if (name.compare(end, separators[0].size(), separators[0]) != 0) continue;
+    for (std::vector<std::string> cut : all_cuts(name.substr(end + separators[0].size()), rest)) {
+      cut.insert(cut.begin(), name.substr(0, end));
+      cuts.insert(cut);
+    }
+  }
+  return cuts;
+}
+
+RC_GTEST_PROP(NamePattern, ReadsWhatTryingEveryCutReads, ()) {
+  const auto text = [](std::size_t least, std::size_t most) {
+    return rc::gen::mapcat(rc::gen::inRange(least, most), [](std::size_t size) {
+      return rc::gen::container<std::string>(size, rc::gen::element('a', '_'));
+    });
+  };
+  const auto name = *text(0, 9);
+  const auto separators =
+      *rc::gen::mapcat(rc::gen::inRange<std::size_t>(0, 3), [&](std::size_t count) {
+        return rc::gen::container<std::vector<std::string>>(count, text(1, 3));
+      });
+  std::string pattern = "{0}";
+  for (std::size_t i = 0; i < separators.size(); ++i) {
+    pattern += separators[i] + fmt::format("{{{}}}", i + 1);
+  }
+  const auto cuts = all_cuts(name, separators);
+  RC_CLASSIFY(cuts.size() > 1, "two readings");
+  const auto labels = NamePattern::parse(pattern).value().match(name);
+  RC_ASSERT(labels.has_value() == (cuts.size() < 2));
+  if (!labels) return;
+  RC_ASSERT(labels->has_value() == (cuts.size() == 1));
+  if (!*labels) return;
+  for (std::size_t i = 0; i < (**labels).size(); ++i) {
+    RC_ASSERT((**labels)[i].value == (*cuts.begin())[i]);
+  }
+}
+
+}  // namespace
+}  // namespace somato
