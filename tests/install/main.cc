@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "somato/codes/spectrum.h"
 #include "somato/core/parameter.h"
 #include "somato/core/random.h"
 #include "somato/core/signal.h"
@@ -27,6 +28,15 @@ bool messages_are_right() {
   return to_string(error) == "a.toml:2: unknown key 'row'; did you mean 'rows'?";
 }
 
+// Needs nothing but the static library, though a transform stands behind it.
+bool spectrum_is_right() {
+  somato::SpectrumParameters parameters;
+  parameters.bands = 2;
+  const somato::Matrix<float> frames(8, 1, {1, -1, 1, -1, 1, -1, 1, -1});
+  const auto spectrum = somato::Spectrum(parameters).apply(frames, 100.0);
+  return spectrum && spectrum->values()[1] > 100.0F * spectrum->values()[0];
+}
+
 // Trains, saves and loads a map: the rooms above the core.
 bool a_map_comes_back(const char* path) {
   const somato::Samples samples(somato::Matrix<float>(3, 2, {0, 0, 1, 0, 1, 1}));
@@ -41,7 +51,10 @@ bool a_map_comes_back(const char* path) {
 
 int main() {
   if (!a_map_comes_back("installed.somato")) return 2;
-  if (inner_product_is_right() && random_numbers_are_right() && messages_are_right()) return 0;
+  if (inner_product_is_right() && random_numbers_are_right() && messages_are_right() &&
+      spectrum_is_right()) {
+    return 0;
+  }
   std::puts("the installed library gives wrong answers");
   return 1;
 }

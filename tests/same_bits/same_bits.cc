@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "somato/codes/spectrum.h"
 #include "somato/core/elementary.h"
 #include "somato/core/instruction_set.h"
 #include "somato/core/random.h"
@@ -75,6 +76,23 @@ double product_of_noise(Random& random) {
   return inner_product(SignalView::dense(left), SignalView::dense(right));
 }
 
+// Lengths of one factor and of several, even and odd.
+void print_spectra() {
+  Random random(13);
+  Checksum checksum;
+  for (const std::size_t length : {7, 64, 210, 225, 1024}) {
+    SpectrumParameters parameters;
+    parameters.transform_length = length;
+    parameters.bands = 0;
+    parameters.scale = SpectrumScale::kLogarithmic;
+    Matrix<float> frames(length, 20);
+    for (float& value : frames.values()) value = static_cast<float>(random.normal());
+    const Signal spectra = Spectrum(parameters).apply(frames, 0.0).value();
+    for (const float value : spectra.values()) checksum.add(double{value});
+  }
+  checksum.print("codes.spectrum");
+}
+
 float initial_weight(Random& random) {
   const std::uint32_t row = random.next();
   return uniform_at(3, Stream::kInitialWeights, row, random.next());
@@ -90,8 +108,11 @@ void print_all() {
              [](Random& random) { return exponential(1400.0 * random.uniform() - 700.0); });
   print_case("elementary.natural_log", [](Random& random) { return natural_log(wide(random)); });
   print_case("elementary.power", power_of_noise);
+  print_case("elementary.cosine_of_turns",
+             [](Random& random) { return cosine_of_turns(10.0 * random.uniform() - 5.0); });
   print_case("signal.inner_product", product_of_noise);
   print_case("value.to_toml", [](Random& random) { return to_toml({wide(random)}); });
+  print_spectra();
 }
 
 Samples noise(std::size_t count, std::size_t size) {
