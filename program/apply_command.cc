@@ -39,11 +39,11 @@ Result<void> check_layout(const System& system, const RecordingLayout& layout) {
       const PortType& now = other.modules()[i].output;
       const PortType& then = system.modules()[i].output;
       if (now.shape == then.shape) continue;
-      return Result<void>(fail(
-          ErrorKind::kData,
-          fmt::format("module '{}' gives {} here, but {} when it learned", other.modules()[i].name,
-                      to_string(now), to_string(then)),
-          {}, "apply it to recordings with the same channels"));
+      return Result<void>(
+          fail(ErrorKind::kData,
+               fmt::format("module '{}' gives {} here, but {} when it learned",
+                           other.modules()[i].name, to_string(now), to_string(then)),
+               {}, "apply it to recordings with the same channels"));
     }
     return Result<void>();
   });
@@ -82,7 +82,8 @@ Result<void> apply(const Arguments& arguments) {
   const std::size_t input = model->system.modules()[*map].inputs.front();
   auto seen = evaluate(model->system, *recording, all, {input}, *threads, activations);
   if (!seen) return seen;
-  std::string text = "exploration,winner,row,column,distance," + csv_field(model->answer->label) + "\n";
+  std::string text =
+      "exploration,winner,row,column,distance," + csv_field(model->answer->label) + "\n";
   for (const std::size_t exploration : all) {
     text += line_of(*model, *som_of(model->system, *map),
                     activations.find(input, exploration)->values[0],

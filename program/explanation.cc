@@ -53,8 +53,8 @@ std::string phase_line(const System& system, const Phase& phase) {
       phase.draws ? fmt::format("{} ", *phase.draws) : std::string("as many as it asks for: ");
   const bool at_once = phase.learners.size() == 1 &&
                        system.modules()[phase.learners.front()].module->learner()->learns_at_once();
-  return fmt::format("{}: {}{}", fmt::join(names, ", "),
-                     at_once && !phase.draws ? "all " : draws, choice_name(phase.of));
+  return fmt::format("{}: {}{}", fmt::join(names, ", "), at_once && !phase.draws ? "all " : draws,
+                     choice_name(phase.of));
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ void add_command(std::string& page, const Command& command) {
   if (command.parameters.empty()) return;
   const std::string& key = command.parameters.back().name;
   page += fmt::format(
-      "Every [key of a map](#keys-of-a-map) is a flag too, with dashes for underscores: `{}` is `{}`, "
+      "Every [key of a map](#keys-of-a-map) is a flag too, with dashes for underscores: `{}` is "
+      "`{}`, "
       "`radius_start` is `{}`.\n\n",
       key, flag_of(key), flag_of("radius_start"));
 }

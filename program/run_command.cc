@@ -58,9 +58,9 @@ class OutputFolder {
       return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
                   path_.string(), "give --out a folder that can be written to");
     }
-    return check_output(results())
-        .and_then([&] { return check_output(map()); })
-        .and_then([&] { return check_output(system()); });
+    return check_output(results()).and_then([&] { return check_output(map()); }).and_then([&] {
+      return check_output(system());
+    });
   }
 
   std::string results() const { return (path_ / "results.json").string(); }
@@ -124,8 +124,7 @@ Result<void> explain(const Arguments& arguments, const StudyDescription& descrip
 Result<void> check_needed(const Arguments& arguments) {
   for (const std::string needed : {"data", "out"}) {
     if (arguments.has(needed)) continue;
-    return fail(ErrorKind::kUsage, "--" + needed + " is required", "run",
-                "see: somato run --help");
+    return fail(ErrorKind::kUsage, "--" + needed + " is required", "run", "see: somato run --help");
   }
   return {};
 }

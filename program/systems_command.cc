@@ -25,8 +25,8 @@ void print_type(const ModuleType& type) {
 }
 
 std::string markdown(const ModuleType& type) {
-  std::string page = fmt::format("## `{}`\n\n{}{}\n\n", type.name, type.text,
-                                 type.learns ? " It learns." : "");
+  std::string page =
+      fmt::format("## `{}`\n\n{}{}\n\n", type.name, type.text, type.learns ? " It learns." : "");
   page += "| port | what goes through |\n|---|---|\n";
   for (const InputPort& port : type.ports) {
     fmt::format_to(std::back_inserter(page), "| in: `{}` | {} |\n", port.name,

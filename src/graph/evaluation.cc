@@ -44,9 +44,8 @@ Result<void> evaluate(const System& system, const Recording& recording,
   FirstError first;
   for_each_task(explorations.size(), threads, [&](std::size_t task) {
     const std::size_t exploration = explorations[task];
-    ExplorationRun run(system, &recording.explorations[exploration], [&](std::size_t module) {
-      return activations.find(module, exploration);
-    });
+    ExplorationRun run(system, &recording.explorations[exploration],
+                       [&](std::size_t module) { return activations.find(module, exploration); });
     if (auto computed = run.compute(is_wanted); !computed) {
       Error error = std::move(computed.error());
       error.where = place_of(recording, exploration) + ", " + error.where;

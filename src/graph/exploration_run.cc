@@ -27,8 +27,8 @@ std::vector<const Sequence*> ExplorationRun::inputs_of(std::size_t module) const
 }
 
 Result<void> ExplorationRun::compute(const std::vector<bool>& wanted) {
-  const std::vector<bool> needed = needed_for(
-      system_, wanted, [&](std::size_t module) { return find(module) != nullptr; });
+  const std::vector<bool> needed =
+      needed_for(system_, wanted, [&](std::size_t module) { return find(module) != nullptr; });
   for (const auto& group : system_.wiring().groups()) {
     const bool is_needed =
         std::any_of(group.begin(), group.end(), [&](std::size_t module) { return needed[module]; });
@@ -63,8 +63,8 @@ Result<void> ExplorationRun::compute_loop(const std::vector<std::size_t>& group)
     for (std::size_t i = 0; i < group.size(); ++i) outputs[i].push_back(walk.output(group[i]));
   }
   for (std::size_t i = 0; i < group.size(); ++i) {
-    computed_[group[i]] = std::make_shared<const Sequence>(
-        Sequence{Samples::from_signals(outputs[i]), walk.rate()});
+    computed_[group[i]] =
+        std::make_shared<const Sequence>(Sequence{Samples::from_signals(outputs[i]), walk.rate()});
   }
   return {};
 }

@@ -48,7 +48,8 @@ Result<void> FrameWalk::listen(std::size_t module, const Outside& outside) {
     if (has_frames_ && frames != frames_) {
       Error error{ErrorKind::kData,
                   fmt::format("{} frames come in where there are {} elsewhere", frames, frames_),
-                  {}, "record the channels together, frame by frame"};
+                  {},
+                  "record the channels together, frame by frame"};
       return fail(system_.at_module(std::move(error), module));
     }
     has_frames_ = true;

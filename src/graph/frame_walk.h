@@ -55,7 +55,7 @@ class FrameWalk {
   const System& system_;
   std::vector<Walked> walked_;
   std::vector<std::size_t> listeners_;  ///< The walked ones too.
-  std::vector<std::size_t> places_;  ///< Of a module among the walked ones.
+  std::vector<std::size_t> places_;     ///< Of a module among the walked ones.
   std::vector<const Sequence*> outside_;
   std::vector<std::optional<Signal>> outputs_;
   std::vector<std::optional<Signal>> before_;  ///< The outputs of the frame before.

@@ -9,7 +9,8 @@ namespace {
 std::vector<ModuleType> all_types() {
   std::vector<ModuleType> all;
   for (auto group : {modules::source_types(), modules::code_types(), modules::scaling_types(),
-                     modules::frame_types(), modules::feature_types(), modules::map_types()}) {
+                     modules::frame_types(), modules::feature_types(), modules::memory_types(),
+                     modules::map_types()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

@@ -96,14 +96,13 @@ class Planner {
       if (!learns(before) || planned_[before] || contains(learners, before)) continue;
       for (const std::size_t after : learners) {
         if (!system_.wiring().reaches(before, after)) continue;
-        const bool later = std::any_of(named.begin(), named.end(), [&](const auto& phase) {
-          return contains(phase, before);
-        });
+        const bool later = std::any_of(named.begin(), named.end(),
+                                       [&](const auto& phase) { return contains(phase, before); });
         if (later) {
-          return refuse(description,
-                        "'" + name(after) + "' learns before '" + name(before) +
-                            "', which it depends on",
-                        "put the phase of '" + name(before) + "' first, or name both in one phase");
+          return refuse(
+              description,
+              "'" + name(after) + "' learns before '" + name(before) + "', which it depends on",
+              "put the phase of '" + name(before) + "' first, or name both in one phase");
         }
         if (auto added = add_own(before); !added) return added;
         break;
@@ -181,16 +180,16 @@ class Planner {
   // What a phase says, its modules cannot say as well; and where it draws, its modules do not.
   Result<void> check_said_once(const Phase& phase) const {
     for (const std::size_t module : phase.learners) {
-      const bool phase_draws = phase.learners.size() > 1 || in_loop(module) ||
-                               !learner(module).learns_at_once();
+      const bool phase_draws =
+          phase.learners.size() > 1 || in_loop(module) || !learner(module).learns_at_once();
       for (const auto& [key, of_phase, elsewhere] :
            {std::tuple{"iterations", "draws", phase.draws.has_value()},
             std::tuple{"draws", "order", phase.order.has_value() || phase_draws}}) {
         const Table::Entry* entry = system_.description().modules[module].settings.find(key);
         if (!elsewhere || !entry) continue;
         return fail(system_.at_module(
-            without_effect(key, std::string("that is for its [[phase]] to say, as '") + of_phase +
-                                    "'",
+            without_effect(key,
+                           std::string("that is for its [[phase]] to say, as '") + of_phase + "'",
                            entry->where),
             module));
       }
@@ -203,10 +202,10 @@ class Planner {
   Result<void> check_alone(const Phase& phase, const PhaseDescription& description) const {
     if (learner(phase.learners.front()).learns_by_draws()) return {};
     if (!description.draws && !description.order) return {};
-    return refuse(description,
-                  "'" + name(phase.learners.front()) +
-                      "' learns from everything at once: nothing is drawn",
-                  "leave out 'draws' and 'order'");
+    return refuse(
+        description,
+        "'" + name(phase.learners.front()) + "' learns from everything at once: nothing is drawn",
+        "leave out 'draws' and 'order'");
   }
 
   // Frames are computed one after the other, so that nothing in between may need them all.
@@ -230,7 +229,9 @@ class Planner {
 
 }  // namespace
 
-Result<std::vector<Phase>> plan_phases(const System& system) { return Planner(system).plan(); }
+Result<std::vector<Phase>> plan_phases(const System& system) {
+  return Planner(system).plan();
+}
 
 std::vector<std::size_t> computed_in(const System& system, const Phase& phase) {
   const Wiring& wiring = system.wiring();

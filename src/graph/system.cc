@@ -64,7 +64,7 @@ Result<std::vector<std::string>> names_at(const InputPort& port, const Table::En
   if (text) return std::vector<std::string>{*text};
   const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
   std::vector<std::string> names;
-  for (const Value& item : list && port.many ? *list : Value::List{}) {
+  for (const Value& item : list&& port.many ? *list : Value::List{}) {
     const auto* name = std::get_if<std::string>(&item.content);
     if (!name) break;
     names.push_back(*name);
@@ -107,9 +107,9 @@ Result<void> System::make_modules() {
     const std::size_t number = modules_.size();
     modules_.push_back({module.name, module.settings.where, nullptr, nullptr, {}, {}, {}});
     if (!names.insert(module.name).second) {
-      return fail(at_module({ErrorKind::kUsage, "there are two modules of this name", {},
-                             "rename one of them"},
-                            number));
+      return fail(at_module(
+          {ErrorKind::kUsage, "there are two modules of this name", {}, "rename one of them"},
+          number));
     }
     const auto type_name = type_of(module);
     if (!type_name) return fail(at_module(type_name.error(), number));
@@ -132,9 +132,9 @@ Result<void> System::connect_ports() {
       const Table::Entry* entry = find_entry(description_.modules[i], port.name);
       if (!entry && !port.required) continue;
       if (!entry) {
-        return fail(at_port({ErrorKind::kUsage, "nothing is connected", {},
-                             "write " + port.name + " = \"NAME\""},
-                            i, port.name));
+        return fail(at_port(
+            {ErrorKind::kUsage, "nothing is connected", {}, "write " + port.name + " = \"NAME\""},
+            i, port.name));
       }
       const auto names = names_at(port, *entry);
       if (!names) return fail(at_port(names.error(), i, port.name));
@@ -161,7 +161,9 @@ Result<void> System::wire() {
   std::string way;
   for (const std::size_t module : wiring_->endless_loop()) way += modules_[module].name + " -> ";
   way += modules_[wiring_->endless_loop().front()].name;
-  return fail(at_module({ErrorKind::kUsage, "a loop needs a delay: " + way, {},
+  return fail(at_module({ErrorKind::kUsage,
+                         "a loop needs a delay: " + way,
+                         {},
                          "put a module of type \"delay\" between two of them"},
                         wiring_->endless_loop().front()));
 }
@@ -193,7 +195,9 @@ Result<void> System::infer_loop(const std::vector<std::size_t>& group) {
     }
   }
   if (clock.empty()) {
-    return fail(at_module({ErrorKind::kUsage, "no frames come into its loop from outside", {},
+    return fail(at_module({ErrorKind::kUsage,
+                           "no frames come into its loop from outside",
+                           {},
                            "connect a channel to one of its modules"},
                           group.front()));
   }
@@ -212,15 +216,19 @@ Result<void> System::infer_loop(const std::vector<std::size_t>& group) {
 // What a member of a loop puts out before its input is known.
 Result<void> System::promise(std::size_t member, const std::string& clock) {
   if (!modules_[member].module->is_stepped()) {
-    return fail(at_module({ErrorKind::kUsage, "it needs explorations as a whole, so it cannot "
-                                              "stand in a loop", {},
+    return fail(at_module({ErrorKind::kUsage,
+                           "it needs explorations as a whole, so it cannot "
+                           "stand in a loop",
+                           {},
                            "take it out of the loop"},
                           member));
   }
   const modules::Delay* delay = delay_of(modules_[member]);
   if (delay == nullptr) return {};
   if (delay->promised_shape().empty()) {
-    return fail(at_module({ErrorKind::kUsage, "a delay in a loop needs its 'shape'", {},
+    return fail(at_module({ErrorKind::kUsage,
+                           "a delay in a loop needs its 'shape'",
+                           {},
                            "write shape = [...], the shape of what comes in"},
                           member));
   }

@@ -155,7 +155,9 @@ std::string to_toml(const SystemDescription& description) {
   return text;
 }
 
-SystemBuilder::SystemBuilder(std::string name) { description_.name = std::move(name); }
+SystemBuilder::SystemBuilder(std::string name) {
+  description_.name = std::move(name);
+}
 
 SystemBuilder& SystemBuilder::module(const std::string& name, const std::string& type,
                                      const std::vector<Setting>& settings) {

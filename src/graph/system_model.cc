@@ -16,7 +16,9 @@ namespace {
 
 const std::string kKind = "system";
 
-std::string prefix_of(const SystemModule& module) { return "module." + module.name + "."; }
+std::string prefix_of(const SystemModule& module) {
+  return "module." + module.name + ".";
+}
 
 // A channel of the layout as TOML reads it.
 struct ChannelPart {
@@ -26,14 +28,16 @@ struct ChannelPart {
     using P = ChannelPart;
     static const auto declared =
         Declarations<P>()
-            .add("name", [](P& p) -> auto& { return p.channel.name; }, "", Range::any(), "Name.")
-            .add("unit", [](P& p) -> auto& { return p.channel.unit; }, "", Range::any(), "Unit.")
+            .add(
+                "name", [](P& p) -> auto& { return p.channel.name; }, "", Range::any(), "Name.")
+            .add(
+                "unit", [](P& p) -> auto& { return p.channel.unit; }, "", Range::any(), "Unit.")
             .add(
                 "shape", [](P& p) -> auto& { return p.channel.shape; }, "", Range::at_least(1),
                 "Shape of a frame.")
             .add(
-                "elements", [](P& p) -> auto& { return p.channel.element_names; }, "",
-                Range::any(), "Names of the elements.")
+                "elements", [](P& p) -> auto& { return p.channel.element_names; }, "", Range::any(),
+                "Names of the elements.")
             .add(
                 "clock", [](P& p) -> auto& { return p.channel.clock; }, "", Range::any(),
                 "Whose frames go together with its own.");
@@ -72,8 +76,10 @@ struct AnswerPart {
     using P = AnswerPart;
     static const auto declared =
         Declarations<P>()
-            .add("map", [](P& p) -> auto& { return p.answer.map; }, "", Range::any(), "Map.")
-            .add("label", [](P& p) -> auto& { return p.answer.label; }, "", Range::any(), "Label.")
+            .add(
+                "map", [](P& p) -> auto& { return p.answer.map; }, "", Range::any(), "Map.")
+            .add(
+                "label", [](P& p) -> auto& { return p.answer.label; }, "", Range::any(), "Label.")
             .add(
                 "classes", [](P& p) -> auto& { return p.answer.classes; }, "", Range::any(),
                 "Names of the classes.");
@@ -110,7 +116,8 @@ Archive archive_of(const System& system, const std::optional<SystemAnswer>& answ
   archive.add("description", to_toml(system.description()));
   archive.add("layout", layout_to_toml(system.layout()));
   for (const SystemModule& module : system.modules()) {
-    if (const Learner* learner = module.module->learner()) learner->save(archive, prefix_of(module));
+    if (const Learner* learner = module.module->learner())
+      learner->save(archive, prefix_of(module));
   }
   if (answer) {
     archive.add("answer", parameters_to_toml(AnswerPart{*answer}));

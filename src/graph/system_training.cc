@@ -19,9 +19,9 @@ namespace {
 std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
   if (index == 0) return seed;
   constexpr std::uint64_t kBits49 = (std::uint64_t{1} << 49) - 1;
-  const auto words = philox4x32({static_cast<std::uint32_t>(index), 0x6D6F6475U, 0, 0},
-                                {static_cast<std::uint32_t>(seed),
-                                 static_cast<std::uint32_t>(seed >> 32U)});
+  const auto words =
+      philox4x32({static_cast<std::uint32_t>(index), 0x6D6F6475U, 0, 0},
+                 {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)});
   return ((std::uint64_t{words[0]} << 32U) | words[1]) & kBits49;
 }
 
@@ -39,7 +39,8 @@ class Trainer {
     for (const Phase& phase : system_.phases()) {
       const std::vector<std::size_t> computed = computed_in(system_, phase);
       if (auto ready = compute_inputs_of(computed); !ready) return ready;
-      Result<void> learned = learns_alone(phase) ? learn_alone(phase) : learn_together(phase, computed);
+      Result<void> learned =
+          learns_alone(phase) ? learn_alone(phase) : learn_together(phase, computed);
       if (!learned) return learned;
     }
     return {};
@@ -93,10 +94,9 @@ class Trainer {
   }
 
   ExplorationRun run_on(std::size_t exploration) const {
-    return {system_, &recording_.explorations[exploration],
-            [this, exploration](std::size_t module) {
-              return activations_.find(module, exploration);
-            }};
+    return {
+        system_, &recording_.explorations[exploration],
+        [this, exploration](std::size_t module) { return activations_.find(module, exploration); }};
   }
 
   Result<void> learn_together(const Phase& phase, const std::vector<std::size_t>& computed) {
@@ -141,8 +141,8 @@ class Trainer {
     FrameWalk walk(system_, walked, phase.learners);
     for (std::uint64_t draw = 0; draw < draws;) {
       const std::size_t exploration = explorations_[order.next()];
-      auto started = walk.start(
-          [&](std::size_t module) { return activations_.find(module, exploration); });
+      auto started =
+          walk.start([&](std::size_t module) { return activations_.find(module, exploration); });
       if (!started) return started;
       for (std::size_t frame = 0; frame < walk.frames() && draw < draws; ++frame, ++draw) {
         if (auto stepped = walk.step(); !stepped) return stepped;

@@ -17,9 +17,8 @@ std::vector<std::size_t> find_loop(const std::vector<std::size_t>& left, const I
   std::vector<std::size_t> way{left.front()};
   for (;;) {
     const std::vector<std::size_t>& heard = inputs[way.back()];
-    const std::size_t next = *std::find_if(heard.begin(), heard.end(), [&](std::size_t module) {
-      return contains(left, module);
-    });
+    const std::size_t next = *std::find_if(
+        heard.begin(), heard.end(), [&](std::size_t module) { return contains(left, module); });
     const auto before = std::find(way.begin(), way.end(), next);
     if (before == way.end()) {
       way.push_back(next);
@@ -84,9 +83,8 @@ void Wiring::order_group(std::vector<std::size_t>& group, const Inputs& inputs,
   std::vector<std::size_t> ordered;
   std::vector<std::size_t> left = group;
   const auto is_ready = [&](std::size_t module) {
-    return delays[module] ||
-           std::none_of(inputs[module].begin(), inputs[module].end(),
-                        [&](std::size_t heard) { return contains(left, heard); });
+    return delays[module] || std::none_of(inputs[module].begin(), inputs[module].end(),
+                                          [&](std::size_t heard) { return contains(left, heard); });
   };
   while (!left.empty()) {
     const auto next = std::find_if(left.begin(), left.end(), is_ready);

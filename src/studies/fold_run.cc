@@ -43,10 +43,10 @@ Samples single_values(const Activations& activations, std::size_t module,
   for (const std::size_t exploration : explorations) {
     const SignalView view = activations.find(module, exploration)->values[0];
     std::vector<float> values(view.values.begin(), view.values.end());
-    signals.push_back(view.sparse ? Signal::sparse({view.size},
-                                                   {view.indices.begin(), view.indices.end()},
-                                                   std::move(values))
-                                  : Signal::dense(std::move(values)));
+    signals.push_back(view.sparse
+                          ? Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()},
+                                           std::move(values))
+                          : Signal::dense(std::move(values)));
   }
   return Samples::from_signals(signals);
 }
@@ -84,8 +84,8 @@ void measure_baseline(const Samples& vectors, const Tested& tested, FoldOutcome&
   outcome.raw_baseline = neighbours(vectors);
   outcome.standardized_baseline = outcome.raw_baseline;
   if (tested.training.size() < 2) return;
-  const auto standardization = Standardization::fit(vectors.subset(tested.training),
-                                                    {ConstantColumns::kZero});
+  const auto standardization =
+      Standardization::fit(vectors.subset(tested.training), {ConstantColumns::kZero});
   if (standardization) outcome.standardized_baseline = neighbours(standardization->apply(vectors));
 }
 
@@ -96,20 +96,19 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Questi
   auto system = question.system(description);
   if (!system) return fail(std::move(system.error()));
   Activations activations = question.fixed;
-  auto trained = train_system(*system, question.recording, fold.training, {seed, 1, progress},
-                              activations);
+  auto trained =
+      train_system(*system, question.recording, fold.training, {seed, 1, progress}, activations);
   if (!trained) return fail(std::move(trained.error()));
   std::vector<std::size_t> samples;
   std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
                  std::back_inserter(samples));
   const std::size_t input = system->modules()[question.map].inputs.front();
-  auto seen = evaluate(*system, question.recording, samples, {input, question.vectors}, 1,
-                       activations);
+  auto seen =
+      evaluate(*system, question.recording, samples, {input, question.vectors}, 1, activations);
   if (!seen) return fail(std::move(seen.error()));
   Samples inputs = single_values(activations, input, samples);
   Samples vectors = single_values(activations, question.vectors, samples);
-  return TrainedFold{std::move(*system), std::move(samples), std::move(inputs),
-                     std::move(vectors)};
+  return TrainedFold{std::move(*system), std::move(samples), std::move(inputs), std::move(vectors)};
 }
 
 Result<FoldOutcome> run_fold(const StudyDescription& description, const Question& question,

@@ -13,11 +13,11 @@ namespace somato {
 
 /// What one training gave: everything the metrics of a seed are made of.
 struct FoldOutcome {
-  std::vector<std::size_t> winners;      ///< Of the tested samples.
-  std::vector<std::size_t> predictions;  ///< Classes of the tested samples.
+  std::vector<std::size_t> winners;                ///< Of the tested samples.
+  std::vector<std::size_t> predictions;            ///< Classes of the tested samples.
   std::vector<std::size_t> raw_baseline;           ///< The same by the nearest neighbour.
   std::vector<std::size_t> standardized_baseline;  ///< The same on standardized vectors.
-  double summed_distance = 0.0;  ///< Of the tested samples from their winners.
+  double summed_distance = 0.0;                    ///< Of the tested samples from their winners.
   double torn = 0.0;             ///< Tested samples whose two winners do not touch.
   bool apart = false;            ///< No winner shared between classes, learned or tested.
   bool connected = false;        ///< Each class one region, learned or tested.

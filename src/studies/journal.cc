@@ -107,8 +107,8 @@ Result<Journal> Journal::open(const std::string& path, const std::string& finger
     }
   }
   // A line that was cut must not become the beginning of the next one.
-  const std::string whole = header ? text.substr(0, text.size() - lines.left())
-                                   : header_of(fingerprint);
+  const std::string whole =
+      header ? text.substr(0, text.size() - lines.left()) : header_of(fingerprint);
   if (whole != text) {
     if (auto saved = save_whole(path, whole); !saved) return fail(std::move(saved.error()));
   }

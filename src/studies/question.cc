@@ -72,10 +72,10 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, Question&
   const auto& first = question.samples.groups.front();
   for (const Protocol protocol : study.protocols) {
     if (protocol == Protocol::kFolds && study.folds > learned) {
-      return fail(ErrorKind::kData,
-                  fmt::format("{} explorations cannot be divided into {} parts", learned,
-                              study.folds),
-                  {}, "write a smaller number of 'folds' in [study]");
+      return fail(
+          ErrorKind::kData,
+          fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},
+          "write a smaller number of 'folds' in [study]");
     }
     if (protocol == Protocol::kLeaveGroupOut &&
         std::count(question.samples.groups.begin(), question.samples.groups.end(), first) ==
@@ -110,14 +110,13 @@ Result<std::size_t> find_map(const System& system, const std::string& name) {
     return fail(unknown_name("module of type som", name, {}, candidates));
   }
   if (candidates.size() == 1) return system.find(candidates.front());
-  return fail(ErrorKind::kUsage,
-              candidates.empty() ? "the system has no map that answers"
-                                 : "more than one map could answer",
-              {},
-              candidates.empty()
-                  ? "add a module of type som, or name one with 'map' in [study]"
-                  : fmt::format("name one of {} with 'map' in [study]",
-                                fmt::join(candidates, ", ")));
+  return fail(
+      ErrorKind::kUsage,
+      candidates.empty() ? "the system has no map that answers" : "more than one map could answer",
+      {},
+      candidates.empty()
+          ? "add a module of type som, or name one with 'map' in [study]"
+          : fmt::format("name one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
 }
 
 Result<void> find_modules(const System& system, const StudyParameters& study, Question& question) {
@@ -130,7 +129,8 @@ Result<void> find_modules(const System& system, const StudyParameters& study, Qu
     return fail(system.at_module({ErrorKind::kUsage,
                                   "a study asks about explorations, and this map has frames coming "
                                   "in",
-                                  {}, "put the frames together first, as with 'last'"},
+                                  {},
+                                  "put the frames together first, as with 'last'"},
                                  *map));
   }
   if (input.type->name == "standardization") question.vectors = input.inputs.front();
@@ -168,14 +168,11 @@ Result<Question> make_question(const StudyDescription& description, const Record
                 "every exploration has the same '" + description.study.label + "'", {},
                 "there is nothing to tell apart; name another label");
   }
-  Result<void> ready = check_individuals(question, description.study)
-                           .and_then([&] {
-                             return divide(description.study, recording.explorations.size(),
-                                           question);
-                           })
-                           .and_then([&] {
-                             return find_modules(*system, description.study, question);
-                           });
+  Result<void> ready =
+      check_individuals(question, description.study)
+          .and_then(
+              [&] { return divide(description.study, recording.explorations.size(), question); })
+          .and_then([&] { return find_modules(*system, description.study, question); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));

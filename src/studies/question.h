@@ -16,9 +16,9 @@ namespace somato {
 /// What a study asks: explorations, their classes, and the individuals behind them; and what of its
 /// system never learns, computed once.
 struct Question {
-  Recording recording;     ///< What is divided, then the explorations of `--test-data`.
-  FoldSamples samples;     ///< How it is divided.
-  Classes classes;         ///< Of all explorations.
+  Recording recording;  ///< What is divided, then the explorations of `--test-data`.
+  FoldSamples samples;  ///< How it is divided.
+  Classes classes;      ///< Of all explorations.
   std::vector<std::size_t> individuals;
   RecordingLayout layout;
   std::size_t map = 0;      ///< The module that answers.

@@ -88,8 +88,7 @@ std::vector<Protocol> protocols_of(const StudyDescription& description, const Qu
 }
 
 Result<Journal> open_journal(const StudyOptions& options, const StudyDescription& description,
-                             const std::string& data_hash,
-                             const std::vector<Protocol>& protocols) {
+                             const std::string& data_hash, const std::vector<Protocol>& protocols) {
   if (options.journal.empty()) return Journal();
   return Journal::open(options.journal, fingerprint(description, data_hash, protocols));
 }

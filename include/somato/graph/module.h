@@ -121,8 +121,8 @@ class Learner {
   virtual Result<void> learn(const Lesson& lesson, const TrainingInputs& explorations);
 
   /// Gets ready to learn draw by draw and returns how many draws there will be. `explorations` are
-  /// the inputs before anything is learned in this phase; none when they are unknown. Errors: kData,
-  /// kUsage.
+  /// the inputs before anything is learned in this phase; none when they are unknown. Errors:
+  /// kData, kUsage.
   virtual Result<std::uint64_t> begin(const Lesson& lesson, const TrainingInputs& explorations);
 
   /// Learns one draw: a frame, or the value of an exploration. Errors: kData.

@@ -32,8 +32,8 @@ struct OneHotModuleParameters {
                 "high", [](P& p) -> auto& { return p.high; }, "the input's", Range::any(),
                 "Upper end of the range, as 'low'. Not given in the paper.")
             .add(
-                "elements", [](P& p) -> auto& { return p.elements; }, "", Range::between(1, 1 << 20),
-                "Bins for each element of the input; 10 in the papers.")
+                "elements", [](P& p) -> auto& { return p.elements; }, "",
+                Range::between(1, 1 << 20), "Bins for each element of the input; 10 in the papers.")
             .add(
                 "outside", [](P& p) -> auto& { return p.outside; }, "", Range::any(),
                 "What becomes of a value outside the range: an error, or the nearest bin.");
@@ -49,13 +49,13 @@ class OneHotModule : public MappedModule, public Learner {
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
     const PortType& input = inputs.front().type;
     inputs_ = input.size();
-    for (const auto& [name, ends] : {std::pair{"low", &parameters_.low},
-                                     std::pair{"high", &parameters_.high}}) {
+    for (const auto& [name, ends] :
+         {std::pair{"low", &parameters_.low}, std::pair{"high", &parameters_.high}}) {
       if (ends->empty() || ends->size() == 1 || ends->size() == inputs_) continue;
-      return fail(ErrorKind::kUsage,
-                  fmt::format("'{}' has {} numbers, but {} elements come in", name, ends->size(),
-                              inputs_),
-                  {}, "give one number for all or one for each");
+      return fail(
+          ErrorKind::kUsage,
+          fmt::format("'{}' has {} numbers, but {} elements come in", name, ends->size(), inputs_),
+          {}, "give one number for all or one for each");
     }
     PortType type{input.rate, input.shape, true, input.clock};
     if (type.size() == 1) type.shape.clear();
@@ -88,10 +88,10 @@ class OneHotModule : public MappedModule, public Learner {
     for (const auto& ports : explorations) widen(dense_rows(*ports.front()), low, high);
     for (std::size_t i = 0; i < inputs_; ++i) {
       if (low[i] < high[i]) continue;
-      return fail(ErrorKind::kData,
-                  fmt::format("element {} is {} in everything there is to learn from", i + 1,
-                              low[i]),
-                  {}, "give its range as 'low' and 'high', or leave it out");
+      return fail(
+          ErrorKind::kData,
+          fmt::format("element {} is {} in everything there is to learn from", i + 1, low[i]), {},
+          "give its range as 'low' and 'high', or leave it out");
     }
     return make(parameters_.low.empty() ? low : parameters_.low,
                 parameters_.high.empty() ? high : parameters_.high);
@@ -136,10 +136,10 @@ class OneHotModule : public MappedModule, public Learner {
       low_[i] = low[low.size() == 1 ? 0 : i];
       high_[i] = high[high.size() == 1 ? 0 : i];
       if (!(static_cast<float>(low_[i]) < static_cast<float>(high_[i]))) {
-        return fail(ErrorKind::kUsage,
-                    fmt::format("'low' is {} and 'high' {} for element {}", low_[i], high_[i],
-                                i + 1),
-                    {}, "'low' must be less than 'high'");
+        return fail(
+            ErrorKind::kUsage,
+            fmt::format("'low' is {} and 'high' {} for element {}", low_[i], high_[i], i + 1), {},
+            "'low' must be less than 'high'");
       }
       joints.push_back({low_[i], high_[i], parameters_.elements, parameters_.outside});
     }
@@ -227,11 +227,11 @@ class SumModule : public CombiningModule {
     if (auto together = remember(inputs); !together) return fail(together.error());
     for (const Connection& input : inputs) {
       if (input.type.shape == types().front().shape) continue;
-      return fail(ErrorKind::kUsage,
-                  fmt::format("{} elements cannot be added to {}",
-                              fmt::join(input.type.shape, " x "),
-                              fmt::join(types().front().shape, " x ")),
-                  input.port, "give it inputs of one shape");
+      return fail(
+          ErrorKind::kUsage,
+          fmt::format("{} elements cannot be added to {}", fmt::join(input.type.shape, " x "),
+                      fmt::join(types().front().shape, " x ")),
+          input.port, "give it inputs of one shape");
     }
     PortType type = types().front();
     type.sparse = false;
@@ -283,23 +283,23 @@ class NormalizationModule : public MappedModule {
 }  // namespace
 
 std::vector<ModuleType> code_types() {
-  return {describe<OneHotModule>(
-              "one_hot", "Each element by the one of several bins that holds it (P06 section 2.1).",
-              {input_port("Numbers.")},
-              "The input's shape with an axis of bins added; sparse. A single number: the bins.",
-              true),
-          describe<TensorProductModule>("tensor_product",
-                                        "A place for every combination of elements (P06 section 1).",
-                                        {input_ports("One or more signals, in their order.")},
-                                        "The shapes of the inputs, one after the other."),
-          describe<ConcatenationModule>("concatenation", "Signals one after the other.",
-                                        {input_ports("One or more signals, in their order.")},
-                                        "A vector of all elements."),
-          describe<SumModule>("sum", "Signals added, element by element.",
-                              {input_ports("Signals of one shape.")}, "The shape of the inputs."),
-          describe<NormalizationModule>("normalization", "A signal divided by its norm.",
-                                        {input_port("Any signal; zeros stay.")},
-                                        "The shape of the input.")};
+  return {
+      describe<OneHotModule>(
+          "one_hot", "Each element by the one of several bins that holds it (P06 section 2.1).",
+          {input_port("Numbers.")},
+          "The input's shape with an axis of bins added; sparse. A single number: the bins.", true),
+      describe<TensorProductModule>("tensor_product",
+                                    "A place for every combination of elements (P06 section 1).",
+                                    {input_ports("One or more signals, in their order.")},
+                                    "The shapes of the inputs, one after the other."),
+      describe<ConcatenationModule>("concatenation", "Signals one after the other.",
+                                    {input_ports("One or more signals, in their order.")},
+                                    "A vector of all elements."),
+      describe<SumModule>("sum", "Signals added, element by element.",
+                          {input_ports("Signals of one shape.")}, "The shape of the inputs."),
+      describe<NormalizationModule>("normalization", "A signal divided by its norm.",
+                                    {input_port("Any signal; zeros stay.")},
+                                    "The shape of the input.")};
 }
 
 }  // namespace somato::modules

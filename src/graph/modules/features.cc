@@ -63,10 +63,11 @@ class ResamplingModule : public Module {
   }
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return resampled(dense_rows(*inputs.front()), parameters_).map([&](const Matrix<float>& points) {
-      const auto values = points.values();
-      return single(Signal::dense(shape_, {values.begin(), values.end()}));
-    });
+    return resampled(dense_rows(*inputs.front()), parameters_)
+        .map([&](const Matrix<float>& points) {
+          const auto values = points.values();
+          return single(Signal::dense(shape_, {values.begin(), values.end()}));
+        });
   }
 
  private:
@@ -150,24 +151,23 @@ class SpectrumModule : public Module {
 }  // namespace
 
 std::vector<ModuleType> feature_types() {
-  return {describe<ChangeModule>("change", "The last frame of an exploration less the first.",
-                                 {input_port("Frames.")}, "The shape of a frame."),
-          describe<ResamplingModule>(
-              "resampling", "An exploration of any length as so many points, interpolated.",
-              {input_port("Frames.")}, "Points x the shape of a frame."),
-          describe<OnsetWindowModule>("onset_window",
-                                      "So many frames from where something is touched.",
-                                      {input_port("Frames.")}, "Frames of the same shape."),
-          describe<MeanRemovalModule>("mean_removal",
-                                      "Frames less their mean over the exploration.",
-                                      {input_port("Frames.")}, "Frames of the same shape."),
-          describe<SpectrumModule>(
-              "spectrum", "How strong each element of the frames is at each frequency (P11 IV-B).",
-              {input_port("Frames."),
-               {"speed",
-                "A number in mm/s, averaged over its frames: frequencies become cycles per mm.",
-                false, false}},
-              "Elements x bands.")};
+  return {
+      describe<ChangeModule>("change", "The last frame of an exploration less the first.",
+                             {input_port("Frames.")}, "The shape of a frame."),
+      describe<ResamplingModule>("resampling",
+                                 "An exploration of any length as so many points, interpolated.",
+                                 {input_port("Frames.")}, "Points x the shape of a frame."),
+      describe<OnsetWindowModule>("onset_window", "So many frames from where something is touched.",
+                                  {input_port("Frames.")}, "Frames of the same shape."),
+      describe<MeanRemovalModule>("mean_removal", "Frames less their mean over the exploration.",
+                                  {input_port("Frames.")}, "Frames of the same shape."),
+      describe<SpectrumModule>(
+          "spectrum", "How strong each element of the frames is at each frequency (P11 IV-B).",
+          {input_port("Frames."),
+           {"speed",
+            "A number in mm/s, averaged over its frames: frequencies become cycles per mm.", false,
+            false}},
+          "Elements x bands.")};
 }
 
 }  // namespace somato::modules

@@ -101,13 +101,14 @@ class DelayModule : public Delay {
 };
 
 std::vector<ModuleType> frame_types() {
-  return {describe<FirstModule>("first", "The first frame of an exploration.",
-                                {input_port("Frames.")}, "The frame."),
-          describe<LastModule>(
-              "last", "The last frame of an exploration: P11 III reads the closed hand once.",
-              {input_port("Frames.")}, "The frame."),
-          describe<DelayModule>("delay", "The frame before; zeros at the start. It may close a loop.",
-                                {input_port("Frames.")}, "The shape of the input.")};
+  return {
+      describe<FirstModule>("first", "The first frame of an exploration.", {input_port("Frames.")},
+                            "The frame."),
+      describe<LastModule>("last",
+                           "The last frame of an exploration: P11 III reads the closed hand once.",
+                           {input_port("Frames.")}, "The frame."),
+      describe<DelayModule>("delay", "The frame before; zeros at the start. It may close a loop.",
+                            {input_port("Frames.")}, "The shape of the input.")};
 }
 
 }  // namespace somato::modules

@@ -77,7 +77,9 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
                       inputs.front().port);
 }
 
-std::unique_ptr<Stepper> SomModule::start() const { return std::make_unique<SomStepper>(som_); }
+std::unique_ptr<Stepper> SomModule::start() const {
+  return std::make_unique<SomStepper>(som_);
+}
 
 std::size_t SomModule::memory() const {
   return parameters_.rows * parameters_.columns * input_size_ * sizeof(float);
@@ -92,8 +94,7 @@ SomParameters SomModule::parameters_for(const Lesson& lesson) const {
 }
 
 Result<void> SomModule::learn(const Lesson& lesson, const TrainingInputs& explorations) {
-  auto trained =
-      train_som(parameters_for(lesson), all_values(explorations), {1, lesson.progress});
+  auto trained = train_som(parameters_for(lesson), all_values(explorations), {1, lesson.progress});
   if (!trained) return fail(std::move(trained.error()));
   som_ = std::move(*trained);
   return {};
@@ -107,9 +108,9 @@ Result<std::uint64_t> SomModule::begin(const Lesson& lesson, const TrainingInput
                 "it hears itself, so its weights cannot start from what it will hear", {},
                 "write initial_weights = \"uniform\"");
   }
-  auto som = untrained_som(parameters, lesson.inputs_unknown
-                                           ? Samples(Matrix<float>(1, input_size_))
-                                           : all_values(explorations));
+  auto som =
+      untrained_som(parameters, lesson.inputs_unknown ? Samples(Matrix<float>(1, input_size_))
+                                                      : all_values(explorations));
   if (!som) return fail(std::move(som.error()));
   som_ = std::move(*som);
   learner_.emplace(som_);
@@ -282,9 +283,9 @@ class WinnerModule : public MappedModule {
 };
 
 ModuleType som_type() {
-  ModuleType type = describe<SomModule>(
-      "som", "A self-organizing map.", {input_port("What the map learns, flattened.")},
-      "The activity of the neurons, rows x columns.", true);
+  ModuleType type = describe<SomModule>("som", "A self-organizing map.",
+                                        {input_port("What the map learns, flattened.")},
+                                        "The activity of the neurons, rows x columns.", true);
   // A study gives every run a seed of its own.
   std::erase_if(type.parameters, [](const ParameterInfo& info) { return info.name == "seed"; });
   type.make = [](const Table& table) -> Result<std::unique_ptr<Module>> {

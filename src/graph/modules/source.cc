@@ -93,9 +93,9 @@ class ChannelModule : public Source {
       known.push_back(channel.name);
     }
     if (parameters_.channel.empty()) {
-      return fail(ErrorKind::kUsage, "it does not say which channel it is", {},
-                  "add channel = \"...\"; the recording has: " +
-                      fmt::format("{}", fmt::join(known, ", ")));
+      return fail(
+          ErrorKind::kUsage, "it does not say which channel it is", {},
+          "add channel = \"...\"; the recording has: " + fmt::format("{}", fmt::join(known, ", ")));
     }
     return fail(unknown_name("channel", parameters_.channel, {}, known));
   }
@@ -134,11 +134,11 @@ class ChannelModule : public Source {
 
   Result<void> open(const ChannelLayout& channel) {
     if (!parameters_.shape.empty() && parameters_.shape != channel.shape) {
-      return fail(ErrorKind::kUsage,
-                  fmt::format("channel '{}' has the shape {} in the recording, not {}",
-                              channel.name, fmt::join(channel.shape, " x "),
-                              fmt::join(parameters_.shape, " x ")),
-                  {}, "correct 'shape', or leave it out");
+      return fail(
+          ErrorKind::kUsage,
+          fmt::format("channel '{}' has the shape {} in the recording, not {}", channel.name,
+                      fmt::join(channel.shape, " x "), fmt::join(parameters_.shape, " x ")),
+          {}, "correct 'shape', or leave it out");
     }
     type_ = {Rate::kFrame, channel.shape, false, channel.clock};
     source_elements_ = type_.size();

@@ -49,8 +49,8 @@ Result<void> expect_together(const std::vector<Connection>& inputs) {
     }
     if (input.type.clock != first.clock) {
       return fail(ErrorKind::kUsage,
-                  fmt::format("the frames of '{}' and of '{}' are not taken together",
-                              first.clock, input.type.clock),
+                  fmt::format("the frames of '{}' and of '{}' are not taken together", first.clock,
+                              input.type.clock),
                   input.port, "bring each to one value an exploration first");
     }
   }
@@ -120,8 +120,12 @@ Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape) {
   return Signal::sparse(shape, {view.indices.begin(), view.indices.end()}, std::move(values));
 }
 
-InputPort input_port(std::string text) { return {"input", std::move(text), true, false}; }
+InputPort input_port(std::string text) {
+  return {"input", std::move(text), true, false};
+}
 
-InputPort input_ports(std::string text) { return {"inputs", std::move(text), true, true}; }
+InputPort input_ports(std::string text) {
+  return {"inputs", std::move(text), true, true};
+}
 
 }  // namespace somato::modules
