@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "graph/modules/support.h"
@@ -73,6 +74,61 @@ class ResamplingModule : public Module {
  private:
   Parameters parameters_;
   std::vector<std::size_t> shape_;
+};
+
+struct WindowParameters {
+  std::size_t start = 0;
+  std::size_t length = 1;
+  BeyondFrames beyond = BeyondFrames::kRefuse;
+
+  static const Declarations<WindowParameters>& declarations() {
+    using P = WindowParameters;
+    static const auto declared =
+        Declarations<P>()
+            .add(
+                "start", [](P& p) -> auto& { return p.start; }, "frames", Range::between(0, 1e9),
+                "Frames that are left out at the start of an exploration.")
+            .add(
+                "length", [](P& p) -> auto& { return p.length; }, "frames", Range::between(1, 1e9),
+                "Frames of the window.")
+            .add(
+                "beyond", [](P& p) -> auto& { return p.beyond; }, "", Range::any(),
+                "What stands in the window beyond the last frame: an error, or that frame.");
+    return declared;
+  }
+};
+
+class WindowModule : public Module {
+ public:
+  using Parameters = WindowParameters;
+  explicit WindowModule(const Parameters& parameters) : parameters_(parameters) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    PortType type = inputs.front().type;
+    type.sparse = false;
+    type.clock = fmt::format("{} frames from frame {} of {}", parameters_.length,
+                             parameters_.start + 1, type.clock);
+    return checked_size(std::move(type), inputs.front().port);
+  }
+
+  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
+    const Samples& frames = inputs.front()->values;
+    const std::size_t end = parameters_.start + parameters_.length;
+    if (end > frames.count() && parameters_.beyond == BeyondFrames::kRefuse) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the window ends at frame {}, but there are {}", end, frames.count()),
+                  {}, "choose a shorter 'length', or beyond = \"hold\"");
+    }
+    Matrix<float> window(parameters_.length, frames.size());
+    for (std::size_t i = 0; i < window.rows(); ++i) {
+      write_dense(frames[std::min(parameters_.start + i, frames.count() - 1)], window.row(i));
+    }
+    return Sequence{Samples(std::move(window)), inputs.front()->rate};
+  }
+
+ private:
+  Parameters parameters_;
 };
 
 class OnsetWindowModule : public Module {
