@@ -23,7 +23,7 @@ std::vector<double> band_edges(const SpectrumParameters& parameters, double high
 double sum_between(std::span<const double> bins, double low, double high) {
   double sum = 0.0;
   for (auto k = static_cast<std::size_t>(std::floor(low + 0.5)); k < bins.size(); ++k) {
-    const double centre = static_cast<double>(k);
+    const auto centre = static_cast<double>(k);
     if (centre - 0.5 >= high) break;
     const double width = std::min(high, centre + 0.5) - std::max(low, centre - 0.5);
     sum = std::fma(width, bins[k], sum);

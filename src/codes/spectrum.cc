@@ -109,7 +109,7 @@ Result<std::vector<double>> edges_in_bins(const SpectrumParameters& parameters, 
   Result<double> unit = axis_unit(parameters, speed);
   if (!unit) return fail(std::move(unit.error()));
   if (parameters.bands == 0) return std::vector<double>{};
-  if (!(rate > 0.0 && std::isfinite(rate))) {
+  if (rate <= 0.0 || !std::isfinite(rate)) {
     return fail(ErrorKind::kData, "bands need the frame rate, and it is not known", {},
                 "record times or a rate, or take every bin with 'bands' 0");
   }

@@ -40,9 +40,11 @@ TEST(Memory, OfSparseFramesIsSparseAndInOrder) {
 TEST(Memory, IsEmptyAtFirstAndAfterAReset) {
   Memory memory({5});
   EXPECT_EQ(memory.value(), Signal::sparse({5}, {}, {}));
-  memory.add(Signal::sparse({5}, {1}, {1.0F}).view());
+  memory.add(Signal::sparse({5}, {1, 4}, {1.0F, 1.0F}).view());
   memory.reset();
   EXPECT_EQ(memory.value(), Signal::sparse({5}, {}, {}));
+  memory.add(Signal::sparse({5}, {4}, {3.0F}).view());
+  EXPECT_EQ(memory.value(), Signal::sparse({5}, {4}, {3.0F}));
   memory.add(Signal::dense({1, 1, 1, 1, 1}).view());
   memory.reset();
   memory.add(Signal::sparse({5}, {3}, {2.0F}).view());

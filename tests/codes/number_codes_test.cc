@@ -119,7 +119,8 @@ TEST(NumberCode, TakesDecimalEdgesAsTheyAreWritten) {
     EXPECT_EQ(tenths.level(edges[level]), level);
     EXPECT_EQ(tenths.level(std::nextafter(edges[level], 0.0F)), level - 1);
   }
-  EXPECT_EQ(code_of(kBinary, 4, 0.0, 0.1).level(0.1F), 15U);
+  EXPECT_EQ(code_of(kBinary, 4, 0.0, 0.1).level(0.1F), 15U);  // a float 0.1 is above 0.1
+  EXPECT_EQ(code_of(kBinary, 4, 0.7, 1.0).level(0.7F), 0U);   // a float 0.7 is below 0.7
 }
 
 // Between 2^23 and 2^24 single precision holds every whole number and no other.

@@ -385,6 +385,7 @@ TEST(SpectrumThreads, GivesEveryThreadTheSame) {
   const Signal alone = spectrum.apply(frames, 0.0).value();
   std::vector<Signal> found(4);
   std::vector<std::thread> threads;
+  threads.reserve(found.size());
   for (Signal& mine : found) {
     threads.emplace_back([&spectrum, &frames, &mine] {
       for (int i = 0; i < 5; ++i) mine = spectrum.apply(frames, 0.0).value();
