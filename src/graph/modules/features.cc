@@ -213,6 +213,8 @@ std::vector<ModuleType> feature_types() {
       describe<ResamplingModule>("resampling",
                                  "An exploration of any length as so many points, interpolated.",
                                  {input_port("Frames.")}, "Points x the shape of a frame."),
+      describe<WindowModule>("window", "So many frames from a given one.", {input_port("Frames.")},
+                             "Frames of the same shape."),
       describe<OnsetWindowModule>("onset_window", "So many frames from where something is touched.",
                                   {input_port("Frames.")}, "Frames of the same shape."),
       describe<MeanRemovalModule>("mean_removal", "Frames less their mean over the exploration.",
