@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 
@@ -7,6 +8,7 @@
 #include "somato/codes/one_hot.h"
 #include "somato/codes/standardization.h"
 #include "somato/maps/t_mpsom_parameters.h"
+#include "somato/recording/csv_import.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::program {
@@ -81,11 +83,15 @@ void add_command(std::string& page, const Command& command) {
   page += fmt::format("### `{}`\n\n{}.\n\n", usage_of(command), command.text);
   add_arguments(page, command);
   if (command.parameters.empty()) return;
-  const std::string& key = command.parameters.back().name;
-  page += fmt::format(
-      "Every key of [`[map]`](#map) is a flag too, with dashes for underscores: `{}` is `{}`, "
-      "`radius_start` is `{}`.\n\n",
-      key, flag_of(key), flag_of("radius_start"));
+  page += fmt::format("Every key of [`[{0}]`](#{0}) is a flag too, with dashes for underscores: ",
+                      command.table);
+  const auto underscored = [](const ParameterInfo& info) {
+    return info.name.find('_') != std::string::npos;
+  };
+  const auto& infos = command.parameters;
+  const auto key = std::find_if(infos.begin(), infos.end(), underscored);
+  const std::string& example = key == infos.end() ? infos.front().name : key->name;
+  page += fmt::format("`{}` is `{}`.\n\n", example, flag_of(example));
 }
 
 std::string reference_page(const std::vector<Command>& commands) {
@@ -108,6 +114,12 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<VectorParameters>(page, "`[vector]`");
   add_table<SomParameters>(page, "`[map]`");
+  page +=
+      "## Descriptions of CSV files\n\nHow a folder of CSV files, one a trial, becomes a recording "
+      "([your data](../your-data.md)): a table `[import]`, and a table `[[channel]]` for each "
+      "channel.\n\n";
+  add_table<CsvTrials>(page, "`[import]`");
+  add_table<CsvChannel>(page, "`[[channel]]`");
   page +=
       "## In the library alone\n\nParameters of what C++ programs can use, but no command or study "
       "file yet.\n\n";

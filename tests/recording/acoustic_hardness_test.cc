@@ -196,6 +196,22 @@ TEST_F(ImportAcousticHardness, RefusesEveryCut) {
   }
 }
 
+TEST_F(ImportAcousticHardness, ReadsOrRefusesWhateverBitIsTurned) {
+  const std::string text = impact_of("1").dump();
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string turned = text;
+    turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
+    const std::string file = folder_.with("1.json", turned);
+    const auto recording = import();
+    if (recording) {
+      EXPECT_TRUE(validate(*recording)) << turned;
+    } else {
+      EXPECT_EQ(recording.error().kind, ErrorKind::kData) << turned;
+      EXPECT_TRUE(recording.error().where.starts_with(file)) << turned;
+    }
+  }
+}
+
 TEST_F(ImportAcousticHardness, RefusesTheSameSampleTwice) {
   folder_.with("1.json", impact_of("x").dump());
   folder_.with("2.json", impact_of("x").dump());

@@ -306,6 +306,27 @@ TEST_F(ImportCsvTrials, ReadsCutFilesAsFarAsRowsAreWholeOrNotAtAll) {
   }
 }
 
+TEST_F(ImportCsvTrials, ReadsOrRefusesWhateverBitIsTurned) {
+  plan_.trials.time = "t";
+  const std::string text = "t,a,b\n0,11,-2.5\n1,33,4e1\n";
+  std::size_t read = 0;
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string turned = text;
+    turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
+    const std::string file = folder_.with("x_1.csv", turned);
+    const auto recording = import();
+    read += recording.has_value();
+    if (recording) {
+      EXPECT_TRUE(validate(*recording)) << turned;
+    } else {
+      EXPECT_EQ(recording.error().kind, ErrorKind::kData) << turned;
+      EXPECT_TRUE(recording.error().where.starts_with(file)) << turned;
+    }
+  }
+  EXPECT_GT(read, 0U);  // another digit is a number too
+  EXPECT_LT(read, 8 * text.size() / 2);
+}
+
 // Random tables with holes, written plainly, come back to the bit.
 TEST_F(ImportCsvTrials, ReadsBackRandomTables) {
   Random random(5);
