@@ -109,10 +109,12 @@ Result<Recording> import_named(const Arguments& arguments) {
 }
 
 std::string summary(const Recording& recording) {
-  std::vector<std::string> labels;
   const Exploration& first = recording.explorations.front();
+  std::vector<std::string> labels;
+  labels.reserve(first.labels.size());
   for (const Label& label : first.labels) labels.push_back(label.name);
   std::vector<std::string> channels;
+  channels.reserve(first.channels.size());
   for (const Channel& channel : first.channels) {
     channels.push_back(fmt::format("{} ({}{}{})", channel.name, channel.frames.columns(),
                                    channel.unit.empty() ? "" : " x ", channel.unit));

@@ -4,16 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <filesystem>
-#include <map>
-#include <numbers>
-#include <numeric>
 
 #include "somato/core/random.h"
-#include "somato/files/toml_file.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
@@ -217,6 +211,11 @@ TEST_F(ImportCsvTrials, RefusesAHeaderThatLacksAColumn) {
   plan_.trials.time = "clock";
   EXPECT_EQ(error_for("\na1,a2,a3\n1,2,3\n"),
             "x_1.csv:2: there is no column 'clock'; known are: a1, a2, a3");
+  EXPECT_EQ(error_for("0,1,2\n1,2,3\n"),
+            "x_1.csv:1: there is no column 'clock'; where the first line holds no names, write "
+            "header = false");
+  plan_.trials.header = false;
+  EXPECT_EQ(error_for("0,1\n"), "x_1.csv:1: there is no column 'clock'; known are: 1, 2");
 }
 
 TEST_F(ImportCsvTrials, RefusesTwoColumnsOfOneName) {
@@ -354,53 +353,6 @@ TEST_F(ImportCsvTrials, ReadsBackRandomTables) {
     if (holes) expected.valid = valid;
     plan_.channels = {channel_of("touch", {fmt::format("c1..c{}", columns)})};
     EXPECT_EQ(read(text).channels, std::vector<Channel>{expected}) << text;
-  }
-}
-
-// The shipped example, against what its README says.
-
-// The frequency in Hz of the strongest wave in `values` between 1 and 15 Hz.
-double strongest_frequency(const std::vector<double>& values, double rate) {
-  const double mean =
-      std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
-  double strongest = 0.0;
-  double most = 0.0;
-  for (int i = 20; i <= 300; ++i) {
-    const double frequency = i / 20.0;
-    std::complex<double> sum = 0.0;
-    for (std::size_t n = 0; n < values.size(); ++n) {
-      const double angle = 2.0 * std::numbers::pi * frequency * static_cast<double>(n) / rate;
-      sum += (values[n] - mean) * std::polar(1.0, angle);
-    }
-    if (std::norm(sum) > most) strongest = frequency;
-    most = std::max(most, std::norm(sum));
-  }
-  return strongest;
-}
-
-TEST(SyntheticStrokes, AreWhatTheirReadmeSays) {
-  const auto folder = std::filesystem::path(SOMATO_SOURCE_DIR) / "examples" / "synthetic_strokes";
-  const auto recording =
-      read_toml((folder / "import.toml").string())
-          .and_then(read_csv_import)
-          .and_then([&](const CsvImport& plan) { return import_csv_trials(folder, plan); });
-  ASSERT_TRUE(recording) << to_string(recording.error());
-  EXPECT_TRUE(validate(*recording));
-  EXPECT_EQ(recording->explorations.size(), 24U);
-  EXPECT_EQ(label_values(*recording, "trial"), (Names{"1", "2"}));
-  const std::map<std::string, double> ridges{
-      {"coarse_rib", 0.04}, {"coarse_knit", 0.065}, {"fine_rib", 0.1}, {"fine_knit", 0.16}};
-  for (const Exploration& stroke : recording->explorations) {
-    const Channel& touch = *find_channel(stroke, "touch").value();
-    ASSERT_EQ(touch.frames.rows(), 96U);
-    ASSERT_EQ(touch.frames.columns(), 4U);
-    EXPECT_DOUBLE_EQ(touch.times.back(), 95 * 0.02);
-    const double speed = find_channel(stroke, "speed").value()->frames(0, 0);
-    std::vector<double> first_taxel;
-    for (std::size_t i = 0; i < 96; ++i) first_taxel.push_back(touch.frames(i, 0));
-    EXPECT_NEAR(strongest_frequency(first_taxel, 50.0),
-                speed * ridges.at(find_label(stroke, "fabric").value()), 0.2)
-        << stroke.source;
   }
 }
 
