@@ -46,6 +46,7 @@ struct Command {
   std::vector<Flag> flags;
   std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
   std::function<Result<void>(const Arguments&)> run;
+  std::string table = {};  ///< Of TOML files, that holds the same parameters as keys.
 };
 
 /// The flag of a parameter: `radius_start` is `--radius-start`.

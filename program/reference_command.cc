@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 
 #include "commands.h"
 #include "parameter_table.h"
 #include "somato/maps/som_parameters.h"
+#include "somato/recording/csv_import.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::program {
@@ -57,12 +59,15 @@ void add_command(std::string& page, const Command& command) {
   page += fmt::format("### `{}`\n\n{}.\n\n", usage_of(command), command.text);
   add_arguments(page, command);
   if (command.parameters.empty()) return;
-  const std::string& key = command.parameters.back().name;
-  page += fmt::format(
-      "Every [key of a map](#keys-of-a-map) is a flag too, with dashes for underscores: `{}` is "
-      "`{}`, "
-      "`radius_start` is `{}`.\n\n",
-      key, flag_of(key), flag_of("radius_start"));
+  page += fmt::format("Every key of [{0}](#{0}) is a flag too, with dashes for underscores: ",
+                      command.table);
+  const auto underscored = [](const ParameterInfo& info) {
+    return info.name.find('_') != std::string::npos;
+  };
+  const auto& infos = command.parameters;
+  const auto key = std::find_if(infos.begin(), infos.end(), underscored);
+  const std::string& example = key == infos.end() ? infos.front().name : key->name;
+  page += fmt::format("`{}` is `{}`.\n\n", example, flag_of(example));
 }
 
 std::string reference_page(const std::vector<Command>& commands) {
@@ -84,7 +89,16 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
-  add_table<SomParameters>(page, "Keys of a map");
+  page +=
+      "## Maps\n\nKeys of a module of type `som`; those of other types stand with "
+      "[them](modules.md).\n\n";
+  add_table<SomParameters>(page, "map");
+  page +=
+      "## Descriptions of CSV files\n\nHow a folder of CSV files, one a trial, becomes a recording "
+      "([your data](../your-data.md)): a table `[import]`, and a table `[[channel]]` for each "
+      "channel.\n\n";
+  add_table<CsvTrials>(page, "`[import]`");
+  add_table<CsvChannel>(page, "`[[channel]]`");
   return page;
 }
 

@@ -100,7 +100,8 @@ Command som_train_command() {
             true}},
           std::move(flags),
           parameter_flags<SomParameters>(),
-          train};
+          train,
+          "map"};
 }
 
 }  // namespace somato::program

@@ -62,6 +62,11 @@ class OperatingSystem final : public FileSystem {
     return counted(::read(file, bytes, count));
   }
 
+  Outcome<std::size_t> read_at(int file, std::size_t place, char* bytes,
+                               std::size_t count) override {
+    return counted(::pread(file, bytes, count, static_cast<off_t>(place)));
+  }
+
   Outcome<std::size_t> write(int file, std::string_view bytes) override {
     return counted(::write(file, bytes.data(), bytes.size()));
   }

@@ -44,6 +44,8 @@ class FileSystem {
   virtual Outcome<int> open(const std::string& path, Opening opening) = 0;
   virtual Outcome<FileStatus> status(int file) = 0;
   virtual Outcome<std::size_t> read(int file, char* bytes, std::size_t count) = 0;
+  virtual Outcome<std::size_t> read_at(int file, std::size_t place, char* bytes,
+                                       std::size_t count) = 0;
   virtual Outcome<std::size_t> write(int file, std::string_view bytes) = 0;
   virtual Outcome<void> set_permissions(int file, const FileStatus& like) = 0;
   virtual Outcome<void> flush(int file) = 0;

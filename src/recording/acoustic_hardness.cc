@@ -120,7 +120,7 @@ class SampleReader {
   Result<std::string> release() const {
     const std::string path = "/metadata/comment";
     const Json& comment = at(path);
-    if (comment.is_null() || comment == "") return std::string("device");
+    if (comment.is_null() || comment == std::string()) return std::string("device");
     return text(path);
   }
 

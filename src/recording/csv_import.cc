@@ -63,9 +63,6 @@ Result<void> check_trials(const CsvTrials& trials) {
   if (!std::isfinite(trials.rate) || trials.rate < 0.0) {
     return wrong(fmt::format("the rate is {} Hz", trials.rate), "give a rate above 0, or none");
   }
-  if (const auto ignored = expand_columns(trials.ignore); !ignored) {
-    return wrong("'ignore': " + ignored.error().what, ignored.error().advice);
-  }
   if (trials.time.empty() || trials.rate == 0.0) return {};
   return wrong("there are both 'time' and 'rate'", "keep the one that tells the truth");
 }
@@ -118,6 +115,16 @@ Result<void> check_channel(const CsvChannel& channel, const std::vector<std::str
   return check_label(channel, labels).and_then([&] { return check_shape(channel, elements); });
 }
 
+Result<void> check_ignored(const CsvTrials& trials, const std::set<std::string>& taken) {
+  const auto ignored = expand_columns(trials.ignore);
+  if (!ignored) return wrong("'ignore': " + ignored.error().what, ignored.error().advice);
+  for (const std::string& column : *ignored) {
+    if (!taken.contains(column)) continue;
+    return wrong(fmt::format("column '{}' is both used and ignored", column), "decide");
+  }
+  return {};
+}
+
 // Checks all parts; an error's place is what `place` says of the part that it lies in, 0 for
 // [import] and then the channels.
 template <typename Place>
@@ -138,6 +145,9 @@ Result<void> check_parts(const CsvImport& description, const Place& place) {
     checked = check_channel(description.channels[i], labels, names, taken);
     if (!checked) checked.error().where = place(i + 1);
   }
+  if (!checked) return checked;
+  checked = check_ignored(description.trials, taken);
+  if (!checked) checked.error().where = place(0);
   return checked;
 }
 

@@ -2,276 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "files/csv_number.h"
-#include "files/csv_records.h"
 #include "files/text.h"
+#include "recording/csv_trial_reader.h"
 #include "recording/trial_files.h"
-#include "somato/core/value.h"
 #include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
-
-double units_per_second(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::kSeconds:
-      return 1.0;
-    case TimeUnit::kMilliseconds:
-      return 1e3;
-    case TimeUnit::kMicroseconds:
-      return 1e6;
-    case TimeUnit::kNanoseconds:
-      return 1e9;
-  }
-  return 1.0;
-}
-
-// Where the values of a column go.
-struct Slot {
-  std::size_t channel;
-  std::size_t element;
-};
-
-// What a description says of columns, ready to be looked up.
-struct Layout {
-  std::map<std::string, Slot> slots;
-  std::set<std::string> ignored;
-  std::vector<std::vector<std::string>> columns;  // Of each channel.
-};
-
-Result<Layout> layout_of(const CsvImport& description) {
-  Layout layout;
-  layout.columns.reserve(description.channels.size());
-  for (const CsvChannel& channel : description.channels) {
-    auto columns = expand_columns(channel.columns);
-    if (!columns) return fail(std::move(columns.error()));
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      layout.slots[(*columns)[i]] = {layout.columns.size(), i};
-    }
-    layout.columns.push_back(std::move(*columns));
-  }
-  auto ignored = expand_columns(description.trials.ignore);
-  if (!ignored) return fail(std::move(ignored.error()));
-  layout.ignored.insert(ignored->begin(), ignored->end());
-  return layout;
-}
-
-// The value of a channel that a number of a file or name stands for, or nothing when it is too
-// large.
-std::optional<float> value_of(const CsvChannel& channel, double number) {
-  const double scaled = channel.factor * number;
-  const double value = channel.absolute ? std::fabs(scaled) : scaled;
-  if (!(std::fabs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
-  return static_cast<float>(value);
-}
-
-// Reads one file; every error knows its place in it.
-class TrialReader {
- public:
-  TrialReader(const CsvImport& description, const Layout& layout, std::string_view text,
-              const std::string& where)
-      : description_(description),
-        layout_(layout),
-        records_(text, where),
-        where_(where),
-        read_(description.channels.size()) {}
-
-  /// The channels made of columns; those made of a label have no frames.
-  Result<std::vector<Channel>> read() {
-    separator_ = records_.guess_separator();
-    auto done =
-        next().and_then([&] { return read_header(); }).and_then([&] { return read_rows(); });
-    if (!done) return fail(std::move(done.error()));
-    return channels();
-  }
-
- private:
-  enum class Use { kNothing, kTime, kValue };
-  struct Column {
-    Use use = Use::kNothing;
-    Slot slot = {};
-  };
-  struct Values {
-    std::vector<float> values;
-    std::vector<std::uint8_t> valid;
-    bool all_valid = true;
-  };
-
-  Result<void> next() { return records_.next(separator_, fields_); }
-
-  Result<void> read_header() {
-    if (fields_.empty()) return no_rows();
-    std::vector<std::string> names;
-    names.reserve(fields_.size());
-    for (const CsvField& field : fields_) {
-      names.push_back(description_.trials.header ? field.text : std::to_string(names.size() + 1));
-    }
-    Result<void> used = use_columns(names).and_then([&] { return refuse_missing(names); });
-    if (!used || !description_.trials.header) return used;
-    return next();
-  }
-
-  Column use_of(const std::string& name) const {
-    if (!description_.trials.time.empty() && name == description_.trials.time) {
-      return {Use::kTime, {}};
-    }
-    const auto slot = layout_.slots.find(name);
-    return slot == layout_.slots.end() ? Column{} : Column{Use::kValue, slot->second};
-  }
-
-  Result<void> use_columns(const std::vector<std::string>& names) {
-    const bool refuse_others = description_.trials.other_columns == Unmentioned::kRefuse;
-    std::set<std::string> seen;
-    std::vector<std::string> others;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      columns_.push_back(use_of(names[i]));
-      if (columns_.back().use == Use::kNothing) {
-        if (refuse_others && !layout_.ignored.contains(names[i])) others.push_back(shown(names[i]));
-      } else if (!seen.insert(names[i]).second) {
-        return fail(ErrorKind::kData, fmt::format("there are two columns {}", shown(names[i])),
-                    records_.place(fields_[i]), "rename one of them");
-      }
-    }
-    if (others.empty()) return {};
-    return fail(ErrorKind::kData,
-                fmt::format("columns that are not mentioned: {}", fmt::join(others, ", ")),
-                line_place(), "give them to a channel, or list them under 'ignore'");
-  }
-
-  Result<void> refuse_missing(const std::vector<std::string>& names) const {
-    const auto missing = [&](const std::string& name) {
-      return std::find(names.begin(), names.end(), name) == names.end();
-    };
-    std::vector<std::string> wanted;
-    if (!description_.trials.time.empty()) wanted.push_back(description_.trials.time);
-    for (const auto& columns : layout_.columns) {
-      wanted.insert(wanted.end(), columns.begin(), columns.end());
-    }
-    const auto first = std::find_if(wanted.begin(), wanted.end(), missing);
-    if (first == wanted.end()) return {};
-    return fail(ErrorKind::kData, fmt::format("there is no column {}", shown(*first)), line_place(),
-                name_advice(*first, names));
-  }
-
-  Result<void> read_rows() {
-    if (fields_.empty()) return no_rows();
-    while (!fields_.empty()) {
-      Result<void> read = read_row().and_then([&] { return next(); });
-      if (!read) return read;
-    }
-    return {};
-  }
-
-  Result<void> read_row() {
-    if (fields_.size() != columns_.size()) {
-      return fail(ErrorKind::kData,
-                  fmt::format("expected {} fields, found {}", columns_.size(), fields_.size()),
-                  line_place(), "repair the file or take it out");
-    }
-    for (std::size_t c = 0; c < read_.size(); ++c) {
-      read_[c].values.resize(read_[c].values.size() + layout_.columns[c].size());
-      read_[c].valid.resize(read_[c].values.size(), 1);
-    }
-    Result<void> read;
-    for (std::size_t i = 0; read && i < columns_.size(); ++i) {
-      if (columns_[i].use == Use::kTime) read = read_time(fields_[i]);
-      if (columns_[i].use == Use::kValue) read = read_value(fields_[i], columns_[i].slot);
-    }
-    return read;
-  }
-
-  Result<void> read_time(const CsvField& field) {
-    const auto [meaning, time] = read_csv_number<double>(field.text);
-    if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
-    if (times_.empty()) first_time_ = time;
-    const double seconds = (time - first_time_) / units_per_second(description_.trials.time_unit);
-    if (times_.empty() || seconds >= times_.back()) {
-      times_.push_back(seconds);
-      return {};
-    }
-    return fail(ErrorKind::kData,
-                fmt::format("the time runs backwards: {} follows a later one", shown(field.text)),
-                records_.place(field), "repair the file or take it out");
-  }
-
-  Result<void> read_value(const CsvField& field, const Slot& slot) {
-    Values& read = read_[slot.channel];
-    const std::size_t at = read.values.size() - layout_.columns[slot.channel].size() + slot.element;
-    const auto [meaning, number] = read_csv_number<double>(field.text);
-    if (meaning == CsvMeaning::kMissing && description_.trials.missing == MissingValues::kMask) {
-      read.valid[at] = 0;
-      read.all_valid = false;
-      return {};
-    }
-    if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
-    const std::optional<float> value = value_of(description_.channels[slot.channel], number);
-    if (!value) return refuse(field, CsvMeaning::kTooLarge);
-    read.values[at] = *value;
-    return {};
-  }
-
-  Result<void> refuse(const CsvField& field, CsvMeaning meaning) const {
-    auto refused = no_csv_number(field, meaning, records_.place(field),
-                                 "correct it, or list its column under 'ignore'");
-    if (meaning == CsvMeaning::kMissing) {
-      refused.value().advice = "fill in a number, or import with missing = \"mask\"";
-    }
-    return refused;
-  }
-
-  Result<void> no_rows() const {
-    return fail(ErrorKind::kData, "there are no rows of numbers", where_, "take the file out");
-  }
-
-  // Of the record that was read last.
-  std::string line_place() const { return fmt::format("{}:{}", where_, fields_[0].line); }
-
-  std::vector<Channel> channels() {
-    std::vector<Channel> channels;
-    channels.reserve(read_.size());
-    for (std::size_t c = 0; c < read_.size(); ++c) {
-      const CsvChannel& described = description_.channels[c];
-      const std::vector<std::string>& columns = layout_.columns[c];
-      Channel channel{described.name, described.unit, columns, {}, {}};
-      channel.shape = described.shape;
-      if (!columns.empty()) fill(channel, read_[c]);
-      channels.push_back(std::move(channel));
-    }
-    return channels;
-  }
-
-  void fill(Channel& channel, Values& read) const {
-    const std::size_t columns = channel.element_names.size();
-    const std::size_t rows = read.values.size() / columns;
-    channel.frames = Matrix<float>(rows, columns, std::move(read.values));
-    if (!read.all_valid) channel.valid = Matrix<std::uint8_t>(rows, columns, std::move(read.valid));
-    channel.times = times_;
-    channel.rate = description_.trials.rate;
-  }
-
-  const CsvImport& description_;
-  const Layout& layout_;
-  CsvRecords records_;
-  std::string where_;
-  char separator_ = ',';
-  std::vector<CsvField> fields_;
-  std::vector<Column> columns_;
-  std::vector<Values> read_;  // Of each channel.
-  std::vector<double> times_;
-  double first_time_ = 0.0;
-};
 
 // The frame of a channel that is made of a label.
 Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const TrialFile& trial) {
@@ -279,7 +23,7 @@ Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const TrialFile&
     if (label.name != channel.from_label) continue;
     const auto [meaning, number] = read_csv_number<double>(label.value);
     const auto value =
-        meaning == CsvMeaning::kNumber ? value_of(channel, number) : std::optional<float>();
+        meaning == CsvMeaning::kNumber ? csv_value(channel, number) : std::optional<float>();
     if (value) return Matrix<float>(1, 1, *value);
     return fail(ErrorKind::kData,
                 fmt::format("label '{}' is {}, which is no number for channel '{}'", label.name,
@@ -289,12 +33,12 @@ Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const TrialFile&
   return fail(unknown_name("label", channel.from_label, trial.path, {}));
 }
 
-Result<Exploration> read_trial(const CsvImport& description, const Layout& layout,
+Result<Exploration> read_trial(const CsvImport& description, const CsvLayout& layout,
                                const TrialFile& trial) {
   const Result<std::string> bytes = read_whole(trial.path);
   if (!bytes) return fail(bytes.error());
   auto channels = text_of(*bytes, trial.path).and_then([&](std::string_view text) {
-    return TrialReader(description, layout, text, trial.path).read();
+    return read_csv_trial(description, layout, text, trial.path);
   });
   if (!channels) return fail(std::move(channels.error()));
   for (std::size_t c = 0; c < channels->size(); ++c) {
@@ -311,7 +55,7 @@ Result<Exploration> read_trial(const CsvImport& description, const Layout& layou
 Result<Recording> import_csv_trials(const std::filesystem::path& folder,
                                     const CsvImport& description) {
   if (auto checked = check_csv_import(description); !checked) return fail(checked.error());
-  const Result<Layout> layout = layout_of(description);
+  const Result<CsvLayout> layout = csv_layout_of(description);
   if (!layout) return fail(layout.error());
   const NamePattern pattern = NamePattern::parse(description.trials.files).value();
   const bool ignore_others = description.trials.other_files == Unmentioned::kIgnore;

@@ -127,7 +127,7 @@ std::vector<NamePattern::Values> NamePattern::ways_to_read(std::string_view path
   for (const Part& part : parts_) {
     std::map<std::size_t, std::vector<Values>> further;
     for (const auto& [start, values_so_far] : ways) {
-      for (std::size_t end = start + 1; end <= path.size() && path[end - 1] != '/'; ++end) {
+      for (std::size_t end = start + 1; end <= path.size(); ++end) {
         const std::string_view value = path.substr(start, end - start);
         if (!path.substr(end).starts_with(part.behind) || !part.takes(value)) continue;
         std::vector<Values>& there = further[end + part.behind.size()];

@@ -10,13 +10,13 @@ namespace somato {
 namespace {
 
 // Polynomial division bit by bit, most significant bit first, on reflected bytes.
-std::uint32_t bitwise_crc32c(const std::string& bytes) {
+std::uint32_t bitwise_crc(const std::string& bytes, std::uint32_t polynomial) {
   std::uint32_t remainder = 0xFFFFFFFF;
   for (const char c : bytes) {
     for (int bit = 0; bit < 8; ++bit) {
       const std::uint32_t in = (static_cast<unsigned char>(c) >> bit) & 1u;
       const bool subtract = ((remainder >> 31) ^ in) != 0;
-      remainder = (remainder << 1) ^ (subtract ? 0x1EDC6F41 : 0);
+      remainder = (remainder << 1) ^ (subtract ? polynomial : 0);
     }
   }
   std::uint32_t reflected = 0;
@@ -40,7 +40,29 @@ TEST(Crc32c, AgreesWithDivisionBitByBit) {
   for (int i = 0; i < 500; ++i) {
     std::string bytes(random.below(80), '\0');
     for (char& c : bytes) c = static_cast<char>(random.below(256));
-    EXPECT_EQ(crc32c(bytes), bitwise_crc32c(bytes));
+    EXPECT_EQ(crc32c(bytes), bitwise_crc(bytes, 0x1EDC6F41));
+  }
+}
+
+// The check value of the catalogue of CRCs; the others are those of zlib's crc32().
+TEST(Crc32, HasThePublishedCheckValues) {
+  EXPECT_EQ(crc32(""), 0u);
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926u);
+  EXPECT_EQ(crc32(std::string(32, '\0')), 0x190A55ADu);
+  EXPECT_EQ(crc32(std::string(32, '\xFF')), 0xFF6CAB0Bu);
+}
+
+TEST(Crc32, AgreesWithDivisionBitByBitInAnyPieces) {
+  Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    std::string bytes(random.below(80), '\0');
+    for (char& c : bytes) c = static_cast<char>(random.below(256));
+    const std::string_view all = bytes;
+    const std::size_t cut = random.below(bytes.size() + 1);
+    Crc32 pieces;
+    pieces.add(all.substr(0, cut));
+    pieces.add(all.substr(cut));
+    EXPECT_EQ(pieces.value(), bitwise_crc(bytes, 0x04C11DB7));
   }
 }
 

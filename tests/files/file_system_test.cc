@@ -17,6 +17,19 @@ TEST(OperatingSystem, CreatesOnlyWhatIsNotThere) {
   EXPECT_EQ(operating_system().open(path, Opening::kFolder).error(), ENOTDIR);
 }
 
+TEST(OperatingSystem, ReadsAtAPlace) {
+  const TemporaryFolder folder;
+  FileSystem& files = operating_system();
+  const int file = files.open(folder.with("a", "0123456789"), Opening::kRead).value();
+  char bytes[4] = {};
+  EXPECT_EQ(files.read_at(file, 3, bytes, 4), 4u);
+  EXPECT_EQ(std::string(bytes, 4), "3456");
+  EXPECT_EQ(files.read_at(file, 8, bytes, 4), 2u);
+  EXPECT_EQ(files.read_at(file, 10, bytes, 4), 0u);
+  EXPECT_TRUE(files.close(file));
+  EXPECT_EQ(files.read_at(file, 0, bytes, 4).error(), EBADF);
+}
+
 TEST(OperatingSystem, SaysWhatIsBehindAFile) {
   const TemporaryFolder folder;
   FileSystem& files = operating_system();

@@ -10,7 +10,7 @@ class Usage : public ProgramTest {};
 TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
   write_data();
   expect_refused(
-      2, {{{}, {"a command is missing", "run, som, reference", "somato --help"}},
+      2, {{{}, {"a command is missing", "run, import, som, reference", "somato --help"}},
           {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
           {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
           {{"som", "trian", "data.csv", "-o", "x"},

@@ -30,8 +30,7 @@ class ImportAcousticHardness : public testing::Test {
   Exploration read(const Json& impact) const {
     folder_.with("1.json", impact.dump(2));
     const auto recording = import();
-    EXPECT_TRUE(recording) << to_string(recording.error());
-    return recording->explorations.at(0);
+    return recording.value().explorations.at(0);
   }
 
   // The error for a file of this text, without the folder.
@@ -186,14 +185,30 @@ TEST_F(ImportAcousticHardness, RefusesNestingWithoutEnd) {
     EXPECT_EQ(error_for(bomb), "1.json: the JSON is nested more than 16 deep");
   }
   Json impact = impact_of("1");
-  impact["metadata"]["material"] = "[[[[[[[[[[[[[[[[[[[[ \\\" [[";
-  EXPECT_EQ(read(impact).labels[1].value, "[[[[[[[[[[[[[[[[[[[[ \\\" [[");
+  impact["metadata"]["material"] = "\" [[[[[[[[[[[[[[[[[[[[ \\";
+  EXPECT_EQ(read(impact).labels[1].value, "\" [[[[[[[[[[[[[[[[[[[[ \\");
 }
 
 TEST_F(ImportAcousticHardness, RefusesEveryCut) {
   const std::string text = impact_of("1").dump(1);
   for (std::size_t size = 0; size < text.size(); ++size) {
     EXPECT_NE(error_for(text.substr(0, size)), "none") << size;
+  }
+}
+
+TEST_F(ImportAcousticHardness, ReadsOrRefusesWhateverBitIsTurned) {
+  const std::string text = impact_of("1").dump();
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string turned = text;
+    turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
+    const std::string file = folder_.with("1.json", turned);
+    const auto recording = import();
+    if (recording) {
+      EXPECT_TRUE(validate(*recording)) << turned;
+    } else {
+      EXPECT_EQ(recording.error().kind, ErrorKind::kData) << turned;
+      EXPECT_TRUE(recording.error().where.starts_with(file)) << turned;
+    }
   }
 }
 

@@ -140,6 +140,13 @@ TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
             "\"taxel1..taxel16\"");
 }
 
+TEST(ReadCsvImport, RefusesAColumnThatIsUsedAndIgnored) {
+  EXPECT_EQ(refusal(kImport + "ignore = \"t4..t5\"\n" + kTouch),
+            "import.toml:1: column 't4' is both used and ignored; decide");
+  EXPECT_EQ(refusal(kImport + "time = \"t\"\nignore = \"t\"\n" + kTouch),
+            "import.toml:1: column 't' is both used and ignored; decide");
+}
+
 TEST(ReadCsvImport, RefusesAShapeThatIsNotFilled) {
   EXPECT_EQ(refusal(kImport + kTouch + "shape = [2, 3]\n"),
             "import.toml:3: channel 'touch' has 4 elements, which do not fill its shape 2 x 3; "

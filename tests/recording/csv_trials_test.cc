@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 #include "somato/core/random.h"
 #include "support/temporary_folder.h"
@@ -36,9 +35,8 @@ class ImportCsvTrials : public testing::Test {
   Exploration read(const std::string& text) const {
     folder_.with("x_1.csv", text);
     const auto recording = import();
-    EXPECT_TRUE(recording) << to_string(recording.error());
-    EXPECT_TRUE(validate(*recording));
-    return recording->explorations.at(0);
+    EXPECT_TRUE(validate(recording.value()));
+    return recording.value().explorations.at(0);
   }
 
   // The error for it, without the folder.
@@ -213,6 +211,11 @@ TEST_F(ImportCsvTrials, RefusesAHeaderThatLacksAColumn) {
   plan_.trials.time = "clock";
   EXPECT_EQ(error_for("\na1,a2,a3\n1,2,3\n"),
             "x_1.csv:2: there is no column 'clock'; known are: a1, a2, a3");
+  EXPECT_EQ(error_for("0,1,2\n1,2,3\n"),
+            "x_1.csv:1: there is no column 'clock'; where the first line holds no names, write "
+            "header = false");
+  plan_.trials.header = false;
+  EXPECT_EQ(error_for("0,1\n"), "x_1.csv:1: there is no column 'clock'; known are: 1, 2");
 }
 
 TEST_F(ImportCsvTrials, RefusesTwoColumnsOfOneName) {
@@ -300,6 +303,27 @@ TEST_F(ImportCsvTrials, ReadsCutFilesAsFarAsRowsAreWholeOrNotAtAll) {
     const bool digit_lost = cut.ends_with(",2") || cut.ends_with(",4");
     EXPECT_EQ(recording.has_value(), whole || digit_lost) << cut;
   }
+}
+
+TEST_F(ImportCsvTrials, ReadsOrRefusesWhateverBitIsTurned) {
+  plan_.trials.time = "t";
+  const std::string text = "t,a,b\n0,11,-2.5\n1,33,4e1\n";
+  std::size_t read = 0;
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string turned = text;
+    turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
+    const std::string file = folder_.with("x_1.csv", turned);
+    const auto recording = import();
+    read += recording.has_value();
+    if (recording) {
+      EXPECT_TRUE(validate(*recording)) << turned;
+    } else {
+      EXPECT_EQ(recording.error().kind, ErrorKind::kData) << turned;
+      EXPECT_TRUE(recording.error().where.starts_with(file)) << turned;
+    }
+  }
+  EXPECT_GT(read, 0U);  // another digit is a number too
+  EXPECT_LT(read, 8 * text.size() / 2);
 }
 
 // Random tables with holes, written plainly, come back to the bit.

@@ -58,9 +58,7 @@ TEST(ImportFabricslide, RefusesAnotherLayout) {
   lacking.replace(lacking.find("channel16"), 9, "channel17");
   const std::string file = folder.with("Linen_F120_V100mmps_0.csv", lacking + row(1, 1));
   EXPECT_EQ(to_string(import_fabricslide(folder.path()).error()),
-            file +
-                ":1: columns that are not mentioned: 'channel17'; give them to a channel, or "
-                "list them under 'ignore'");
+            file + ":1: there is no column 'channel16'; did you mean 'channel1'?");
 }
 
 TEST(ImportFabricslide, RefusesAnotherName) {

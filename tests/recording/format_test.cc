@@ -56,7 +56,9 @@ TEST(RecognizeFormat, RefusesTwoFormats) {
   const TemporaryFolder folder;
   add(folder, kExamples[0].file);
   add(folder, kExamples[3].file);
-  EXPECT_EQ(recognize_format(folder.path()).error().what,
+  const auto format = recognize_format(folder.path());
+  ASSERT_FALSE(format);
+  EXPECT_EQ(format.error().what,
             "the folder holds more than one format: icub_grasp ({object}_{trial:number}.txt), "
             "acoustic_hardness ({sample}.json)");
 }

@@ -10,4 +10,18 @@ namespace somato {
 /// write. Source: RFC 3720, appendix B.4.
 std::uint32_t crc32c(std::string_view bytes);
 
+/// CRC-32 (polynomial 0x04C11DB7, reflected, inverted before and after), as zlib and MCAP have it,
+/// of bytes that come in pieces. Source: RFC 1952, section 8.
+class Crc32 {
+ public:
+  void add(std::string_view bytes);
+  std::uint32_t value() const { return ~remainder_; }
+
+ private:
+  std::uint32_t remainder_ = 0xFFFFFFFF;
+};
+
+/// The same of `bytes` in one piece.
+std::uint32_t crc32(std::string_view bytes);
+
 }  // namespace somato

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "files/open_file.h"
+
+namespace somato {
+
+/// New content for the file at `path`, written piece by piece, that takes the file's place wholly
+/// or not at all; see save_whole(). Without commit() everything stays as it was, except that what
+/// is not a regular file (a pipe, a device) is written to directly.
+class Replacement {
+ public:
+  /// Errors: kSystem with the system's reason.
+  static Result<Replacement> begin(FileSystem& files, const std::string& path);
+
+  Replacement(const Replacement&) = delete;
+  Replacement(Replacement&& other) noexcept;
+  Replacement& operator=(const Replacement&) = delete;
+  Replacement& operator=(Replacement&&) = delete;
+  ~Replacement();
+
+  /// Errors: kSystem with the system's reason.
+  Result<void> write(std::string_view bytes);
+
+  /// Flushes the new content to the disk and gives it the name. Errors: kSystem with the system's
+  /// reason.
+  Result<void> commit();
+
+ private:
+  Replacement(FileSystem& files, OpenFile file, std::string path, std::string beside)
+      : files_(&files),
+        file_(std::move(file)),
+        path_(std::move(path)),
+        beside_(std::move(beside)) {}
+
+  static Result<Replacement> begin_beside(FileSystem& files, const std::string& path,
+                                          const std::optional<FileStatus>& like);
+
+  FileSystem* files_;
+  OpenFile file_;
+  std::string path_;
+  std::string beside_;  // The new file's name for now; empty once it has its own, or never had any.
+};
+
+}  // namespace somato

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "somato/core/result.h"
+#include "somato/recording/recording_writer.h"
+
+namespace somato {
+
+/// MCAP's name of it: empty, "lz4" (the frame format of LZ4) or "zstd".
+std::string_view mcap_name(Compression compression);
+
+/// `bytes`, packed. Errors: kSystem with the reason of the library that packs.
+Result<std::string> pack(Compression compression, std::string_view bytes);
+
+/// Unpacks what has exactly `size` bytes unpacked, by MCAP's name. Errors (kData, without a place):
+/// an unknown name, what is damaged, and what has another size; no more than `size` bytes are made.
+Result<std::string> unpack(std::string_view name, std::string_view packed, std::size_t size);
+
+}  // namespace somato

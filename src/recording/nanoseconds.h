@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace somato {
+
+inline constexpr double kLatestSecond = 9e9;  // About 285 years; nanoseconds fit into 63 bits.
+inline constexpr std::int64_t kNanosecondsASecond = 1'000'000'000;
+
+/// Nothing for what is not within +-kLatestSecond. Whole seconds and fraction are converted apart,
+/// so that large times keep their last digits.
+inline std::optional<std::int64_t> nanoseconds_of(double seconds) {
+  if (!(std::abs(seconds) <= kLatestSecond)) return std::nullopt;
+  const double whole = std::floor(seconds);
+  return static_cast<std::int64_t>(whole) * kNanosecondsASecond +
+         std::llround((seconds - whole) * 1e9);
+}
+
+/// The double nearest to the time; nanoseconds_of() leads back.
+inline double seconds_of(std::int64_t nanoseconds) {
+  constexpr std::int64_t kExact = std::int64_t{1} << std::numeric_limits<double>::digits;
+  if (nanoseconds > -kExact && nanoseconds < kExact) return static_cast<double>(nanoseconds) / 1e9;
+  return static_cast<double>(nanoseconds / kNanosecondsASecond) +
+         static_cast<double>(nanoseconds % kNanosecondsASecond) / 1e9;
+}
+
+}  // namespace somato

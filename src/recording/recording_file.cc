@@ -1,0 +1,132 @@
+#include "somato/recording/recording_file.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "files/replacement.h"
+#include "recording/frame_writer.h"
+#include "recording/mcap_input.h"
+#include "recording/mcap_reader.h"
+#include "somato/recording/recording_reader.h"
+
+namespace somato {
+namespace {
+
+constexpr double kFramesASecond = 100.0;  // Where nobody knows: viewers show them in their order.
+
+double time_of(const Channel& channel, std::size_t frame, double earliest) {
+  if (!channel.times.empty()) return channel.times[frame];
+  if (channel.rate > 0.0) return static_cast<double>(frame) / channel.rate;
+  return earliest + static_cast<double>(frame) / kFramesASecond;
+}
+
+// Of the times that are known; else 0 s.
+double earliest_time(const Exploration& exploration) {
+  std::optional<double> earliest;
+  for (const Channel& channel : exploration.channels) {
+    if (channel.times.empty() && channel.rate == 0.0) continue;
+    const double first = channel.times.empty() ? 0.0 : channel.times.front();
+    earliest = std::min(earliest.value_or(first), first);
+  }
+  return earliest.value_or(0.0);
+}
+
+struct PlacedFrame {
+  double time = 0.0;
+  std::size_t channel = 0;
+  std::size_t frame = 0;
+};
+
+// All frames in the order of time; those of the same time in the order of channels.
+std::vector<PlacedFrame> frames_in_time(const Exploration& exploration) {
+  const double earliest = earliest_time(exploration);
+  std::vector<PlacedFrame> frames;
+  for (std::size_t channel = 0; channel < exploration.channels.size(); ++channel) {
+    const std::size_t count = exploration.channels[channel].frames.rows();
+    for (std::size_t frame = 0; frame < count; ++frame) {
+      frames.push_back({time_of(exploration.channels[channel], frame, earliest), channel, frame});
+    }
+  }
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const PlacedFrame& a, const PlacedFrame& b) { return a.time < b.time; });
+  return frames;
+}
+
+ExplorationStart start_of(const Exploration& exploration, const std::vector<PlacedFrame>& frames) {
+  ExplorationStart start{exploration.labels, exploration.source, {}, frames.front().time};
+  start.channels.reserve(exploration.channels.size());
+  for (const Channel& channel : exploration.channels) {
+    start.channels.push_back(description_of(channel));
+  }
+  return start;
+}
+
+Result<void> write_exploration(FrameWriter& file, const Exploration& exploration) {
+  const std::vector<PlacedFrame> frames = frames_in_time(exploration);
+  Result<void> done = file.begin_exploration(start_of(exploration, frames));
+  for (const PlacedFrame& placed : frames) {
+    if (!done) return done;
+    const Channel& channel = exploration.channels[placed.channel];
+    const auto valid =
+        channel.valid.empty() ? std::span<const std::uint8_t>() : channel.valid.row(placed.frame);
+    done = file.frame(placed.channel, channel.frames.row(placed.frame), placed.time, valid);
+  }
+  return done.and_then([&] { return file.end_exploration(); });
+}
+
+Result<void> write_all(FrameWriter& file, const Recording& recording) {
+  Result<void> done = file.begin_file();
+  for (const Exploration& exploration : recording.explorations) {
+    if (done) done = write_exploration(file, exploration);
+  }
+  return done.and_then([&] { return file.finish(); });
+}
+
+}  // namespace
+
+bool is_mcap(std::string_view bytes) {
+  return bytes.starts_with(kMcapMagic);
+}
+
+bool is_mcap_file(const std::string& path) {
+  Result<McapInput> input = McapInput::open(operating_system(), path);
+  if (!input) return false;
+  const Result<std::string_view> bytes = input->view(0, kMcapMagic.size());
+  return bytes && is_mcap(*bytes);
+}
+
+namespace detail {
+
+Result<void> write_recording(FileSystem& files, const std::string& path, const Recording& recording,
+                             const RecordingFileParameters& parameters) {
+  Result<void> valid = validate(recording);
+  if (!valid) return valid;
+  Result<Replacement> file = Replacement::begin(files, path);
+  if (!file) return fail(std::move(file.error()));
+  FrameWriter writer([&](std::string_view bytes) { return file->write(bytes); }, path, parameters);
+  return write_all(writer, recording).and_then([&] { return file->commit(); });
+}
+
+}  // namespace detail
+
+Result<void> write_recording(const std::string& path, const Recording& recording,
+                             const RecordingFileParameters& parameters) {
+  return detail::write_recording(operating_system(), path, recording, parameters);
+}
+
+Result<Recording> read_recording(const std::string& path) {
+  Result<RecordingReader> reader = RecordingReader::open(path);
+  if (!reader) return fail(std::move(reader.error()));
+  Recording recording;
+  for (;;) {
+    Result<std::optional<Exploration>> exploration = reader->next();
+    if (!exploration) return fail(std::move(exploration.error()));
+    if (!*exploration) return recording;
+    recording.explorations.push_back(std::move(**exploration));
+  }
+}
+
+}  // namespace somato

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recording/mcap_records.h"
+#include "recording/ros_messages.h"
+#include "somato/core/result.h"
+#include "somato/recording/channel_description.h"
+
+// How a recording lies in an MCAP file; docs/formats/recording.md says the same for people.
+
+namespace somato {
+
+inline constexpr std::string_view kRecordingProfile = "somato";
+inline constexpr std::size_t kLongestExplorationText = std::size_t{256} << 10;
+
+/// A message of the topic /exploration.
+struct ExplorationMessage {
+  enum class Event {
+    kBegin,
+    kContinue,  ///< Says begin's words again at the start of a chunk, in case those get lost.
+    kEnd,       ///< Has an index alone.
+  };
+  Event event = Event::kBegin;
+  std::uint64_t index = 0;  ///< Of the exploration in the file, from 0.
+  std::vector<Label> labels;
+  std::string source;
+  std::vector<std::string> channels;  ///< Their names, in their order.
+  std::int64_t zero = 0;              ///< The log time (ns) at 0 s on the exploration's clock.
+};
+
+McapSchema exploration_schema();
+McapChannel exploration_channel();
+bool is_exploration_schema(const McapSchema& schema);
+
+std::string exploration_json(const ExplorationMessage& message);
+
+/// Errors (kData, without a place): what is no such message, or longer than
+/// kLongestExplorationText.
+Result<ExplorationMessage> parse_exploration_json(std::string_view json);
+
+/// The topic of the channel of that name.
+std::string topic_of(const std::string& name);
+
+/// The schema and the channel, without ids, for the frames of a channel.
+McapSchema schema_for(const ChannelDescription& description);
+McapChannel channel_for(const ChannelDescription& description);
+
+/// What the metadata of `channel` tell. Errors (kData, without a place): what they cannot mean.
+Result<ChannelDescription> parse_description(const McapChannel& channel);
+
+/// A frame as the message of its channel. Elements that are not valid are NaN.
+std::string frame_message(const ChannelDescription& description, std::uint64_t log_time,
+                          std::span<const float> values);
+
+/// The values in the unit of the channel.
+std::vector<float> frame_values(const ChannelDescription& description, RosKind kind,
+                                std::span<const double> values);
+
+}  // namespace somato

@@ -1,0 +1,126 @@
+#include "somato/recording/recording_reader.h"
+
+#include <utility>
+#include <vector>
+
+#include "recording/mcap_reader.h"
+#include "recording/nanoseconds.h"
+#include "recording/recording_interpreter.h"
+
+namespace somato {
+namespace {
+
+using Meaning = RecordingInterpreter::Meaning;
+
+// The frames of one channel as they come.
+struct CollectedChannel {
+  std::vector<float> values;
+  std::vector<double> times;
+  std::vector<std::uint8_t> valid;  // Empty until something is not.
+};
+
+void add_frame(CollectedChannel& channel, const RecordingInterpreter::Frame& frame) {
+  if (!frame.valid.empty() && channel.valid.empty()) channel.valid.resize(channel.values.size(), 1);
+  channel.values.insert(channel.values.end(), frame.values.begin(), frame.values.end());
+  channel.times.push_back(seconds_of(frame.time));
+  if (!frame.valid.empty()) {
+    channel.valid.insert(channel.valid.end(), frame.valid.begin(), frame.valid.end());
+  } else if (!channel.valid.empty()) {
+    channel.valid.resize(channel.values.size(), 1);
+  }
+}
+
+Channel made(const ChannelDescription& description, std::size_t elements, CollectedChannel frames) {
+  Channel channel;
+  channel.name = description.name;
+  channel.unit = description.unit;
+  channel.element_names = description.element_names;
+  channel.shape = description.shape;
+  channel.rate = description.rate;
+  const std::size_t count = frames.times.size();
+  channel.frames = Matrix<float>(count, elements, std::move(frames.values));
+  if (description.times_known) channel.times = std::move(frames.times);
+  if (!frames.valid.empty()) {
+    channel.valid = Matrix<std::uint8_t>(count, elements, std::move(frames.valid));
+  }
+  return channel;
+}
+
+}  // namespace
+
+class RecordingReader::State {
+ public:
+  explicit State(McapReader file) : file_(std::move(file)), interpreter_(file_) {}
+  State(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(const State&) = delete;
+  State& operator=(State&&) = delete;
+  ~State() = default;
+
+  Result<std::optional<Exploration>> next() {
+    while (!done_) {
+      Result<std::optional<Exploration>> found = step();
+      if (!found) done_ = true;
+      if (!found || *found) return found;
+    }
+    return std::optional<Exploration>();
+  }
+
+ private:
+  // Reads a message; an exploration if that was its last.
+  Result<std::optional<Exploration>> step() {
+    const Result<std::optional<McapMessage>> message = file_.next();
+    if (!message) return fail(message.error());
+    if (!*message) return finish();
+    const Result<Meaning> meaning = interpreter_.interpret(**message);
+    if (!meaning) return fail(meaning.error());
+    if (*meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
+    if (*meaning == Meaning::kFrame) {
+      channels_.resize(interpreter_.channels().size());
+      add_frame(channels_[interpreter_.frame().channel], interpreter_.frame());
+    }
+    if (*meaning == Meaning::kEnd) return take();
+    return std::optional<Exploration>();
+  }
+
+  Result<std::optional<Exploration>> finish() {
+    done_ = true;
+    const Result<void> finished = interpreter_.finish();
+    if (!finished) return fail(finished.error());
+    return interpreter_.is_open() ? take() : std::nullopt;
+  }
+
+  std::optional<Exploration> take() {
+    Exploration exploration{
+        interpreter_.exploration().labels, interpreter_.exploration().source, {}};
+    exploration.channels.reserve(channels_.size());
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const InterpretedChannel& channel = interpreter_.channels()[i];
+      exploration.channels.push_back(
+          made(channel.description, channel.elements, std::move(channels_[i])));
+    }
+    return exploration;
+  }
+
+  McapReader file_;
+  RecordingInterpreter interpreter_;
+  std::vector<CollectedChannel> channels_;
+  bool done_ = false;
+};
+
+RecordingReader::RecordingReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingReader::RecordingReader(RecordingReader&& other) noexcept = default;
+RecordingReader& RecordingReader::operator=(RecordingReader&& other) noexcept = default;
+RecordingReader::~RecordingReader() = default;
+
+Result<RecordingReader> RecordingReader::open(const std::string& path) {
+  Result<McapReader> file = McapReader::open(operating_system(), path);
+  if (!file) return fail(std::move(file.error()));
+  return RecordingReader(std::make_unique<State>(std::move(*file)));
+}
+
+Result<std::optional<Exploration>> RecordingReader::next() {
+  return state_->next();
+}
+
+}  // namespace somato

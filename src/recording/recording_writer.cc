@@ -1,0 +1,183 @@
+#include "somato/recording/recording_writer.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "files/open_file.h"
+#include "recording/frame_writer.h"
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLargestChunkSize = std::size_t{1} << 22;
+constexpr double kShortestWait = 0.001;
+constexpr double kLongestWait = 3600.0;
+
+}  // namespace
+
+const std::vector<std::pair<Compression, std::string>>& Choices<Compression>::all() {
+  static const std::vector<std::pair<Compression, std::string>> choices{
+      {Compression::kNone, "none"}, {Compression::kLz4, "lz4"}, {Compression::kZstd, "zstd"}};
+  return choices;
+}
+
+const Declarations<RecordingFileParameters>& RecordingFileParameters::declarations() {
+  using P = RecordingFileParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "compression", [](P& p) -> auto& { return p.compression; }, "", Range::any(),
+              "How chunks are packed.")
+          .add(
+              "chunk_size", [](P& p) -> auto& { return p.chunk_size; }, "bytes",
+              Range::between(1, kLargestChunkSize), "Size at which a chunk is full.")
+          .add(
+              "flush_after", [](P& p) -> auto& { return p.flush_after; }, "s",
+              Range::between(kShortestWait, kLongestWait), "Age at which a chunk is written out.");
+  return declared;
+}
+
+// Everything is guarded by one mutex; the thread only writes out what has grown old.
+class RecordingWriter::State {
+ public:
+  State(OpenFile file, const std::string& path, const RecordingFileParameters& parameters)
+      : file_(std::move(file)),
+        path_(path),
+        flush_after_(std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(parameters.flush_after))),
+        frames_([this](std::string_view bytes) { return write(bytes); }, path, parameters),
+        thread_([this] { write_out_what_is_old(); }) {}
+  State(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(const State&) = delete;
+  State& operator=(State&&) = delete;
+
+  ~State() {
+    {
+      const std::lock_guard guard(mutex_);
+      stop_ = true;
+      if (!closed_) (void)frames_.end_chunk();
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+  // Runs `write` on the file with its exploration open or not, as it must be.
+  template <typename Write>
+  Result<void> with(bool open, const Write& write) {
+    const std::lock_guard guard(mutex_);
+    require(!closed_, "the recording is closed");
+    require(frames_.is_open() == open,
+            open ? "no exploration is open" : "an exploration is open already");
+    Result<void> written = write(frames_);
+    remember_age();
+    return written;
+  }
+
+  Result<void> close() {
+    return with(false, [&](FrameWriter& frames) -> Result<void> {
+      closed_ = true;
+      Result<void> finished = frames.finish();
+      if (!finished) return finished;
+      const Outcome<void> closed = file_.flush().and_then([&] { return file_.close(); });
+      if (!closed) return system_failure("cannot write", path_, closed.error());
+      return {};
+    });
+  }
+
+ private:
+  Result<void> write(std::string_view bytes) {
+    const Outcome<void> written = file_.write_all(bytes);
+    if (!written) return system_failure("cannot write", path_, written.error());
+    return {};
+  }
+
+  // The thread has to know when the oldest message came.
+  void remember_age() {
+    if (frames_.chunk_is_empty()) {
+      oldest_.reset();
+    } else if (!oldest_) {
+      oldest_ = Clock::now();
+      changed_.notify_all();
+    }
+  }
+
+  // A failure is kept by the file and returned by the next call.
+  void write_out_what_is_old() {
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+      if (!oldest_) {
+        changed_.wait(lock, [&] { return stop_ || oldest_; });
+      } else if (const Clock::time_point then = *oldest_ + flush_after_; Clock::now() < then) {
+        changed_.wait_until(lock, then);
+      } else {
+        oldest_.reset();
+        if (!closed_) (void)frames_.end_chunk();
+      }
+    }
+  }
+
+  OpenFile file_;
+  std::string path_;
+  Clock::duration flush_after_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<Clock::time_point> oldest_;  // When the oldest message of the chunk came.
+  bool stop_ = false;
+  bool closed_ = false;
+  FrameWriter frames_;
+  std::thread thread_;  // Last, so that everything it uses is there.
+};
+
+RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingWriter::RecordingWriter(RecordingWriter&& other) noexcept = default;
+RecordingWriter& RecordingWriter::operator=(RecordingWriter&& other) noexcept = default;
+RecordingWriter::~RecordingWriter() = default;
+
+Result<RecordingWriter> RecordingWriter::create(FileSystem& files, const std::string& path,
+                                                const RecordingFileParameters& parameters) {
+  require(parameters.chunk_size >= 1 && parameters.chunk_size <= kLargestChunkSize,
+          "a chunk's size is between 1 byte and 4 MiB");
+  require(parameters.flush_after >= kShortestWait && parameters.flush_after <= kLongestWait,
+          "a chunk is written out after 0.001 to 3600 s");
+  Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kCreate);
+  if (!file) return system_failure("cannot create", path, file.error());
+  RecordingWriter writer(std::make_unique<State>(std::move(*file), path, parameters));
+  Result<void> begun =
+      writer.state_->with(false, [](FrameWriter& frames) { return frames.begin_file(); });
+  if (!begun) return fail(std::move(begun.error()));
+  return writer;
+}
+
+Result<RecordingWriter> RecordingWriter::create(const std::string& path,
+                                                const RecordingFileParameters& parameters) {
+  return create(operating_system(), path, parameters);
+}
+
+Result<void> RecordingWriter::begin_exploration(const ExplorationStart& start) {
+  return state_->with(false, [&](FrameWriter& frames) { return frames.begin_exploration(start); });
+}
+
+Result<void> RecordingWriter::frame(std::size_t channel, std::span<const float> values, double time,
+                                    std::span<const std::uint8_t> valid) {
+  return state_->with(
+      true, [&](FrameWriter& frames) { return frames.frame(channel, values, time, valid); });
+}
+
+Result<void> RecordingWriter::end_exploration() {
+  return state_->with(true, [](FrameWriter& frames) { return frames.end_exploration(); });
+}
+
+Result<void> RecordingWriter::close() {
+  return state_->close();
+}
+
+}  // namespace somato
