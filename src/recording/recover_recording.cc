@@ -107,7 +107,9 @@ class Recovery {
     if (!ended) return ended;
     std::vector<std::uint16_t> ids;
     for (const std::string& name : meanings_.exploration().channels) {
-      const Result<std::uint16_t> id = id_of(from_->latest(topic_of(name))->id);
+      const McapChannel* announced = from_->latest(topic_of(name));
+      if (!announced) continue;
+      const Result<std::uint16_t> id = id_of(announced->id);
       if (!id) return fail(id.error());
       ids.push_back(*id);
     }
