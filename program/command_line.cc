@@ -17,10 +17,12 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
+constexpr int kIncomplete = 3;
 constexpr int kInterrupted = 130;
 
 int exit_code(ErrorKind kind) {
   if (kind == ErrorKind::kUsage) return kWrongUsage;
+  if (kind == ErrorKind::kIncomplete) return kIncomplete;
   return kind == ErrorKind::kInterrupted ? kInterrupted : kFailed;
 }
 

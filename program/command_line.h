@@ -79,8 +79,8 @@ Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
 }
 
 /// Finds the command that `argv` asks for and runs it. Prints help, the version, and on standard
-/// error what went wrong. Returns the program's exit code: 0 done, 1 failed, 2 wrong usage, 130
-/// interrupted.
+/// error what went wrong. Returns the program's exit code: 0 done, 1 failed, 2 wrong usage, 3
+/// done with losses, 130 interrupted.
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands);
 
 }  // namespace somato::program

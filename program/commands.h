@@ -12,6 +12,8 @@ Command som_train_command();
 Command som_map_command();
 Command som_quality_command();
 Command som_plot_command();
+Command inspect_command();
+Command recover_command();
 
 /// Prints the reference of flags and keys, made of the commands and the parameter declarations.
 Command reference_command(const std::vector<Command>& others);

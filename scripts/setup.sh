@@ -12,8 +12,12 @@ packages_for() {
   awk -v purpose="[$1]" '/^\[/ { inside = ($0 == purpose); next } inside && /^[^#]/' packages.txt
 }
 
-is_installed() {
-  dpkg-query --show --showformat '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed
+# is_there PACKAGE[:COMMAND]
+is_there() {
+  if [[ $1 == *:* ]] && command -v "${1#*:}" >/dev/null; then
+    return 0
+  fi
+  dpkg-query --show --showformat '${db:Status-Status}\n' "${1%%:*}" 2>/dev/null | grep -qx installed
 }
 
 as_root() {
@@ -36,13 +40,13 @@ for purpose in "${@:-$(purposes)}"; do
 done
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]}" >&2
+  echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]%%:*}" >&2
   exit 0
 fi
 
 missing=()
 for package in "${wanted[@]}"; do
-  is_installed "$package" || missing+=("$package")
+  is_there "$package" || missing+=("${package%%:*}")
 done
 [[ ${#missing[@]} -gt 0 ]] || exit 0
 

@@ -127,7 +127,8 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMes
   return meaning;
 }
 
-// A channel's description is the one announced last before the exploration begins.
+// A channel's description is the one announced last before the exploration begins, until there is a
+// frame: other writers announce a channel only then.
 Result<void> RecordingInterpreter::open_channels() {
   channels_.clear();
   channel_by_name_.clear();
@@ -138,17 +139,12 @@ Result<void> RecordingInterpreter::open_channels() {
                                     exploration_.index + 1, shown(name)));
     }
     InterpretedChannel channel;
-    const McapChannel* announced = file_->latest(topic_of(name));
-    if (!announced) {
-      return file_->bad(
-          fmt::format("the channel {} is not announced before its exploration", shown(name)));
+    channel.description.name = name;
+    if (const McapChannel* announced = file_->latest(topic_of(name))) {
+      const Result<Stream*> stream = stream_of(announced->id);
+      if (!stream) return fail(stream.error());
+      if ((*stream)->frames) channel.description = (*stream)->description;
     }
-    const Result<Stream*> stream = stream_of(announced->id);
-    if (!stream) return fail(stream.error());
-    if (!(*stream)->frames) {
-      return file_->bad(fmt::format("the channel {} has frames of another kind", shown(name)));
-    }
-    channel.description = (*stream)->description;
     channels_.push_back(std::move(channel));
   }
   return {};

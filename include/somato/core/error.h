@@ -9,6 +9,7 @@ enum class ErrorKind {
   kUsage,        ///< A wrong flag, key or value in a description: exit code 2.
   kData,         ///< The content of a file or recording cannot be used: exit code 1.
   kSystem,       ///< The operating system said no (missing path, full disk): exit code 1.
+  kIncomplete,   ///< Done, but not all could be saved: exit code 3.
   kInterrupted,  ///< Somebody asked to stop; whatever is on disk is whole: exit code 130.
 };
 
