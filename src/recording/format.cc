@@ -11,6 +11,7 @@
 #include "somato/recording/fabricslide.h"
 #include "somato/recording/hkust_press_slide.h"
 #include "somato/recording/icub_grasp.h"
+#include "somato/recording/recording_file.h"
 
 namespace somato {
 namespace {
@@ -53,6 +54,23 @@ std::string listed(const Formats& formats) {
   return text;
 }
 
+Result<Recording> load_folder(RecordingFormat format, const std::filesystem::path& folder) {
+  switch (format) {
+    case RecordingFormat::kAutomatic:
+      return recognize_format(folder).and_then(
+          [&](RecordingFormat found) { return load_folder(found, folder); });
+    case RecordingFormat::kIcubGrasp:
+      return import_icub_grasp(folder);
+    case RecordingFormat::kFabricslide:
+      return import_fabricslide(folder);
+    case RecordingFormat::kHkustPressSlide:
+      return import_hkust_press_slide(folder);
+    case RecordingFormat::kAcousticHardness:
+      return import_acoustic_hardness(folder);
+  }
+  return fail(ErrorKind::kUsage, "this recording format cannot be read");
+}
+
 }  // namespace
 
 const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
@@ -78,21 +96,10 @@ Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
               folder.string(), "give a folder below, or say which format is meant");
 }
 
-Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& folder) {
-  switch (format) {
-    case RecordingFormat::kAutomatic:
-      return recognize_format(folder).and_then(
-          [&](RecordingFormat found) { return load_recording(found, folder); });
-    case RecordingFormat::kIcubGrasp:
-      return import_icub_grasp(folder);
-    case RecordingFormat::kFabricslide:
-      return import_fabricslide(folder);
-    case RecordingFormat::kHkustPressSlide:
-      return import_hkust_press_slide(folder);
-    case RecordingFormat::kAcousticHardness:
-      return import_acoustic_hardness(folder);
-  }
-  return fail(ErrorKind::kUsage, "this recording format cannot be read");
+Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {
+  std::error_code missing;
+  if (std::filesystem::is_regular_file(path, missing)) return read_recording(path.string());
+  return load_folder(format, path);
 }
 
 }  // namespace somato
