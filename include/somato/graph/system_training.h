@@ -17,7 +17,7 @@ namespace somato {
 struct SystemTraining {
   std::uint64_t seed = 1;
   std::size_t threads = 1;  ///< The result is the same for any number.
-  Progress progress;        ///< Told draws of all phases; asked to stop at least every 64 of them.
+  Progress progress = {};   ///< Told draws of all phases; asked to stop at least every 64 of them.
 };
 
 /// Trains a system on `explorations` of a recording and nothing else of it, phase by phase.
