@@ -340,7 +340,7 @@ Result<bool> McapReader::go_on() {
   crc_known_ = false;
   if (after_data_) return false;
   if (record_is_damaged_) {
-    const Result<bool> cut = open_cut_chunk();
+    Result<bool> cut = open_cut_chunk();
     if (!cut || *cut) return cut;
     return find_chunk(place_ + 1);
   }
