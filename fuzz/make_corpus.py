@@ -3,6 +3,7 @@
 
 import pathlib
 import struct
+import zlib
 
 CORPUS = pathlib.Path(__file__).parent / "corpus"
 
@@ -111,7 +112,67 @@ def tomls():
     write("toml", "wrong", "a = \n[b\n")
 
 
+def mcap_text(text):
+    return struct.pack("<I", len(text)) + text
+
+
+def mcap_record(opcode, content):
+    return struct.pack("<BQ", opcode, len(content)) + content
+
+
+def mcap_channel(number, schema, topic, encoding, metadata=b""):
+    fields = struct.pack("<HH", number, schema) + mcap_text(topic) + mcap_text(encoding)
+    return mcap_record(4, fields + mcap_text(metadata))
+
+
+def mcap_message(channel, time, data):
+    return mcap_record(5, struct.pack("<HIQQ", channel, 0, time, time) + data)
+
+
+def mcap_chunk(records, compression=b"", packed=None):
+    packed = records if packed is None else packed
+    head = struct.pack("<QQQI", 0, 9, len(records), zlib.crc32(records)) + mcap_text(compression)
+    return mcap_record(6, head + struct.pack("<Q", len(packed)) + packed)
+
+
+def mcap(profile, data):
+    magic = b"\x89MCAP0\r\n"
+    before = magic + mcap_record(1, mcap_text(profile) + mcap_text(b"")) + data
+    return before + mcap_record(15, bytes(4)) + mcap_record(2, bytes(20)) + magic
+
+
+def schema(number, name):
+    fields = struct.pack("<H", number) + mcap_text(name) + mcap_text(b"ros2msg") + mcap_text(b"x")
+    return mcap_record(3, fields)
+
+
+def recordings():
+    cdr = b"\0\1\0\0"
+    floats = cdr + struct.pack("<IIII2f", 0, 0, 2, 0, 0.5, float("nan"))[:8] + struct.pack(
+        "<I2f", 2, 0.5, float("nan"))
+    joints = cdr + struct.pack("<iII", 1, 2, 1) + bytes(4) + struct.pack("<I", 1) + struct.pack(
+        "<I", 2) + b"a\0\0\0" + struct.pack("<I", 1) + bytes(4) + struct.pack("<dII", 1.5, 0, 0)
+    announced = (schema(1, b"somato.Exploration") + schema(2, b"std_msgs/msg/Float32MultiArray") +
+                 schema(3, b"sensor_msgs/msg/JointState") +
+                 mcap_channel(1, 1, b"/exploration", b"json") +
+                 mcap_channel(2, 2, b"/touch", b"cdr", mcap_text(b"shape") + mcap_text(b"[1,2]")) +
+                 mcap_channel(3, 3, b"/joints", b"cdr", mcap_text(b"unit") + mcap_text(b"deg")))
+    begin = (b'{"event":"begin","index":0,"labels":[{"name":"object","value":"cup"}],"source":"",'
+             b'"channels":["touch","joints"],"zero":"0"}')
+    frames = mcap_message(2, 5, floats) + mcap_message(3, 6, joints)
+    own = (announced + mcap_message(1, 0, begin) + frames +
+           mcap_message(1, 9, b'{"event":"end","index":0}'))
+    stored = struct.pack("<I", len(own) | 0x80000000) + own + bytes(4)
+    write("recording", "own", mcap(b"somato", mcap_chunk(own)))
+    write("recording", "lz4", mcap(b"somato", mcap_chunk(own, b"lz4", b"\x04\x22\x4d\x18\x60\x70\x73" + stored)))
+    write("recording", "cut", mcap(b"somato", mcap_chunk(own))[:-150])
+    write("recording", "gap", mcap(b"somato", mcap_chunk(own[:-40], b"zstd") + mcap_chunk(own)))
+    write("recording", "foreign", mcap(b"ros2", announced + frames + frames))
+    write("recording", "skipped", mcap(b"", mcap_record(9, b"x" * 40) + mcap_record(0x90, b"")))
+
+
 archives()
 npys()
 csvs()
 tomls()
+recordings()

@@ -231,6 +231,7 @@ Result<void> McapReader::open_chunk(std::string_view content) {
 }
 
 Result<std::optional<McapMessage>> McapReader::next_record() {
+  message_place_ = place_;
   const Result<std::uint64_t> length = record_length();
   if (!length) return fail(length.error());
   const Result<std::string_view> head = whole_record(kMcapRecordHead);
@@ -238,7 +239,6 @@ Result<std::optional<McapMessage>> McapReader::next_record() {
   const auto opcode = static_cast<McapOpcode>(head->front());
   const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(*length);
   const bool first = place_ == kMcapMagic.size();
-  message_place_ = place_;
   if (static_cast<unsigned>(opcode) == 0 || opcode == McapOpcode::kFooter ||
       first != (opcode == McapOpcode::kHeader)) {
     return bad(opcode_text(opcode) + " stands here");
@@ -340,7 +340,7 @@ Result<bool> McapReader::go_on() {
   crc_known_ = false;
   if (after_data_) return false;
   if (record_is_damaged_) {
-    const Result<bool> cut = open_cut_chunk();
+    Result<bool> cut = open_cut_chunk();
     if (!cut || *cut) return cut;
     return find_chunk(place_ + 1);
   }

@@ -50,6 +50,9 @@ class McapReader {
   /// Whether all messages were read: what fails after that is no loss.
   bool has_all_messages() const { return has_all_messages_; }
 
+  /// Whether what comes next, after go_on(), directly follows what came before.
+  bool goes_on_without_gap() const { return in_chunk_ && chunk_is_cut_ && chunk_at_ == 0; }
+
   /// An error (kData) at the latest message.
   tl::unexpected<Error> bad(const std::string& what, const std::string& advice = {}) const;
 

@@ -74,7 +74,7 @@ Result<std::uint16_t> McapWriter::schema(const McapSchema& schema) {
 }
 
 Result<std::uint16_t> McapWriter::channel(const McapSchema* schema, McapChannel channel) {
-  const Result<std::uint16_t> id = schema ? this->schema(*schema) : std::uint16_t{0};
+  Result<std::uint16_t> id = schema ? this->schema(*schema) : std::uint16_t{0};
   if (!id) return id;
   channel.schema_id = *id;
   return id_of(std::move(channel), "channels", channels_, channel_ids_);
@@ -161,7 +161,7 @@ std::string McapWriter::summary() const {
   groups.add(McapOpcode::kChannel, channels_);
   groups.add(McapOpcode::kStatistics, std::vector{statistics});
   groups.add(McapOpcode::kChunkIndex, chunks_);
-  std::string bytes = groups.bytes();
+  const std::string bytes = groups.bytes();
   // The checksum ends where it stands itself.
   std::string footer = mcap_record(McapFooter{place_, groups.offsets_place(), 0});
   footer.resize(footer.size() - sizeof(std::uint32_t));

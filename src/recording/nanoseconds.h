@@ -23,8 +23,8 @@ inline std::optional<std::int64_t> nanoseconds_of(double seconds) {
 inline double seconds_of(std::int64_t nanoseconds) {
   constexpr std::int64_t kExact = std::int64_t{1} << std::numeric_limits<double>::digits;
   if (nanoseconds > -kExact && nanoseconds < kExact) return static_cast<double>(nanoseconds) / 1e9;
-  return static_cast<double>(nanoseconds / kNanosecondsASecond) +
-         static_cast<double>(nanoseconds % kNanosecondsASecond) / 1e9;
+  const std::int64_t whole = nanoseconds / kNanosecondsASecond;
+  return static_cast<double>(whole) + static_cast<double>(nanoseconds % kNanosecondsASecond) / 1e9;
 }
 
 }  // namespace somato

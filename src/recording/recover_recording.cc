@@ -49,7 +49,7 @@ class Recovery {
     const Result<std::optional<McapMessage>> message = from_->next();
     if (!message) return go_on(message.error());
     if (!*message) return false;
-    const Result<Meaning> meaning = meanings_.interpret(**message);
+    const Result<Meaning> meaning = interpret(**message);
     if (!meaning) {
       lose(meaning.error());
       return true;
@@ -62,15 +62,26 @@ class Recovery {
     return written.map([] { return true; });
   }
 
+  // Explorations that do not follow each other tell of a gap that nothing else told of.
+  Result<Meaning> interpret(const McapMessage& message) {
+    Result<Meaning> meaning = meanings_.interpret(message);
+    if (meaning || !is_exploration_schema(from_->schema_of(message.channel_id))) return meaning;
+    lose(meaning.error());
+    meanings_.after_gap();
+    return meanings_.interpret(message);
+  }
+
   Result<bool> go_on(const Error& damage) {
     if (damage.kind != ErrorKind::kData) return fail(damage);
     if (from_->has_all_messages()) {
       tell(damage);
-    } else {
-      lose(damage);
-      meanings_.after_gap();
+      return false;
     }
-    return from_->go_on();
+    Result<bool> more = from_->go_on();
+    if (more && *more && from_->goes_on_without_gap()) return more;
+    lose(damage);
+    meanings_.after_gap();
+    return more;
   }
 
   void tell(const Error& damage) {
