@@ -263,7 +263,9 @@ Result<void> System::promise(std::size_t member, const std::string& clock) {
                            "write shape = [...], the shape of what comes in"},
                           member));
   }
-  modules_[member].output = {Rate::kFrame, delay->promised_shape(), false, clock};
+  auto promised = modules::checked_size({Rate::kFrame, delay->promised_shape(), false, clock}, {});
+  if (!promised) return fail(at_module(std::move(promised.error()), member));
+  modules_[member].output = std::move(*promised);
   return {};
 }
 
@@ -311,8 +313,13 @@ bool System::is_fixed(std::size_t module) const {
 }
 
 Error System::at_module(Error error, std::size_t module) const {
-  const std::string& place = error.where.empty() ? modules_[module].where : error.where;
-  error.where = place + (place.empty() ? "" : ", ") + "module '" + modules_[module].name + "'";
+  // A description's error knows its line; one of the data, such as an element, is inside.
+  const bool inside = error.kind == ErrorKind::kData;
+  const std::string& own = modules_[module].where;
+  const std::string& line = error.where.empty() || inside ? own : error.where;
+  const std::string detail = inside && !error.where.empty() ? ", " + error.where : "";
+  error.where =
+      line + (line.empty() ? "" : ", ") + "module '" + modules_[module].name + "'" + detail;
   return error;
 }
 

@@ -76,16 +76,17 @@ TEST(Evaluation, ThreadsMakeNoDifference) {
 
 TEST(Evaluation, TheFirstErrorIsToldForAnyThreadsWithExplorationAndModule) {
   Recording recording = hand_recording(9, 3);
-  for (const std::size_t bad : {8U, 5U, 6U}) recording.explorations[bad].channels[2].frames(1, 2) = 7.0F;
+  for (const std::size_t bad : {8U, 5U, 6U})
+    recording.explorations[bad].channels[2].frames(1, 2) = 7.0F;
   recording.explorations[5].source.clear();
   const System system = build(kText, recording);
   for (const std::size_t threads : {1U, 2U, 4U}) {
     Activations activations(system.modules().size(), 9);
-    const auto evaluated = evaluate(system, recording, first_explorations(9),
-                                    {*system.find("stm")}, threads, activations);
+    const auto evaluated = evaluate(system, recording, first_explorations(9), {*system.find("stm")},
+                                    threads, activations);
     ASSERT_FALSE(evaluated);
     EXPECT_EQ(evaluated.error().kind, ErrorKind::kData);
-    EXPECT_EQ(evaluated.error().where, "exploration 6, system.toml:4, module 'code'");
+    EXPECT_EQ(evaluated.error().where, "exploration 6, system.toml:4, module 'code', joint 3");
     EXPECT_NE(evaluated.error().what.find("(frame 2)"), std::string::npos);
   }
 }

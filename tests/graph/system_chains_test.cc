@@ -51,10 +51,9 @@ Signal short_term_memory(const Recording& recording, std::size_t i) {
   const Matrix<float>& touch = frames_of(recording, "touch", i);
   for (std::size_t frame = 0; frame < touch.rows(); ++frame) {
     const auto row = touch.row(frame);
-    const std::vector<Signal> factors{code_of(recording, "height", i, frame),
-                                      code_of(recording, "wrist", i, frame),
-                                      code_of(recording, "joints", i, frame),
-                                      Signal::dense({row.begin(), row.end()})};
+    const std::vector<Signal> factors{
+        code_of(recording, "height", i, frame), code_of(recording, "wrist", i, frame),
+        code_of(recording, "joints", i, frame), Signal::dense({row.begin(), row.end()})};
     memory.add(tensor_product(factors).view());
   }
   return memory.value();
@@ -68,8 +67,9 @@ TEST(SystemChains, TensorProducts) {
                 module("grip", "tensor_product",
                        "inputs = [\"posture\", \"joints_code\", \"touch\"]") +
                 module("stm", "accumulate", "input = \"grip\"") +
-                module("map", "som", "input = \"stm\"\nrows = 4\ncolumns = 4\niterations = 200\n"
-                                     "similarity = \"dot_product\""),
+                module("map", "som",
+                       "input = \"stm\"\nrows = 4\ncolumns = 4\niterations = 200\n"
+                       "similarity = \"dot_product\""),
             recording),
       recording, 6, 3);
   std::vector<Signal> memories;

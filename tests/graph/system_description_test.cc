@@ -65,7 +65,7 @@ TEST(SystemDescription, RefusesWhatItDoesNotKnowWithItsLine) {
   expect_refused("[module.\"\"]\n", "f.toml:1: a module cannot be called ''");
   expect_refused("[module." + std::string(101, 'x') + "]\n", "f.toml:1: a module cannot be called");
   expect_refused("[module.a]\n[module.a]\n", "f.toml:2:");
-  expect_refused("[system]\n", "f.toml: there are no modules");
+  expect_refused("[system]\n", "f.toml:1: there are no modules");
 }
 
 TEST(SystemDescription, LeavesTablesOfOthersAlone) {
@@ -78,7 +78,7 @@ TEST(SystemDescription, TakesAtMost256Modules) {
   std::string text;
   for (int i = 0; i < 256; ++i) text += "[module.m" + std::to_string(i) + "]\ntype = \"channel\"\n";
   EXPECT_TRUE(read(text));
-  expect_refused(text + "[module.last]\n", "f.toml: there are 257 modules");
+  expect_refused(text + "[module.last]\n", "f.toml:1: there are 257 modules");
 }
 
 TEST(SystemDescription, WhatIsWrittenReadsBackAsTheSame) {
@@ -143,7 +143,7 @@ TEST(SystemDescription, WhatNoTextCouldSayIsRefused) {
   refused(small_builder().module("a.b", "channel", joints), "description");
   refused(small_builder().module("", "channel", joints), "as TOML:");
   refused(small_builder().module(std::string(101, 'a'), "channel", joints), "cannot be called");
-  refused(small_builder().module("x]\n[module.y", "channel", joints), "as TOML");
+  refused(small_builder().module("x]\n[module.y", "channel", joints), "cannot be written down");
   refused(SystemBuilder("empty"), "there are no modules");
   refused(SystemBuilder("twice").module("a", "channel", {joints[0], joints[0]}), "as TOML:");
   PhaseDescription endless{{"map"}, std::uint64_t{1} << 62U, {}, {}};

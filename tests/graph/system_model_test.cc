@@ -112,11 +112,10 @@ TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
   const TemporaryFolder folder;
   const std::string path = folder.file("model.somato");
   const Recording recording = hand_recording(3, 8);
-  const System system = trained(
-      build("[module.j]\ntype = \"channel\"\nchannel = \"height\"\n"
-            "[module.s]\ntype = \"standardization\"\ninput = \"j\"\n",
-            {recording}),
-      recording, 3);
+  const System system = trained(build("[module.j]\ntype = \"channel\"\nchannel = \"height\"\n"
+                                      "[module.s]\ntype = \"standardization\"\ninput = \"j\"\n",
+                                      {recording}),
+                                recording, 3);
   ASSERT_TRUE(save_system(path, system));
   testing::expect_damage_refused(path, load_system);
 }
@@ -180,9 +179,7 @@ TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
 }
 
 TEST(SystemModel, RefusesDescriptionsAndLayoutsThatCannotBe) {
-  const auto text_of = [](const char* part) {
-    return **an_archive().get<std::string>(part, "");
-  };
+  const auto text_of = [](const char* part) { return **an_archive().get<std::string>(part, ""); };
   const std::string description = text_of("description");
   const std::string layout = text_of("layout");
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
@@ -220,13 +217,13 @@ TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
   for (const double number : {nan, infinity}) {
     expect_part_refused("module.standard.means", three({0, number, 0}), "not finite");
     expect_part_refused("module.standard.deviations", three({1, number, 1}), "not finite");
-    expect_part_refused("module.code.low", one(number), "'low' must be less");
-    expect_part_refused("module.code.high", one(number), "'low' must be less");
+    expect_part_refused("module.code.low", one(number), "for element 1");
+    expect_part_refused("module.code.high", one(number), "for element 1");
   }
   expect_part_refused("module.standard.deviations", three({1, -1, 1}), "does not fit");
   expect_part_refused("module.standard.means", Array<double>{{2}, {0, 0}}, "does not fit");
   expect_part_refused("module.code.low", Array<double>{{2}, {0, 0}}, "do not fit");
-  expect_part_refused("module.code.low", one(1e300), "'low' must be less");
+  expect_part_refused("module.code.low", one(1e300), "for element 1");
   expect_part_refused("module.code.high", Array<float>{{1}, {1}}, "another type");
   expect_part_refused("module.map.weights", Array<float>{{2, 5}, std::vector<float>(10)},
                       "does not fit its place");
@@ -236,11 +233,10 @@ TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
                       "are 4 x 3");
 }
 
-// In a message, what() may be split between sentence and advice.
 TEST(SystemModel, RefusesAnswersThatCannotBe) {
   using Labels = Array<std::int64_t>;
   const std::string classes = "label = \"object\"\nclasses = [\"ball\", \"cube\"]\n";
-  expect_part_refused("answer", "map = \"mapp\"\n" + classes, "unknown module 'mapp'");
+  expect_part_refused("answer", "map = \"mapp\"\n" + classes, "the map that answers is not there");
   expect_part_refused("answer", "map = \"stm\"\n" + classes, "the map that answers is not there");
   expect_part_refused("answer", "map = \"tensor\"\n" + classes, "the map that answers is not");
   expect_part_refused("answer", std::string("map = \"map\"\nclasses = [\"ball\"]\n"),

@@ -255,18 +255,21 @@ void try_one(const std::string& text, const Recording& recording, const std::str
   if (!system) {
     EXPECT_EQ(system.error().kind, ErrorKind::kUsage) << to_string(system.error()) << text;
     expect_place(system.error(), text);
+    if (std::getenv("SHOW")) fmt::print("REFUSED {}\n", system.error().what);
     ++counts.refused;
     return;
   }
   const auto trained = try_train(*system, recording, kLearned);
   if (!trained) {
     expect_place(trained.error(), text);
+    if (std::getenv("SHOW")) fmt::print("STOPPED\n");
     ++counts.stopped;
     return;
   }
   const auto activations = held_out(*system, recording);
   if (!activations) {
     expect_place(activations.error(), text);
+    if (std::getenv("SHOW")) fmt::print("STOPPED\n");
     ++counts.stopped;
     return;
   }
@@ -279,6 +282,8 @@ void try_one(const std::string& text, const Recording& recording, const std::str
   expect_same_bits(*system, *activations, *held_out(loaded->system, recording), text);
   ASSERT_TRUE(save_system(path, loaded->system));
   EXPECT_EQ(bytes_of(path), bytes) << text;
+  if (std::getenv("SHOW")) for (auto& m : system->modules()) fmt::print("RAN {}\n", m.type->name);
+  if (std::getenv("SHOW")) for (auto& p : system->phases()) fmt::print("PHASE {}\n", p.learners.size());
   ++counts.ran;
 }
 

@@ -159,23 +159,23 @@ TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {
       module("wide", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 1048576");
   expect_built(wide);
   expect_refused(wide + module("m", "tensor_product", "inputs = [\"wide\", \"wide\"]"),
-                 "system.toml:20, module 'm', port 'inputs'", "would have more than 4294967295");
+                 "system.toml:21, module 'm', port 'inputs'", "would have more than 4294967295");
   expect_refused(wide + module("m", "number_code", "input = \"wide\"\nbits = 24"),
-                 "system.toml:20, module 'm', port 'input'", "would have more than 67108864");
+                 "system.toml:21, module 'm', port 'input'", "would have more than 67108864");
   expect_refused(wide + module("m", "one_hot",
                                "input = \"wide\"\nlow = 0\nhigh = 1\n"
                                "elements = 1000"),
-                 "system.toml:20, module 'm', port 'input'", "would have more than");
-  expect_refused(wide + module("m", "som", "input = \"wide\"\nrows = 8000\ncolumns = 8000"),
-                 "system.toml:20, module 'm', port 'input'", "of memory, and this machine has");
+                 "system.toml:21, module 'm', port 'input'", "would have more than");
+  expect_refused(wide + module("m", "som", "input = \"wide\"\nrows = 4096\ncolumns = 4096"),
+                 "system.toml:21, module 'm', port 'input'", "of memory, and this machine has");
   expect_refused(module("m", "som", "input = \"joints\"\nrows = 16777216\ncolumns = 16777216"),
-                 "system.toml:15, module 'm', port 'input'", "of memory, and this machine has");
+                 "system.toml:13, module 'm'", "has more than 16777216 neurons");
   expect_refused(module("m", "t_mpsom",
                         "inputs = \"touch\"\nshape = [4096, 4096, 4096]\n"
                         "input_axes = [0]"),
                  "system.toml:13, module 'm'", "no input is spread along axis 1");
   expect_refused(wide + module("m", "t_mpsom", "inputs = \"wide\"\nshape = [4096]"),
-                 "system.toml:18, module 'm'", "more than 4294967296 weights");
+                 "system.toml:19, module 'm'", "more than 4294967296 weights");
 }
 
 TEST(System, RefusesShapesWithoutARecordingThatNoMachineHolds) {
@@ -200,7 +200,7 @@ TEST(System, RefusesShapesWithoutARecordingThatNoMachineHolds) {
 TEST(System, RefusesLoopsThatCannotRun) {
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"c\"]") +
                      module("b", "scale", "input = \"a\"") + module("c", "scale", "input = \"b\""),
-                 "system.toml:13, module 'a'", "a loop needs a delay: a -> b -> c -> a");
+                 "system.toml:16, module 'b'", "a loop needs a delay: b -> c -> a -> b");
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"a\"]"), "system.toml:13, module 'a'",
                  "a loop needs a delay: a -> a");
   const std::string sum = module("a", "sum", "inputs = [\"joints\", \"d\"]");  // lines 13 to 15
@@ -215,7 +215,7 @@ TEST(System, RefusesLoopsThatCannotRun) {
                  "no frames come into its loop from outside");
   expect_refused(
       module("e", "scale", "input = \"d\"") + module("d", "delay", "input = \"e\"\nshape = [3]"),
-      "system.toml:13, module 'e'", "no frames come into its loop from outside");
+      "system.toml:16, module 'd'", "no frames come into its loop from outside");
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"d\"]") +
                      module("r", "mean_removal", "input = \"a\"") +
                      module("d", "delay", "input = \"r\"\nshape = [3]"),
@@ -223,14 +223,14 @@ TEST(System, RefusesLoopsThatCannotRun) {
   expect_refused(module("l", "last", "input = \"joints\"") +
                      module("a", "sum", "inputs = [\"l\", \"d\"]") +
                      module("d", "delay", "input = \"a\"\nshape = [3]"),
-                 "system.toml:16, module 'a'", "no frames come into its loop from outside");
+                 "system.toml:19, module 'd'", "no frames come into its loop from outside");
   expect_refused(module("a", "sum", "inputs = [\"height\", \"sound\", \"d\"]") +
                      module("d", "delay", "input = \"a\"\nshape = [1]"),
                  "system.toml:15, module 'a', port 'inputs'", "are not taken together");
   expect_refused(
       module("a", "concatenation", "inputs = [\"joints\", \"d\"]") +
           module("d", "delay", "input = \"a\"\nshape = [1048576, 1048576, 1048576, 1048576]"),
-      "system.toml:15, module 'a', port 'inputs'", "would have");
+      "system.toml:16, module 'd'", "would have more than");
   expect_built(sum + module("d", "delay", "input = \"a\"\nshape = [3]"));
 }
 

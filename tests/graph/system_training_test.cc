@@ -85,12 +85,12 @@ TEST(SystemTraining, AMapAloneIsTrainedAsEver) {
 
 TEST(SystemTraining, APhaseSaysHowLongAndInWhichOrderAMapAloneLearns) {
   const Recording recording = hand_recording(9, 5);
-  const System system = trained(
-      build(channels() + module("closed", "last", "input = \"joints\"") +
-                module("map", "som", "input = \"closed\"\nrows = 4\ncolumns = 3") +
-                "[[phase]]\nlearn = \"map\"\ndraws = 33\norder = \"without_replacement\"\n",
-            recording),
-      recording, 6, 5);
+  const System system =
+      trained(build(channels() + module("closed", "last", "input = \"joints\"") +
+                        module("map", "som", "input = \"closed\"\nrows = 4\ncolumns = 3") +
+                        "[[phase]]\nlearn = \"map\"\ndraws = 33\norder = \"without_replacement\"\n",
+                    recording),
+              recording, 6, 5);
   SomParameters parameters;
   parameters.rows = 4;
   parameters.columns = 3;
@@ -104,9 +104,10 @@ TEST(SystemTraining, APhaseSaysHowLongAndInWhichOrderAMapAloneLearns) {
 TEST(SystemTraining, ATMpsomLearnsFramesAsEver) {
   const Recording recording = hand_recording(6, 5);
   const System system =
-      trained(build(channels() + module("map", "t_mpsom",
-                                        "inputs = [\"joints\", \"touch\"]\nshape = [4, 3]\n"
-                                        "combination = \"added\"") +
+      trained(build(channels() +
+                        module("map", "t_mpsom",
+                               "inputs = [\"joints\", \"touch\"]\nshape = [4, 3]\n"
+                               "combination = \"added\"") +
                         "[[phase]]\nlearn = \"map\"\ndraws = 101\n",
                     recording),
               recording, 4, 77);
@@ -209,13 +210,12 @@ TEST(SystemTraining, TwoMapsLearnFramesTogetherAsInAnObviousLoop) {
 TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
   const Recording recording = hand_recording(6, 5);
   const std::size_t draws = 60;
-  const System system =
-      trained(build(channels() + module("closed", "last", "input = \"joints\"") +
-                        module("a", "som", "input = \"closed\"" + kSmall) +
-                        module("b", "som", "input = \"a\"" + kSmall) +
-                        "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = 60\n",
-                    recording),
-              recording, 4, 9);
+  const System system = trained(build(channels() + module("closed", "last", "input = \"joints\"") +
+                                          module("a", "som", "input = \"closed\"" + kSmall) +
+                                          module("b", "som", "input = \"a\"" + kSmall) +
+                                          "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = 60\n",
+                                      recording),
+                                recording, 4, 9);
   const Samples joints = last_joints(recording, 4);
   Som a = untrained_som(small_map(draws, 9), joints).value();
   const std::uint64_t seed_of_b = map_of(system, "b").parameters().seed;
@@ -272,11 +272,11 @@ TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
 
 TEST(SystemTraining, AMapThatHearsItselfCannotStartFromWhatItHears) {
   const Recording recording = hand_recording(4, 5);
-  System system = build(
-      channels() + module("both", "concatenation", "inputs = [\"joints\", \"before\"]") +
-          module("map", "som", "input = \"both\"" + kSmall) +
-          module("before", "delay", "input = \"map\"\nshape = [3, 2]"),
-      recording);
+  System system =
+      build(channels() + module("both", "concatenation", "inputs = [\"joints\", \"before\"]") +
+                module("map", "som", "input = \"both\"" + kSmall) +
+                module("before", "delay", "input = \"map\"\nshape = [3, 2]"),
+            recording);
   const auto refused = try_train(system, recording, 4);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
@@ -353,9 +353,8 @@ TEST(SystemTraining, AProgressMayStopEveryPhase) {
   for (int allowed = 0; allowed < calls; ++allowed) {
     System system = build(kEverything, recording);
     int left = allowed;
-    const auto stopped =
-        try_train(system, recording, 6,
-                  {1, 1, [&](std::uint64_t, std::uint64_t) { return left-- > 0; }});
+    const auto stopped = try_train(
+        system, recording, 6, {1, 1, [&](std::uint64_t, std::uint64_t) { return left-- > 0; }});
     ASSERT_FALSE(stopped) << allowed;
     EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
     EXPECT_EQ(left, -1);
@@ -373,7 +372,9 @@ TEST(SystemTraining, WhatFrozenModulesGaveIsKept) {
     const bool learned_from = i == 1 || i == 2 || i == 4;
     const Sequence* stm = activations->find(*system.find("stm"), i);
     ASSERT_EQ(stm != nullptr, learned_from) << i;
-    if (stm) EXPECT_EQ(dense(*stm), dense(output_of(system, recording, "stm", i)));
+    if (stm != nullptr) {
+      EXPECT_EQ(dense(*stm), dense(output_of(system, recording, "stm", i)));
+    }
   }
 }
 
@@ -382,7 +383,8 @@ TEST(SystemTraining, ErrorsOfTheDataNameModuleAndFrame) {
   System none = build(kEverything, recording);
   const auto nothing = try_train(none, recording, 0);
   ASSERT_FALSE(nothing);
-  EXPECT_NE(nothing.error().what.find("no explorations"), std::string::npos);
+  EXPECT_NE(nothing.error().what.find("no explorations"), std::string::npos)
+      << to_string(nothing.error());
   for (Exploration& e : recording.explorations) {
     for (std::size_t f = 0; f < e.channels[2].frames.rows(); ++f) e.channels[2].frames(f, 1) = 2.0F;
   }
