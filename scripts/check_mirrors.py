@@ -16,6 +16,14 @@ SOURCES_WITHOUT_HEADER = {
     "core/kernels_portable.cc": "core/kernels.h for any processor",
     "core/kernels_avx2.cc": "core/kernels.h for AVX2",
     "core/kernels_avx512.cc": "core/kernels.h for AVX-512",
+    "graph/module_types.cc": "graph/module.h: the list of all types",
+    "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/features.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/frames.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/maps.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/memories.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/scaling.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/source.cc": "graph/modules/support.h: types of modules",
 }
 HEADERS_WITHOUT_TEST = {}
 TESTS_WITHOUT_HEADER = {

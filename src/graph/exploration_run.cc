@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "graph/finite.h"
 #include "graph/frame_walk.h"
 #include "graph/wiring.h"
 
@@ -42,6 +43,9 @@ Result<void> ExplorationRun::compute_group(const std::vector<std::size_t>& group
   if (system_.wiring().is_loop(group)) return compute_loop(group);
   const std::size_t module = group.front();
   Result<Sequence> sequence = compute_module(module);
+  if (sequence) {
+    if (auto finite = check_finite(*sequence); !finite) sequence = fail(std::move(finite.error()));
+  }
   if (!sequence) return fail(system_.at_module(std::move(sequence.error()), module));
   computed_[module] = std::make_shared<const Sequence>(std::move(*sequence));
   return {};

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "somato/core/check.h"
+#include "graph/finite.h"
 
 namespace somato {
 
@@ -69,6 +69,9 @@ Result<void> FrameWalk::step() {
       continue;
     }
     Result<Signal> output = walked.stepper->step(inputs_of(walked.module));
+    if (output) {
+      if (auto finite = check_finite(output->view()); !finite) output = fail(finite.error());
+    }
     if (!output) {
       output.error().what += fmt::format(" (frame {})", frame_ + 1);
       return fail(system_.at_module(std::move(output.error()), walked.module));

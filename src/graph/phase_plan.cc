@@ -118,11 +118,26 @@ class Planner {
   }
 
   Result<void> add_phase(Phase phase, const PhaseDescription& description) {
+    if (auto ready = check_ready(phase, description); !ready) return ready;
     if (auto rate = find_rate(phase, description); !rate) return rate;
     if (auto possible = check_learners(phase, description); !possible) return possible;
     if (auto once = check_said_once(phase); !once) return once;
     for (const std::size_t module : phase.learners) planned_[module] = true;
     phases_.push_back(std::move(phase));
+    return {};
+  }
+
+  // In a loop each module depends on all others.
+  Result<void> check_ready(const Phase& phase, const PhaseDescription& description) const {
+    for (std::size_t before = 0; before < planned_.size(); ++before) {
+      if (!learns(before) || planned_[before] || contains(phase.learners, before)) continue;
+      for (const std::size_t after : phase.learners) {
+        if (!system_.wiring().reaches(before, after)) continue;
+        return refuse(description,
+                      "'" + name(after) + "' and '" + name(before) + "' depend on each other",
+                      "name both in one [[phase]]");
+      }
+    }
     return {};
   }
 

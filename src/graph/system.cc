@@ -8,6 +8,7 @@
 #include "graph/modules/delay.h"
 #include "graph/phase_plan.h"
 #include "graph/wiring.h"
+#include "somato/files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -77,6 +78,33 @@ Result<std::vector<std::string>> names_at(const InputPort& port, const Table::En
                         : "write " + port.name + " = \"NAME\"");
 }
 
+// What a builder puts together must be possible as a text too, which is what a model file keeps.
+Result<void> check_text(const SystemDescription& description) {
+  const std::string text = to_toml(description);
+  auto again =
+      parse_toml(text, "as TOML").and_then([](const Table& table) { return read_system(table); });
+  if (again && to_toml(*again) == text && again->modules.size() == description.modules.size()) {
+    return {};
+  }
+  if (again) return fail(ErrorKind::kUsage, "the description cannot be written down");
+  return fail(std::move(again.error()));
+}
+
+// A model file holds up to 1000 parts; a learning module has two, a T-MPSOM one more than inputs.
+Result<void> check_parts(const std::vector<SystemModule>& modules, const SystemDescription& all) {
+  constexpr std::size_t kMostParts = 990;
+  std::size_t parts = 0;
+  for (std::size_t i = 0; i < modules.size(); ++i) {
+    if (modules[i].module->learner() != nullptr) {
+      parts += 1 + std::max<std::size_t>(1, modules[i].inputs.size());
+    }
+    if (parts <= kMostParts) continue;
+    return fail(ErrorKind::kUsage, "the learning modules have too many inputs for a model file",
+                all.modules[i].settings.where, "put inputs together with 'concatenation'");
+  }
+  return {};
+}
+
 const modules::Delay* delay_of(const SystemModule& module) {
   return dynamic_cast<const modules::Delay*>(module.module.get());
 }
@@ -92,11 +120,14 @@ Result<System> System::build(SystemDescription description, RecordingLayout layo
   System system;
   system.description_ = std::move(description);
   system.layout_ = std::move(layout);
-  Result<void> built = system.make_modules()
-                           .and_then([&] { return system.connect_ports(); })
-                           .and_then([&] { return system.wire(); })
-                           .and_then([&] { return system.infer_types(); })
-                           .and_then([&] { return system.plan_phases(); });
+  Result<void> built =
+      system.make_modules()
+          .and_then([&] { return check_text(system.description_); })
+          .and_then([&] { return system.connect_ports(); })
+          .and_then([&] { return check_parts(system.modules_, system.description_); })
+          .and_then([&] { return system.wire(); })
+          .and_then([&] { return system.infer_types(); })
+          .and_then([&] { return system.plan_phases(); });
   if (!built) return fail(std::move(built.error()));
   return system;
 }
@@ -232,7 +263,9 @@ Result<void> System::promise(std::size_t member, const std::string& clock) {
                            "write shape = [...], the shape of what comes in"},
                           member));
   }
-  modules_[member].output = {Rate::kFrame, delay->promised_shape(), false, clock};
+  auto promised = modules::checked_size({Rate::kFrame, delay->promised_shape(), false, clock}, {});
+  if (!promised) return fail(at_module(std::move(promised.error()), member));
+  modules_[member].output = std::move(*promised);
   return {};
 }
 
@@ -280,8 +313,13 @@ bool System::is_fixed(std::size_t module) const {
 }
 
 Error System::at_module(Error error, std::size_t module) const {
-  const std::string& place = error.where.empty() ? modules_[module].where : error.where;
-  error.where = place + (place.empty() ? "" : ", ") + "module '" + modules_[module].name + "'";
+  // A description's error knows its line; one of the data, such as an element, is inside.
+  const bool inside = error.kind == ErrorKind::kData;
+  const std::string& own = modules_[module].where;
+  const std::string& line = error.where.empty() || inside ? own : error.where;
+  const std::string detail = inside && !error.where.empty() ? ", " + error.where : "";
+  error.where =
+      line + (line.empty() ? "" : ", ") + "module '" + modules_[module].name + "'" + detail;
   return error;
 }
 

@@ -8,6 +8,7 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kMostModules = 256;
+constexpr std::size_t kLongestName = 100;  // So that a model file can name its parts.
 
 tl::unexpected<Error> refuse(std::string what, const std::string& where, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), where, std::move(advice));
@@ -46,9 +47,10 @@ Result<void> read_modules(const Table::Entry& entry, SystemDescription& descript
       return refuse("'" + module.name + "' must be a table", module.where,
                     "write [module." + module.name + "] on a line of its own, its keys below");
     }
-    if (!std::all_of(module.name.begin(), module.name.end(), is_plain) || module.name.empty()) {
+    if (!std::all_of(module.name.begin(), module.name.end(), is_plain) || module.name.empty() ||
+        module.name.size() > kLongestName) {
       return refuse("a module cannot be called '" + module.name + "'", module.where,
-                    "use letters, digits, '_' and '-'");
+                    fmt::format("use letters, digits, '_' and '-', {} at most", kLongestName));
     }
     description.modules.push_back({module.name, *settings});
     description.modules.back().settings.where = module.where;

@@ -36,6 +36,10 @@ class Trainer {
         activations_(activations) {}
 
   Result<void> train() {
+    if (explorations_.empty()) {
+      return fail(ErrorKind::kData, "there are no explorations to learn from", {},
+                  "give at least one");
+    }
     for (const Phase& phase : system_.phases()) {
       const std::vector<std::size_t> computed = computed_in(system_, phase);
       if (auto ready = compute_inputs_of(computed); !ready) return ready;

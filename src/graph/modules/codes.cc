@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "somato/codes/normalization.h"
 #include "somato/codes/one_hot.h"
 #include "somato/codes/tensor_product.h"
+#include "somato/core/check.h"
 
 namespace somato::modules {
 namespace {
@@ -57,12 +59,15 @@ class OneHotModule : public MappedModule, public Learner {
           fmt::format("'{}' has {} numbers, but {} elements come in", name, ends->size(), inputs_),
           {}, "give one number for all or one for each");
     }
-    PortType type{input.rate, input.shape, true, input.clock};
+    // Checked as if it were dense: the edges of all bins are kept.
+    PortType type{input.rate, input.shape, false, input.clock};
     if (type.size() == 1) type.shape.clear();
     type.shape.push_back(parameters_.elements);
     shape_ = type.shape;
     auto checked = checked_size(std::move(type), inputs.front().port);
-    if (!checked || learner() != nullptr) return checked;
+    if (!checked) return checked;
+    checked->sparse = true;
+    if (learner() != nullptr) return checked;
     if (auto made = make(parameters_.low, parameters_.high); !made) return fail(made.error());
     return checked;
   }
@@ -72,6 +77,7 @@ class OneHotModule : public MappedModule, public Learner {
   }
 
   Result<Signal> map(std::span<const SignalView> inputs) const override {
+    require(code_.has_value(), "a one-hot code whose ranges are not learned");
     std::vector<float> values(inputs_);
     write_dense(inputs.front(), values);
     Result<Signal> code = code_->encode(values);
@@ -86,7 +92,8 @@ class OneHotModule : public MappedModule, public Learner {
     std::vector<double> low(inputs_, std::numeric_limits<double>::infinity());
     std::vector<double> high(inputs_, -std::numeric_limits<double>::infinity());
     for (const auto& ports : explorations) widen(dense_rows(*ports.front()), low, high);
-    for (std::size_t i = 0; i < inputs_; ++i) {
+    const bool learns_both = parameters_.low.empty() && parameters_.high.empty();
+    for (std::size_t i = 0; learns_both && i < inputs_; ++i) {
       if (low[i] < high[i]) continue;
       return fail(
           ErrorKind::kData,
@@ -98,6 +105,7 @@ class OneHotModule : public MappedModule, public Learner {
   }
 
   void save(Archive& archive, const std::string& prefix) const override {
+    require(code_.has_value(), "a one-hot code whose ranges are not learned");
     archive.add(prefix + "low", Array<double>{{low_.size()}, low_});
     archive.add(prefix + "high", Array<double>{{high_.size()}, high_});
   }
@@ -135,11 +143,13 @@ class OneHotModule : public MappedModule, public Learner {
     for (std::size_t i = 0; i < inputs_; ++i) {
       low_[i] = low[low.size() == 1 ? 0 : i];
       high_[i] = high[high.size() == 1 ? 0 : i];
-      if (!(static_cast<float>(low_[i]) < static_cast<float>(high_[i]))) {
+      const auto first = static_cast<float>(low_[i]);
+      const auto last = static_cast<float>(high_[i]);
+      if (!(std::isfinite(first) && std::isfinite(last) && first < last)) {
         return fail(
             ErrorKind::kUsage,
             fmt::format("'low' is {} and 'high' {} for element {}", low_[i], high_[i], i + 1), {},
-            "'low' must be less than 'high'");
+            "'low' must be less than 'high', both in the range of single precision");
       }
       joints.push_back({low_[i], high_[i], parameters_.elements, parameters_.outside});
     }

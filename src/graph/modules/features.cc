@@ -173,6 +173,10 @@ class SpectrumModule : public Module {
       return fail(ErrorKind::kUsage, "a speed is a single number", inputs.back().port,
                   "take one element");
     }
+    if (inputs.size() > 1 && (parameters_.bands == 0 || !parameters_.high)) {
+      return fail(ErrorKind::kUsage, "cycles per mm need 'bands' and their 'high'",
+                  inputs.back().port, "give both, or leave the speed out");
+    }
     spectrum_.emplace(parameters_);
     PortType type = once(input.type);
     type.sparse = false;

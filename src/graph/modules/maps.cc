@@ -6,6 +6,7 @@
 #include "graph/modules/som_module.h"
 #include "graph/modules/support.h"
 #include "maps/map_parts.h"
+#include "somato/core/check.h"
 #include "somato/core/memory.h"
 #include "somato/maps/som_archive.h"
 #include "somato/maps/t_mpsom.h"
@@ -78,6 +79,7 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
 }
 
 std::unique_ptr<Stepper> SomModule::start() const {
+  require(som_.neurons() > 0, "a map that has learned nothing cannot be used");
   return std::make_unique<SomStepper>(som_);
 }
 
@@ -124,6 +126,7 @@ Result<void> SomModule::step(std::span<const SignalView> inputs, std::uint64_t d
 }
 
 void SomModule::save(Archive& archive, const std::string& prefix) const {
+  require(som_.neurons() > 0, "a map that has learned nothing cannot be saved");
   add_som(archive, prefix, som_);
 }
 
@@ -174,13 +177,25 @@ struct TMpsomModuleParameters {
   }
 };
 
+// A T-MPSOM throws when numbers leave their range, which without norms hangs on what comes in.
+template <typename Work>
+Result<void> in_range(const Work& work) {
+  try {
+    work();
+    return {};
+  } catch (const InvalidArgument& error) {
+    return fail(ErrorKind::kData, error.what(), {}, "scale what comes in, or leave the norms on");
+  }
+}
+
 class TMpsomStepper : public Stepper {
  public:
   explicit TMpsomStepper(const TMpsom& map) : map_(map), workspace_(map) {}
 
   Result<Signal> step(std::span<const SignalView> inputs) override {
     std::vector<float> activity(map_.neurons());
-    map_.activation(inputs, workspace_, activity);
+    const auto active = in_range([&] { map_.activation(inputs, workspace_, activity); });
+    if (!active) return fail(active.error());
     return Signal::dense(map_.parameters().shape, std::move(activity));
   }
 
@@ -211,7 +226,10 @@ class TMpsomModule : public SteppedModule, public Learner {
   }
 
   Learner* learner() override { return this; }
-  std::unique_ptr<Stepper> start() const override { return std::make_unique<TMpsomStepper>(*map_); }
+  std::unique_ptr<Stepper> start() const override {
+    require(map_.has_value(), "a T-MPSOM that has learned nothing cannot be used");
+    return std::make_unique<TMpsomStepper>(*map_);
+  }
 
   std::size_t memory() const override {
     std::size_t elements = 0;
@@ -222,6 +240,7 @@ class TMpsomModule : public SteppedModule, public Learner {
   bool learns_at_once() const override { return false; }
   bool learns_by_draws() const override { return true; }
 
+  // What it starts from does not depend on what comes in.
   Result<std::uint64_t> begin(const Lesson& lesson,
                               const TrainingInputs& /*explorations*/) override {
     TMpsomParameters parameters = parameters_;
@@ -234,11 +253,12 @@ class TMpsomModule : public SteppedModule, public Learner {
   }
 
   Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override {
-    map_->learn(inputs, map_->parameters().learning_rate().at(draw), *workspace_);
-    return {};
+    return in_range(
+        [&] { map_->learn(inputs, map_->parameters().learning_rate().at(draw), *workspace_); });
   }
 
   void save(Archive& archive, const std::string& prefix) const override {
+    require(map_.has_value(), "a T-MPSOM that has learned nothing cannot be saved");
     add_t_mpsom(archive, prefix, *map_);
   }
 
@@ -268,17 +288,35 @@ class WinnerModule : public MappedModule {
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
     type_ = inputs.front().type;
     type_.sparse = true;
-    return type_;
+    return checked_size(type_, inputs.front().port);
   }
 
   Result<Signal> map(std::span<const SignalView> inputs) const override {
-    std::vector<float> values(type_.size());
-    write_dense(inputs.front(), values);
-    const auto most = std::max_element(values.begin(), values.end()) - values.begin();
-    return Signal::sparse(type_.shape, {static_cast<std::uint32_t>(most)}, {1.0F});
+    return Signal::sparse(type_.shape, {place_of_greatest(inputs.front())}, {1.0F});
   }
 
  private:
+  // The first of equals. Zeros that are not stored are not looked at one by one: there may be
+  // thousands of millions.
+  static std::uint32_t place_of_greatest(const SignalView& input) {
+    const auto most = std::max_element(input.values.begin(), input.values.end());
+    const auto stored = static_cast<std::size_t>(most - input.values.begin());
+    if (!input.sparse) return static_cast<std::uint32_t>(stored);
+    if (most != input.values.end() && *most > 0.0F) return input.indices[stored];
+    return first_zero(input).value_or(stored < input.indices.size() ? input.indices[stored] : 0);
+  }
+
+  // Of a sparse signal, stored or not.
+  static std::optional<std::uint32_t> first_zero(const SignalView& input) {
+    std::uint32_t place = 0;
+    while (place < input.indices.size() && input.indices[place] == place &&
+           input.values[place] != 0.0F) {
+      ++place;
+    }
+    if (place == input.size) return {};
+    return place;
+  }
+
   PortType type_;
 };
 

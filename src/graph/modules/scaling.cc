@@ -6,6 +6,7 @@
 #include "graph/modules/support.h"
 #include "maps/map_parts.h"
 #include "somato/codes/standardization.h"
+#include "somato/core/check.h"
 
 namespace somato::modules {
 namespace {
@@ -27,6 +28,7 @@ class StandardizationModule : public MappedModule, public Learner {
   std::size_t memory() const override { return 2 * columns_ * sizeof(double); }
 
   Result<Signal> map(std::span<const SignalView> inputs) const override {
+    require(standardization_.has_value(), "a standardization that has learned nothing");
     std::vector<float> values(columns_);
     standardization_->apply(inputs.front(), values);
     return Signal::dense(shape_, std::move(values));
@@ -50,6 +52,7 @@ class StandardizationModule : public MappedModule, public Learner {
   }
 
   void save(Archive& archive, const std::string& prefix) const override {
+    require(standardization_.has_value(), "a standardization that has learned nothing");
     archive.add(prefix + "means", Array<double>{{columns_}, standardization_->means});
     archive.add(prefix + "deviations", Array<double>{{columns_}, standardization_->deviations});
   }

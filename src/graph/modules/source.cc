@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "graph/modules/support.h"
 
@@ -60,24 +61,20 @@ struct ChannelParameters {
   }
 };
 
-std::string element_name(const ChannelLayout& channel, std::size_t element) {
-  return channel.element_names.empty() ? std::to_string(element + 1)
-                                       : channel.element_names[element];
-}
-
-// By name, else by number.
+// By name, else by number from 1.
 Result<std::size_t> find_element(const ChannelLayout& channel, std::size_t elements,
                                  const std::string& name) {
-  std::vector<std::string> known;
-  known.reserve(elements);
-  for (std::size_t i = 0; i < elements; ++i) known.push_back(element_name(channel, i));
-  if (const auto found = std::find(known.begin(), known.end(), name); found != known.end()) {
-    return static_cast<std::size_t>(found - known.begin());
+  const std::vector<std::string>& names = channel.element_names;
+  if (const auto found = std::find(names.begin(), names.end(), name); found != names.end()) {
+    return static_cast<std::size_t>(found - names.begin());
   }
-  for (std::size_t i = 0; i < elements; ++i) {
-    if (std::to_string(i + 1) == name) return i;
-  }
-  return fail(unknown_name("element", name, {}, known));
+  std::size_t number = 0;
+  const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = read.ec == std::errc{} && read.ptr == name.data() + name.size();
+  if (is_number && number >= 1 && number <= elements) return number - 1;
+  if (!names.empty()) return fail(unknown_name("element", name, {}, names));
+  return fail(ErrorKind::kUsage, "there is no element '" + name + "'", {},
+              fmt::format("number the elements from 1 to {}", elements));
 }
 
 class ChannelModule : public Source {
@@ -141,6 +138,7 @@ class ChannelModule : public Source {
           {}, "correct 'shape', or leave it out");
     }
     type_ = {Rate::kFrame, channel.shape, false, channel.clock};
+    if (auto possible = checked_size(type_, {}); !possible) return fail(possible.error());
     source_elements_ = type_.size();
     for (std::size_t i = 0; parameters_.elements.empty() && i < source_elements_; ++i) {
       elements_.push_back(i);

@@ -1,0 +1,258 @@
+#include "somato/graph/system_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "somato/core/check.h"
+#include "somato/files/archive.h"
+#include "support/damaged_files.h"
+#include "support/saved_maps.h"
+#include "support/systems.h"
+
+namespace somato {
+namespace {
+
+using testing::build;
+using testing::dense;
+using testing::hand_recording;
+using testing::output_of;
+using testing::trained;
+using testing::with_part;
+using testing::without_part;
+
+// One of each that learns.
+const std::string kText =
+    "[system]\nname = \"all\"\n"
+    "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n"
+    "[module.height]\ntype = \"channel\"\nchannel = \"height\"\n"
+    "[module.standard]\ntype = \"standardization\"\ninput = \"joints\"\n"
+    "[module.code]\ntype = \"one_hot\"\ninput = \"height\"\nelements = 2\noutside = \"clamp\"\n"
+    "[module.tensor]\ntype = \"t_mpsom\"\ninputs = [\"code\", \"standard\"]\nshape = [2, 2]\n"
+    "[module.stm]\ntype = \"accumulate\"\ninput = \"tensor\"\n"
+    "[module.map]\ntype = \"som\"\ninput = \"stm\"\nrows = 1\ncolumns = 2\niterations = 20\n"
+    "[[phase]]\nlearn = \"tensor\"\ndraws = 30\n";
+
+System small_system() {
+  const Recording recording = hand_recording(4, 8);
+  return trained(build(kText, recording), recording, 3);
+}
+
+SystemAnswer small_answer() {
+  return {"map", "object", {"ball", "a \"cube\""}, NeuronLabels({std::nullopt, 1})};
+}
+
+TEST(SystemModel, IsTheSameWhenLoaded) {
+  const TemporaryFolder folder;
+  const Recording recording = hand_recording(6, 8);
+  const System system = trained(build(kText, recording), recording, 3);
+  for (const bool answers : {false, true}) {
+    const auto answer = answers ? std::optional(small_answer()) : std::nullopt;
+    ASSERT_TRUE(save_system(folder.file("a"), system, answer));
+    const auto loaded = load_system(folder.file("a"));
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    ASSERT_EQ(loaded->answer.has_value(), answers);
+    if (answers) {
+      EXPECT_EQ(loaded->answer->map, "map");
+      EXPECT_EQ(loaded->answer->label, "object");
+      EXPECT_EQ(loaded->answer->classes, small_answer().classes);
+      EXPECT_EQ(loaded->answer->labels, small_answer().labels);
+    }
+    EXPECT_EQ(loaded->system.description().name, "all");
+    EXPECT_EQ(loaded->system.layout().channels, system.layout().channels);
+    for (const SystemModule& module : system.modules()) {
+      for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(dense(output_of(loaded->system, recording, module.name, i)),
+                  dense(output_of(system, recording, module.name, i)))
+            << module.name;
+      }
+    }
+    ASSERT_TRUE(save_system(folder.file("b"), loaded->system, loaded->answer));
+    EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
+  }
+}
+
+TEST(SystemModel, MapsAreThoseOfTypeSom) {
+  const System system = small_system();
+  for (std::size_t i = 0; i < system.modules().size(); ++i) {
+    EXPECT_EQ(som_of(system, i) != nullptr, system.modules()[i].name == "map");
+  }
+}
+
+TEST(SystemModel, RefusesToSaveWhatCouldNotBeLoaded) {
+  const TemporaryFolder folder;
+  const System system = small_system();
+  const auto refused = [&](const auto& spoil) {
+    SystemAnswer answer = small_answer();
+    spoil(answer);
+    EXPECT_THROW((void)save_system(folder.file("a"), system, answer), InvalidArgument);
+  };
+  refused([](SystemAnswer& a) { a.map = "mapp"; });
+  refused([](SystemAnswer& a) { a.map = "tensor"; });
+  refused([](SystemAnswer& a) { a.labels = NeuronLabels({1}); });
+  refused([](SystemAnswer& a) { a.labels = NeuronLabels({{}, {}}); });
+  refused([](SystemAnswer& a) { a.labels = NeuronLabels({0, 2}); });
+  const Recording recording = hand_recording(4, 8);
+  const std::string joints = "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n";
+  for (const std::string type : {"standardization", "one_hot", "som"}) {
+    const std::string text = joints + "[module.m]\ntype = \"" + type + "\"\ninput = \"joints\"\n";
+    EXPECT_THROW((void)save_system(folder.file("a"), build(text, recording)), InvalidArgument);
+    EXPECT_THROW((void)output_of(build(text, recording), recording, "m", 0), InvalidArgument);
+  }
+  const std::string text =
+      joints + "[module.m]\ntype = \"t_mpsom\"\ninputs = \"joints\"\nshape = [2]\n";
+  EXPECT_THROW((void)save_system(folder.file("a"), build(text, recording)), InvalidArgument);
+  EXPECT_THROW((void)output_of(build(text, recording), recording, "m", 0), InvalidArgument);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+// A small file, because it is loaded once for every bit.
+TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("model.somato");
+  const Recording recording = hand_recording(3, 8);
+  const System system = trained(build("[module.j]\ntype = \"channel\"\nchannel = \"height\"\n"
+                                      "[module.s]\ntype = \"standardization\"\ninput = \"j\"\n",
+                                      {recording}),
+                                recording, 3);
+  ASSERT_TRUE(save_system(path, system));
+  testing::expect_damage_refused(path, load_system);
+}
+
+Archive saved_archive() {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(save_system(folder.file("a"), small_system(), small_answer()));
+  return load_archive(folder.file("a")).value();
+}
+
+const Archive& an_archive() {
+  static const Archive archive = saved_archive();
+  return archive;
+}
+
+// Saved with a checksum that is right.
+void expect_refused(const Archive& archive, const std::string& because) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.somato");
+  ASSERT_TRUE(save_archive(path, archive));
+  const auto model = load_system(path);
+  ASSERT_FALSE(model) << because;
+  EXPECT_EQ(model.error().kind, ErrorKind::kData);
+  EXPECT_TRUE(model.error().where.starts_with(path)) << to_string(model.error());
+  EXPECT_NE(model.error().what.find(because), std::string::npos) << to_string(model.error());
+}
+
+// In the place of the part, so that only the content differs.
+void expect_part_refused(const std::string& name, Archive::Content content,
+                         const std::string& because) {
+  const Archive& archive = an_archive();
+  Archive changed(archive.kind());
+  bool there = false;
+  for (const Archive::Entry& entry : archive.entries()) {
+    changed.add(entry.name, entry.name == name ? content : entry.content);
+    there = there || entry.name == name;
+  }
+  ASSERT_TRUE(there) << name;
+  expect_refused(changed, because);
+}
+
+TEST(SystemModel, RefusesAnotherKindOfFile) {
+  Archive other("som");
+  for (const Archive::Entry& entry : an_archive().entries()) other.add(entry.name, entry.content);
+  expect_refused(other, "the file holds 'som', not 'system'");
+  expect_refused(Archive("system"), "'description' is missing");
+}
+
+TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
+  for (const char* name :
+       {"description", "layout", "module.standard.means", "module.standard.deviations",
+        "module.code.low", "module.code.high", "module.tensor.parameters",
+        "module.tensor.weights_0", "module.tensor.weights_1", "module.map.parameters",
+        "module.map.weights", "labels"}) {
+    expect_refused(without_part(an_archive(), name), "'" + std::string(name) + "' is missing");
+  }
+  expect_refused(without_part(an_archive(), "answer"), "do not belong together");
+  for (const char* name : {"notes", "module.map.bias", "module.joints.means", "module.none.low"}) {
+    expect_refused(with_part(an_archive(), name, std::string("x")), "do not belong together");
+  }
+}
+
+TEST(SystemModel, RefusesDescriptionsAndLayoutsThatCannotBe) {
+  const auto text_of = [](const char* part) { return **an_archive().get<std::string>(part, ""); };
+  const std::string description = text_of("description");
+  const std::string layout = text_of("layout");
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  expect_part_refused("description", std::string(), "no modules");
+  expect_part_refused("description", std::string("["), "");
+  expect_part_refused("description", Array<float>{{1}, {0}}, "another type");
+  expect_part_refused("description", replaced(description, "\"accumulate\"", "\"accumulat\""),
+                      "unknown type of module");
+  expect_part_refused("description", replaced(description, "[2, 2]", "[2, 3]"),
+                      "does not fit its place");
+  expect_part_refused("description", replaced(description, "columns = 2", "columns = 3"),
+                      "does not fit its place");
+  expect_part_refused("description", description + "# a comment\n", "do not belong together");
+  expect_part_refused("layout", std::string(), "without a recording its shape is unknown");
+  expect_part_refused("layout", std::string("x = 1\n"), "the layout is none");
+  expect_part_refused("layout", std::string("[channel]\n"), "the layout is none");
+  expect_part_refused("layout", layout + "[[channel]]\nname = 3\n", "'name' must be");
+  expect_part_refused("layout", replaced(layout, "shape = [3]", "shape = [4]"), "");
+  expect_part_refused("layout", replaced(layout, "\"joints\"", "\"joint\""), "unknown channel");
+  expect_part_refused("layout",
+                      replaced(layout, "shape = [3]", "shape = [9000000000000, 9000000000000]"),
+                      "would have more than");
+  expect_part_refused("layout", replaced(layout, "shape = [3]", "shape = []"), "");
+}
+
+TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
+  using Numbers = std::vector<double>;
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto one = [](double number) { return Array<double>{{1}, {number}}; };
+  const auto three = [](Numbers numbers) { return Array<double>{{3}, std::move(numbers)}; };
+  for (const double number : {nan, infinity}) {
+    expect_part_refused("module.standard.means", three({0, number, 0}), "not finite");
+    expect_part_refused("module.standard.deviations", three({1, number, 1}), "not finite");
+    expect_part_refused("module.code.low", one(number), "for element 1");
+    expect_part_refused("module.code.high", one(number), "for element 1");
+  }
+  expect_part_refused("module.standard.deviations", three({1, -1, 1}), "does not fit");
+  expect_part_refused("module.standard.means", Array<double>{{2}, {0, 0}}, "does not fit");
+  expect_part_refused("module.code.low", Array<double>{{2}, {0, 0}}, "do not fit");
+  expect_part_refused("module.code.low", one(1e300), "for element 1");
+  expect_part_refused("module.code.high", Array<float>{{1}, {1}}, "another type");
+  expect_part_refused("module.map.weights", Array<float>{{2, 5}, std::vector<float>(10)},
+                      "does not fit its place");
+  expect_part_refused("module.map.weights", Array<float>{{3, 4}, std::vector<float>(12)},
+                      "do not fit its grid");
+  expect_part_refused("module.tensor.weights_0", Array<float>{{4, 3}, std::vector<float>(12)},
+                      "are 4 x 3");
+}
+
+TEST(SystemModel, RefusesAnswersThatCannotBe) {
+  using Labels = Array<std::int64_t>;
+  const std::string classes = "label = \"object\"\nclasses = [\"ball\", \"cube\"]\n";
+  expect_part_refused("answer", "map = \"mapp\"\n" + classes, "the map that answers is not there");
+  expect_part_refused("answer", "map = \"stm\"\n" + classes, "the map that answers is not there");
+  expect_part_refused("answer", "map = \"tensor\"\n" + classes, "the map that answers is not");
+  expect_part_refused("answer", std::string("map = \"map\"\nclasses = [\"ball\"]\n"),
+                      "class that is not there");
+  expect_part_refused("answer", std::string("map = 3\n"), "'map' must be");
+  expect_part_refused("labels", Labels{{2}, {0, 2}}, "class that is not there");
+  expect_part_refused("labels", Labels{{3}, {0, 1, 1}}, "do not fit the map");
+  expect_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
+}
+
+TEST(SystemModel, SaysWhyAFileCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto model = load_system(folder.file("missing.somato"));
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().kind, ErrorKind::kSystem);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,401 @@
+#include "somato/graph/system_training.h"
+
+#include <gtest/gtest.h>
+
+#include "somato/graph/system_model.h"
+#include "somato/maps/som_training.h"
+#include "somato/maps/t_mpsom_training.h"
+#include "support/systems.h"
+#include "support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+using testing::build;
+using testing::dense;
+using testing::first_explorations;
+using testing::frames_of;
+using testing::hand_recording;
+using testing::output_of;
+using testing::trained;
+using testing::try_train;
+
+std::string module(const std::string& name, const std::string& type, const std::string& settings) {
+  return "[module." + name + "]\ntype = \"" + type + "\"\n" + settings + "\n";
+}
+
+std::string channels() {
+  std::string text;
+  for (const char* name : {"height", "wrist", "joints", "touch"}) {
+    text += module(name, "channel", "channel = \"" + std::string(name) + "\"");
+  }
+  return text;
+}
+
+const Som& map_of(const System& system, const std::string& name) {
+  return *som_of(system, *system.find(name));
+}
+
+std::string saved(const System& system) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(save_system(folder.file("a"), system));
+  return bytes_of(folder.file("a"));
+}
+
+Samples last_joints(const Recording& recording, std::size_t count) {
+  Matrix<float> rows(count, 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Matrix<float>& frames = frames_of(recording, "joints", i);
+    for (std::size_t j = 0; j < 3; ++j) rows(i, j) = frames(frames.rows() - 1, j);
+  }
+  return Samples(std::move(rows));
+}
+
+Samples all_joints(const Recording& recording, std::size_t count) {
+  std::vector<Signal> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Matrix<float>& joints = frames_of(recording, "joints", i);
+    for (std::size_t f = 0; f < joints.rows(); ++f) {
+      frames.push_back(Signal::dense({joints.row(f).begin(), joints.row(f).end()}));
+    }
+  }
+  return Samples::from_signals(frames);
+}
+
+TEST(SystemTraining, AMapAloneIsTrainedAsEver) {
+  const Recording recording = hand_recording(9, 5);
+  for (const std::string more :
+       {"", "training = \"batch\"\nepochs = 5\n", "similarity = \"dot_product\"\niterations = 77\n",
+        "arithmetic = \"inner_products\"\ndraws = \"without_replacement\"\n"}) {
+    const System system = trained(
+        build(channels() + module("closed", "last", "input = \"joints\"") +
+                  module("map", "som", "input = \"closed\"\nrows = 4\ncolumns = 3\n" + more),
+              recording),
+        recording, 6, 1234);
+    const SomParameters parameters =
+        read_parameters<SomParameters>(
+            *parse_toml("rows = 4\ncolumns = 3\nseed = 1234\n" + more, "t"))
+            .value();
+    const Som expected = train_som(parameters, last_joints(recording, 6)).value();
+    EXPECT_EQ(map_of(system, "map").weights(), expected.weights()) << more;
+    EXPECT_EQ(parameters_to_toml(map_of(system, "map").parameters()),
+              parameters_to_toml(expected.parameters()));
+  }
+}
+
+TEST(SystemTraining, APhaseSaysHowLongAndInWhichOrderAMapAloneLearns) {
+  const Recording recording = hand_recording(9, 5);
+  const System system =
+      trained(build(channels() + module("closed", "last", "input = \"joints\"") +
+                        module("map", "som", "input = \"closed\"\nrows = 4\ncolumns = 3") +
+                        "[[phase]]\nlearn = \"map\"\ndraws = 33\norder = \"without_replacement\"\n",
+                    recording),
+              recording, 6, 5);
+  SomParameters parameters;
+  parameters.rows = 4;
+  parameters.columns = 3;
+  parameters.iterations = 33;
+  parameters.draws = Draws::kWithoutReplacement;
+  parameters.seed = 5;
+  EXPECT_EQ(map_of(system, "map").weights(),
+            train_som(parameters, last_joints(recording, 6))->weights());
+}
+
+TEST(SystemTraining, ATMpsomLearnsFramesAsEver) {
+  const Recording recording = hand_recording(6, 5);
+  const System system =
+      trained(build(channels() +
+                        module("map", "t_mpsom",
+                               "inputs = [\"joints\", \"touch\"]\nshape = [4, 3]\n"
+                               "combination = \"added\"") +
+                        "[[phase]]\nlearn = \"map\"\ndraws = 101\n",
+                    recording),
+              recording, 4, 77);
+  TMpsomParameters parameters;
+  parameters.shape = {4, 3};
+  parameters.input_sizes = {3, 4};
+  parameters.combination = TMpsomCombination::kAdded;
+  parameters.iterations = 101;
+  parameters.seed = 77;
+  TMpsom expected(parameters);
+  std::vector<TMpsomExploration> explorations(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Matrix<float>& joints = frames_of(recording, "joints", i);
+    const Matrix<float>& touch = frames_of(recording, "touch", i);
+    for (std::size_t f = 0; f < joints.rows(); ++f) {
+      explorations[i].push_back({Signal::dense({joints.row(f).begin(), joints.row(f).end()}),
+                                 Signal::dense({touch.row(f).begin(), touch.row(f).end()})});
+    }
+  }
+  ASSERT_TRUE(train_t_mpsom(expected, explorations));
+  TMpsom::Workspace workspace(expected);
+  std::vector<float> activity(12);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Matrix<float> given = dense(output_of(system, recording, "map", i));
+    for (std::size_t f = 0; f < given.rows(); ++f) {
+      const std::vector<SignalView> inputs{
+          SignalView::dense(frames_of(recording, "joints", i).row(f)),
+          SignalView::dense(frames_of(recording, "touch", i).row(f))};
+      expected.activation(inputs, workspace, activity);
+      EXPECT_EQ(std::vector<float>(given.row(f).begin(), given.row(f).end()), activity);
+    }
+  }
+}
+
+std::vector<float> activity_of(const Som& som, const SignalView& input) {
+  SomWorkspace workspace;
+  std::vector<float> activity(som.neurons());
+  som.activity(input, workspace, activity);
+  return activity;
+}
+
+void learn(Som& som, std::size_t t, const SignalView& input) {
+  const SomParameters& p = som.parameters();
+  SomLearner(som).learn(input, p.learning_rate().at(t), p.radius().at(t));
+}
+
+SomParameters small_map(std::size_t draws, std::uint64_t seed) {
+  SomParameters p;
+  p.rows = 3;
+  p.columns = 2;
+  p.iterations = draws;
+  p.seed = seed;
+  p.arithmetic = Arithmetic::kPlain;
+  return p;
+}
+
+Samples activities(const Som& som, const Samples& inputs) {
+  std::vector<Signal> all;
+  for (std::size_t i = 0; i < inputs.count(); ++i) {
+    all.push_back(Signal::dense(activity_of(som, inputs[i])));
+  }
+  return Samples::from_signals(all);
+}
+
+const std::string kSmall = "\nrows = 3\ncolumns = 2";
+
+// The response is computed with the weights as they are; then both learn.
+TEST(SystemTraining, TwoMapsLearnFramesTogetherAsInAnObviousLoop) {
+  const Recording recording = hand_recording(6, 5);
+  const std::size_t draws = 60;
+  const System system = trained(
+      build(channels() + module("b", "som", "input = \"scaled\"" + kSmall) +
+                module("scaled", "scale", "input = \"a\"") +
+                module("a", "som", "input = \"joints\"" + kSmall) +
+                "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = 60\norder = \"without_replacement\"\n",
+            recording),
+      recording, 4, 9);
+  const Samples joints = all_joints(recording, 4);
+  // b comes first in the description and has the seed itself; a runs first, and draws.
+  const std::uint64_t seed_of_a = map_of(system, "a").parameters().seed;
+  EXPECT_EQ(map_of(system, "b").parameters().seed, 9U);
+  EXPECT_NE(seed_of_a, 9U);
+  Som a = untrained_som(small_map(draws, seed_of_a), joints).value();
+  Som b = untrained_som(small_map(draws, 9), activities(a, joints)).value();
+  DrawSequence order(Draws::kWithoutReplacement, 4, seed_of_a);
+  std::size_t t = 0;
+  while (t < draws) {
+    const Matrix<float>& frames = frames_of(recording, "joints", order.next());
+    for (std::size_t f = 0; f < frames.rows() && t < draws; ++f, ++t) {
+      const SignalView input = SignalView::dense(frames.row(f));
+      const std::vector<float> response = activity_of(a, input);
+      learn(a, t, input);
+      learn(b, t, SignalView::dense(response));
+    }
+  }
+  EXPECT_EQ(map_of(system, "a").weights(), a.weights());
+  EXPECT_EQ(map_of(system, "b").weights(), b.weights());
+}
+
+TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
+  const Recording recording = hand_recording(6, 5);
+  const std::size_t draws = 60;
+  const System system = trained(build(channels() + module("closed", "last", "input = \"joints\"") +
+                                          module("a", "som", "input = \"closed\"" + kSmall) +
+                                          module("b", "som", "input = \"a\"" + kSmall) +
+                                          "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = 60\n",
+                                      recording),
+                                recording, 4, 9);
+  const Samples joints = last_joints(recording, 4);
+  Som a = untrained_som(small_map(draws, 9), joints).value();
+  const std::uint64_t seed_of_b = map_of(system, "b").parameters().seed;
+  Som b = untrained_som(small_map(draws, seed_of_b), activities(a, joints)).value();
+  DrawSequence order(Draws::kWithReplacement, 4, 9);
+  for (std::size_t t = 0; t < draws; ++t) {
+    const SignalView input = joints[order.next()];
+    const std::vector<float> response = activity_of(a, input);
+    learn(a, t, input);
+    learn(b, t, SignalView::dense(response));
+  }
+  EXPECT_EQ(map_of(system, "a").weights(), a.weights());
+  EXPECT_EQ(map_of(system, "b").weights(), b.weights());
+}
+
+// A map that hears its own activity for the frame before.
+TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
+  const Recording recording = hand_recording(6, 5);
+  const std::size_t draws = 60;
+  const System system = trained(
+      build(channels() + module("both", "concatenation", "inputs = [\"joints\", \"before\"]") +
+                module("map", "som", "input = \"both\"\ninitial_weights = \"uniform\"" + kSmall) +
+                module("before", "delay", "input = \"map\"\nshape = [3, 2]") +
+                "[[phase]]\nlearn = \"map\"\ndraws = 60\n",
+            recording),
+      recording, 4, 9);
+  SomParameters parameters = small_map(draws, 9);
+  parameters.initial_weights = InitialWeights::kUniform;
+  Som map = untrained_som(parameters, Samples(Matrix<float>(1, 9))).value();
+  DrawSequence order(Draws::kWithReplacement, 4, 9);
+  const auto input_of = [&](std::size_t exploration, std::size_t f, std::vector<float>& before) {
+    const Matrix<float>& joints = frames_of(recording, "joints", exploration);
+    std::vector<float> input(joints.row(f).begin(), joints.row(f).end());
+    input.insert(input.end(), before.begin(), before.end());
+    before = activity_of(map, SignalView::dense(input));
+    return input;
+  };
+  for (std::size_t t = 0; t < draws;) {
+    const std::size_t exploration = order.next();
+    std::vector<float> before(6);
+    const std::size_t frames = frames_of(recording, "joints", exploration).rows();
+    for (std::size_t f = 0; f < frames && t < draws; ++f, ++t) {
+      learn(map, t, SignalView::dense(input_of(exploration, f, before)));
+    }
+  }
+  EXPECT_EQ(map_of(system, "map").weights(), map.weights());
+  const Matrix<float> given = dense(output_of(system, recording, "map", 5));
+  std::vector<float> before(6);
+  for (std::size_t f = 0; f < given.rows(); ++f) {
+    input_of(5, f, before);
+    EXPECT_EQ(std::vector<float>(given.row(f).begin(), given.row(f).end()), before);
+  }
+}
+
+TEST(SystemTraining, AMapThatHearsItselfCannotStartFromWhatItHears) {
+  const Recording recording = hand_recording(4, 5);
+  System system =
+      build(channels() + module("both", "concatenation", "inputs = [\"joints\", \"before\"]") +
+                module("map", "som", "input = \"both\"" + kSmall) +
+                module("before", "delay", "input = \"map\"\nshape = [3, 2]"),
+            recording);
+  const auto refused = try_train(system, recording, 4);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(refused.error().where, "system.toml:16, module 'map'");
+}
+
+// Everything that learns, in all ways.
+const std::string kEverything =
+    channels() + module("standard", "standardization", "input = \"joints\"") +
+    module("code", "one_hot", "input = \"height\"\nelements = 4\noutside = \"clamp\"") +
+    module("tensor_map", "t_mpsom", "inputs = [\"code\", \"standard\"]\nshape = [3, 2]") +
+    module("upper", "som", "input = \"tensor_map\"" + kSmall) +
+    module("stm", "accumulate", "input = \"upper\"") +
+    module("map", "som", "input = \"stm\"" + kSmall) +
+    "[[phase]]\nlearn = [\"tensor_map\", \"upper\"]\ndraws = 150\n";
+
+TEST(SystemTraining, NothingOutsideTheTrainingPartHasAnyInfluence) {
+  const Recording recording = hand_recording(8, 5);
+  const std::string expected = saved(trained(build(kEverything, recording), recording, 5));
+  Recording other = recording;
+  for (std::size_t i = 5; i < 8; ++i) {
+    for (Channel& channel : other.explorations[i].channels) {
+      for (float& value : channel.frames.values()) value = 1.0F - value;
+    }
+  }
+  EXPECT_EQ(saved(trained(build(kEverything, other), other, 5)), expected);
+  other = recording;
+  other.explorations[4].channels[2].frames(0, 0) += 0.01F;
+  EXPECT_NE(saved(trained(build(kEverything, other), other, 5)), expected);
+}
+
+TEST(SystemTraining, TheSeedDecidesAndModulesHaveSeedsOfTheirOwn) {
+  const Recording recording = hand_recording(6, 5);
+  const std::string text = channels() + module("closed", "last", "input = \"joints\"") +
+                           module("a", "som", "input = \"closed\"" + kSmall) +
+                           module("b", "som", "input = \"closed\"" + kSmall) +
+                           module("c", "som", "input = \"closed\"" + kSmall);
+  const auto with_seed = [&](std::uint64_t seed) {
+    return trained(build(text, recording), recording, 6, seed);
+  };
+  const System one = with_seed(1);
+  EXPECT_EQ(map_of(one, "a").parameters().seed, 1U);
+  EXPECT_NE(map_of(one, "a").weights(), map_of(one, "b").weights());
+  EXPECT_NE(map_of(one, "c").weights(), map_of(one, "b").weights());
+  EXPECT_NE(map_of(one, "c").weights(), map_of(one, "a").weights());
+  const System two = with_seed(2);
+  for (const char* name : {"a", "b", "c"}) {
+    EXPECT_NE(map_of(one, name).weights(), map_of(two, name).weights());
+    EXPECT_LE(map_of(two, name).parameters().seed, 1'000'000'000'000'000U);
+  }
+  EXPECT_EQ(saved(one), saved(with_seed(1)));
+}
+
+TEST(SystemTraining, ThreadsMakeNoDifference) {
+  const Recording recording = hand_recording(12, 5);
+  const std::string expected = saved(trained(build(kEverything, recording), recording, 8));
+  for (const std::size_t threads : {2U, 4U}) {
+    System system = build(kEverything, recording);
+    ASSERT_TRUE(try_train(system, recording, 8, {1, threads, {}}));
+    EXPECT_EQ(saved(system), expected);
+  }
+}
+
+TEST(SystemTraining, AProgressMayStopEveryPhase) {
+  const Recording recording = hand_recording(6, 5);
+  int calls = 0;
+  System all = build(kEverything, recording);
+  ASSERT_TRUE(try_train(all, recording, 6, {1, 1, [&](std::uint64_t done, std::uint64_t total) {
+                                              EXPECT_LE(done, total);
+                                              ++calls;
+                                              return true;
+                                            }}));
+  ASSERT_GE(calls, 4);  // at 64, 128 and 150 of the joint phase, and of the map alone
+  for (int allowed = 0; allowed < calls; ++allowed) {
+    System system = build(kEverything, recording);
+    int left = allowed;
+    const auto stopped = try_train(
+        system, recording, 6, {1, 1, [&](std::uint64_t, std::uint64_t) { return left-- > 0; }});
+    ASSERT_FALSE(stopped) << allowed;
+    EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
+    EXPECT_EQ(left, -1);
+  }
+}
+
+TEST(SystemTraining, WhatFrozenModulesGaveIsKept) {
+  const Recording recording = hand_recording(6, 5);
+  System system = build(kEverything, recording);
+  auto activations = evaluate_fixed(system, recording, {}, 1);
+  ASSERT_TRUE(activations);
+  const std::vector<std::size_t> explorations{4, 1, 2};
+  ASSERT_TRUE(train_system(system, recording, explorations, {}, *activations));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool learned_from = i == 1 || i == 2 || i == 4;
+    const Sequence* stm = activations->find(*system.find("stm"), i);
+    ASSERT_EQ(stm != nullptr, learned_from) << i;
+    if (stm != nullptr) {
+      EXPECT_EQ(dense(*stm), dense(output_of(system, recording, "stm", i)));
+    }
+  }
+}
+
+TEST(SystemTraining, ErrorsOfTheDataNameModuleAndFrame) {
+  Recording recording = hand_recording(4, 5);
+  System none = build(kEverything, recording);
+  const auto nothing = try_train(none, recording, 0);
+  ASSERT_FALSE(nothing);
+  EXPECT_NE(nothing.error().what.find("no explorations"), std::string::npos)
+      << to_string(nothing.error());
+  for (Exploration& e : recording.explorations) {
+    for (std::size_t f = 0; f < e.channels[2].frames.rows(); ++f) e.channels[2].frames(f, 1) = 2.0F;
+  }
+  System system = build(kEverything, recording);
+  const auto refused = try_train(system, recording, 4);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kData);
+  EXPECT_NE(refused.error().where.find("system.toml:13, module 'standard'"), std::string::npos)
+      << to_string(refused.error());
+  EXPECT_NE(to_string(refused.error()).find("2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace somato
