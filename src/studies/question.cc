@@ -47,14 +47,34 @@ Result<void> check_individuals(const Question& question, const StudyParameters& 
   return {};
 }
 
+// The two must be alike, and not only each in itself.
 Result<Recording> join(const Recording& recording, const Recording* test) {
   Recording all = recording;
   if (test) {
     all.explorations.insert(all.explorations.end(), test->explorations.begin(),
                             test->explorations.end());
   }
-  if (auto valid = validate(all); !valid) return fail(std::move(valid.error()));
+  for (const Recording* part : {&recording, test, static_cast<const Recording*>(&all)}) {
+    if (!part) continue;
+    if (auto valid = validate(*part); !valid) return fail(std::move(valid.error()));
+  }
   return all;
+}
+
+// There must be something to tell apart in what is learned from.
+Result<void> check_classes(const Question& question, const std::string& label,
+                           std::size_t learned) {
+  const auto& classes = question.classes.of_sample;
+  const auto begin = classes.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(learned);
+  if (learned < 2) {
+    return fail(ErrorKind::kData, "the recording has only one exploration", {},
+                "a study needs at least two");
+  }
+  if (std::any_of(begin, end, [&](std::size_t its_class) { return its_class != *begin; }))
+    return {};
+  return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
+              "there is nothing to tell apart; name another label");
 }
 
 Result<void> divide(const StudyParameters& study, std::size_t learned, Question& question) {
@@ -145,7 +165,6 @@ Result<System> Question::system(const StudyDescription& description) const {
 
 Result<Question> make_question(const StudyDescription& description, const Recording& recording,
                                const Recording* test, std::size_t threads) {
-  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
   Question question;
   auto all = join(recording, test);
   if (!all) return fail(std::move(all.error()));
@@ -159,19 +178,11 @@ Result<Question> make_question(const StudyDescription& description, const Record
   auto individuals = numbers_of(question.recording, description.study.individual);
   if (!individuals) return fail(std::move(individuals.error()));
   question.individuals = std::move(*individuals);
-  if (recording.explorations.size() < 2) {
-    return fail(ErrorKind::kData, "the recording has only one exploration", {},
-                "a study needs at least two");
-  }
-  if (question.classes.names.size() < 2) {
-    return fail(ErrorKind::kData,
-                "every exploration has the same '" + description.study.label + "'", {},
-                "there is nothing to tell apart; name another label");
-  }
+  const std::size_t learned = recording.explorations.size();
   Result<void> ready =
-      check_individuals(question, description.study)
-          .and_then(
-              [&] { return divide(description.study, recording.explorations.size(), question); })
+      check_classes(question, description.study.label, learned)
+          .and_then([&] { return check_individuals(question, description.study); })
+          .and_then([&] { return divide(description.study, learned, question); })
           .and_then([&] { return find_modules(*system, description.study, question); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);

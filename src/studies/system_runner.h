@@ -52,10 +52,14 @@ class SystemRunner {
   SystemRunner(const StudyDescription& description, const Question& question, Protocol protocol,
                std::size_t number);
 
-  std::size_t trainings() const { return outcomes_.size(); }
+  /// How many trainings there are to run.
+  std::size_t trainings() const { return outcomes_.size() - taken_; }
 
-  /// Training number `training`, from any thread, or what the journal knows of it.
-  void run(std::size_t training, Journal& journal, Tally& tally);
+  /// Training number `index` of these, from any thread, or what the journal knows of it.
+  void run(std::size_t index, Journal& journal, Tally& tally);
+
+  /// Takes the training on everything with the first seed: train_is_test needs not run it again.
+  void take(const TrainedFold& trained);
 
   /// After all trainings.
   SystemResults results() const;
@@ -77,6 +81,7 @@ class SystemRunner {
   const Question& question_;
   Protocol protocol_;
   std::size_t number_;
+  std::size_t taken_;  ///< Trainings that are not run here.
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
   std::vector<FoldOutcome> outcomes_;
