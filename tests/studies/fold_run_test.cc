@@ -55,12 +55,12 @@ Samples seen_by_hand(const Fold& fold) {
   return Standardization::fit(raw.subset(fold.training))->apply(raw);
 }
 
-SomParameters parameters() {
+SomParameters parameters(std::uint64_t seed) {
   SomParameters parameters;
   parameters.rows = 5;
   parameters.columns = 5;
   parameters.iterations = 300;
-  parameters.seed = kSeed;
+  parameters.seed = seed;
   return parameters;
 }
 
@@ -73,9 +73,9 @@ std::vector<float> values_of(const Samples& samples, std::size_t index) {
 // What a fold is to give, put together step by step from the map.
 class Recomputed {
  public:
-  Recomputed(const Fold& fold, const Numbers& classes)
+  Recomputed(const Fold& fold, const Numbers& classes, std::uint64_t seed)
       : samples_(seen_by_hand(fold)),
-        som_(train_som(parameters(), samples_.subset(fold.training)).value()) {
+        som_(train_som(parameters(seed), samples_.subset(fold.training)).value()) {
     for (const std::size_t i : fold.training) ++votes_[winner(i)][classes[i]];
   }
 
@@ -122,8 +122,9 @@ void compare(const Fold& fold, const Question& question) {
   const auto wrong = wrong_groupings(classes, question.individuals, 25, 1);
   const TrainedFold trained = trained_on(question, fold);
   const FoldOutcome outcome = test_fold(trained, question, fold, wrong);
-  Recomputed expected(fold, classes);
-  EXPECT_EQ(som_of(trained.system, question.map)->weights(), expected.som().weights());
+  const Som& som = *som_of(trained.system, question.map);
+  Recomputed expected(fold, classes, som.parameters().seed);
+  EXPECT_EQ(som.weights(), expected.som().weights());
   double distance = 0.0;
   double torn = 0.0;
   ASSERT_EQ(outcome.winners.size(), fold.test.size());
@@ -177,6 +178,16 @@ std::string saved_bits(const TrainedFold& trained) {
   return bytes_of(folder.file("system"));
 }
 
+// All but the areas, which look at what was tested as well.
+void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
+  EXPECT_EQ(a.winners, b.winners);
+  EXPECT_EQ(a.predictions, b.predictions);
+  EXPECT_EQ(a.raw_baseline, b.raw_baseline);
+  EXPECT_EQ(a.standardized_baseline, b.standardized_baseline);
+  EXPECT_EQ(a.summed_distance, b.summed_distance);
+  EXPECT_EQ(a.torn, b.torn);
+}
+
 // Changes every exploration that a fold tests, and expects that nothing learned from them: the same
 // saved bits, and the same for all that was learned from.
 void expect_nothing_leaks(const StudyDescription& description, const Recording& asked,
@@ -189,7 +200,8 @@ void expect_nothing_leaks(const StudyDescription& description, const Recording& 
     const TrainedFold after = trained_on(other, fold, description);
     EXPECT_TRUE(saved_bits(after) == saved_bits(before));
     const Fold learned{fold.training, fold.training};
-    EXPECT_EQ(test_fold(after, other, learned, {}), test_fold(before, question, learned, {}));
+    expect_same_answers(test_fold(after, other, learned, {}),
+                        test_fold(before, question, learned, {}));
     const auto changed = static_cast<std::size_t>(
         std::lower_bound(before.samples.begin(), before.samples.end(), fold.test.front()) -
         before.samples.begin());

@@ -108,8 +108,8 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
 // What stood for a system before there were any.
 TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
   expect_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
-                 "study.toml:5: unknown table 'vector'; known are: study, recording, system, "
-                 "module, phase");
+                 "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
+                 "study, recording");
 }
 
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {
