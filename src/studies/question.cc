@@ -116,7 +116,8 @@ bool answers(const System& system, std::size_t module) {
   });
 }
 
-Result<std::size_t> find_map(const System& system, const std::string& name) {
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where) {
   std::vector<std::string> candidates;
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
     if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
@@ -127,20 +128,21 @@ Result<std::size_t> find_map(const System& system, const std::string& name) {
     if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
       return system.find(name);
     }
-    return fail(unknown_name("module of type som", name, {}, candidates));
+    return fail(unknown_name("module of type som", name, where, candidates));
   }
   if (candidates.size() == 1) return system.find(candidates.front());
   return fail(
       ErrorKind::kUsage,
       candidates.empty() ? "the system has no map that answers" : "more than one map could answer",
-      {},
+      where,
       candidates.empty()
           ? "add a module of type som, or name one with 'map' in [study]"
           : fmt::format("name one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
 }
 
-Result<void> find_modules(const System& system, const StudyParameters& study, Question& question) {
-  const auto map = find_map(system, study.map);
+Result<void> find_modules(const System& system, const StudyDescription& description,
+                          Question& question) {
+  const auto map = find_map(system, description.study.map, description.where);
   if (!map) return fail(map.error());
   question.map = *map;
   question.vectors = system.modules()[*map].inputs.front();
@@ -179,11 +181,10 @@ Result<Question> make_question(const StudyDescription& description, const Record
   if (!individuals) return fail(std::move(individuals.error()));
   question.individuals = std::move(*individuals);
   const std::size_t learned = recording.explorations.size();
-  Result<void> ready =
-      check_classes(question, description.study.label, learned)
-          .and_then([&] { return check_individuals(question, description.study); })
-          .and_then([&] { return divide(description.study, learned, question); })
-          .and_then([&] { return find_modules(*system, description.study, question); });
+  Result<void> ready = check_classes(question, description.study.label, learned)
+                           .and_then([&] { return check_individuals(question, description.study); })
+                           .and_then([&] { return divide(description.study, learned, question); })
+                           .and_then([&] { return find_modules(*system, description, question); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));

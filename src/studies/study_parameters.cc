@@ -25,10 +25,15 @@ bool has_duplicates(std::vector<T> values) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
+// What the file says of [study], which may be nothing.
+const Table* study_table(const Table& file) {
+  const Table::Entry* study = file.find("study");
+  return study ? std::get_if<Table>(&study->content) : nullptr;
+}
+
 // Where a key of [study] stands, or the table, or the file.
 std::string place_of(const Table& file, const std::string& key) {
-  const Table::Entry* study = file.find("study");
-  const Table* table = study ? std::get_if<Table>(&study->content) : nullptr;
+  const Table* table = study_table(file);
   if (!table) return file.where;
   const Table::Entry* entry = table->find(key);
   return entry ? entry->where : table->where;
@@ -37,8 +42,7 @@ std::string place_of(const Table& file, const std::string& key) {
 // A key that only a protocol reads.
 Result<void> check_effect(const Table& file, const std::string& key, const std::string& protocol,
                           bool is_read) {
-  const Table::Entry* study = file.find("study");
-  const Table* table = study ? std::get_if<Table>(&study->content) : nullptr;
+  const Table* table = study_table(file);
   if (is_read || !table || !table->find(key)) return {};
   return fail(ErrorKind::kUsage, "'" + key + "' has no effect without the protocol " + protocol,
               place_of(file, key), "leave it out, or add the protocol");
@@ -130,6 +134,7 @@ const Declarations<RecordingParameters>& RecordingParameters::declarations() {
 
 Result<StudyDescription> read_study(const Table& file) {
   StudyDescription description;
+  description.where = place_of(file, {});
   for (const Table::Entry& entry : file.entries) {
     Result<void> part;
     if (entry.name == "study") part = read_part(entry, description.study);

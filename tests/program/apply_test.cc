@@ -76,6 +76,7 @@ TEST_F(Apply, RefusesOtherFiles) {
   write("damaged", damaged);
   expect_refused(
       1, {{{"apply", "good.map", kTrials}, {"good.map: the file holds 'som', not 'system'"}},
+          {{"apply", "study.toml", kTrials}, {"study.toml: this is not a model file of Somato"}},
           {{"apply", "notes", kTrials}, {"notes: this is not a model file of Somato"}},
           {{"apply", "damaged", kTrials}, {"damaged: "}},
           {{"apply", "missing", kTrials}, {"missing: cannot open", "No such file"}},
@@ -91,13 +92,14 @@ TEST_F(Apply, RefusesOtherFiles) {
           {{"apply", "out/system.somato", kTrials, "--threads", "0"}, {"--threads: "}}});
 }
 
-// Forces instead of joints, and joints of another hand.
+// Forces instead of joints.
 TEST_F(Apply, RefusesOtherChannels) {
   train_system();
   std::filesystem::create_directory(path("press"));
   write("press/Material_wood_raw_1.csv", "Fx,Fy,Fz\n0,0,1\n0,0,2\n");
   expect_refused(1, {"apply", "out/system.somato", "press"},
-                 {"press: ", "unknown channel 'joints'", "known are: force"});
+                 {"press: the recording does not fit the system: unknown channel 'joints'",
+                  "recordings with the same channels"});
 }
 
 TEST_F(Apply, RefusesASystemWithoutAnAnswer) {

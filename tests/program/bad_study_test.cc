@@ -69,7 +69,7 @@ TEST_F(BadStudy, PlaceAndRemedyAreNamed) {
       {with("seeds = 1", "label = 'objct'"), {"unknown label 'objct'", "did you mean 'object'?"}},
       {with("seeds = 1", "individual = 'objct'"), {"unknown label 'objct'"}},
       {with("seeds = 1", "map = 'mop'"),
-       {"study.toml:3", "unknown module of type som 'mop'", "did you mean 'map'?"}},
+       {"study.toml:1", "unknown module of type som 'mop'", "did you mean 'map'?"}},
       {"module = 3\n", {"study.toml:1", "'module' must hold tables", "[module.NAME]"}},
       {"", {"study.toml", "no modules"}}};
   for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
@@ -93,12 +93,13 @@ TEST_F(BadStudy, ModulesThatDoNotFitAreNamed) {
       {with("input = 'closed'", "input = 'map'"), {"map", "delay"}},
       {with("input = 'closed'", "input = 'joints'"),
        {"study.toml:13, module 'map'", "frames coming in", "'last'"}},
-      {with("input = 'joints'", "input = 'map'"), {"study.toml:10"}},
-      {with("'som'", "'last'"), {"study.toml:13"}},
+      {with("input = 'joints'", "input = 'map'"),
+       {"study.toml:13, module 'map'", "map -> closed -> map"}},
+      {with("'som'", "'last'"), {"study.toml:16, module 'map'", "unknown key 'rows'"}},
       {kStudy + "[[phase]]\nlearn = ['closed']\n", {"study.toml:19", "closed", "learn"}},
       {kStudy + "[[phase]]\nlearn = ['mop']\n", {"study.toml:19", "did you mean 'map'?"}},
       {kStudy + "[module.other]\ntype = 'som'\ninput = 'closed'\n",
-       {"study.toml", "more than one map could answer", "map, other", "'map' in [study]"}}};
+       {"study.toml:1", "more than one map could answer", "map, other", "'map' in [study]"}}};
   for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
 }
 

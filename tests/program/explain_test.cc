@@ -27,7 +27,7 @@ const Words kLines{"module type listens to shape elements every memory\n",
                    "code one_hot hand 9 x 4 36 (sparse) frame\n",
                    "memory accumulate code 9 x 4 36 (sparse) exploration\n",
                    "map som memory 8 x 16 128 exploration 18.0 KiB\n",
-                   "phase 1 code: all explorations\n",
+                   "phase 1 code: all frames\n",
                    "phase 2 map: all explorations\n",
                    "learned memory 18.0 KiB\n"};
 
@@ -57,7 +57,7 @@ TEST_F(Explain, NamesPhasesAsTheyAreDescribed) {
                           "[[phase]]\nlearn = ['code']\n[[phase]]\nlearn = ['map']\n"
                           "draws = 40\n");
   const std::string shown = output_of({"run", "study.toml", "--explain"});
-  EXPECT_NE(shown.find("phase 1  code: all explorations\n"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("phase 1  code: all frames\n"), std::string::npos) << shown;
   EXPECT_NE(shown.find("phase 2  map: 40 explorations\n"), std::string::npos) << shown;
 }
 

@@ -27,12 +27,12 @@ TEST_F(Systems, ListsEveryTypeWithItsPortsAndParameters) {
 }
 
 TEST_F(Systems, RefusesWhatItDoesNotKnow) {
-  expect_refused(
-      2, {{{"systems", "smo"}, {"unknown type of module 'smo'"}},
-          {{"systems", "one_hat"},
-           {"systems: unknown type of module 'one_hat'", "did you mean 'one_hot'?"}},
-          {{"systems", "som", "more"}, {"unexpected argument 'more'"}},
-          {{"systems", "som", "--markdown"}, {"--markdown", "all types", "leave TYPE out"}}});
+  expect_refused(2, {{{"systems", "smo"}, {"unknown type of module 'smo'"}},
+                     {{"systems", "one_hat"},
+                      {"systems: unknown type of module 'one_hat'", "did you mean 'one_hot'?"}},
+                     {{"systems", "som", "more"}, {"unexpected argument 'more'"}},
+                     {{"systems", "som", "--markdown"},
+                      {"--markdown: the page holds all types", "leave TYPE out"}}});
 }
 
 }  // namespace

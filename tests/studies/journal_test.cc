@@ -32,10 +32,10 @@ class JournalFile : public ::testing::Test {
   std::string path() const { return folder_.file("journal"); }
   Journal open() const { return Journal::open(path(), kStudy).value(); }
 
-  // Trainings 0 to 4 of protocol 1.
-  std::string write_five() const {
+  // The first trainings of protocol 1.
+  std::string write_some(std::size_t count = 5) const {
     Journal journal = open();
-    for (std::size_t number = 0; number < 5; ++number) {
+    for (std::size_t number = 0; number < count; ++number) {
       EXPECT_TRUE(journal.add(1, number, outcome_number(number)));
     }
     return bytes_of(path());
@@ -55,7 +55,7 @@ class JournalFile : public ::testing::Test {
 };
 
 TEST_F(JournalFile, KeepsEveryBitOfATraining) {
-  write_five();
+  write_some();
   const Journal journal = open();
   for (std::size_t number = 0; number < 5; ++number) {
     ASSERT_NE(journal.find(1, number), nullptr);
@@ -78,7 +78,7 @@ TEST_F(JournalFile, WithoutAPathNothingIsKept) {
 }
 
 TEST_F(JournalFile, GoesOnWhereItWas) {
-  write_five();
+  write_some();
   EXPECT_TRUE(open().add(0, 9, outcome_number(9)));
   const Journal journal = open();
   EXPECT_EQ(*journal.find(0, 9), outcome_number(9));
@@ -87,7 +87,7 @@ TEST_F(JournalFile, GoesOnWhereItWas) {
 
 // Whatever was cut off, the whole lines before are known, and it can go on.
 TEST_F(JournalFile, MayBeCutAtEveryByte) {
-  const std::string whole = write_five();
+  const std::string whole = write_some();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const std::string cut = whole.substr(0, size);
     folder_.with("journal", cut);
@@ -107,7 +107,7 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
 // No bit may turn unnoticed: a figure would be another, and nobody would know. A turned line end
 // makes of two lines one that does not fit its checksum, but for the last, which counts as cut.
 TEST_F(JournalFile, WithATurnedBitIsRefused) {
-  const std::string whole = write_five();
+  const std::string whole = write_some(2);
   for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit) {
     std::string turned = whole;
     turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
@@ -116,7 +116,7 @@ TEST_F(JournalFile, WithATurnedBitIsRefused) {
 }
 
 TEST_F(JournalFile, OfAnotherStudyIsRefused) {
-  write_five();
+  write_some();
   const std::string bytes = bytes_of(path());
   const auto other = Journal::open(path(), kStudy + "with other settings");
   ASSERT_FALSE(other);
