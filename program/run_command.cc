@@ -106,7 +106,6 @@ Error how_to_go_on(Error error) {
 
 Result<void> run_whole(const Arguments& arguments, const StudyDescription& description,
                        std::size_t threads) {
-  if (auto needed = check_needed(arguments); !needed) return needed;
   const RecordingFormat format = description.recording.format;
   auto recording = read_study_data(format, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
@@ -129,12 +128,14 @@ Result<void> run_whole(const Arguments& arguments, const StudyDescription& descr
 }
 
 Result<void> run(const Arguments& arguments) {
+  const bool explains = arguments.has("explain");
+  auto needed = explains ? Result<void>() : check_needed(arguments);
+  if (!needed) return needed;
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
   auto description = describe(arguments);
   if (!description) return fail(std::move(description.error()));
-  return arguments.has("explain") ? explain(arguments, *description)
-                                  : run_whole(arguments, *description, *threads);
+  return explains ? explain(arguments, *description) : run_whole(arguments, *description, *threads);
 }
 
 }  // namespace

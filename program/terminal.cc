@@ -40,13 +40,17 @@ class ProgressLine {
     const double elapsed = std::chrono::duration<double>(now - started_).count();
     const double share = static_cast<double>(done) / static_cast<double>(total);
     const std::string line = fmt::format(
-        "\r{}: {:3.0f} %, {}\033[K{}", what_, 100.0 * share,
-        finished ? "took " + duration(elapsed) : duration(elapsed / share - elapsed) + " left",
-        finished ? "\n" : "");
+        "\r{}: {:3.0f} %{}\033[K{}", what_, 100.0 * share,
+        finished ? ", took " + duration(elapsed) : time_left(elapsed, share), finished ? "\n" : "");
     std::fputs(line.c_str(), stderr);
   }
 
  private:
+  // Nothing as long as nothing is done to tell by.
+  static std::string time_left(double elapsed, double share) {
+    return share > 0.0 ? fmt::format(", {} left", duration(elapsed / share - elapsed)) : "";
+  }
+
   using Clock = std::chrono::steady_clock;
 
   std::string what_;

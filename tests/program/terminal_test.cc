@@ -66,7 +66,7 @@ class TerminalStudy : public Terminal {
 };
 
 TEST_F(TerminalStudy, AnInterruptKeepsWhatIsDoneAndTheSameCommandGoesOn) {
-  write_study("10", "4000");
+  write_study("10", "20000");
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out", "--threads", "1"};
   interrupted(words);
   EXPECT_FALSE(std::filesystem::exists(path("out/results.json")));

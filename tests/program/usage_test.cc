@@ -153,7 +153,7 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
     Words arguments = command;
     arguments.push_back("--help");
     const auto flags = flags_in(output_of(arguments));
-    EXPECT_GE(flags.size(), 2u);
+    EXPECT_GE(flags.size(), 1u);
     // A section may point at the table of the map's keys instead of repeating it.
     const bool refers_to_map = section.find("(#keys-of-a-map)") != std::string::npos;
     const std::string keys =
