@@ -127,7 +127,7 @@ TEST_F(StudyJournal, OfOtherSettingsOrDataIsRefused) {
   expect_other_study(small_study(), objects_apart(3, 4, 150.0, 3), options());
 }
 
-// The same explorations, divided elsewhere into what is learned from and what is tested.
+// Another one, none, and the same explorations divided elsewhere.
 TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
   Recording first = recording();
   Recording second = objects_apart(3, 2, 150.0, 8);
@@ -136,6 +136,10 @@ TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
   with.progress = [](std::uint64_t done, std::uint64_t) { return done < 3; };
   ASSERT_FALSE(run_study(small_study(), first, with));
   with.progress = {};
+  const Recording third = objects_apart(3, 2, 150.0, 9);
+  with.test_data = &third;
+  expect_other_study(small_study(), first, with);
+  with.test_data = &second;
   expect_other_study(small_study(), first, options());
   first.explorations.push_back(second.explorations.front());
   second.explorations.erase(second.explorations.begin());
