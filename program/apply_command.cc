@@ -27,26 +27,34 @@ Result<RecordingFormat> read_format(const Arguments& arguments) {
 }
 
 Result<std::size_t> answering_map(const SystemModel& model, const std::string& path) {
-  if (model.answer) return model.system.find(model.answer->map);
-  return fail(ErrorKind::kData, "the system has no map that answers", path,
-              "apply one that 'somato run' has saved");
+  const auto refuse = [&](const std::string& what) {
+    return fail(ErrorKind::kData, what, path, "apply one that 'somato run' has saved");
+  };
+  if (!model.answer) return refuse("the system has no map that answers");
+  const auto map = model.system.find(model.answer->map);
+  if (map && model.system.modules()[*map].output.rate == Rate::kFrame) {
+    return refuse("the map that answers has frames coming in");
+  }
+  return map;
 }
 
 // The channels must be what they were when the system learned.
-Result<void> check_layout(const System& system, const RecordingLayout& layout) {
-  return System::build(system.description(), layout).and_then([&](const System& other) {
-    for (std::size_t i = 0; i < other.modules().size(); ++i) {
-      const PortType& now = other.modules()[i].output;
-      const PortType& then = system.modules()[i].output;
-      if (now.shape == then.shape) continue;
-      return Result<void>(
-          fail(ErrorKind::kData,
-               fmt::format("module '{}' gives {} here, but {} when it learned",
-                           other.modules()[i].name, to_string(now), to_string(then)),
-               {}, "apply it to recordings with the same channels"));
-    }
-    return Result<void>();
-  });
+Result<void> check_layout(const System& system, const Recording& recording,
+                          const std::string& path) {
+  const auto refuse = [&](const std::string& what) {
+    return fail(ErrorKind::kData, "the recording does not fit the system: " + what, path,
+                "apply it to recordings with the same channels");
+  };
+  const auto other = System::build(system.description(), layout_of(recording));
+  if (!other) return refuse(other.error().what);
+  for (std::size_t i = 0; i < other->modules().size(); ++i) {
+    const SystemModule& module = other->modules()[i];
+    const PortType& then = system.modules()[i].output;
+    if (module.output.shape == then.shape) continue;
+    return refuse(fmt::format("module '{}' gives {}, but {} when it learned", module.name,
+                              to_string(module.output), to_string(then)));
+  }
+  return {};
 }
 
 std::string line_of(const SystemModel& model, const Som& som, const SignalView& input,
@@ -73,9 +81,7 @@ Result<void> apply(const Arguments& arguments) {
   if (!map) return fail(map.error());
   const auto recording = read_study_data(*format, data);
   if (!recording) return fail(recording.error());
-  if (auto same = check_layout(model->system, layout_of(*recording)); !same) {
-    return fail(with_place(std::move(same.error()), data));
-  }
+  if (auto same = check_layout(model->system, *recording, data); !same) return same;
   std::vector<std::size_t> all(recording->explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   Activations activations(model->system.modules().size(), all.size());

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "commands.h"
 #include "data.h"
 #include "explanation.h"
-#include "output.h"
+#include "output_folder.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
@@ -32,46 +32,6 @@ Result<StudyDescription> describe(const Arguments& arguments) {
   if (*seeds) description->study.seeds = **seeds;
   return description;
 }
-
-// The folder for the results, made before the work begins: an hour of training should not end at a
-// missing folder. When there are no results a folder that was made for them goes again.
-class OutputFolder {
- public:
-  explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder(OutputFolder&&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-  OutputFolder& operator=(OutputFolder&&) = delete;
-  ~OutputFolder() {
-    std::error_code not_empty;
-    for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, not_empty);
-  }
-
-  Result<void> make() {
-    std::error_code code;
-    std::filesystem::path missing = std::filesystem::absolute(path_, code).lexically_normal();
-    for (; !std::filesystem::exists(missing, code); missing = missing.parent_path()) {
-      made_.push_back(missing);
-    }
-    std::filesystem::create_directories(path_, code);
-    if (code) {
-      return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
-                  path_.string(), "give --out a folder that can be written to");
-    }
-    return check_output(results()).and_then([&] { return check_output(map()); }).and_then([&] {
-      return check_output(system());
-    });
-  }
-
-  std::string results() const { return (path_ / "results.json").string(); }
-  std::string map() const { return (path_ / "map.svg").string(); }
-  std::string system() const { return (path_ / "system.somato").string(); }
-  std::string journal() const { return (path_ / "unfinished.jsonl").string(); }
-
- private:
-  std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;  // innermost first
-};
 
 std::string picture_of(const StudyDescription& description, const StudyOutcome& outcome) {
   LabelPanel panel;
@@ -146,7 +106,6 @@ Error how_to_go_on(Error error) {
 
 Result<void> run_whole(const Arguments& arguments, const StudyDescription& description,
                        std::size_t threads) {
-  if (auto needed = check_needed(arguments); !needed) return needed;
   const RecordingFormat format = description.recording.format;
   auto recording = read_study_data(format, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
@@ -169,12 +128,14 @@ Result<void> run_whole(const Arguments& arguments, const StudyDescription& descr
 }
 
 Result<void> run(const Arguments& arguments) {
+  const bool explains = arguments.has("explain");
+  auto needed = explains ? Result<void>() : check_needed(arguments);
+  if (!needed) return needed;
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
   auto description = describe(arguments);
   if (!description) return fail(std::move(description.error()));
-  return arguments.has("explain") ? explain(arguments, *description)
-                                  : run_whole(arguments, *description, *threads);
+  return explains ? explain(arguments, *description) : run_whole(arguments, *description, *threads);
 }
 
 }  // namespace

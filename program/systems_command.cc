@@ -49,6 +49,9 @@ std::string markdown_page() {
 }
 
 Result<void> systems(const Arguments& arguments) {
+  if (arguments.has("markdown") && arguments.has("TYPE")) {
+    return fail(ErrorKind::kUsage, "the page holds all types", "--markdown", "leave TYPE out");
+  }
   if (arguments.has("markdown")) {
     fmt::print("{}", markdown_page());
     return {};

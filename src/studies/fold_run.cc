@@ -111,20 +111,16 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Questi
   return TrainedFold{std::move(*system), std::move(samples), std::move(inputs), std::move(vectors)};
 }
 
-Result<FoldOutcome> run_fold(const StudyDescription& description, const Question& question,
-                             const Fold& fold, std::uint64_t seed,
-                             const std::vector<std::vector<std::size_t>>& wrong_groupings,
-                             const Progress& progress) {
-  const auto trained = train_fold(description, question, fold, seed, progress);
-  if (!trained) return fail(trained.error());
-  const Som& som = *som_of(trained->system, question.map);
-  const Tested tested{places_of(fold.training, trained->samples),
-                      places_of(fold.test, trained->samples),
-                      at(question.classes.of_sample, trained->samples)};
-  const std::vector<std::size_t> winners = winners_of(som, trained->inputs, 1);
+FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,
+                      const std::vector<std::vector<std::size_t>>& wrong_groupings) {
+  const Som& som = *som_of(trained.system, question.map);
+  const Tested tested{places_of(fold.training, trained.samples),
+                      places_of(fold.test, trained.samples),
+                      at(question.classes.of_sample, trained.samples)};
+  const std::vector<std::size_t> winners = winners_of(som, trained.inputs, 1);
   const NeuronLabels labels = NeuronLabels::by_majority(
       at(winners, tested.training), at(tested.classes, tested.training), som.neurons());
-  const SomQuality quality = measure_quality(som, trained->inputs.subset(tested.test));
+  const SomQuality quality = measure_quality(som, trained.inputs.subset(tested.test));
 
   FoldOutcome outcome;
   const auto count = static_cast<double>(tested.test.size());
@@ -133,10 +129,10 @@ Result<FoldOutcome> run_fold(const StudyDescription& description, const Question
   outcome.winners = quality.winners;
   SomWorkspace workspace;
   for (const std::size_t sample : tested.test) {
-    outcome.predictions.push_back(labels.classify(som, trained->inputs[sample], workspace));
+    outcome.predictions.push_back(labels.classify(som, trained.inputs[sample], workspace));
   }
-  measure_areas(som, winners, trained->samples, tested, wrong_groupings, outcome);
-  measure_baseline(trained->vectors, tested, outcome);
+  measure_areas(som, winners, trained.samples, tested, wrong_groupings, outcome);
+  measure_baseline(trained.vectors, tested, outcome);
   return outcome;
 }
 

@@ -39,10 +39,8 @@ struct TrainedFold {
 Result<TrainedFold> train_fold(const StudyDescription& description, const Question& question,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
 
-/// Trains and tests.
-Result<FoldOutcome> run_fold(const StudyDescription& description, const Question& question,
-                             const Fold& fold, std::uint64_t seed,
-                             const std::vector<std::vector<std::size_t>>& wrong_groupings,
-                             const Progress& progress);
+/// Tests what was trained on a fold.
+FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,
+                      const std::vector<std::vector<std::size_t>>& wrong_groupings);
 
 }  // namespace somato

@@ -1,11 +1,15 @@
 #include "studies/journal.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
+#include "somato/files/checksum.h"
 #include "somato/files/whole_file.h"
 
 namespace somato {
@@ -20,24 +24,39 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
               "give --out a folder that can be written to");
 }
 
-std::string header_of(const std::string& fingerprint) {
-  return Json{{"somato_journal", kVersion}, {"study", fingerprint}}.dump() + "\n";
+// A line that was damaged is found by its checksum.
+std::string line_of(const Json& content) {
+  const std::string text = content.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return fmt::format("{:08x} {}\n", crc32c(text), text);
 }
 
-std::string line_of(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
-  return Json{{"protocol", protocol},
-              {"training", training},
-              {"winners", outcome.winners},
-              {"predictions", outcome.predictions},
-              {"raw_baseline", outcome.raw_baseline},
-              {"standardized_baseline", outcome.standardized_baseline},
-              {"summed_distance", outcome.summed_distance},
-              {"torn", outcome.torn},
-              {"apart", outcome.apart},
-              {"connected", outcome.connected},
-              {"connected_wrong", outcome.connected_wrong}}
-             .dump() +
-         "\n";
+// What the line holds, if it is whole.
+std::optional<Json> content_of(std::string_view line) {
+  constexpr std::size_t kChecksum = 9;
+  if (line.size() <= kChecksum) return {};
+  const std::string_view text = line.substr(kChecksum);
+  if (line.substr(0, kChecksum) != fmt::format("{:08x} ", crc32c(text))) return {};
+  Json content = Json::parse(text, nullptr, false);
+  if (content.is_discarded()) return {};
+  return content;
+}
+
+std::string header_of(const std::string& fingerprint) {
+  return line_of({{"somato_journal", kVersion}, {"study", fingerprint}});
+}
+
+Json content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
+  return {{"protocol", protocol},
+          {"training", training},
+          {"winners", outcome.winners},
+          {"predictions", outcome.predictions},
+          {"raw_baseline", outcome.raw_baseline},
+          {"standardized_baseline", outcome.standardized_baseline},
+          {"summed_distance", outcome.summed_distance},
+          {"torn", outcome.torn},
+          {"apart", outcome.apart},
+          {"connected", outcome.connected},
+          {"connected_wrong", outcome.connected_wrong}};
 }
 
 FoldOutcome outcome_of(const Json& line) {
@@ -82,39 +101,33 @@ tl::unexpected<Error> damaged(const std::string& path) {
 Result<Journal> Journal::open(const std::string& path, const std::string& fingerprint) {
   Journal journal;
   journal.path_ = path;
-  std::string text;
+  journal.header_ = header_of(fingerprint);
   std::error_code code;
-  if (std::filesystem::exists(path, code)) {
-    auto read = read_whole(path);
-    if (!read) return fail(std::move(read.error()));
-    text = std::move(*read);
-  }
+  if (!std::filesystem::exists(path, code)) return journal;
+  const auto text = read_whole(path);
+  if (!text) return fail(text.error());
+  if (auto known = journal.read(*text); !known) return fail(std::move(known.error()));
+  return journal;
+}
+
+Result<void> Journal::read(const std::string& text) {
   Lines lines(text);
   const auto header = lines.next();
-  if (header && std::string(*header) + "\n" != header_of(fingerprint)) {
-    const Json parsed = Json::parse(*header, nullptr, false);
-    if (!parsed.is_object() || !parsed.contains("somato_journal")) return damaged(path);
+  if (!header) return header_.starts_with(text) ? Result<void>() : damaged(path_);
+  if (std::string(*header) + "\n" != header_) {
+    const auto content = content_of(*header);
+    if (!content || !content->contains("somato_journal")) return damaged(path_);
     return fail(ErrorKind::kUsage,
-                "the folder holds an interrupted study with other settings or data", path,
+                "the folder holds an interrupted study with other settings or data", path_,
                 "run that one to its end, give another --out, or remove the file");
   }
   while (const auto line = lines.next()) {
-    try {
-      const Json parsed = Json::parse(*line);
-      journal.known_[{parsed.at("protocol"), parsed.at("training")}] = outcome_of(parsed);
-    } catch (const Json::exception&) {
-      return damaged(path);
-    }
+    const auto content = content_of(*line);
+    if (!content) return damaged(path_);
+    known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
   }
-  // A line that was cut must not become the beginning of the next one.
-  const std::string whole =
-      header ? text.substr(0, text.size() - lines.left()) : header_of(fingerprint);
-  if (whole != text) {
-    if (auto saved = save_whole(path, whole); !saved) return fail(std::move(saved.error()));
-  }
-  journal.file_.reset(std::fopen(path.c_str(), "ab"));
-  if (!journal.file_) return system_error(path, "the journal cannot be opened");
-  return journal;
+  whole_ = text.size() - lines.left();
+  return {};
 }
 
 const FoldOutcome* Journal::find(std::size_t protocol, std::size_t training) const {
@@ -123,13 +136,24 @@ const FoldOutcome* Journal::find(std::size_t protocol, std::size_t training) con
 }
 
 Result<void> Journal::add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
-  if (!file_) return {};
-  const std::string line = line_of(protocol, training, outcome);
+  if (path_.empty()) return {};
+  const std::string line = line_of(content_for(protocol, training, outcome));
   const std::lock_guard lock(*mutex_);
-  const bool written = std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
-                       std::fflush(file_.get()) == 0;
-  if (!written) return system_error(path_, "the journal cannot be written");
+  if (!file_) {
+    // A line that was cut must not become the beginning of the next one.
+    std::error_code code;
+    if (whole_ > 0) std::filesystem::resize_file(path_, whole_, code);
+    if (!code) file_.reset(std::fopen(path_.c_str(), whole_ > 0 ? "ab" : "wb"));
+    if (!file_) return system_error(path_, "the journal cannot be opened");
+    if (whole_ == 0 && !write(header_)) return system_error(path_, "the journal cannot be written");
+  }
+  if (!write(line)) return system_error(path_, "the journal cannot be written");
   return {};
+}
+
+bool Journal::write(const std::string& line) {
+  return std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
+         std::fflush(file_.get()) == 0;
 }
 
 }  // namespace somato

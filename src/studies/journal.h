@@ -15,14 +15,16 @@
 namespace somato {
 
 /// The trainings of a study that are done, kept in a file as they are done, so that a study that
-/// was interrupted goes on where it was. A line a training; a last line that was cut is left out.
+/// was interrupted goes on where it was. A line a training, each with its checksum; a last line
+/// that was cut is left out. There is no file before there is something to keep.
 class Journal {
  public:
   /// No file: nothing is kept.
   Journal() = default;
 
-  /// Goes on with the journal at `path`, or begins one. `fingerprint` tells studies apart. Errors:
-  /// kSystem; kUsage when the file is the journal of another study, kData when it is no journal.
+  /// Goes on with the journal at `path`, if there is one. `fingerprint` tells studies apart.
+  /// Errors: kSystem; kUsage when the file is the journal of another study, kData when it is no
+  /// journal.
   static Result<Journal> open(const std::string& path, const std::string& fingerprint);
 
   /// What training number `training` of protocol number `protocol` gave, if it is done.
@@ -31,14 +33,17 @@ class Journal {
   /// Keeps what a training gave, from any thread. Errors: kSystem.
   Result<void> add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome);
 
-  std::size_t done() const { return known_.size(); }
-
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  Result<void> read(const std::string& text);
+  bool write(const std::string& line);
+
   std::string path_;
+  std::string header_;     ///< The line that the file begins with.
+  std::size_t whole_ = 0;  ///< Bytes of whole lines that the file began with.
   std::unique_ptr<std::FILE, Close> file_;
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
   std::map<std::pair<std::size_t, std::size_t>, FoldOutcome> known_;

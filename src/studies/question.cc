@@ -47,14 +47,34 @@ Result<void> check_individuals(const Question& question, const StudyParameters& 
   return {};
 }
 
+// The two must be alike, and not only each in itself.
 Result<Recording> join(const Recording& recording, const Recording* test) {
   Recording all = recording;
   if (test) {
     all.explorations.insert(all.explorations.end(), test->explorations.begin(),
                             test->explorations.end());
   }
-  if (auto valid = validate(all); !valid) return fail(std::move(valid.error()));
+  for (const Recording* part : {&recording, test, static_cast<const Recording*>(&all)}) {
+    if (!part) continue;
+    if (auto valid = validate(*part); !valid) return fail(std::move(valid.error()));
+  }
   return all;
+}
+
+// There must be something to tell apart in what is learned from.
+Result<void> check_classes(const Question& question, const std::string& label,
+                           std::size_t learned) {
+  const auto& classes = question.classes.of_sample;
+  const auto begin = classes.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(learned);
+  if (learned < 2) {
+    return fail(ErrorKind::kData, "the recording has only one exploration", {},
+                "a study needs at least two");
+  }
+  if (std::any_of(begin, end, [&](std::size_t its_class) { return its_class != *begin; }))
+    return {};
+  return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
+              "there is nothing to tell apart; name another label");
 }
 
 Result<void> divide(const StudyParameters& study, std::size_t learned, Question& question) {
@@ -96,7 +116,8 @@ bool answers(const System& system, std::size_t module) {
   });
 }
 
-Result<std::size_t> find_map(const System& system, const std::string& name) {
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where) {
   std::vector<std::string> candidates;
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
     if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
@@ -107,20 +128,21 @@ Result<std::size_t> find_map(const System& system, const std::string& name) {
     if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
       return system.find(name);
     }
-    return fail(unknown_name("module of type som", name, {}, candidates));
+    return fail(unknown_name("module of type som", name, where, candidates));
   }
   if (candidates.size() == 1) return system.find(candidates.front());
   return fail(
       ErrorKind::kUsage,
       candidates.empty() ? "the system has no map that answers" : "more than one map could answer",
-      {},
+      where,
       candidates.empty()
           ? "add a module of type som, or name one with 'map' in [study]"
           : fmt::format("name one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
 }
 
-Result<void> find_modules(const System& system, const StudyParameters& study, Question& question) {
-  const auto map = find_map(system, study.map);
+Result<void> find_modules(const System& system, const StudyDescription& description,
+                          Question& question) {
+  const auto map = find_map(system, description.study.map, description.where);
   if (!map) return fail(map.error());
   question.map = *map;
   question.vectors = system.modules()[*map].inputs.front();
@@ -145,7 +167,6 @@ Result<System> Question::system(const StudyDescription& description) const {
 
 Result<Question> make_question(const StudyDescription& description, const Recording& recording,
                                const Recording* test, std::size_t threads) {
-  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
   Question question;
   auto all = join(recording, test);
   if (!all) return fail(std::move(all.error()));
@@ -159,20 +180,11 @@ Result<Question> make_question(const StudyDescription& description, const Record
   auto individuals = numbers_of(question.recording, description.study.individual);
   if (!individuals) return fail(std::move(individuals.error()));
   question.individuals = std::move(*individuals);
-  if (recording.explorations.size() < 2) {
-    return fail(ErrorKind::kData, "the recording has only one exploration", {},
-                "a study needs at least two");
-  }
-  if (question.classes.names.size() < 2) {
-    return fail(ErrorKind::kData,
-                "every exploration has the same '" + description.study.label + "'", {},
-                "there is nothing to tell apart; name another label");
-  }
-  Result<void> ready =
-      check_individuals(question, description.study)
-          .and_then(
-              [&] { return divide(description.study, recording.explorations.size(), question); })
-          .and_then([&] { return find_modules(*system, description.study, question); });
+  const std::size_t learned = recording.explorations.size();
+  Result<void> ready = check_classes(question, description.study.label, learned)
+                           .and_then([&] { return check_individuals(question, description.study); })
+                           .and_then([&] { return divide(description.study, learned, question); })
+                           .and_then([&] { return find_modules(*system, description, question); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));

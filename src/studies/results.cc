@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 Json metrics_json(const std::vector<Metric>& metrics) {
   Json json = Json::object();
@@ -77,12 +77,13 @@ double Metric::standard_deviation() const {
 }
 
 std::string to_json(const StudyResults& results) {
-  const Json json = {{"version", kVersion},
-                     {"study", results.study},
-                     {"seeds", results.seeds},
-                     {"settings", settings_json(results.settings)},
-                     {"data_hash", results.data_hash},
-                     {"systems", systems_json(results.systems)}};
+  Json json = {{"version", kVersion},
+               {"study", results.study},
+               {"seeds", results.seeds},
+               {"settings", settings_json(results.settings)},
+               {"data_hash", results.data_hash}};
+  if (!results.test_data_hash.empty()) json["test_data_hash"] = results.test_data_hash;
+  json["systems"] = systems_json(results.systems);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -22,8 +22,14 @@ Settings settings_of(std::string part, const Parameters& parameters) {
   return settings;
 }
 
-// What the description says of a module, and the defaults of what it does not say.
-Settings settings_of(const ModuleDescription& module, const ModuleType& type) {
+// What was decided where the description leaves it automatic.
+std::string decided(const ParameterInfo& parameter, const Som* som) {
+  const auto* known = som ? SomParameters::declarations().find(parameter.name) : nullptr;
+  return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
+}
+
+// What the description says of a module, and what holds where it says nothing.
+Settings settings_of(const ModuleDescription& module, const ModuleType& type, const Som* som) {
   Settings settings{"module." + module.name, {}};
   for (const Table::Entry& entry : module.settings.entries) {
     if (const auto* value = std::get_if<Value>(&entry.content)) {
@@ -32,65 +38,64 @@ Settings settings_of(const ModuleDescription& module, const ModuleType& type) {
   }
   for (const ParameterInfo& parameter : type.parameters) {
     if (module.settings.find(parameter.name)) continue;
-    settings.settings.push_back({parameter.name, parameter.default_text});
+    settings.settings.push_back({parameter.name, decided(parameter, som)});
   }
   return settings;
 }
 
-StudyResults describe(const StudyDescription& description, const System& system) {
-  StudyResults results;
-  results.study = description.study.name;
-  results.seeds = description.study.seeds;
-  results.settings = {settings_of("study", description.study),
-                      settings_of("recording", description.recording)};
-  for (std::size_t i = 0; i < system.modules().size(); ++i) {
-    results.settings.push_back(
-        settings_of(description.system.modules[i], *system.modules()[i].type));
+std::vector<Settings> all_settings(const StudyDescription& description, const System& trained) {
+  std::vector<Settings> settings{settings_of("study", description.study),
+                                 settings_of("recording", description.recording)};
+  for (std::size_t i = 0; i < trained.modules().size(); ++i) {
+    settings.push_back(
+        settings_of(description.system.modules[i], *trained.modules()[i].type, som_of(trained, i)));
   }
   for (std::size_t i = 0; i < description.system.phases.size(); ++i) {
-    results.settings.push_back(
-        settings_of("phase." + std::to_string(i + 1), description.system.phases[i]));
+    settings.push_back(settings_of("phase." + std::to_string(i + 1), description.system.phases[i]));
   }
-  return results;
+  return settings;
 }
 
-// What decides the trainings: a study with the same text here has the same ones.
-std::string fingerprint(const StudyDescription& description, const std::string& data_hash,
+// What decides the trainings: a study with the same text here has the same ones. More seeds have
+// more of them.
+std::string fingerprint(const StudyDescription& description, const StudyResults& results,
                         const std::vector<Protocol>& protocols) {
-  std::string text = parameters_to_toml(description.study) + to_toml(description.system) +
-                     "data = " + data_hash + "\n";
+  StudyParameters study = description.study;
+  study.seeds = 1;
+  std::string text = parameters_to_toml(study) + to_toml(description.system) +
+                     "data = " + results.data_hash + "\ntest_data = " + results.test_data_hash +
+                     "\n";
   for (const Protocol protocol : protocols) text += choice_name(protocol) + "\n";
   return text;
 }
 
-// A training on everything that is learned from, for the picture and for use.
-Result<void> make_model(const StudyDescription& description, const Question& question,
-                        const Progress& progress, StudyOutcome& outcome) {
-  const Fold all = folds(Protocol::kTrainIsTest, question.samples).front();
-  auto trained = train_fold(description, question, all, description.study.first_seed, progress);
-  if (!trained) return fail(std::move(trained.error()));
-  outcome.classes = question.classes;
-  outcome.classes.of_sample.resize(all.training.size());
-  outcome.model.system = std::move(trained->system);
+// The classes of what was learned from alone: others have no neurons.
+Classes learned_classes(const Question& question) {
+  Classes classes = question.classes;
+  classes.of_sample.resize(question.samples.samples);
+  const auto last = std::max_element(classes.of_sample.begin(), classes.of_sample.end());
+  classes.names.resize(*last + 1);
+  return classes;
+}
+
+StudyOutcome outcome_of(const StudyDescription& description, const Question& question,
+                        TrainedFold trained, StudyResults results) {
+  StudyOutcome outcome{std::move(results), {std::move(trained.system), {}}, {}, {}};
   const System& system = outcome.model.system;
   const Som& som = *som_of(system, question.map);
-  outcome.winners = winners_of(som, trained->inputs, 1);
+  outcome.classes = learned_classes(question);
+  outcome.winners = winners_of(som, trained.inputs, 1);
   outcome.model.answer = SystemAnswer{
       system.modules()[question.map].name, description.study.label, outcome.classes.names,
       NeuronLabels::by_majority(outcome.winners, outcome.classes.of_sample, som.neurons())};
-  return {};
+  outcome.results.settings = all_settings(description, system);
+  return outcome;
 }
 
 std::vector<Protocol> protocols_of(const StudyDescription& description, const Question& question) {
   std::vector<Protocol> protocols = description.study.protocols;
   if (question.samples.test_samples > 0) protocols.push_back(Protocol::kTestData);
   return protocols;
-}
-
-Result<Journal> open_journal(const StudyOptions& options, const StudyDescription& description,
-                             const std::string& data_hash, const std::vector<Protocol>& protocols) {
-  if (options.journal.empty()) return Journal();
-  return Journal::open(options.journal, fingerprint(description, data_hash, protocols));
 }
 
 }  // namespace
@@ -103,33 +108,44 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
                                const StudyOptions& options) {
   auto question = make_question(description, recording, options.test_data, options.threads);
   if (!question) return fail(std::move(question.error()));
-  const auto whole = question->system(description);
-  if (!whole) return fail(whole.error());
-  StudyOutcome outcome{describe(description, *whole), {}, {}, {}};
-  outcome.results.data_hash = content_hash(question->recording);
+  StudyResults results{description.study.name, description.study.seeds, {}, {}, {}, {}};
+  results.data_hash = content_hash(recording);
+  if (options.test_data) results.test_data_hash = content_hash(*options.test_data);
   const std::vector<Protocol> protocols = protocols_of(description, *question);
-  auto journal = open_journal(options, description, outcome.results.data_hash, protocols);
+  Result<Journal> journal;
+  if (!options.journal.empty()) {
+    journal = Journal::open(options.journal, fingerprint(description, results, protocols));
+  }
   if (!journal) return fail(std::move(journal.error()));
 
   std::deque<SystemRunner> runners;
   std::uint64_t trainings = 1;
+  std::uint64_t known = 0;
   for (const Protocol protocol : protocols) {
     runners.emplace_back(description, *question, protocol, runners.size());
     trainings += runners.back().trainings();
+    known += runners.back().known(*journal);
   }
-  Tally tally(options.progress, trainings);
-  auto made = make_model(
-      description, *question, [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); },
-      outcome);
-  if (!made) return fail(std::move(made.error()));
-  tally.one_done();
+  Tally tally(options.progress, trainings, known);
   for (SystemRunner& runner : runners) {
     for_each_task(runner.trainings(), options.threads,
                   [&](std::size_t training) { runner.run(training, *journal, tally); });
     if (tally.stopped()) return fail(tally.error());
-    outcome.results.systems.push_back(runner.results());
   }
-  return outcome;
+  // On everything, for the picture and for use; last, since the journal does not keep it.
+  const Fold all = folds(Protocol::kTrainIsTest, question->samples).front();
+  auto trained = train_fold(description, *question, all, description.study.first_seed,
+                            [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
+  if (!trained) {
+    tally.failed(std::move(trained.error()));
+    return fail(tally.error());
+  }
+  for (SystemRunner& runner : runners) {
+    runner.take(*trained);
+    results.systems.push_back(runner.results());
+  }
+  tally.one_done();
+  return outcome_of(description, *question, std::move(*trained), std::move(results));
 }
 
 }  // namespace somato

@@ -25,34 +25,59 @@ bool has_duplicates(std::vector<T> values) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
-Result<void> check_complete(const StudyDescription& description, const std::string& where) {
-  const auto missing = [&](const std::string& what, const std::string& advice) {
-    return fail(ErrorKind::kUsage, what, where, advice);
+// What the file says of [study], which may be nothing.
+const Table* study_table(const Table& file) {
+  const Table::Entry* study = file.find("study");
+  return study ? std::get_if<Table>(&study->content) : nullptr;
+}
+
+// Where a key of [study] stands, or the table, or the file.
+std::string place_of(const Table& file, const std::string& key) {
+  const Table* table = study_table(file);
+  if (!table) return file.where;
+  const Table::Entry* entry = table->find(key);
+  return entry ? entry->where : table->where;
+}
+
+// A key that only a protocol reads.
+Result<void> check_effect(const Table& file, const std::string& key, const std::string& protocol,
+                          bool is_read) {
+  const Table* table = study_table(file);
+  if (is_read || !table || !table->find(key)) return {};
+  return fail(ErrorKind::kUsage, "'" + key + "' has no effect without the protocol " + protocol,
+              place_of(file, key), "leave it out, or add the protocol");
+}
+
+Result<void> check_complete(const StudyParameters& study, const Table& file) {
+  const auto refuse = [&](const std::string& key, const std::string& what,
+                          const std::string& advice) {
+    return fail(ErrorKind::kUsage, what, place_of(file, key), advice);
   };
-  if (description.study.name.empty()) {
-    return missing("the study has no name", "add name = \"...\" to [study]");
-  }
-  if (description.study.protocols.empty()) {
-    return missing("the study has no protocols", "add protocols = [\"leave_one_out\"] to [study]");
-  }
-  if (has_duplicates(description.study.protocols)) {
-    return missing("a protocol is named twice", "name each of protocols in [study] once");
-  }
   const auto has = [&](Protocol protocol) {
-    const std::vector<Protocol>& all = description.study.protocols;
-    return std::find(all.begin(), all.end(), protocol) != all.end();
+    return std::find(study.protocols.begin(), study.protocols.end(), protocol) !=
+           study.protocols.end();
   };
+  if (study.name.empty()) {
+    return refuse("name", "the study has no name", "add name = \"...\" to [study]");
+  }
+  if (study.protocols.empty()) {
+    return refuse("protocols", "the study has no protocols",
+                  "add protocols = [\"leave_one_out\"] to [study]");
+  }
+  if (has_duplicates(study.protocols)) {
+    return refuse("protocols", "a protocol is named twice",
+                  "name each of protocols in [study] once");
+  }
   if (has(Protocol::kTestData)) {
-    return missing("'test_data' is no protocol to name", "run the study with --test-data instead");
+    return refuse("protocols", "'test_data' is no protocol to name",
+                  "run the study with --test-data instead");
   }
-  if (has(Protocol::kLeaveGroupOut) == description.study.group.empty()) {
-    return missing(description.study.group.empty()
-                       ? "leave_group_out needs the label whose groups are left out"
-                       : "'group' has no effect without the protocol leave_group_out",
-                   description.study.group.empty() ? "add group = \"...\" to [study]"
-                                                   : "leave it out, or add the protocol");
+  if (has(Protocol::kLeaveGroupOut) && study.group.empty()) {
+    return refuse("protocols", "leave_group_out needs the label whose groups are left out",
+                  "add group = \"...\" to [study]");
   }
-  return {};
+  return check_effect(file, "group", "leave_group_out", has(Protocol::kLeaveGroupOut))
+      .and_then([&] { return check_effect(file, "folds", "k_folds", has(Protocol::kFolds)); });
 }
 
 }  // namespace
@@ -109,6 +134,7 @@ const Declarations<RecordingParameters>& RecordingParameters::declarations() {
 
 Result<StudyDescription> read_study(const Table& file) {
   StudyDescription description;
+  description.where = place_of(file, {});
   for (const Table::Entry& entry : file.entries) {
     Result<void> part;
     if (entry.name == "study") part = read_part(entry, description.study);
@@ -119,7 +145,7 @@ Result<StudyDescription> read_study(const Table& file) {
   if (!system) return fail(std::move(system.error()));
   description.system = std::move(*system);
   if (description.system.name.empty()) description.system.name = description.study.name;
-  if (auto complete = check_complete(description, file.where); !complete) {
+  if (auto complete = check_complete(description.study, file); !complete) {
     return fail(std::move(complete.error()));
   }
   return description;

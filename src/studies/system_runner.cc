@@ -18,7 +18,7 @@ std::vector<std::size_t> all_tested(const std::vector<Fold>& folds) {
   return tested;
 }
 
-// The better of the two, seed by seed on average: in favour of the baseline.
+// The one that is better on average over the seeds: in favour of the baseline.
 Metric better_of(const Metric& a, const Metric& b) {
   return {"baseline_accuracy", a.mean() >= b.mean() ? a.values : b.values};
 }
@@ -60,26 +60,41 @@ SystemRunner::SystemRunner(const StudyDescription& description, const Question& 
       question_(question),
       protocol_(protocol),
       number_(number),
+      taken_(protocol == Protocol::kTrainIsTest ? 1 : 0),
       folds_(folds(protocol, question.samples)),
       tested_(all_tested(folds_)),
       outcomes_(description.study.seeds * folds_.size()) {}
 
-void SystemRunner::run(std::size_t training, Journal& journal, Tally& tally) {
+std::size_t SystemRunner::known(const Journal& journal) const {
+  std::size_t known = 0;
+  for (std::size_t training = taken_; training < outcomes_.size(); ++training) {
+    known += journal.find(number_, training) != nullptr ? 1 : 0;
+  }
+  return known;
+}
+
+void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
   if (tally.stopped()) return;
+  const std::size_t training = taken_ + index;
   if (const FoldOutcome* known = journal.find(number_, training)) {
     outcomes_[training] = *known;
-    return tally.one_done();
+    return;
   }
   const std::size_t seed_index = training / folds_.size();
-  auto outcome = run_fold(description_, question_, folds_[training % folds_.size()],
-                          seed(seed_index), wrong_groupings_of(seed_index),
-                          [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
-  if (!outcome) return tally.failed(std::move(outcome.error()));
-  if (auto kept = journal.add(number_, training, *outcome); !kept) {
+  const Fold& fold = folds_[training % folds_.size()];
+  const auto trained = train_fold(description_, question_, fold, seed(seed_index),
+                                  [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
+  if (!trained) return tally.failed(trained.error());
+  outcomes_[training] = test_fold(*trained, question_, fold, wrong_groupings_of(seed_index));
+  if (auto kept = journal.add(number_, training, outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
-  outcomes_[training] = std::move(*outcome);
   tally.one_done();
+}
+
+void SystemRunner::take(const TrainedFold& trained) {
+  if (taken_ == 0) return;
+  outcomes_[0] = test_fold(trained, question_, folds_[0], wrong_groupings_of(0));
 }
 
 SystemResults SystemRunner::results() const {
@@ -170,10 +185,17 @@ std::vector<Metric> SystemRunner::metrics() const {
   return metrics;
 }
 
+// Dealt among the explorations that the protocol looks at.
 std::vector<std::vector<std::size_t>> SystemRunner::wrong_groupings_of(
     std::size_t seed_index) const {
-  return wrong_groupings(question_.classes.of_sample, question_.individuals,
-                         description_.study.wrong_groupings, seed(seed_index));
+  std::vector<std::size_t> classes = question_.classes.of_sample;
+  std::vector<std::size_t> individuals = question_.individuals;
+  if (protocol_ != Protocol::kTestData) {
+    classes.resize(question_.samples.samples);
+    individuals.resize(question_.samples.samples);
+  }
+  return wrong_groupings(classes, individuals, description_.study.wrong_groupings,
+                         seed(seed_index));
 }
 
 }  // namespace somato

@@ -22,7 +22,9 @@ namespace somato {
 /// Counts trainings over all protocols, and keeps the first failure.
 class Tally {
  public:
-  Tally(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
+  /// `done` of them are known already.
+  Tally(const Progress& progress, std::uint64_t total, std::uint64_t done)
+      : progress_(progress), total_(total), done_(done) {}
 
   void one_done();
   void failed(Error error);
@@ -37,7 +39,7 @@ class Tally {
 
   const Progress& progress_;
   std::uint64_t total_;
-  std::uint64_t done_ = 0;
+  std::uint64_t done_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point asked_;
   std::optional<Error> error_;
@@ -52,10 +54,17 @@ class SystemRunner {
   SystemRunner(const StudyDescription& description, const Question& question, Protocol protocol,
                std::size_t number);
 
-  std::size_t trainings() const { return outcomes_.size(); }
+  /// How many trainings there are to run.
+  std::size_t trainings() const { return outcomes_.size() - taken_; }
 
-  /// Training number `training`, from any thread, or what the journal knows of it.
-  void run(std::size_t training, Journal& journal, Tally& tally);
+  /// How many of these the journal knows.
+  std::size_t known(const Journal& journal) const;
+
+  /// Training number `index` of these, from any thread, or what the journal knows of it.
+  void run(std::size_t index, Journal& journal, Tally& tally);
+
+  /// Takes the training on everything with the first seed: train_is_test needs not run it again.
+  void take(const TrainedFold& trained);
 
   /// After all trainings.
   SystemResults results() const;
@@ -77,6 +86,7 @@ class SystemRunner {
   const Question& question_;
   Protocol protocol_;
   std::size_t number_;
+  std::size_t taken_;  ///< Trainings that are not run here.
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
   std::vector<FoldOutcome> outcomes_;

@@ -1,6 +1,8 @@
 // Uses what is installed as a user would; exits with 0 when the answers are right.
 
+#include <cstdint>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "somato/codes/spectrum.h"
@@ -8,6 +10,7 @@
 #include "somato/core/random.h"
 #include "somato/core/signal.h"
 #include "somato/graph/som_model.h"
+#include "somato/graph/system.h"
 #include "somato/maps/som_training.h"
 
 namespace {
@@ -47,9 +50,22 @@ bool a_map_comes_back(const char* path) {
   return loaded && loaded->som.weights() == model.som.weights();
 }
 
+// Builds a system from a description put together in C++, without a file.
+bool a_system_is_built() {
+  somato::SystemBuilder builder("user");
+  builder
+      .module("hand", "channel",
+              {{"channel", {std::string("joints")}},
+               {"shape", {somato::Value::List{{std::int64_t{9}}}}}})
+      .module("closed", "last", {{"input", {std::string("hand")}}});
+  const auto system = somato::System::build(builder.description(), {});
+  return system && system->modules()[1].output.shape == std::vector<std::size_t>{9};
+}
+
 }  // namespace
 
 int main() {
+  if (!a_system_is_built()) return 3;
   if (!a_map_comes_back("installed.somato")) return 2;
   if (inner_product_is_right() && random_numbers_are_right() && messages_are_right() &&
       spectrum_is_right()) {

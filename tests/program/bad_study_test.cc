@@ -6,8 +6,6 @@
 namespace somato {
 namespace {
 
-const std::string kTrials = SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials";
-
 const std::string kStudy =
     "[study]\n"         // line 1
     "name = 'small'\n"  // line 2
@@ -15,10 +13,16 @@ const std::string kStudy =
     "protocols = ['leave_one_out']\n"
     "[recording]\n"  // line 5
     "format = 'icub_grasp'\n"
-    "[vector]\n"  // line 7
-    "channels = ['joints']\n"
-    "[map]\n"  // line 9
-    "rows = 4\n"
+    "[module.joints]\n"  // line 7
+    "type = 'channel'\n"
+    "channel = 'joints'\n"
+    "[module.closed]\n"  // line 10
+    "type = 'last'\n"
+    "input = 'joints'\n"
+    "[module.map]\n"  // line 13
+    "type = 'som'\n"
+    "input = 'closed'\n"
+    "rows = 4\n"  // line 16
     "columns = 4\n"
     "iterations = 100\n";
 
@@ -38,29 +42,64 @@ class BadStudy : public ProgramTest {
 
 TEST_F(BadStudy, PlaceAndRemedyAreNamed) {
   const std::vector<std::pair<std::string, Words>> cases{
-      {with("rows = 4", "rows = = 4"), {"study.toml:10:8", "correct the TOML"}},
-      {with("['joints']", "['joints'"), {"study.toml:"}},
-      {with("columns = 4", "rows = 4"), {"study.toml:11", "'rows'"}},
-      {with("[map]", "[mpa]"), {"study.toml:9", "unknown table 'mpa'", "did you mean 'map'?"}},
-      {with("rows = 4", "rwos = 4"), {"study.toml:10", "unknown key 'rwos'", "'rows'"}},
-      {with("rows = 4", "rows = 0"), {"study.toml:10", "1 to 16777216, not 0"}},
-      {with("rows = 4", "rows = 4.5"), {"study.toml:10", "whole number", "4.5"}},
-      {with("rows = 4", "rows = nan"), {"study.toml:10", "nan"}},
-      {with("rows = 4", "rows = 'four'"), {"study.toml:10", "four"}},
-      {with("rows = 4", "rows = [4]"), {"study.toml:10", "rows"}},
-      {with("rows = 4", "lattice = 'hexagon'"), {"study.toml:10", "did you mean 'hexagonal'?"}},
+      {with("rows = 4", "rows = = 4"), {"study.toml:16:8", "correct the TOML"}},
+      {with("['leave_one_out']", "['leave_one_out'"), {"study.toml:"}},
+      {with("columns = 4", "rows = 4"), {"study.toml:17", "'rows'"}},
+      {with("[module.map]", "[modlue.map]"),
+       {"study.toml:13", "unknown table 'modlue'", "did you mean 'module'?"}},
+      {with("rows = 4", "rwos = 4"), {"study.toml:16", "unknown key 'rwos'", "'rows'"}},
+      {with("rows = 4", "rows = 0"), {"study.toml:16", "1 to 16777216, not 0"}},
+      {with("rows = 4", "rows = 4.5"), {"study.toml:16", "whole number", "4.5"}},
+      {with("rows = 4", "rows = nan"), {"study.toml:16", "nan"}},
+      {with("rows = 4", "rows = 'four'"), {"study.toml:16", "four"}},
+      {with("rows = 4", "rows = [4]"), {"study.toml:16", "rows"}},
+      {with("rows = 4", "lattice = 'hexagon'"), {"study.toml:16", "did you mean 'hexagonal'?"}},
+      {with("rows = 4", "seed = 3"), {"study.toml:16", "seed"}},
+      {with("rows = 4", "training = 'batch'"), {"study.toml:18", "'iterations' has no effect"}},
       {with("'leave_one_out'", "'leave_one_in'"),
        {"study.toml:4", "did you mean 'leave_one_out'?"}},
+      {with("'leave_one_out'", "'test_data'"), {"study.toml:4", "--test-data"}},
+      {with("'leave_one_out'", "'leave_group_out'"), {"study.toml:4", "add group = "}},
+      {with("seeds = 1", "group = 'trial'"), {"study.toml:3", "'group' has no effect"}},
+      {with("seeds = 1", "folds = 3"), {"study.toml:3", "'folds' has no effect"}},
       {with("'icub_grasp'", "'icub_grip'"), {"study.toml:6", "icub_grasp"}},
-      {with("name = 'small'\n", ""), {"study.toml", "no name", "[study]"}},
-      {with("['leave_one_out']", "[]"), {"study.toml", "no protocols", "[study]"}},
-      {with("['joints']", "[]"), {"study.toml", "no channels", "[vector]"}},
-      {with("['joints']", "['jonts']"), {"unknown channel 'jonts'", "did you mean 'joints'?"}},
+      {with("name = 'small'\n", ""), {"study.toml:1", "no name", "[study]"}},
+      {with("['leave_one_out']", "[]"), {"study.toml:4", "no protocols", "[study]"}},
       {with("seeds = 1", "seeds = 0"), {"study.toml:3", "seeds"}},
       {with("seeds = 1", "label = 'objct'"), {"unknown label 'objct'", "did you mean 'object'?"}},
       {with("seeds = 1", "individual = 'objct'"), {"unknown label 'objct'"}},
-      {"map = 3\n", {"study.toml:1", "'map' must be a table", "[map]"}},
-      {"", {"study.toml", "no name"}}};
+      {with("seeds = 1", "map = 'mop'"),
+       {"study.toml:1", "unknown module of type som 'mop'", "did you mean 'map'?"}},
+      {"module = 3\n", {"study.toml:1", "'module' must hold tables", "[module.NAME]"}},
+      {"", {"study.toml", "no modules"}}};
+  for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
+}
+
+// The modules are named with the place where they stand.
+TEST_F(BadStudy, ModulesThatDoNotFitAreNamed) {
+  const std::vector<std::pair<std::string, Words>> cases{
+      {with("'som'", "'smo'"), {"study.toml:14", "unknown type of module 'smo'"}},
+      {with("type = 'last'\n", ""), {"study.toml:10, module 'closed'", "type"}},
+      {with("'last'", "'lost'"), {"study.toml:11", "did you mean 'last'?"}},
+      {with("channel = 'joints'", "channel = 'jonts'"),
+       {"study.toml:7, module 'joints'", "unknown channel 'jonts'", "did you mean 'joints'?"}},
+      {with("channel = 'joints'\n", ""), {"study.toml:7, module 'joints'", "add channel ="}},
+      {with("channel = 'joints'", "channel = 'joints'\nelements = ['10']"),
+       {"study.toml:7, module 'joints'", "unknown element '10'"}},
+      {with("input = 'closed'", "input = 'closd'"),
+       {"study.toml:15", "unknown module 'closd'", "did you mean 'closed'?"}},
+      {with("input = 'closed'", "input = 3"), {"study.toml:15", "input"}},
+      {with("input = 'closed'\n", ""), {"study.toml:13, module 'map'", "input"}},
+      {with("input = 'closed'", "input = 'map'"), {"map", "delay"}},
+      {with("input = 'closed'", "input = 'joints'"),
+       {"study.toml:13, module 'map'", "frames coming in", "'last'"}},
+      {with("input = 'joints'", "input = 'map'"),
+       {"study.toml:13, module 'map'", "map -> closed -> map"}},
+      {with("'som'", "'last'"), {"study.toml:16, module 'map'", "unknown key 'rows'"}},
+      {kStudy + "[[phase]]\nlearn = ['closed']\n", {"study.toml:19", "closed", "learn"}},
+      {kStudy + "[[phase]]\nlearn = ['mop']\n", {"study.toml:19", "did you mean 'map'?"}},
+      {kStudy + "[module.other]\ntype = 'som'\ninput = 'closed'\n",
+       {"study.toml:1", "more than one map could answer", "map, other", "'map' in [study]"}}};
   for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
 }
 
@@ -80,9 +119,12 @@ void copy_with_stiff_joint(const std::string& to) {
 TEST_F(BadStudy, ConstantElementsAreNamedUnlessMadeZero) {
   copy_with_stiff_joint(path("stiff"));
   const Words words{"run", "study.toml", "--data", "stiff", "--out", "out"};
-  write("study.toml", kStudy);
-  expect_refused(1, words, {"joints", "constant_columns"});
-  write("study.toml", with("['joints']", "['joints']\nconstant_columns = 'zero'"));
+  const std::string standardized =
+      with("input = 'closed'", "input = 'standardized'") +
+      "[module.standardized]\ntype = 'standardization'\ninput = 'closed'\n";
+  write("study.toml", standardized);
+  expect_refused(1, words, {"study.toml:19, module 'standardized'", "constant_columns"});
+  write("study.toml", standardized + "constant_columns = 'zero'\n");
   output_of(words);
   EXPECT_FALSE(read("out/results.json").empty());
 }
@@ -126,16 +168,36 @@ TEST_F(BadStudy, OutputThatCannotBeSaved) {
   write("study.toml", kStudy);
   write("file", "in the way");
   std::filesystem::create_directories(path("taken/map.svg"));
+  std::filesystem::create_directories(path("kept/unfinished.journal"));
   const auto run_to = [](const std::string& out) {
     return Words{"run", "study.toml", "--data", kTrials, "--out", out};
   };
   expect_refused(1, {{run_to("file"), {"file: ", "folder cannot be made", "--out"}},
                      {run_to("file/out"), {"file/out: ", "folder cannot be made"}},
                      {run_to("/proc/somato"), {"/proc/somato: ", "folder cannot be made"}},
-                     {run_to("taken"), {"taken/map.svg", "name a file, not a folder"}}});
+                     {run_to("taken"), {"taken/map.svg", "name a file, not a folder"}},
+                     {run_to("kept"), {"kept/unfinished.journal", "not a folder"}}});
+}
+
+// Whatever was done is kept: with room the same command goes on.
+TEST_F(BadStudy, ADiskThatIsFullKeepsWhatIsDone) {
+  write("study.toml", kStudy);
+  const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};
   ProgramWorld world;
-  world.largest_file = 100;
-  expect_refused(1, run_to("out"), {"out/results.json: cannot save", "File too large"}, world);
+  world.largest_file = 2000;
+  const ProgramRun full = run(words, world);
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_NE(full.err.find("out/unfinished.journal: the journal cannot be written: File too large"),
+            std::string::npos)
+      << full.err;
+  output_of(words);
+  const std::string results = read("out/results.json");
+  EXPECT_FALSE(results.empty());
+  EXPECT_FALSE(std::filesystem::exists(path("out/unfinished.journal")));
+  world.largest_file = results.size() - 1;
+  const ProgramRun late = run({"run", "study.toml", "--data", kTrials, "--out", "late"}, world);
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(path("late/results.json")));
 }
 
 }  // namespace

@@ -14,6 +14,9 @@ namespace somato {
 
 using Words = std::vector<std::string>;
 
+/// The example's recording.
+inline const std::string kTrials = SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials";
+
 /// A refused command line: what it is, and what the message must say.
 struct Refusal {
   Words arguments;
@@ -89,6 +92,16 @@ class ProgramTest : public ::testing::Test {
     write_data();
     output_of({"som", "train", "data.csv", "-o", "good.map", "--rows", "4", "--columns", "5",
                "--iterations", "200"});
+  }
+
+  /// study.toml: `seeds` maps of the joints of the closed hand, each of `iterations`.
+  void write_study(const std::string& seeds = "1", const std::string& iterations = "150") const {
+    write("study.toml", "[study]\nname = 'small'\nseeds = " + seeds +
+                            "\n[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+                            "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+                            "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\n"
+                            "iterations = " +
+                            iterations + "\n");
   }
 
   static std::string data() {

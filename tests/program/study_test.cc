@@ -1,5 +1,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "program/program_test.h"
 
@@ -8,17 +9,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kTrials = SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials";
-
 class Study : public ProgramTest {
  protected:
-  void write_study() const {
-    write("study.toml",
-          "[study]\nname = 'small'\nseeds = 3\nprotocols = ['train_is_test', 'leave_one_out']\n"
-          "[vector]\nchannels = ['joints']\n"
-          "[map]\nrows = 3\ncolumns = 3\niterations = 150\n");
-  }
-
   std::string run_study(const std::string& out, const Words& more = {}) const {
     Words words{"run", "study.toml", "--data", kTrials, "--out", out};
     words.insert(words.end(), more.begin(), more.end());
@@ -46,7 +38,7 @@ double apart(const Json& run) {
 }
 
 TEST_F(Study, ItsMetricsFollowFromItsRuns) {
-  write_study();
+  write_study("3");
   run_study("out");
   const Json results = Json::parse(read("out/results.json"));
   EXPECT_EQ(results["study"], "small");
@@ -87,25 +79,66 @@ TEST_F(Study, TheBaselineIsTheExamples) {
 }
 
 TEST_F(Study, TheSameBytesAgainAndForEveryNumberOfThreads) {
-  write_study();
+  write_study("3");
   run_study("first");
   const std::string results = read("first/results.json");
   const std::string picture = read("first/map.svg");
+  const std::string system = read("first/system.somato");
   ASSERT_FALSE(results.empty());
   ASSERT_FALSE(picture.empty());
   for (const char* threads : {"1", "2", "3"}) {
     run_study(threads, {"--threads", threads});
     EXPECT_TRUE(read(std::string(threads) + "/results.json") == results) << threads;
     EXPECT_TRUE(read(std::string(threads) + "/map.svg") == picture) << threads;
+    EXPECT_TRUE(read(std::string(threads) + "/system.somato") == system) << threads;
   }
 }
 
 TEST_F(Study, ShowsATableAndWhereItsFilesAre) {
-  write_study();
+  write_study("3");
   const std::string shown = run_study("deep/down", {"--seeds", "1"});
   EXPECT_NE(shown.find("small: train_is_test by object, 30 samples, 1 seeds"), std::string::npos);
-  EXPECT_NE(shown.find("Written: deep/down/results.json, deep/down/map.svg"), std::string::npos);
+  EXPECT_NE(
+      shown.find("Written: deep/down/results.json, deep/down/map.svg, deep/down/system.somato"),
+      std::string::npos);
   EXPECT_EQ(Json::parse(read("deep/down/results.json"))["seeds"], 1);
+  const auto files = std::filesystem::directory_iterator(path("deep/down"));
+  EXPECT_EQ(std::distance(files, std::filesystem::directory_iterator()), 3);
+}
+
+// Trials 1 to 3 of every object to learn from, 4 and 5 to be tested with.
+TEST_F(Study, IsTestedWithARecordingOfItsOwn) {
+  for (const char* folder : {"learn", "test"}) std::filesystem::create_directory(path(folder));
+  for (const auto& entry : std::filesystem::directory_iterator(kTrials)) {
+    const std::string name = entry.path().filename().string();
+    const bool learned = name.find_first_of("123") != std::string::npos;
+    std::filesystem::copy(entry.path(), path(learned ? "learn" : "test"));
+  }
+  write_study();
+  output_of({"run", "study.toml", "--data", "learn", "--test-data", "test", "--out", "out"});
+  output_of({"run", "study.toml", "--data", "learn", "--out", "plain"});
+  Json results = Json::parse(read("out/results.json"));
+  ASSERT_EQ(results["systems"].size(), 3u);
+  const Json tested = results["systems"][2];
+  EXPECT_EQ(tested["protocol"], "test_data");
+  EXPECT_EQ(tested["samples"], 12);
+  EXPECT_DOUBLE_EQ(tested["metrics"]["accuracy"]["values"][0], accuracy(tested["runs"][0]));
+  const std::string other_hash = results["test_data_hash"];
+  EXPECT_TRUE(other_hash.starts_with("fnv1a64:"));
+  EXPECT_NE(results["data_hash"], other_hash);
+  results.erase("test_data_hash");
+  results["systems"].erase(2);
+  EXPECT_EQ(results, Json::parse(read("plain/results.json")));
+  EXPECT_TRUE(read("out/system.somato") == read("plain/system.somato"));
+  // The winners are those that the saved system finds.
+  const std::string answers = output_of({"apply", "out/system.somato", "test"});
+  std::istringstream lines(answers);
+  std::string line;
+  std::getline(lines, line);
+  for (const Json& winner : tested["runs"][0]["winners"]) {
+    std::getline(lines, line);
+    EXPECT_NE(line.find("," + winner.dump() + ","), std::string::npos) << line;
+  }
 }
 
 }  // namespace

@@ -51,18 +51,49 @@ TEST_F(Terminal, AnInterruptStopsTrainingAndKeepsTheOldFile) {
   }
 }
 
-TEST_F(Terminal, AnInterruptStopsAStudyAndLeavesNothing) {
-  write("study.toml",
-        "[study]\nname = 'long'\nseeds = 100000\n[vector]\nchannels = ['joints']\n[map]\n"
-        "rows = 4\ncolumns = 4\niterations = 100\n");
-  const auto before = contents();
-  const ProgramRun done =
-      run({"run", "study.toml", "--data", SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials",
-           "--out", "out"},
-          terminal(" left"));
-  EXPECT_EQ(done.exit_code, 130);
-  EXPECT_NE(done.err.find("stopped"), std::string::npos) << done.err;
-  EXPECT_TRUE(contents() == before);
+// Ctrl-C while a study of `seeds` runs; what was done is kept.
+class TerminalStudy : public Terminal {
+ protected:
+  ProgramRun interrupted(const Words& arguments) const {
+    ProgramRun done = run(arguments, terminal(" left"));
+    EXPECT_EQ(done.exit_code, 130);
+    EXPECT_EQ(done.out, "");
+    EXPECT_NE(done.err.find("somato: the study was stopped before its end"), std::string::npos)
+        << done.err;
+    EXPECT_NE(done.err.find("the same command goes on from there"), std::string::npos) << done.err;
+    return done;
+  }
+};
+
+TEST_F(TerminalStudy, AnInterruptKeepsWhatIsDoneAndTheSameCommandGoesOn) {
+  write_study("10", "20000");
+  const Words words{"run", "study.toml", "--data", kTrials, "--out", "out", "--threads", "1"};
+  interrupted(words);
+  EXPECT_FALSE(std::filesystem::exists(path("out/results.json")));
+  EXPECT_FALSE(std::filesystem::exists(path("out/system.somato")));
+  const std::string journal = read("out/unfinished.journal");
+  EXPECT_FALSE(journal.empty());
+  output_of(words);
+  EXPECT_FALSE(std::filesystem::exists(path("out/unfinished.journal")));
+  output_of({"run", "study.toml", "--data", kTrials, "--out", "whole"});
+  for (const std::string file : {"/results.json", "/map.svg", "/system.somato"}) {
+    EXPECT_TRUE(read("out" + file) == read("whole" + file)) << file;
+  }
+}
+
+TEST_F(TerminalStudy, AnotherStudyDoesNotGoOnWithIt) {
+  write_study("100000", "400");
+  const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};
+  interrupted(words);
+  write_study("100000", "401");
+  expect_refused(2, words,
+                 {"out/unfinished.journal: ", "other settings or data", "give another --out"});
+  std::string damaged = read("out/unfinished.journal");
+  damaged[damaged.size() / 2] ^= 1;
+  write("out/unfinished.journal", damaged);
+  write_study("100000", "400");
+  expect_refused(1, words,
+                 {"out/unfinished.journal: ", "damaged", "remove it to begin the study anew"});
 }
 
 }  // namespace

@@ -5,43 +5,63 @@
 #include <algorithm>
 #include <map>
 
+#include "somato/codes/standardization.h"
+#include "somato/graph/system_model.h"
 #include "somato/maps/areas.h"
 #include "somato/maps/som_training.h"
 #include "somato/studies/wrong_groupings.h"
 #include "support/made_recording.h"
+#include "support/made_study.h"
+#include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
+using testing::learning_study;
+using testing::small_study;
 
 constexpr std::size_t kSamples = 12;
-
-StudyDescription small_study() {
-  StudyDescription description;
-  description.study.name = "small";
-  description.vector.channels = {"joints"};
-  description.map.rows = 4;
-  description.map.columns = 3;
-  description.map.iterations = 150;
-  return description;
-}
+constexpr std::uint64_t kSeed = 9;
 
 // Classes that overlap, so that maps make mistakes and areas tear.
 Recording recording() {
   return testing::objects_apart(3, kSamples / 3, 150.0, 7);
 }
 
-Question question_of(const Recording& asked) {
-  return make_question(small_study(), asked).value();
+Question question_of(const Recording& asked, const StudyDescription& description = small_study()) {
+  return make_question(description, asked, nullptr, 1).value();
 }
 
-std::vector<PreparedFold> prepared(const Question& question, Protocol protocol) {
-  return prepare_folds(question, small_study().vector, protocol).value();
+TrainedFold trained_on(const Question& question, const Fold& fold,
+                       const StudyDescription& description = small_study()) {
+  return train_fold(description, question, fold, kSeed, {}).value();
 }
 
-SomParameters parameters() {
-  return resolve(small_study().map, kSamples, 3).value();
+std::vector<Fold> folds_of(const Question& question, Protocol protocol) {
+  return folds(protocol, question.samples);
+}
+
+// What the map is to see, put together by hand: joints of the last frame, standardized.
+Samples seen_by_hand(const Fold& fold) {
+  Matrix<float> joints(kSamples, 3);
+  const Recording asked = recording();
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    for (std::size_t joint = 0; joint < 3; ++joint) {
+      joints(i, joint) = asked.explorations[i].channels[0].frames(0, joint);
+    }
+  }
+  const Samples raw(std::move(joints));
+  return Standardization::fit(raw.subset(fold.training))->apply(raw);
+}
+
+SomParameters parameters(std::uint64_t seed) {
+  SomParameters parameters;
+  parameters.rows = 5;
+  parameters.columns = 5;
+  parameters.iterations = 300;
+  parameters.seed = seed;
+  return parameters;
 }
 
 std::vector<float> values_of(const Samples& samples, std::size_t index) {
@@ -53,10 +73,10 @@ std::vector<float> values_of(const Samples& samples, std::size_t index) {
 // What a fold is to give, put together step by step from the map.
 class Recomputed {
  public:
-  Recomputed(const PreparedFold& prepared, const Numbers& classes)
-      : prepared_(prepared),
-        som_(train_som(parameters(), prepared.samples.subset(prepared.fold.training)).value()) {
-    for (const std::size_t i : prepared.fold.training) ++votes_[winner(i)][classes[i]];
+  Recomputed(const Fold& fold, const Numbers& classes, std::uint64_t seed)
+      : samples_(seen_by_hand(fold)),
+        som_(train_som(parameters(seed), samples_.subset(fold.training)).value()) {
+    for (const std::size_t i : fold.training) ++votes_[winner(i)][classes[i]];
   }
 
   std::size_t winner(std::size_t sample) { return som_.winner(at(sample), workspace_); }
@@ -86,27 +106,30 @@ class Recomputed {
     return named;
   }
 
-  const Grid& grid() const { return som_.grid(); }
+  const Som& som() const { return som_; }
 
  private:
-  SignalView at(std::size_t sample) const { return prepared_.samples[sample]; }
+  SignalView at(std::size_t sample) const { return samples_[sample]; }
 
-  const PreparedFold& prepared_;
+  Samples samples_;
   Som som_;
   SomWorkspace workspace_;
   std::map<std::size_t, std::map<std::size_t, std::size_t>> votes_;
 };
 
-void compare(const PreparedFold& fold, const Question& question) {
+void compare(const Fold& fold, const Question& question) {
   const Numbers& classes = question.classes.of_sample;
   const auto wrong = wrong_groupings(classes, question.individuals, 25, 1);
-  const FoldOutcome outcome = run_fold(parameters(), fold, classes, wrong).value();
-  Recomputed expected(fold, classes);
+  const TrainedFold trained = trained_on(question, fold);
+  const FoldOutcome outcome = test_fold(trained, question, fold, wrong);
+  const Som& som = *som_of(trained.system, question.map);
+  Recomputed expected(fold, classes, som.parameters().seed);
+  EXPECT_EQ(som.weights(), expected.som().weights());
   double distance = 0.0;
   double torn = 0.0;
-  ASSERT_EQ(outcome.winners.size(), fold.fold.test.size());
-  for (std::size_t i = 0; i < fold.fold.test.size(); ++i) {
-    const std::size_t sample = fold.fold.test[i];
+  ASSERT_EQ(outcome.winners.size(), fold.test.size());
+  for (std::size_t i = 0; i < fold.test.size(); ++i) {
+    const std::size_t sample = fold.test[i];
     EXPECT_EQ(outcome.winners[i], expected.winner(sample));
     EXPECT_EQ(outcome.predictions[i], expected.prediction(sample));
     distance += expected.distance(sample);
@@ -118,7 +141,7 @@ void compare(const PreparedFold& fold, const Question& question) {
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     winners.push_back(expected.winner(sample));
   }
-  const WinnerAreas areas(expected.grid(), winners);
+  const WinnerAreas areas(expected.som().grid(), winners);
   EXPECT_EQ(outcome.apart, individuals_apart(winners, classes));
   EXPECT_EQ(outcome.connected, areas.connected(classes));
   const auto connected = std::count_if(wrong.begin(), wrong.end(),
@@ -129,74 +152,126 @@ void compare(const PreparedFold& fold, const Question& question) {
 TEST(FoldRun, GivesWhatFollowsFromItsMap) {
   const Question question = question_of(recording());
   for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
-    for (const PreparedFold& fold : prepared(question, protocol)) compare(fold, question);
+    for (const Fold& fold : folds_of(question, protocol)) compare(fold, question);
   }
 }
 
 TEST(FoldRun, WithoutWrongGroupingsHasNoneConnected) {
   const Question question = question_of(recording());
-  const auto folds = prepared(question, Protocol::kTrainIsTest);
-  EXPECT_EQ(run_fold(parameters(), folds[0], question.classes.of_sample, {})->connected_wrong, 0.0);
+  const Fold all = folds_of(question, Protocol::kTrainIsTest)[0];
+  EXPECT_EQ(test_fold(trained_on(question, all), question, all, {}).connected_wrong, 0.0);
 }
 
-Recording with_extreme(std::size_t sample) {
-  Recording changed = recording();
-  for (float& value : changed.explorations[sample].channels[0].frames.values()) {
-    value = value * -1e4F + 3e6F;
+Recording with_extreme(Recording changed, const Numbers& samples) {
+  for (const std::size_t sample : samples) {
+    for (float& value : changed.explorations[sample].channels[0].frames.values()) {
+      value = value * -1e4F + 3e6F;
+    }
   }
   return changed;
 }
 
-// The outcome for the samples that the fold was trained on: all that can be seen of its map.
-FoldOutcome outcome_of_training(PreparedFold fold, const Question& question) {
-  fold.fold.test = fold.fold.training;
-  return run_fold(parameters(), fold, question.classes.of_sample, {}).value();
+// All that a system has learned.
+std::string saved_bits(const TrainedFold& trained) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(save_system(folder.file("system"), trained.system));
+  return bytes_of(folder.file("system"));
 }
 
-TEST(HeldOut, NothingIsLearnedFromTheValuesOfTheTestedSample) {
-  const Question question = question_of(recording());
-  const auto folds = prepared(question, Protocol::kLeaveOneOut);
-  for (std::size_t sample = 0; sample < kSamples; ++sample) {
-    const Question other = question_of(with_extreme(sample));
-    const PreparedFold changed = prepared(other, Protocol::kLeaveOneOut)[sample];
-    ASSERT_EQ(changed.fold.test, Numbers{sample});
-    for (const std::size_t i : changed.fold.training) {
-      EXPECT_EQ(values_of(changed.samples, i), values_of(folds[sample].samples, i));
-    }
-    EXPECT_NE(values_of(changed.samples, sample), values_of(folds[sample].samples, sample));
-    const FoldOutcome before = outcome_of_training(folds[sample], question);
-    const FoldOutcome after = outcome_of_training(changed, other);
-    EXPECT_EQ(after.winners, before.winners);
-    EXPECT_EQ(after.predictions, before.predictions);
-    EXPECT_EQ(after.summed_distance, before.summed_distance);
-    EXPECT_EQ(after.torn, before.torn);
+// All but the areas, which look at what was tested as well.
+void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
+  EXPECT_EQ(a.winners, b.winners);
+  EXPECT_EQ(a.predictions, b.predictions);
+  EXPECT_EQ(a.raw_baseline, b.raw_baseline);
+  EXPECT_EQ(a.standardized_baseline, b.standardized_baseline);
+  EXPECT_EQ(a.summed_distance, b.summed_distance);
+  EXPECT_EQ(a.torn, b.torn);
+}
+
+// Changes every exploration that a fold tests, and expects that nothing learned from them: the same
+// saved bits, and the same for all that was learned from.
+void expect_nothing_leaks(const StudyDescription& description, const Recording& asked,
+                          Protocol protocol) {
+  SCOPED_TRACE(choice_name(protocol) + " of " + description.study.name);
+  const Question question = question_of(asked, description);
+  for (const Fold& fold : folds_of(question, protocol)) {
+    const Question other = question_of(with_extreme(asked, fold.test), description);
+    const TrainedFold before = trained_on(question, fold, description);
+    const TrainedFold after = trained_on(other, fold, description);
+    EXPECT_TRUE(saved_bits(after) == saved_bits(before));
+    const Fold learned{fold.training, fold.training};
+    expect_same_answers(test_fold(after, other, learned, {}),
+                        test_fold(before, question, learned, {}));
+    const auto changed = static_cast<std::size_t>(
+        std::lower_bound(before.samples.begin(), before.samples.end(), fold.test.front()) -
+        before.samples.begin());
+    EXPECT_NE(values_of(after.inputs, changed), values_of(before.inputs, changed));
   }
 }
 
-// The same change does reach every fold that trains on the sample: the test above can fail.
+TEST(HeldOut, NothingIsLearnedFromTheValuesOfWhatIsTested) {
+  StudyDescription description = small_study();
+  description.study.protocols = {Protocol::kFolds};
+  description.study.folds = 5;
+  expect_nothing_leaks(description, recording(), Protocol::kLeaveOneOut);
+  expect_nothing_leaks(description, recording(), Protocol::kFolds);
+}
+
+// Ranges, a T-MPSOM, a standardization and a map.
+TEST(HeldOut, NothingThatLearnsLearnsFromTheValuesOfWhatIsTested) {
+  StudyDescription description = learning_study();
+  description.study.group = "trial";
+  const Recording asked = testing::grasps(3, 3, 4);
+  expect_nothing_leaks(description, asked, Protocol::kLeaveGroupOut);
+  expect_nothing_leaks(description, asked, Protocol::kLeaveOneOut);
+}
+
+// The tested sample lies far out in one element. Scaled by the others alone, that element decides
+// who is near it; scaled by the sample as well, it would count for next to nothing.
+TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
+  Recording asked;
+  for (const auto& [object, joints] :
+       std::vector<std::pair<std::string, std::vector<float>>>{{"x", {1000.0F, 0.0F}},
+                                                               {"x", {2.0F, 10.0F}},
+                                                               {"y", {0.0F, 0.0F}},
+                                                               {"y", {0.5F, 1.0F}},
+                                                               {"x", {1.9F, 9.0F}}}) {
+    asked.explorations.push_back(testing::exploration_of(object, joints));
+  }
+  const Question question = question_of(asked, small_study("none"));
+  const Fold first = folds_of(question, Protocol::kLeaveOneOut)[0];
+  const TrainedFold trained = trained_on(question, first, small_study("none"));
+  EXPECT_EQ(test_fold(trained, question, first, {}).standardized_baseline, Numbers{0});
+}
+
+// The same change does reach the folds that train on the sample: the tests above can fail.
 TEST(HeldOut, TheOtherFoldsDoLearnFromIt) {
-  const auto folds = prepared(question_of(recording()), Protocol::kLeaveOneOut);
-  const auto changed = prepared(question_of(with_extreme(0)), Protocol::kLeaveOneOut);
-  for (std::size_t fold = 1; fold < kSamples; ++fold) {
-    const std::size_t other = fold == 1 ? 2 : 1;
-    EXPECT_NE(values_of(changed[fold].samples, other), values_of(folds[fold].samples, other));
+  const Recording asked = testing::grasps(3, 3, 4);
+  const Question question = question_of(asked, learning_study());
+  const Question changed = question_of(with_extreme(asked, {0}), learning_study());
+  const auto folds = folds_of(question, Protocol::kLeaveOneOut);
+  for (std::size_t fold = 1; fold < folds.size(); ++fold) {
+    EXPECT_FALSE(saved_bits(trained_on(changed, folds[fold], learning_study())) ==
+                 saved_bits(trained_on(question, folds[fold], learning_study())));
   }
 }
 
 // Samples 1 to 3 of each object; the first keeps the classes numbered as they are.
 TEST(HeldOut, NothingIsLearnedFromTheLabelOfTheTestedSample) {
   const Question question = question_of(recording());
+  const auto folds = folds_of(question, Protocol::kLeaveOneOut);
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     if (sample % 4 == 0) continue;
+    const TrainedFold trained = trained_on(question, folds[sample]);
+    const FoldOutcome before = test_fold(trained, question, folds[sample], {});
     for (std::size_t wrong_class = 0; wrong_class < 3; ++wrong_class) {
       Question relabelled = question;
       relabelled.classes.of_sample[sample] = wrong_class;
-      const PreparedFold before = prepared(question, Protocol::kLeaveOneOut)[sample];
-      const PreparedFold after = prepared(relabelled, Protocol::kLeaveOneOut)[sample];
+      const FoldOutcome after =
+          test_fold(trained_on(relabelled, folds[sample]), relabelled, folds[sample], {});
       EXPECT_EQ(after.raw_baseline, before.raw_baseline);
       EXPECT_EQ(after.standardized_baseline, before.standardized_baseline);
-      EXPECT_EQ(run_fold(parameters(), after, relabelled.classes.of_sample, {})->predictions,
-                run_fold(parameters(), before, question.classes.of_sample, {})->predictions);
+      EXPECT_EQ(after.predictions, before.predictions);
     }
   }
 }

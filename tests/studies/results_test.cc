@@ -14,8 +14,9 @@ StudyResults small_results() {
   StudyResults results;
   results.study = "shapes";
   results.seeds = 2;
-  results.settings = {{"study", {{"label", "\"object\""}, {"seeds", "2"}}},
-                      {"map", {{"radius_end", "0.5"}, {"wrap", "true"}, {"sides", "[\"a\", 3]"}}}};
+  results.settings = {
+      {"study", {{"label", "\"object\""}, {"seeds", "2"}}},
+      {"module.map", {{"radius_end", "0.5"}, {"wrap", "true"}, {"sides", "[\"a\", 3]"}}}};
   results.data_hash = "fnv1a64:00";
   results.systems = {{"shapes",
                       "leave_one_out",
@@ -27,14 +28,14 @@ StudyResults small_results() {
   return results;
 }
 
-// The document as version 1 of the format has it, written out.
+// The document as version 2 of the format has it, written out.
 const char* const kExpected = R"({
-  "version": 1,
+  "version": 2,
   "study": "shapes",
   "seeds": 2,
   "settings": {
     "study": {"label": "object", "seeds": 2},
-    "map": {"radius_end": 0.5, "wrap": true, "sides": ["a", 3]}
+    "module.map": {"radius_end": 0.5, "wrap": true, "sides": ["a", 3]}
   },
   "data_hash": "fnv1a64:00",
   "systems": [{
@@ -53,8 +54,16 @@ const char* const kExpected = R"({
   }]
 })";
 
-TEST(Results, HaveTheShapeOfVersion1) {
+TEST(Results, HaveTheShapeOfVersion2) {
   EXPECT_EQ(Json::parse(to_json(small_results())), Json::parse(kExpected));
+}
+
+TEST(Results, NameTheTestDataWhereThereAreSome) {
+  StudyResults results = small_results();
+  results.test_data_hash = "fnv1a64:01";
+  Json expected = Json::parse(kExpected);
+  expected["test_data_hash"] = "fnv1a64:01";
+  EXPECT_EQ(Json::parse(to_json(results)), expected);
 }
 
 TEST(Results, KeepTheOrderOfFieldsAndEndWithALine) {

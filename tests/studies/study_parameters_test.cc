@@ -11,7 +11,10 @@ const std::string kGood = R"([study]
 name = "shapes"
 label = "shape"
 individual = "object"
-protocols = ["leave_one_out"]
+map = "first_map"
+protocols = ["leave_group_out", "k_folds"]
+group = "session"
+folds = 4
 seeds = 3
 first_seed = 40
 wrong_groupings = 7
@@ -19,18 +22,21 @@ wrong_groupings = 7
 [recording]
 format = "icub_grasp"
 
-[vector]
-channels = ["joints", "touch"]
-frames = "change"
-standardize = false
-constant_columns = "zero"
+[module.joints]
+type = "channel"
+channel = "joints"
 
-[map]
+[module.first_map]
+type = "som"
+input = "joints"
 rows = 5
-columns = 6
+
+[[phase]]
+learn = ["first_map"]
+draws = 40
 )";
 
-const std::string kLeast = "[study]\nname = \"n\"\n[vector]\nchannels = [\"joints\"]\n";
+const std::string kLeast = "[study]\nname = \"n\"\n[module.a]\ntype = \"channel\"\n";
 
 Result<StudyDescription> read(const std::string& toml) {
   return read_study(parse_toml(toml, "study.toml").value());
@@ -49,60 +55,89 @@ TEST(ReadStudy, ReadsEveryPart) {
   EXPECT_EQ(study.name, "shapes");
   EXPECT_EQ(study.label, "shape");
   EXPECT_EQ(study.individual, "object");
-  EXPECT_EQ(study.protocols, (std::vector<Protocol>{Protocol::kLeaveOneOut}));
+  EXPECT_EQ(study.map, "first_map");
+  EXPECT_EQ(study.protocols, (std::vector<Protocol>{Protocol::kLeaveGroupOut, Protocol::kFolds}));
+  EXPECT_EQ(study.group, "session");
+  EXPECT_EQ(study.folds, 4U);
   EXPECT_EQ(study.seeds, 3U);
   EXPECT_EQ(study.first_seed, 40U);
   EXPECT_EQ(study.wrong_groupings, 7U);
   EXPECT_EQ(description.recording.format, RecordingFormat::kIcubGrasp);
-  EXPECT_EQ(description.vector.channels, (std::vector<std::string>{"joints", "touch"}));
-  EXPECT_EQ(description.vector.frames, FrameChoice::kChange);
-  EXPECT_FALSE(description.vector.standardize);
-  EXPECT_EQ(description.vector.constant_columns, ConstantColumns::kZero);
-  EXPECT_EQ(description.map.rows, 5U);
-  EXPECT_EQ(description.map.columns, 6U);
+  EXPECT_EQ(description.system.name, "shapes");
+  ASSERT_EQ(description.system.modules.size(), 2U);
+  EXPECT_EQ(description.system.modules[0].name, "joints");
+  EXPECT_EQ(description.system.modules[1].name, "first_map");
+  EXPECT_NE(description.system.modules[1].settings.find("rows"), nullptr);
+  ASSERT_EQ(description.system.phases.size(), 1U);
+  EXPECT_EQ(description.system.phases[0].draws, 40U);
 }
 
-TEST(ReadStudy, NeedsNameAndChannelsOnly) {
+TEST(ReadStudy, NeedsNameAndModulesOnly) {
   const StudyDescription description = read(kLeast).value();
   EXPECT_EQ(description.study.protocols,
             (std::vector<Protocol>{Protocol::kTrainIsTest, Protocol::kLeaveOneOut}));
   EXPECT_EQ(description.study.label, "object");
-  EXPECT_EQ(description.vector.frames, FrameChoice::kLast);
-  EXPECT_TRUE(description.vector.standardize);
-  EXPECT_EQ(description.vector.constant_columns, ConstantColumns::kRefuse);
+  EXPECT_EQ(description.study.map, "");
+  EXPECT_EQ(description.study.folds, 10U);
+  EXPECT_EQ(description.recording.format, RecordingFormat::kAutomatic);
 }
 
 TEST(ReadStudy, SaysWhatIsMissing) {
-  expect_refused("[vector]\nchannels = [\"joints\"]\n",
+  expect_refused("[module.a]\ntype = \"channel\"\n",
                  "study.toml:1: the study has no name; add name = \"...\" to [study]");
   expect_refused("[study]\nname = \"n\"\n",
-                 "study.toml:1: the study names no channels; add channels = [\"...\"] to [vector]");
-  expect_refused("[study]\nname = \"n\"\nprotocols = []\n[vector]\nchannels = [\"joints\"]\n",
-                 "study.toml:1: the study has no protocols; add protocols = [\"leave_one_out\"] to "
+                 "study.toml:1: there are no modules; add [module.NAME] with a type");
+  expect_refused("[study]\nname = \"n\"\nprotocols = []\n[module.a]\ntype = \"channel\"\n",
+                 "study.toml:3: the study has no protocols; add protocols = [\"leave_one_out\"] to "
                  "[study]");
 }
 
 TEST(ReadStudy, SaysWhatIsMisspelt) {
-  expect_refused("[study]\nname = \"n\"\n[vectors]\nchannels = [\"joints\"]\n",
-                 "study.toml:3: unknown table 'vectors'; did you mean 'vector'?");
+  expect_refused("[study]\nname = \"n\"\n[modules.a]\ntype = \"channel\"\n",
+                 "study.toml:3: unknown table 'modules'; did you mean 'module'?");
   expect_refused("[study]\nname = \"n\"\nsseds = 3\n",
                  "study.toml:3: unknown key 'sseds'; did you mean 'seeds'?");
-  expect_refused(kLeast + "frame = \"last\"\n",
-                 "study.toml:5: unknown key 'frame'; did you mean 'frames'?");
-  expect_refused(kLeast + "[map]\nrow = 4\n",
-                 "study.toml:6: unknown key 'row'; did you mean 'rows'?");
-  expect_refused(kLeast + "frames = \"lest\"\n",
-                 "study.toml:5: 'frames' must be one of first, last, change, not \"lest\"; "
-                 "did you mean 'last'?");
+  expect_refused(kLeast + "[recording]\nformats = \"icub_grasp\"\n",
+                 "study.toml:6: unknown key 'formats'; did you mean 'format'?");
+  expect_refused("[study]\nname = \"n\"\nprotocols = [\"leave_one_in\"]\n",
+                 "study.toml:3: 'protocols' must be one of train_is_test, leave_one_out, "
+                 "leave_group_out, k_folds, test_data, not \"leave_one_in\"; did you mean "
+                 "'leave_one_out'?");
+}
+
+// What stood for a system before there were any.
+TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
+  expect_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
+                 "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
+                 "study, recording");
 }
 
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {
   expect_refused("study = 3\n",
                  "study.toml:1: 'study' must be a table; write [study] on a line of its own, its "
                  "keys below");
-  expect_refused(kLeast + "[[map]]\nrows = 4\n",
-                 "study.toml:5: 'map' must be a table; write [map] on a line of its own, its keys "
-                 "below");
+  expect_refused(kLeast + "[[recording]]\nformat = \"icub_grasp\"\n",
+                 "study.toml:5: 'recording' must be a table; write [recording] on a line of its "
+                 "own, its keys below");
+}
+
+TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
+  const std::string study = "[study]\nname = \"n\"\n";
+  const std::string module = "[module.a]\ntype = \"channel\"\n";
+  expect_refused(study + "protocols = [\"leave_one_out\", \"leave_one_out\"]\n" + module,
+                 "study.toml:3: a protocol is named twice; name each of protocols in [study] once");
+  expect_refused(study + "protocols = [\"test_data\"]\n" + module,
+                 "study.toml:3: 'test_data' is no protocol to name; run the study with --test-data "
+                 "instead");
+  expect_refused(study + "protocols = [\"leave_group_out\"]\n" + module,
+                 "study.toml:3: leave_group_out needs the label whose groups are left out; add "
+                 "group = \"...\" to [study]");
+  expect_refused(study + "group = \"trial\"\n" + module,
+                 "study.toml:3: 'group' has no effect without the protocol leave_group_out; leave "
+                 "it out, or add the protocol");
+  expect_refused(study + "folds = 4\n" + module,
+                 "study.toml:3: 'folds' has no effect without the protocol k_folds; leave it out, "
+                 "or add the protocol");
 }
 
 // A value that no parameter of that type takes.
@@ -115,7 +150,6 @@ std::string wrong_value(const ParameterInfo& info) {
 template <typename Parameters>
 void expect_wrong_types_refused(const std::string& table) {
   for (const auto& parameter : Parameters::declarations().all()) {
-    if (table == "map" && parameter.info.name == "seed") continue;  // refused whatever its value
     const std::string line = parameter.info.name + " = " + wrong_value(parameter.info);
     const auto description = read("# a study\n[" + table + "]\n" + line + "\n");
     ASSERT_FALSE(description) << line;
@@ -129,21 +163,9 @@ void expect_wrong_types_refused(const std::string& table) {
 TEST(ReadStudy, RefusesEveryWrongTypeWithItsPlace) {
   expect_wrong_types_refused<StudyParameters>("study");
   expect_wrong_types_refused<RecordingParameters>("recording");
-  expect_wrong_types_refused<VectorParameters>("vector");
-  expect_wrong_types_refused<SomParameters>("map");
 }
 
 TEST(ReadStudy, RefusesNumbersOutOfRange) {
-  expect_refused("[map]\ntraining = \"batch\"\niterations = 4\n",
-                 "study.toml:3: 'iterations' has no effect, because training is batch; "
-                 "leave it out");
-  expect_refused(
-      "[study]\nname = \"a\"\nprotocols = [\"leave_one_out\", \"leave_one_out\"]\n"
-      "[vector]\nchannels = [\"joints\"]\n",
-      "study.toml:1: a protocol is named twice; name each of protocols in [study] once");
-  expect_refused("[map]\nrows = 3\nseed = 4\n",
-                 "study.toml:3: a study's map has no 'seed' of its own; "
-                 "write first_seed = ... in [study]");
   expect_refused("[study]\nseeds = 0\n",
                  "study.toml:2: 'seeds' must be a whole number, 1 to 1000000, not 0");
   expect_refused("[study]\nfirst_seed = -1\n",
@@ -151,6 +173,8 @@ TEST(ReadStudy, RefusesNumbersOutOfRange) {
                  "not -1");
   expect_refused("[study]\nwrong_groupings = 10001\n",
                  "study.toml:2: 'wrong_groupings' must be a whole number, 0 to 10000, not 10001");
+  expect_refused("[study]\nfolds = 1\n",
+                 "study.toml:2: 'folds' must be a whole number, 2 to 1000000, not 1");
 }
 
 // Another value than the default, and for every name another.
@@ -181,7 +205,6 @@ void expect_every_key_settable() {
 TEST(StudyParameters, EveryDeclaredKeyCanBeSet) {
   expect_every_key_settable<StudyParameters>();
   expect_every_key_settable<RecordingParameters>();
-  expect_every_key_settable<VectorParameters>();
 }
 
 }  // namespace

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 
+#include "somato/codes/standardization.h"
 #include "somato/core/random.h"
+#include "somato/graph/system_model.h"
 #include "somato/maps/areas.h"
 #include "somato/maps/som_training.h"
 #include "somato/recording/content_hash.h"
 #include "somato/studies/wrong_groupings.h"
 #include "support/made_recording.h"
+#include "support/made_study.h"
+#include "support/study_results.h"
+#include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
@@ -17,36 +22,11 @@ namespace {
 using testing::exploration_of;
 using testing::objects_apart;
 
-StudyDescription small_study() {
-  StudyDescription description;
-  description.study.name = "small";
-  description.study.seeds = 2;
-  description.study.first_seed = 5;
-  description.vector.channels = {"joints"};
-  description.map.rows = 5;
-  description.map.columns = 5;
-  description.map.iterations = 300;
-  return description;
-}
-
-StudyOutcome outcome_of(const StudyDescription& description, const Recording& recording) {
-  return run_study(description, recording).value();
-}
-
-const SystemResults& system_of(const StudyOutcome& outcome, const std::string& protocol) {
-  for (const SystemResults& system : outcome.results.systems) {
-    if (system.protocol == protocol) return system;
-  }
-  throw std::out_of_range(protocol);
-}
-
-std::vector<double> values_of(const SystemResults& system, const std::string& metric) {
-  for (const Metric& candidate : system.metrics) {
-    if (candidate.name == metric) return candidate.values;
-  }
-  return {};
-}
-
+using testing::outcome_of;
+using testing::small_study;
+using testing::study_from;
+using testing::system_of;
+using testing::values_of;
 using Values = std::vector<double>;
 
 TEST(Study, TellsClassesApartThatAreApart) {
@@ -75,7 +55,6 @@ Recording noise_with_random_labels(std::size_t samples, std::uint64_t seed) {
 TEST(Study, FindsNothingInNoiseThatIsHeldOut) {
   StudyDescription description = small_study();
   description.study.seeds = 3;
-  description.map.iterations = 200;
   const StudyOutcome outcome = outcome_of(description, noise_with_random_labels(80, 3));
   const SystemResults& held_out = system_of(outcome, "leave_one_out");
   const SystemResults& remembered = system_of(outcome, "train_is_test");
@@ -126,7 +105,7 @@ TEST(Study, MeasuresTheMapOfTrainIsTest) {
   const StudyOutcome outcome = outcome_of(small_study(), recording);
   const SystemResults& system = system_of(outcome, "train_is_test");
   EXPECT_EQ(system.runs[0].winners, outcome.winners);
-  EXPECT_EQ(outcome.map.parameters().seed, 5U);
+  EXPECT_EQ(outcome_of(small_study("none"), recording).map().parameters().seed, 5U);
 
   std::vector<Signal> signals;
   for (const Exploration& exploration : recording.explorations) {
@@ -135,10 +114,14 @@ TEST(Study, MeasuresTheMapOfTrainIsTest) {
   }
   const Samples raw = Samples::from_signals(signals);
   const Samples samples = Standardization::fit(raw)->apply(raw);
-  SomParameters parameters = small_study().map;
-  parameters.seed = 5;
+  SomParameters parameters;
+  parameters.rows = 5;
+  parameters.columns = 5;
+  parameters.iterations = 300;
+  parameters.seed =
+      outcome.map().parameters().seed;  // the standardization, which learns too, has 5
   const Som map = train_som(parameters, samples).value();
-  EXPECT_EQ(map.weights(), outcome.map.weights());
+  EXPECT_EQ(map.weights(), outcome.map().weights());
   SomWorkspace workspace;
   double distance = 0.0;
   double torn = 0.0;
@@ -156,20 +139,27 @@ TEST(Study, MeasuresTheMapOfTrainIsTest) {
   EXPECT_EQ(values_of(system, "areas_connected")[0], connected ? 1.0 : 0.0);
 }
 
+std::string saved_system(const StudyOutcome& outcome) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(save_system(folder.file("system"), outcome.model.system, outcome.model.answer));
+  return bytes_of(folder.file("system"));
+}
+
 void expect_same_for_threads(const StudyDescription& description, const Recording& recording) {
   const StudyOutcome one = outcome_of(description, recording);
   for (const std::size_t threads : {2U, 4U}) {
     StudyOptions options;
     options.threads = threads;
-    const StudyOutcome several = run_study(description, recording, options).value();
+    const StudyOutcome several = outcome_of(description, recording, options);
     EXPECT_EQ(to_json(several.results), to_json(one.results)) << threads;
-    EXPECT_EQ(several.map.weights(), one.map.weights()) << threads;
+    EXPECT_TRUE(saved_system(several) == saved_system(one)) << threads;
     EXPECT_EQ(several.winners, one.winners) << threads;
   }
 }
 
 TEST(Study, GivesTheSameForAnyNumberOfThreads) {
   expect_same_for_threads(small_study(), objects_apart(3, 4, 150.0, 2));
+  expect_same_for_threads(testing::learning_study(), testing::grasps(3, 3, 2));
 }
 
 TEST(Study, GivesTheSameEveryTimeAndForEverySeedAnother) {
@@ -194,136 +184,76 @@ TEST(Study, SaysWhatItRanOn) {
   EXPECT_EQ(results.data_hash, content_hash(recording));
   std::vector<std::string> parts;
   for (const Settings& part : results.settings) parts.push_back(part.part);
-  EXPECT_EQ(parts, (std::vector<std::string>{"study", "recording", "vector", "map"}));
-  for (const Setting& setting : results.settings[3].settings) {
-    EXPECT_EQ(setting.value.find("automatic"), std::string::npos) << setting.name;
-    if (setting.name != "iterations") continue;
-    EXPECT_EQ(setting.value, "300");
-  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"study", "recording", "module.joints", "module.closed",
+                                             "module.standardized", "module.map"}));
 }
 
-// Two objects, two trials each. `shared` pairs trials across objects, `own` tells objects apart.
-Recording crossed(float shared, float own, std::size_t shared_columns, std::size_t own_columns) {
-  Recording recording;
-  for (int object = 0; object < 2; ++object) {
-    for (int trial = 0; trial < 2; ++trial) {
-      std::vector<float> joints(shared_columns, shared * (static_cast<float>(trial) +
-                                                          0.01F * static_cast<float>(object)));
-      joints.insert(joints.end(), own_columns,
-                    own * (static_cast<float>(object) + 0.01F * static_cast<float>(trial)));
-      recording.explorations.push_back(exploration_of(std::to_string(object), joints));
+// The setting's value as TOML writes it.
+std::string setting(const StudyResults& results, const std::string& part, const std::string& name) {
+  for (const Settings& settings : results.settings) {
+    if (settings.part != part) continue;
+    for (const Setting& candidate : settings.settings) {
+      if (candidate.name == name) return candidate.value;
     }
   }
-  return recording;
+  return "none";
 }
 
-void expect_baselines(const Recording& recording, double raw, double standardized) {
-  StudyDescription description = small_study();
-  for (const bool standardize : {true, false}) {
-    description.vector.standardize = standardize;
-    const StudyOutcome outcome = outcome_of(description, recording);
-    const SystemResults& system = system_of(outcome, "leave_one_out");
-    EXPECT_EQ(values_of(system, "baseline_accuracy_raw"), (Values{raw, raw}));
-    EXPECT_EQ(values_of(system, "baseline_accuracy_standardized"),
-              (Values{standardized, standardized}));
-    EXPECT_EQ(values_of(system, "baseline_accuracy"), (Values{1, 1}));
+TEST(Study, SaysEverySetting) {
+  std::string system = testing::joints_system();
+  system.erase(system.find("iterations"));  // its phase says how many
+  const StudyDescription description =
+      study_from("[study]\nname = 'small'\nseeds = 1\n" + system +
+                 "[[phase]]\nlearn = ['standardized']\n[[phase]]\nlearn = ['map']\ndraws = 70\n");
+  const StudyResults results = outcome_of(description, objects_apart(3, 4, 2.0, 2)).results;
+  EXPECT_EQ(setting(results, "study", "wrong_groupings"), "20");
+  EXPECT_EQ(setting(results, "recording", "format"), "\"automatic\"");
+  EXPECT_EQ(setting(results, "module.joints", "type"), "\"channel\"");
+  EXPECT_EQ(setting(results, "module.closed", "input"), "\"joints\"");
+  EXPECT_EQ(setting(results, "module.standardized", "constant_columns"), "\"refuse\"");
+  EXPECT_EQ(setting(results, "module.map", "rows"), "5");
+  EXPECT_EQ(setting(results, "module.map", "iterations"), "70");
+  EXPECT_EQ(setting(results, "module.map", "seed"), "none");
+  EXPECT_EQ(setting(results, "phase.1", "learn"), "[\"standardized\"]");
+  EXPECT_EQ(setting(results, "phase.2", "draws"), "70");
+  EXPECT_EQ(setting(results, "phase.3", "draws"), "none");
+}
+
+// What a map leaves automatic stands as it was decided on all that was learned from.
+TEST(Study, SaysHowAMapsAutomaticSettingsWereDecided) {
+  const StudyDescription description = study_from(
+      "[study]\nname = 'small'\nseeds = 1\n[module.joints]\ntype = 'channel'\n"
+      "channel = 'joints'\n[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+      "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\n");
+  const Recording recording = objects_apart(3, 4, 2.0, 2);
+  const StudyResults results = outcome_of(description, recording).results;
+  SomParameters parameters;
+  parameters.rows = 3;
+  parameters.columns = 3;
+  const SomParameters decided = resolve(parameters, 12, 3).value();
+  for (const auto& parameter : SomParameters::declarations().all()) {
+    if (parameter.info.name == "seed") continue;
+    EXPECT_EQ(setting(results, "module.map", parameter.info.name),
+              to_toml(parameter.read(decided)));
   }
+  EXPECT_EQ(setting(results, "module.map", "iterations").find("automatic"), std::string::npos);
 }
 
-// The large column decides raw, the greater number of columns when they are standardized.
-TEST(Study, TakesTheBetterBaseline) {
-  expect_baselines(crossed(100.0F, 1.0F, 1, 3), 0.0, 1.0);
-  expect_baselines(crossed(1.0F, 100.0F, 3, 1), 1.0, 0.0);
-}
-
-Recording with_constant_joint() {
-  Recording recording = objects_apart(2, 3, 1.0, 4);
-  for (Exploration& exploration : recording.explorations) {
-    exploration.channels[0].frames(0, 1) = 5.0F;
-  }
-  return recording;
-}
-
-TEST(Study, RefusesAConstantElementByName) {
-  const auto outcome = run_study(small_study(), with_constant_joint());
-  ASSERT_FALSE(outcome);
-  EXPECT_EQ(outcome.error().kind, ErrorKind::kData);
-  EXPECT_NE(outcome.error().what.find("'joints.2') is 5 in all 6"), std::string::npos)
-      << to_string(outcome.error());
-}
-
-TEST(Study, RefusesAnElementThatIsConstantInOneTrainingPart) {
-  StudyDescription description = small_study();
-  description.study.protocols = {Protocol::kLeaveOneOut};
-  Recording recording = with_constant_joint();
-  recording.explorations[4].channels[0].frames(0, 1) = 6.0F;
-  const auto outcome = run_study(description, recording);
-  ASSERT_FALSE(outcome);
-  EXPECT_NE(outcome.error().what.find("'joints.2') is 5 in all 5"), std::string::npos)
-      << to_string(outcome.error());
-}
-
-TEST(Study, MakesAConstantElementZeroWhenTold) {
-  StudyDescription description = small_study();
-  description.vector.constant_columns = ConstantColumns::kZero;
-  const StudyOutcome outcome = outcome_of(description, with_constant_joint());
-  for (std::size_t neuron = 0; neuron < outcome.map.neurons(); ++neuron) {
-    EXPECT_EQ(outcome.map.weights()(neuron, 1), 0.0F);
-  }
-}
-
-TEST(Study, TakesAConstantElementAsItIsWithoutStandardization) {
-  StudyDescription description = small_study();
-  description.vector.standardize = false;
-  const StudyOutcome outcome = outcome_of(description, with_constant_joint());
-  for (std::size_t neuron = 0; neuron < outcome.map.neurons(); ++neuron) {
-    EXPECT_EQ(outcome.map.weights()(neuron, 1), 5.0F);
-  }
-}
-
-void expect_refused(const StudyDescription& description, const Recording& recording, ErrorKind kind,
-                    const std::string& what) {
-  const auto outcome = run_study(description, recording);
-  ASSERT_FALSE(outcome) << what;
-  EXPECT_EQ(outcome.error().kind, kind);
-  EXPECT_NE(outcome.error().what.find(what), std::string::npos) << to_string(outcome.error());
-}
-
-TEST(Study, RefusesWhatCannotBeAsked) {
-  const Recording good = objects_apart(2, 2, 1.0, 1);
-  expect_refused(small_study(), {}, ErrorKind::kData, "no explorations");
-  expect_refused(small_study(), {{good.explorations[0]}}, ErrorKind::kData, "only one exploration");
-  expect_refused(small_study(), objects_apart(1, 3, 1.0, 1), ErrorKind::kData,
-                 "every exploration has the same 'object'");
-  StudyDescription description = small_study();
-  description.study.label = "objects";
-  expect_refused(description, good, ErrorKind::kUsage, "unknown label 'objects'");
-  description = small_study();
-  description.study.individual = "trial";
-  expect_refused(description, good, ErrorKind::kUsage, "unknown label 'trial'");
-  description = small_study();
-  description.vector.channels = {"touch"};
-  expect_refused(description, good, ErrorKind::kUsage, "unknown channel 'touch'");
-  description = small_study();
-  description.map.radius_schedule = ScheduleShape::kExponential;
-  description.map.radius_end = 0.0;
-  expect_refused(description, good, ErrorKind::kUsage, "cannot start or end at 0");
-}
-
-TEST(Study, RefusesAnIndividualOfTwoClasses) {
-  Recording recording = objects_apart(2, 2, 1.0, 1);
-  for (std::size_t i = 0; i < 4; ++i) {
-    recording.explorations[i].labels.push_back({"thing", i < 3 ? "a" : "b"});
-  }
-  StudyDescription description = small_study();
-  description.study.individual = "thing";
-  expect_refused(description, recording, ErrorKind::kData,
-                 "explorations with the same 'thing' differ in 'object'");
+TEST(Study, AsksTheMapThatIsNamed) {
+  StudyDescription description = study_from(
+      "[study]\nname = 'n'\nseeds = 1\nmap = 'second'\n" + testing::joints_system() +
+      "[module.second]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\niterations = 50\n");
+  const Recording recording = objects_apart(3, 4, 2.0, 1);
+  const StudyOutcome outcome = outcome_of(description, recording);
+  EXPECT_EQ(outcome.model.answer->map, "second");
+  EXPECT_EQ(outcome.map().neurons(), 4U);
+  description.study.map = "map";
+  EXPECT_EQ(outcome_of(description, recording).map().neurons(), 25U);
 }
 
 // What share of groupings into wrong classes has connected areas on the map of the first seed.
 double share_connected(const StudyOutcome& outcome, const std::vector<std::size_t>& individuals) {
-  const WinnerAreas areas(outcome.map.grid(), outcome.winners);
+  const WinnerAreas areas(outcome.map().grid(), outcome.winners);
   const auto wrong = wrong_groupings(outcome.classes.of_sample, individuals, 50, 5);
   const auto connected = std::count_if(
       wrong.begin(), wrong.end(), [&](const auto& classes) { return areas.connected(classes); });
@@ -361,6 +291,7 @@ TEST(Study, LeavesOutTheMeasureOfWrongGroupingsWhenThereIsNone) {
   }
 }
 
+// It is also asked during a training, with the number of those before it.
 TEST(Study, TellsItsProgressTrainingByTraining) {
   std::vector<std::uint64_t> told;
   StudyOptions options;
@@ -370,8 +301,11 @@ TEST(Study, TellsItsProgressTrainingByTraining) {
     return true;
   };
   ASSERT_TRUE(run_study(small_study(), objects_apart(2, 3, 1.0, 1), options));
-  ASSERT_EQ(told.size(), 14U);
-  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], i + 1);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  for (std::uint64_t done = 1; done <= 14; ++done) {
+    EXPECT_TRUE(std::binary_search(told.begin(), told.end(), done)) << done;
+  }
+  EXPECT_EQ(told.back(), 14U);
 }
 
 void expect_stops(std::size_t threads, std::uint64_t most_told) {

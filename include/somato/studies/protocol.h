@@ -34,12 +34,12 @@ struct Fold {
 
 /// What there is to divide.
 struct FoldSamples {
-  std::size_t samples = 0;           ///< Numbered from 0.
-  std::size_t test_samples = 0;      ///< Of a recording of their own, numbered after the others.
-  std::vector<std::size_t> groups;   ///< One a sample, for leave_group_out.
-  std::vector<std::size_t> classes;  ///< One a sample, for folds.
-  std::size_t folds = 10;            ///< For folds.
-  std::uint64_t seed = 1;            ///< Of the dealing, for folds.
+  std::size_t samples = 0;       ///< Numbered from 0.
+  std::size_t test_samples = 0;  ///< Of a recording of their own, numbered after the others.
+  std::vector<std::size_t> groups = {};   ///< One a sample, for leave_group_out.
+  std::vector<std::size_t> classes = {};  ///< One a sample, for folds.
+  std::size_t folds = 10;                 ///< For folds.
+  std::uint64_t seed = 1;                 ///< Of the dealing, for folds.
 };
 
 /// The folds of a protocol; every tested sample is tested in exactly one. Throws InvalidArgument

@@ -54,10 +54,11 @@ struct StudyResults {
   std::size_t seeds = 0;
   std::vector<Settings> settings;
   std::string data_hash;
+  std::string test_data_hash;  ///< Of the recording for test_data; empty without one.
   std::vector<SystemResults> systems;
 };
 
-/// The results as results.json, version 1; the same bytes for the same results.
+/// The results as results.json, version 2; the same bytes for the same results.
 std::string to_json(const StudyResults& results);
 
 }  // namespace somato

@@ -38,6 +38,7 @@ struct RecordingParameters {
 
 /// A whole study, as its TOML file describes it.
 struct StudyDescription {
+  std::string where = {};  ///< `file:line` of [study], or another place to point at.
   StudyParameters study;
   RecordingParameters recording;
   SystemDescription system;

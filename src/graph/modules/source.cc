@@ -126,7 +126,10 @@ class ChannelModule : public Source {
       return fail(ErrorKind::kUsage, "without a recording its shape is unknown", {},
                   "give a recording with --data, or write shape = [...]");
     }
-    return open(ChannelLayout{parameters_.channel, {}, parameters_.shape, {}, "the recording"});
+    ChannelLayout channel{parameters_.channel, {}, parameters_.shape, {}, "the recording"};
+    // Whatever names its elements have: only their number is asked for.
+    channel.element_names = parameters_.elements;
+    return open(channel);
   }
 
   Result<void> open(const ChannelLayout& channel) {

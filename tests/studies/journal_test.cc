@@ -1,0 +1,174 @@
+#include "studies/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+const std::string kStudy = "a study\nof this data\n";
+
+FoldOutcome outcome_number(std::size_t number) {
+  FoldOutcome outcome;
+  outcome.winners = {number, 7};
+  outcome.predictions = {1, number};
+  outcome.raw_baseline = {0, 0};
+  outcome.standardized_baseline = {number, 1};
+  outcome.summed_distance = 0.1 + static_cast<double>(number) / 3.0;
+  outcome.torn = 1.0 / 7.0;
+  outcome.apart = number % 2 == 0;
+  outcome.connected = number % 3 == 0;
+  outcome.connected_wrong = 1.0 / 3.0;
+  return outcome;
+}
+
+class JournalFile : public ::testing::Test {
+ protected:
+  std::string path() const { return folder_.file("journal"); }
+  Journal open() const { return Journal::open(path(), kStudy).value(); }
+
+  // The first trainings of protocol 1.
+  std::string write_some(std::size_t count = 5) const {
+    Journal journal = open();
+    for (std::size_t number = 0; number < count; ++number) {
+      EXPECT_TRUE(journal.add(1, number, outcome_number(number)));
+    }
+    return bytes_of(path());
+  }
+
+  void expect_refused(const std::string& bytes, ErrorKind kind, const std::string& advice) const {
+    folder_.with("journal", bytes);
+    const auto journal = Journal::open(path(), kStudy);
+    ASSERT_FALSE(journal) << bytes;
+    EXPECT_EQ(journal.error().kind, kind) << bytes;
+    EXPECT_EQ(journal.error().where, path());
+    EXPECT_NE(journal.error().advice.find(advice), std::string::npos) << journal.error().advice;
+    EXPECT_TRUE(bytes_of(path()) == bytes);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(JournalFile, KeepsEveryBitOfATraining) {
+  write_some();
+  const Journal journal = open();
+  for (std::size_t number = 0; number < 5; ++number) {
+    ASSERT_NE(journal.find(1, number), nullptr);
+    EXPECT_EQ(*journal.find(1, number), outcome_number(number));
+  }
+  EXPECT_EQ(journal.find(0, 0), nullptr);
+  EXPECT_EQ(journal.find(1, 5), nullptr);
+}
+
+TEST_F(JournalFile, IsNotMadeBeforeThereIsSomethingToKeep) {
+  Journal journal = open();
+  EXPECT_EQ(journal.find(0, 0), nullptr);
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(JournalFile, WithoutAPathNothingIsKept) {
+  Journal journal;
+  EXPECT_TRUE(journal.add(0, 0, outcome_number(0)));
+  EXPECT_EQ(journal.find(0, 0), nullptr);
+}
+
+TEST_F(JournalFile, GoesOnWhereItWas) {
+  write_some();
+  EXPECT_TRUE(open().add(0, 9, outcome_number(9)));
+  const Journal journal = open();
+  EXPECT_EQ(*journal.find(0, 9), outcome_number(9));
+  EXPECT_EQ(*journal.find(1, 4), outcome_number(4));
+}
+
+// Whatever was cut off, the whole lines before are known, and it can go on.
+TEST_F(JournalFile, MayBeCutAtEveryByte) {
+  const std::string whole = write_some();
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const std::string cut = whole.substr(0, size);
+    folder_.with("journal", cut);
+    const auto lines = std::count(cut.begin(), cut.end(), '\n');
+    const std::size_t known = lines == 0 ? 0 : static_cast<std::size_t>(lines) - 1;
+    Journal journal = open();
+    for (std::size_t number = 0; number < 5; ++number) {
+      ASSERT_EQ(journal.find(1, number) != nullptr, number < known) << size;
+    }
+    for (std::size_t number = known; number < 5; ++number) {
+      ASSERT_TRUE(journal.add(1, number, outcome_number(number)));
+    }
+    ASSERT_TRUE(bytes_of(path()) == whole) << size;
+  }
+}
+
+// No bit may turn unnoticed: a figure would be another, and nobody would know. A turned line end
+// makes of two lines one that does not fit its checksum, but for the last, which counts as cut.
+TEST_F(JournalFile, WithATurnedBitIsRefused) {
+  const std::string whole = write_some(2);
+  for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit) {
+    std::string turned = whole;
+    turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
+    expect_refused(turned, ErrorKind::kData, "remove it to begin the study anew");
+  }
+}
+
+TEST_F(JournalFile, OfAnotherStudyIsRefused) {
+  write_some();
+  const std::string bytes = bytes_of(path());
+  const auto other = Journal::open(path(), kStudy + "with other settings");
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().kind, ErrorKind::kUsage);
+  EXPECT_NE(other.error().advice.find("give another --out"), std::string::npos);
+  EXPECT_TRUE(bytes_of(path()) == bytes);
+}
+
+TEST_F(JournalFile, RefusesWhatIsNoJournal) {
+  const std::string advice = "remove it to begin the study anew";
+  for (const std::string other : {"notes", "notes\nof mine\n", "{}\n", "00000000 \n", "\n"}) {
+    expect_refused(other, ErrorKind::kData, advice);
+  }
+  std::filesystem::remove(path());
+  std::filesystem::create_directory(path());
+  const auto journal = Journal::open(path(), kStudy);
+  ASSERT_FALSE(journal);
+  EXPECT_NE(to_string(journal.error()).find(path()), std::string::npos);
+}
+
+TEST_F(JournalFile, SaysWhenItCannotBeWritten) {
+  const std::string missing = folder_.file("missing/journal");
+  Journal journal = Journal::open(missing, kStudy).value();
+  const auto added = journal.add(0, 0, outcome_number(0));
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().kind, ErrorKind::kSystem);
+  EXPECT_EQ(added.error().where, missing);
+  EXPECT_NE(added.error().advice.find("--out"), std::string::npos);
+}
+
+TEST_F(JournalFile, IsWrittenByThreadsLineByLine) {
+  Journal journal = open();
+  std::vector<std::thread> threads;
+  threads.reserve(4);
+  std::atomic<int> failed = 0;
+  for (std::size_t thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (std::size_t i = 0; i < 200; ++i) {
+        if (!journal.add(thread, i, outcome_number(i))) ++failed;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failed, 0);
+  const Journal known = open();
+  for (std::size_t thread = 0; thread < 4; ++thread) {
+    for (std::size_t i = 0; i < 200; ++i) {
+      ASSERT_NE(known.find(thread, i), nullptr);
+      ASSERT_EQ(*known.find(thread, i), outcome_number(i));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/made_recording.h"
+#include "support/made_study.h"
+#include "support/study_results.h"
+#include "support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+using testing::objects_apart;
+using testing::outcome_of;
+using testing::small_study;
+
+Recording recording() {
+  return objects_apart(3, 4, 150.0, 2);
+}
+
+std::ptrdiff_t lines_of(const std::string& path) {
+  const std::string bytes = bytes_of(path);
+  return std::count(bytes.begin(), bytes.end(), '\n');
+}
+
+class StudyJournal : public ::testing::Test {
+ protected:
+  std::string path() const { return folder_.file("journal"); }
+
+  StudyOptions options(std::size_t threads = 1) const {
+    StudyOptions options;
+    options.threads = threads;
+    options.journal = path();
+    return options;
+  }
+
+  // Stops a study when `trainings` are done.
+  void interrupt(std::uint64_t trainings, std::size_t threads = 1) const {
+    StudyOptions interrupted = options(threads);
+    interrupted.progress = [=](std::uint64_t done, std::uint64_t) { return done < trainings; };
+    const auto outcome = run_study(small_study(), recording(), interrupted);
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// train_is_test has a training beside that of the model, leave_one_out twelve a seed.
+constexpr std::uint64_t kTrainings = 1 + 2 * 12 + 1;
+
+TEST_F(StudyJournal, GoesOnWithTheSameResults) {
+  const std::string expected = to_json(outcome_of(small_study(), recording()).results);
+  for (const std::uint64_t trainings : {1U, 2U, 14U, 25U}) {
+    interrupt(trainings);
+    EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(1 + trainings));
+    EXPECT_EQ(to_json(outcome_of(small_study(), recording(), options()).results), expected);
+    // All but that of the model, which is made at the end; what was done was not done again.
+    EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
+    std::filesystem::remove(path());
+  }
+}
+
+TEST_F(StudyJournal, GoesOnWithTheSameResultsOnThreads) {
+  const std::string expected = to_json(outcome_of(small_study(), recording()).results);
+  for (const std::size_t threads : {2U, 4U}) {
+    interrupt(9, threads);
+    EXPECT_EQ(to_json(outcome_of(small_study(), recording(), options(threads)).results), expected);
+    EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
+    std::filesystem::remove(path());
+  }
+}
+
+TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
+  outcome_of(small_study(), recording(), options());
+  const std::string whole = bytes_of(path());
+  std::vector<std::uint64_t> told;
+  StudyOptions again = options();
+  again.progress = [&](std::uint64_t done, std::uint64_t total) {
+    EXPECT_EQ(total, kTrainings);
+    told.push_back(done);
+    return true;
+  };
+  outcome_of(small_study(), recording(), again);
+  // Only the model's training, the last, asked meanwhile whether to stop.
+  for (std::size_t i = 0; i < kTrainings - 1; ++i) EXPECT_EQ(told[i], i + 1);
+  EXPECT_TRUE(bytes_of(path()) == whole);
+}
+
+TEST_F(StudyJournal, ServesAnyNumberOfSeeds) {
+  interrupt(20);
+  const auto kept = lines_of(path());
+  StudyDescription more = small_study();
+  more.study.seeds = 3;
+  const StudyOutcome outcome = outcome_of(more, recording(), options());
+  EXPECT_EQ(to_json(outcome.results), to_json(outcome_of(more, recording()).results));
+  EXPECT_EQ(lines_of(path()), 1 + 2 + 3 * 12);
+  EXPECT_LT(kept, lines_of(path()));
+  StudyDescription fewer = small_study();
+  fewer.study.seeds = 1;
+  EXPECT_EQ(to_json(outcome_of(fewer, recording(), options()).results),
+            to_json(outcome_of(fewer, recording()).results));
+}
+
+void expect_other_study(const StudyDescription& description, const Recording& asked,
+                        const StudyOptions& options) {
+  const auto outcome = run_study(description, asked, options);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(outcome.error().where, options.journal);
+  EXPECT_NE(outcome.error().what.find("other settings or data"), std::string::npos);
+}
+
+TEST_F(StudyJournal, OfOtherSettingsOrDataIsRefused) {
+  interrupt(3);
+  StudyDescription other = small_study();
+  other.study.first_seed = 6;
+  expect_other_study(other, recording(), options());
+  other = small_study();
+  other.study.protocols = {Protocol::kLeaveOneOut, Protocol::kTrainIsTest};
+  expect_other_study(other, recording(), options());
+  other = small_study();
+  other.study.wrong_groupings = 3;
+  expect_other_study(other, recording(), options());
+  expect_other_study(small_study("constant_columns = 'zero'\n"), recording(), options());
+  expect_other_study(small_study(), objects_apart(3, 4, 150.0, 3), options());
+}
+
+// Another one, none, and the same explorations divided elsewhere.
+TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
+  Recording first = recording();
+  Recording second = objects_apart(3, 2, 150.0, 8);
+  StudyOptions with = options();
+  with.test_data = &second;
+  with.progress = [](std::uint64_t done, std::uint64_t) { return done < 3; };
+  ASSERT_FALSE(run_study(small_study(), first, with));
+  with.progress = {};
+  const Recording third = objects_apart(3, 2, 150.0, 9);
+  with.test_data = &third;
+  expect_other_study(small_study(), first, with);
+  with.test_data = &second;
+  expect_other_study(small_study(), first, options());
+  first.explorations.push_back(second.explorations.front());
+  second.explorations.erase(second.explorations.begin());
+  expect_other_study(small_study(), first, with);
+}
+
+TEST_F(StudyJournal, IsNotMadeByAStudyThatCannotBegin) {
+  Recording constant = recording();
+  for (Exploration& exploration : constant.explorations) {
+    exploration.channels[0].frames(0, 1) = 5.0F;
+  }
+  ASSERT_FALSE(run_study(small_study(), constant, options()));
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(StudyJournal, ThatCannotBeWrittenStopsTheStudy) {
+  StudyOptions nowhere;
+  nowhere.journal = folder_.file("missing/journal");
+  const auto outcome = run_study(small_study(), recording(), nowhere);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::kSystem);
+  EXPECT_EQ(outcome.error().where, nowhere.journal);
+}
+
+}  // namespace
+}  // namespace somato

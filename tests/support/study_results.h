@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "somato/studies/study.h"
+
+namespace somato::testing {
+
+inline const SystemResults& system_of(const StudyOutcome& outcome, const std::string& protocol) {
+  for (const SystemResults& system : outcome.results.systems) {
+    if (system.protocol == protocol) return system;
+  }
+  throw std::out_of_range(protocol);
+}
+
+/// One a seed; none when there is no such metric.
+inline std::vector<double> values_of(const SystemResults& system, const std::string& metric) {
+  for (const Metric& candidate : system.metrics) {
+    if (candidate.name == metric) return candidate.values;
+  }
+  return {};
+}
+
+inline StudyOutcome outcome_of(const StudyDescription& description, const Recording& recording,
+                               const StudyOptions& options = {}) {
+  return run_study(description, recording, options).value();
+}
+
+}  // namespace somato::testing
