@@ -31,7 +31,7 @@ Result<std::size_t> answering_map(const SystemModel& model, const std::string& p
     return fail(ErrorKind::kData, what, path, "apply one that 'somato run' has saved");
   };
   if (!model.answer) return refuse("the system has no map that answers");
-  const auto map = model.system.find(model.answer->map);
+  auto map = model.system.find(model.answer->map);
   if (map && model.system.modules()[*map].output.rate == Rate::kFrame) {
     return refuse("the map that answers has frames coming in");
   }
