@@ -156,7 +156,7 @@ TEST(Module, OneHotLearnsItsRangesWhereTheyAreTrained) {
                                   recording, 3);
     std::vector<std::size_t> bins;
     for (const float value : {0.0F, 3.9F, 4.1F, 6.0F, 100.0F}) {
-      recording.explorations[3].channels[0].frames = Matrix<float>(1, 1, {value});
+      recording.explorations[3].channels[0].frames = Matrix<float>(1, 1, value);
       const Matrix<float> given = dense(output_of(system, recording, "m", 3));
       EXPECT_EQ(given(0, 0) + given(0, 1), 1.0F);
       bins.push_back(given(0, 0) == 1.0F ? 0 : 1);
@@ -167,13 +167,13 @@ TEST(Module, OneHotLearnsItsRangesWhereTheyAreTrained) {
     recording.explorations[i].channels[0].frames =
         Matrix<float>(2, 1, {2.0F + static_cast<float>(i), 6.0F});
   }
-  recording.explorations[3].channels[0].frames = Matrix<float>(1, 1, {1000.0F});
+  recording.explorations[3].channels[0].frames = Matrix<float>(1, 1, 1000.0F);
   using Bins = std::vector<std::size_t>;
   EXPECT_EQ(code(""), (Bins{0, 0, 1, 1, 1}));           // 2 to 6, halves at 4
   EXPECT_EQ(code("high = 8"), (Bins{0, 0, 0, 1, 1}));   // 2 to 8, halves at 5
   EXPECT_EQ(code("low = -18"), (Bins{1, 1, 1, 1, 1}));  // -18 to 6, halves at -6
   for (std::size_t i = 0; i < 3; ++i) {
-    recording.explorations[i].channels[0].frames = Matrix<float>(1, 1, {6.0F});
+    recording.explorations[i].channels[0].frames = Matrix<float>(1, 1, 6.0F);
   }
   EXPECT_EQ(code("low = 2"), (Bins{0, 0, 1, 1, 1}));  // 2 to 6 again
   System constant = build(channels() + module("m", "one_hot", "input = \"height\""), recording);
