@@ -279,6 +279,7 @@ Result<void> System::infer_module(std::size_t number) {
   auto output = module.module->connect(inputs);
   if (output) {
     module.output = std::move(*output);
+    if (module.module->chooses_frames()) module.output.clock = module.name;
     return {};
   }
   Error error = std::move(output.error());

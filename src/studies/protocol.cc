@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
@@ -34,13 +35,18 @@ std::vector<Fold> folds_of_parts(const std::vector<std::size_t>& parts) {
 // Class by class, each in random order, the samples are dealt to the parts in turn.
 std::vector<std::size_t> deal(const FoldSamples& samples) {
   Random random(samples.seed, Stream::kGroupings);
-  std::vector<std::size_t> order = range(0, samples.samples);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return samples.classes[a] < samples.classes[b];
-  });
+  std::vector<std::size_t> shuffled = range(0, samples.samples);
+  for (std::size_t i = shuffled.size(); i > 1; --i) {
+    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // class, place among the shuffled
+  order.reserve(shuffled.size());
+  for (std::size_t i = 0; i < shuffled.size(); ++i) {
+    order.emplace_back(samples.classes[shuffled[i]], i);
+  }
+  std::sort(order.begin(), order.end());
   std::vector<std::size_t> parts(samples.samples);
-  for (std::size_t i = 0; i < order.size(); ++i) parts[order[i]] = i % samples.folds;
+  for (std::size_t i = 0; i < order.size(); ++i) parts[shuffled[order[i].second]] = i % samples.folds;
   return parts;
 }
 

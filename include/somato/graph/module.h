@@ -62,6 +62,10 @@ class Module {
   /// The output during a whole exploration. Errors: kData.
   virtual Result<Sequence> run(std::span<const Sequence* const> inputs) const = 0;
 
+  /// Whether it chooses frames by what comes in, so that those of two such modules never go
+  /// together.
+  virtual bool chooses_frames() const { return false; }
+
   /// Whether it can run frame by frame, rather than on explorations as a whole.
   virtual bool is_stepped() const { return false; }
 

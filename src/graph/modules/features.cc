@@ -136,6 +136,8 @@ class OnsetWindowModule : public Module {
   using Parameters = OnsetParameters;
   explicit OnsetWindowModule(const Parameters& parameters) : parameters_(parameters) {}
 
+  bool chooses_frames() const override { return true; }
+
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
     if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
     PortType type = inputs.front().type;
@@ -145,8 +147,6 @@ class OnsetWindowModule : public Module {
                   {}, "number the elements from 1; 0 stands for any of them");
     }
     type.sparse = false;
-    // Other frames than those of the channel: windows of two modules may lie elsewhere.
-    type.clock = fmt::format("a window of {} frames on {}", parameters_.length, type.clock);
     return checked_size(std::move(type), inputs.front().port);
   }
 
