@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace somato::program {
@@ -39,16 +38,10 @@ class ProgressLine {
     if (!finished && now - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - started_).count();
-    // What was done before says nothing about how fast it goes.
-    if (!before_) before_ = done;
     const double share = static_cast<double>(done) / static_cast<double>(total);
-    const double of_the_rest = total > *before_ ? static_cast<double>(done - *before_) /
-                                                      static_cast<double>(total - *before_)
-                                                : 1.0;
-    const std::string line =
-        fmt::format("\r{}: {:3.0f} %{}\033[K{}", what_, 100.0 * share,
-                    finished ? ", took " + duration(elapsed) : time_left(elapsed, of_the_rest),
-                    finished ? "\n" : "");
+    const std::string line = fmt::format(
+        "\r{}: {:3.0f} %{}\033[K{}", what_, 100.0 * share,
+        finished ? ", took " + duration(elapsed) : time_left(elapsed, share), finished ? "\n" : "");
     std::fputs(line.c_str(), stderr);
   }
 
@@ -63,7 +56,6 @@ class ProgressLine {
   std::string what_;
   Clock::time_point started_ = Clock::now();
   Clock::time_point shown_{};
-  std::optional<std::uint64_t> before_;
 };
 
 // What the caller wants ignored (nohup, a job in the background) stays ignored.

@@ -46,7 +46,8 @@ std::vector<std::size_t> deal(const FoldSamples& samples) {
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> parts(samples.samples);
-  for (std::size_t i = 0; i < order.size(); ++i) parts[shuffled[order[i].second]] = i % samples.folds;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    parts[shuffled[order[i].second]] = i % samples.folds;
   return parts;
 }
 

@@ -120,13 +120,11 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
 
   std::deque<SystemRunner> runners;
   std::uint64_t trainings = 1;
-  std::uint64_t known = 0;
   for (const Protocol protocol : protocols) {
     runners.emplace_back(description, *question, protocol, runners.size());
-    trainings += runners.back().trainings();
-    known += runners.back().known(*journal);
+    trainings += runners.back().trainings() - runners.back().known(*journal);
   }
-  Tally tally(options.progress, trainings, known);
+  Tally tally(options.progress, trainings);
   for (SystemRunner& runner : runners) {
     for_each_task(runner.trainings(), options.threads,
                   [&](std::size_t training) { runner.run(training, *journal, tally); });

@@ -22,9 +22,7 @@ namespace somato {
 /// Counts trainings over all protocols, and keeps the first failure.
 class Tally {
  public:
-  /// `done` of them are known already.
-  Tally(const Progress& progress, std::uint64_t total, std::uint64_t done)
-      : progress_(progress), total_(total), done_(done) {}
+  Tally(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
 
   void one_done();
   void failed(Error error);
@@ -39,7 +37,7 @@ class Tally {
 
   const Progress& progress_;
   std::uint64_t total_;
-  std::uint64_t done_;
+  std::uint64_t done_ = 0;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point asked_;
   std::optional<Error> error_;

@@ -65,13 +65,29 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(names,
-            (std::set<std::string>{
-                "channel",       "one_hot",    "tensor_product",   "concatenation", "sum",
-                "normalization", "scale",      "standardization",  "first",         "last",
-                "delay",         "change",     "resampling",       "onset_window",  "mean_removal",
-                "spectrum",      "accumulate", "leaky_accumulate", "number_code",   "som",
-                "t_mpsom",       "winner"}));
+  EXPECT_EQ(names, (std::set<std::string>{"channel",
+                                          "one_hot",
+                                          "tensor_product",
+                                          "concatenation",
+                                          "sum",
+                                          "normalization",
+                                          "scale",
+                                          "standardization",
+                                          "first",
+                                          "last",
+                                          "delay",
+                                          "change",
+                                          "resampling",
+                                          "onset_window",
+                                          "mean_removal",
+                                          "spectrum",
+                                          "accumulate",
+                                          "leaky_accumulate",
+                                          "number_code",
+                                          "som",
+                                          "t_mpsom",
+                                          "winner",
+                                          "window"}));
 }
 
 TEST(Module, ChannelTakesFramesOrSomeOfTheirElements) {
@@ -340,6 +356,18 @@ TEST(Module, FramesBecomeOtherFrames) {
                  }
                  return frames;
                });
+  expect_gives(
+      module("m", "window", "input = \"joints\"\nstart = 2\nlength = 9\nbeyond = \"hold\""),
+      [](const Recording& r, std::size_t i) {
+        const Matrix<float>& joints = frames_of(r, "joints", i);
+        Matrix<float> window(9, 3);
+        for (std::size_t f = 0; f < 9; ++f) {
+          for (std::size_t j = 0; j < 3; ++j) {
+            window(f, j) = joints(std::min(f + 2, joints.rows() - 1), j);
+          }
+        }
+        return window;
+      });
   expect_gives(module("m", "onset_window",
                       "input = \"sound\"\nquantity = \"value\"\n"
                       "threshold = 0.8\nbefore = 1\nlength = 4\n"

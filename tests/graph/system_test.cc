@@ -152,6 +152,11 @@ TEST(System, RefusesRatesClocksAndShapesThatDoNotFit) {
   expect_refused(module("m", "spectrum", "input = \"joints\"\nspeed = \"height\""),
                  "system.toml:16, module 'm', port 'speed'", "'bands' and their 'high'");
   expect_built(module("m", "spectrum", "input = \"sound\"\nspeed = \"height\"\nhigh = 1"));
+  // Each finds its own onset: their frames were not taken together, however many there are.
+  const std::string window = "input = \"joints\"\nthreshold = 0.1\nlength = 2";
+  expect_refused(module("one", "onset_window", window) + module("two", "onset_window", window) +
+                     module("m", "sum", "inputs = [\"one\", \"two\"]"),
+                 "system.toml:25, module 'm', port 'inputs'", "are not taken together");
 }
 
 TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {

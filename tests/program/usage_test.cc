@@ -143,6 +143,7 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
   for (const Words& command : {Words{"run"},
                                {"apply"},
                                {"systems"},
+                               {"recover"},
                                {"som", "train"},
                                {"som", "map"},
                                {"som", "quality"},
@@ -157,9 +158,8 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
     const auto flags = flags_in(output_of(arguments));
     EXPECT_GE(flags.size(), 1u);
     // A section may point at the table of the map's keys instead of repeating it.
-    const bool refers_to_map = section.find("(#keys-of-a-map)") != std::string::npos;
-    const std::string keys =
-        refers_to_map ? page.substr(page.find("### Keys of a map")) : std::string();
+    const bool refers_to_map = section.find("(#map)") != std::string::npos;
+    const std::string keys = refers_to_map ? page.substr(page.find("### map")) : std::string();
     for (const std::string& flag : flags) {
       if (flag == "--help" || flag == "--output") continue;
       const bool is_flag = section.find("`" + flag + "`") != std::string::npos;

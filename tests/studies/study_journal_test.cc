@@ -78,13 +78,13 @@ TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
   std::vector<std::uint64_t> told;
   StudyOptions again = options();
   again.progress = [&](std::uint64_t done, std::uint64_t total) {
-    EXPECT_EQ(total, kTrainings);
+    EXPECT_EQ(total, 1U);  // that of the model, which no journal keeps
     told.push_back(done);
     return true;
   };
   outcome_of(small_study(), recording(), again);
-  // Only the model's training, the last, asked meanwhile whether to stop.
-  for (std::size_t i = 0; i < kTrainings - 1; ++i) EXPECT_EQ(told[i], i + 1);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back(), 1U);
   EXPECT_TRUE(bytes_of(path()) == whole);
 }
 

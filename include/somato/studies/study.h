@@ -18,7 +18,7 @@ namespace somato {
 /// How a study runs, as far as its results do not depend on it; and what it is tested with.
 struct StudyOptions {
   std::size_t threads = 1;
-  Progress progress;                     ///< Told trainings, from one thread at a time.
+  Progress progress;                     ///< Told trainings to run, from one thread at a time.
   const Recording* test_data = nullptr;  ///< A recording for the protocol test_data, or none.
   std::string journal = {};  ///< A file where trainings that are done are kept, so that the study
                              ///< can go on after it was stopped; or empty. Whoever keeps the
