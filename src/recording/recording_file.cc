@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,8 +51,9 @@ std::vector<PlacedFrame> frames_in_time(const Exploration& exploration) {
       frames.push_back({time_of(exploration.channels[channel], frame, earliest), channel, frame});
     }
   }
-  std::stable_sort(frames.begin(), frames.end(),
-                   [](const PlacedFrame& a, const PlacedFrame& b) { return a.time < b.time; });
+  std::sort(frames.begin(), frames.end(), [](const PlacedFrame& a, const PlacedFrame& b) {
+    return std::tie(a.time, a.channel, a.frame) < std::tie(b.time, b.channel, b.frame);
+  });
   return frames;
 }
 
