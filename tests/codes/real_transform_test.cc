@@ -41,7 +41,7 @@ TEST(RealTransform, AgreesWithThePlainSum) {
 
 TEST(RealTransform, AgreesWithThePlainSumForLongOnes) {
   Random random(2);
-  for (const std::size_t length : {127, 360, 512, 1001, 1024, 2 * 509}) {
+  for (const std::size_t length : {127U, 360U, 512U, 1001U, 1024U, 1018U}) {
     const std::vector<double> values = noise(random, length);
     const std::vector<double> expected = testing::plain_squares(values);
     const std::vector<double> squares = squares_of(values);
@@ -61,7 +61,7 @@ TEST(RealTransform, GivesThe2049BinsOfThePaper) {
 // ends stands for two frequencies.
 TEST(RealTransform, KeepsTheEnergy) {
   Random random(3);
-  for (const std::size_t length : {4096, 4095, 1000, 77}) {
+  for (const std::size_t length : {4096U, 4095U, 1000U, 77U}) {
     const std::vector<double> values = noise(random, length);
     const std::vector<double> squares = squares_of(values);
     double energy = 0.0;

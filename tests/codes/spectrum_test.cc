@@ -170,8 +170,8 @@ TEST(Spectrum, AgreesWithTheOracleInBandsOfAWholeExploration) {
 // Parseval, for any lengths: the power of all bands together is the frames' mean square.
 TEST(Spectrum, SharesOutTheMeanSquareOfTheFrames) {
   Random random(3);
-  for (const std::size_t length : {100, 128, 37}) {
-    for (const std::size_t transform_length : {128, 129, 210}) {
+  for (const std::size_t length : {100U, 128U, 37U}) {
+    for (const std::size_t transform_length : {128U, 129U, 210U}) {
       const Matrix<float> frames = noise(random, length, 1);
       SpectrumParameters parameters;
       parameters.window = SpectrumWindow::kRectangular;

@@ -48,7 +48,7 @@ TEST_F(Apply, AnswersAsTheStudyDid) {
     EXPECT_EQ(row[1], std::to_string(winner));
     EXPECT_EQ(row[2], std::to_string(winner / 3));
     EXPECT_EQ(row[3], std::to_string(winner % 3));
-    EXPECT_EQ(row[5], run["predictions"][i]);
+    EXPECT_EQ(row[5], run["predictions"][i].get<std::string>());
     const Channel& joints = **find_channel(recording.explorations[i], "joints");
     const auto closed = joints.frames.row(joints.frames.rows() - 1);
     const SignalView view = SignalView::dense(closed);
