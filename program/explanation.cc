@@ -10,7 +10,7 @@ namespace {
 
 std::string in_bytes(std::size_t bytes) {
   constexpr double kStep = 1024.0;
-  double size = static_cast<double>(bytes);
+  auto size = static_cast<double>(bytes);
   std::size_t unit = 0;
   const std::vector<std::string> units{"B", "KiB", "MiB", "GiB", "TiB"};
   for (; size >= kStep && unit + 1 < units.size(); ++unit) size /= kStep;
@@ -19,6 +19,7 @@ std::string in_bytes(std::size_t bytes) {
 
 std::vector<std::string> row_of(const System& system, const SystemModule& module) {
   std::vector<std::string> inputs;
+  inputs.reserve(module.inputs.size());
   for (const std::size_t input : module.inputs) inputs.push_back(system.modules()[input].name);
   const std::size_t memory = module.module->memory();
   return {module.name,
@@ -48,6 +49,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 
 std::string phase_line(const System& system, const Phase& phase) {
   std::vector<std::string> names;
+  names.reserve(phase.learners.size());
   for (const std::size_t module : phase.learners) names.push_back(system.modules()[module].name);
   const std::string draws =
       phase.draws ? fmt::format("{} ", *phase.draws) : std::string("as many as it asks for: ");

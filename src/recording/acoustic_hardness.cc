@@ -120,7 +120,8 @@ class SampleReader {
   Result<std::string> release() const {
     const std::string path = "/metadata/comment";
     const Json& comment = at(path);
-    if (comment.is_null() || comment == std::string()) return std::string("device");
+    if (comment.is_null() || (comment.is_string() && comment.get_ref<const std::string&>().empty()))
+      return std::string("device");
     return text(path);
   }
 

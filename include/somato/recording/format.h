@@ -30,8 +30,8 @@ struct Choices<RecordingFormat> {
 /// format fits or more than one does.
 Result<RecordingFormat> recognize_format(const std::filesystem::path& folder);
 
-/// Reads the recording at `path`: a file is one in MCAP, whatever the format; a folder holds data in
-/// that format. Errors as read_recording(), recognize_format() and the format's importer.
+/// Reads the recording at `path`: a file is one in MCAP, whatever the format; a folder holds data
+/// in that format. Errors as read_recording(), recognize_format() and the format's importer.
 Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path);
 
 }  // namespace somato

@@ -145,7 +145,7 @@ class OneHotModule : public MappedModule, public Learner {
       high_[i] = high[high.size() == 1 ? 0 : i];
       const auto first = static_cast<float>(low_[i]);
       const auto last = static_cast<float>(high_[i]);
-      if (!(std::isfinite(first) && std::isfinite(last) && first < last)) {
+      if (!std::isfinite(first) || !std::isfinite(last) || first >= last) {
         return fail(
             ErrorKind::kUsage,
             fmt::format("'low' is {} and 'high' {} for element {}", low_[i], high_[i], i + 1), {},

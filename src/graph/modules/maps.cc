@@ -12,8 +12,7 @@
 #include "somato/maps/t_mpsom.h"
 #include "somato/maps/t_mpsom_archive.h"
 
-namespace somato {
-namespace modules {
+namespace somato::modules {
 namespace {
 
 // Refused before it is asked for: a system that promises more memory than it has would end the
@@ -351,5 +350,4 @@ std::vector<ModuleType> map_types() {
                                  "The input's shape, 1 at that place and 0 elsewhere; sparse.")};
 }
 
-}  // namespace modules
-}  // namespace somato
+}  // namespace somato::modules

@@ -164,7 +164,7 @@ class ChannelModule : public Source {
         return fail(ErrorKind::kData,
                     fmt::format("channel '{}', frame {}, element {} is not valid", channel.name,
                                 frame + 1, elements_[i] + 1),
-                    {}, "set 'invalid' of the module to \"zero\" or \"hold\"");
+                    {}, R"(set 'invalid' of the module to "zero" or "hold")");
       }
       const bool hold = parameters_.invalid == Invalid::kHold && frame > 0;
       values(frame, i) = hold ? values(frame - 1, i) : 0.0F;
