@@ -29,17 +29,6 @@ Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::
               port, "choose fewer neurons or elements");
 }
 
-Samples all_values(const TrainingInputs& explorations) {
-  std::vector<Signal> signals;
-  for (const auto& ports : explorations) {
-    const Samples& values = ports.front()->values;
-    for (std::size_t i = 0; i < values.count(); ++i) {
-      signals.push_back(copy_of(values[i], {values.size()}));
-    }
-  }
-  return Samples::from_signals(signals);
-}
-
 class SomStepper : public Stepper {
  public:
   explicit SomStepper(const Som& som) : som_(som) {}

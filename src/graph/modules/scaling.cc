@@ -38,14 +38,7 @@ class StandardizationModule : public MappedModule, public Learner {
   bool learns_by_draws() const override { return false; }
 
   Result<void> learn(const Lesson& /*lesson*/, const TrainingInputs& explorations) override {
-    std::vector<Signal> signals;
-    for (const auto& ports : explorations) {
-      const Samples& values = ports.front()->values;
-      for (std::size_t i = 0; i < values.count(); ++i) {
-        signals.push_back(copy_of(values[i], {values.size()}));
-      }
-    }
-    auto fitted = Standardization::fit(Samples::from_signals(signals), parameters_);
+    auto fitted = Standardization::fit(all_values(explorations), parameters_);
     if (!fitted) return fail(std::move(fitted.error()));
     standardization_ = std::move(*fitted);
     return {};

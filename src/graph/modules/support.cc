@@ -120,6 +120,17 @@ Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape) {
   return Signal::sparse(shape, {view.indices.begin(), view.indices.end()}, std::move(values));
 }
 
+Samples all_values(const TrainingInputs& explorations) {
+  std::vector<Signal> signals;
+  for (const auto& ports : explorations) {
+    const Samples& values = ports.front()->values;
+    for (std::size_t i = 0; i < values.count(); ++i) {
+      signals.push_back(copy_of(values[i], {values.size()}));
+    }
+  }
+  return Samples::from_signals(signals);
+}
+
 InputPort input_port(std::string text) {
   return {"input", std::move(text), true, false};
 }

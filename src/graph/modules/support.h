@@ -55,6 +55,9 @@ class MappedModule : public SteppedModule {
 /// A signal of that shape from a view.
 Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape);
 
+/// Everything that comes in at the first port, of all explorations one after the other.
+Samples all_values(const TrainingInputs& explorations);
+
 /// The type of modules M, which has Parameters, a constructor from them, and nothing else to know.
 template <typename M>
 ModuleType describe(std::string name, std::string text, std::vector<InputPort> ports,
