@@ -21,22 +21,15 @@ using testing::build;
 using testing::dense;
 using testing::frames_of;
 using testing::hand_recording;
+using testing::module;
 using testing::output_of;
 using testing::trained;
 using testing::try_output;
 
 using Floats = std::vector<float>;
 
-std::string module(const std::string& name, const std::string& type, const std::string& settings) {
-  return "[module." + name + "]\ntype = \"" + type + "\"\n" + settings + "\n";
-}
-
 std::string channels() {
-  std::string text;
-  for (const char* name : {"height", "wrist", "joints", "touch", "sound"}) {
-    text += module(name, "channel", "channel = \"" + std::string(name) + "\"");
-  }
-  return text;
+  return testing::channels({"height", "wrist", "joints", "touch", "sound"});
 }
 
 // What a module `m` of that text gives, for every exploration of a recording.

@@ -13,23 +13,13 @@ namespace somato {
 namespace {
 
 using testing::build;
+using testing::channels;
 using testing::dense;
 using testing::frames_of;
 using testing::hand_recording;
+using testing::module;
 using testing::output_of;
 using testing::trained;
-
-std::string module(const std::string& name, const std::string& type, const std::string& settings) {
-  return "[module." + name + "]\ntype = \"" + type + "\"\n" + settings + "\n";
-}
-
-std::string channels() {
-  std::string text;
-  for (const char* name : {"height", "wrist", "joints", "touch"}) {
-    text += module(name, "channel", "channel = \"" + std::string(name) + "\"");
-  }
-  return text;
-}
 
 std::string codes() {
   std::string text;

@@ -9,6 +9,7 @@ namespace somato {
 namespace {
 
 using testing::hand_recording;
+using testing::module;
 using testing::try_build;
 
 // Lines 1 to 12.
@@ -32,10 +33,6 @@ void expect_refused(const std::string& text, const std::string& where, const std
   EXPECT_EQ(error.where, where) << text;
   const std::string said = error.what + "; " + error.advice;
   EXPECT_NE(said.find(what), std::string::npos) << said << "\n" << text;
-}
-
-std::string module(const std::string& name, const std::string& type, const std::string& settings) {
-  return "[module." + name + "]\ntype = \"" + type + "\"\n" + settings + "\n";
 }
 
 void expect_built(const std::string& text) {

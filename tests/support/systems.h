@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,22 @@ inline Recording hand_recording(std::size_t explorations, std::uint64_t seed) {
     recording.explorations.back().channels.back().rate = 100.0;
   }
   return recording;
+}
+
+/// The table of a module as TOML.
+inline std::string module(const std::string& name, const std::string& type,
+                          const std::string& settings) {
+  return "[module." + name + "]\ntype = \"" + type + "\"\n" + settings + "\n";
+}
+
+/// A module for each of these channels, named as the channel.
+inline std::string channels(std::initializer_list<const char*> names = {"height", "wrist", "joints",
+                                                                        "touch"}) {
+  std::string text;
+  for (const char* name : names) {
+    text += module(name, "channel", "channel = \"" + std::string(name) + "\"");
+  }
+  return text;
 }
 
 /// The system of that text for recordings like that one.
