@@ -18,9 +18,10 @@ DIRECT = {
     "drawing": ["maps"],
     "graph": ["codes", "maps", "recording"],
     "bodies": ["recording"],
+    "simulation": ["bodies"],
     "studies": ["graph", "drawing"],
     "live": ["graph", "bodies"],
-    "program": ["studies", "live"],
+    "program": ["studies", "live", "simulation"],
 }
 
 # Headers of others that a public header may bring in, by the header that may.

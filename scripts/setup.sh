@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing of scripts/packages.txt: setup.sh [PURPOSE...], all of them by default.
+# Installs what is missing of scripts/packages.txt, and for building the physics engine:
+# setup.sh [PURPOSE...], by default all but what stands in for something else.
 # Costs nothing when everything is there.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -29,7 +30,7 @@ as_root() {
 }
 
 wanted=()
-for purpose in "${@:-$(purposes)}"; do
+for purpose in "${@:-$(purposes | grep -vx old-physics)}"; do
   for word in $purpose; do
     if ! purposes | grep -qx -- "$word"; then
       echo "setup: unknown purpose '$word'; known are: $(purposes | paste -sd ' ')" >&2
@@ -39,23 +40,28 @@ for purpose in "${@:-$(purposes)}"; do
   done
 done
 
-if ! command -v dpkg-query >/dev/null; then
-  echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]%%:*}" >&2
-  exit 0
-fi
+install_missing() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]%%:*}" >&2
+    return 0
+  fi
+  local missing=() package
+  for package in "${wanted[@]}"; do
+    is_there "$package" || missing+=("${package%%:*}")
+  done
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  if [[ $(id -u) != 0 ]] && ! command -v sudo >/dev/null; then
+    echo "setup: packages are missing and neither root nor sudo is at hand to install them;" \
+      "as root, run: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "Installing: ${missing[*]}"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
+}
 
-missing=()
-for package in "${wanted[@]}"; do
-  is_there "$package" || missing+=("${package%%:*}")
-done
-[[ ${#missing[@]} -gt 0 ]] || exit 0
-
-if [[ $(id -u) != 0 ]] && ! command -v sudo >/dev/null; then
-  echo "setup: packages are missing and neither root nor sudo is at hand to install them;" \
-    "as root, run: apt-get install ${missing[*]}" >&2
-  exit 1
+install_missing
+if [[ " $* " == *" build "* || $# == 0 ]]; then
+  ./fetch_mujoco.sh
 fi
-echo "Installing: ${missing[*]}"
-as_root apt-get update -q
-as_root env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Puts the pinned physics engine into build/mujoco, or the distribution's where that is out of reach.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+readonly folder=build/mujoco
+readonly version=3.17.0
+
+[[ ! -e $folder/lib/libmujoco.so ]] || exit 0
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The interpreter's tag matters little: the library inside is the same for each.
+if python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: \
+  --implementation cp --python-version 311 --platform manylinux_2_28_x86_64 --require-hashes \
+  --requirement scripts/mujoco.txt --dest "$work"; then
+  python3 -m zipfile -e "$work"/mujoco-*.whl "$work/wheel"
+  mkdir -p "$work/mujoco/lib"
+  mv "$work/wheel/mujoco/include" "$work/mujoco/include"
+  mv "$work/wheel/mujoco/libmujoco.so.$version" "$work/mujoco/lib/"
+  mv "$work/wheel/mujoco-$version.dist-info/licenses" "$work/mujoco/licenses"
+  ln -s "libmujoco.so.$version" "$work/mujoco/lib/libmujoco.so"
+  mkdir -p build
+  rm -rf "$folder"
+  mv "$work/mujoco" "$folder"
+  exit 0
+fi
+
+echo "fetch_mujoco: MuJoCo $version is out of reach; the distribution's older one is taken," \
+  "whose figures differ" >&2
+scripts/setup.sh old-physics

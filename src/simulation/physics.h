@@ -1,0 +1,35 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+#include "somato/core/result.h"
+
+namespace somato::detail {
+
+struct ModelDeleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct DataDeleter {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+/// What a simulation is made of: constant while it runs, so that threads may share it.
+using PhysicsModel = std::shared_ptr<const mjModel>;
+
+/// Where a simulation is: one a body.
+using PhysicsData = std::unique_ptr<mjData, DataDeleter>;
+
+/// Compiles the model that the MJCF text describes; `name` stands for it in messages. Errors
+/// (kData): what the physics engine says of it.
+Result<PhysicsModel> compile_model(const std::string& mjcf, const std::string& name);
+
+/// Scratch data for the model, at its initial state. Errors: kSystem when memory is short.
+Result<PhysicsData> make_data(const PhysicsModel& model);
+
+/// Fails (kData) once the simulation has diverged: from then on its state means nothing.
+Result<void> check_stable(const mjData& data);
+
+}  // namespace somato::detail

@@ -1,0 +1,81 @@
+#include "somato/bodies/body.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+// Two servos that obey at once, and count what reaches them.
+class PlainBody : public Body {
+ public:
+  PlainBody() {
+    description_.degrees_of_freedom = {{"lift", "mm", 0, 100, 10}, {"wrist", "deg", -90, 90, 60}};
+    description_.sensors = {{"touch", "N", {}, {}, 0.0, true}};
+    state_.positions = {0, 0};
+  }
+  const BodyDescription& description() const override { return description_; }
+  const BodyState& state() const override { return state_; }
+  int steps = 0;
+
+ protected:
+  Result<void> drive_to(std::span<const double> targets) override {
+    state_.positions.assign(targets.begin(), targets.end());
+    return {};
+  }
+  Result<void> pass(double seconds) override {
+    state_.time += seconds;
+    ++steps;
+    return {};
+  }
+
+ private:
+  BodyDescription description_;
+  BodyState state_;
+};
+
+TEST(Body, CommandsWithinTheLimitsGoThroughWithTheLimitsThemselves) {
+  PlainBody body;
+  for (const std::vector<double>& targets :
+       std::vector<std::vector<double>>{{0, -90}, {100, 90}, {50, 1}}) {
+    ASSERT_TRUE(body.command(targets));
+    EXPECT_EQ(body.state().positions, targets);
+  }
+}
+
+TEST(Body, ACommandBeyondTheLimitsIsRefusedAndMovesNothing) {
+  PlainBody body;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double wrist : {90.001, -90.001, 1e300, nan}) {
+    const auto refused = body.command(std::vector<double>{50, wrist});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kData);
+    EXPECT_EQ(refused.error().where, "wrist");
+    EXPECT_NE(refused.error().what.find("-90 to 90 deg"), std::string::npos);
+    EXPECT_EQ(body.state().positions, (std::vector<double>{0, 0}));
+  }
+}
+
+TEST(Body, TheCallersMistakesThrow) {
+  PlainBody body;
+  EXPECT_THROW((void)body.command(std::vector<double>{1}), InvalidArgument);
+  for (const double seconds : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW((void)body.step(seconds), InvalidArgument);
+  }
+  EXPECT_EQ(body.steps, 0);
+}
+
+TEST(Body, ServosAndSensorsAreFoundByName) {
+  const PlainBody body;
+  EXPECT_EQ(find_degree_of_freedom(body.description(), "wrist"), 1U);
+  EXPECT_EQ(find_sensor(body.description(), "touch"), 0U);
+  const auto unknown = find_degree_of_freedom(body.description(), "wirst");
+  ASSERT_FALSE(unknown);
+  EXPECT_NE((unknown.error().what + unknown.error().advice).find("wrist"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace somato
