@@ -39,7 +39,7 @@ void keep_quiet() {
 
 }  // namespace
 
-Result<PhysicsModel> compile_model(const std::string& mjcf, const std::string& name) {
+Result<std::shared_ptr<mjModel>> compile_model(const std::string& mjcf, const std::string& name) {
   // The engine's compiler keeps its last model in a global variable.
   static std::mutex compiler;
   const std::lock_guard lock(compiler);
@@ -52,7 +52,7 @@ Result<PhysicsModel> compile_model(const std::string& mjcf, const std::string& n
     return fail(ErrorKind::kData,
                 fmt::format("the physics engine refuses the model: {}", message.data()), name);
   }
-  return PhysicsModel(model, ModelDeleter{});
+  return std::shared_ptr<mjModel>(model, ModelDeleter{});
 }
 
 Result<PhysicsData> make_data(const PhysicsModel& model) {

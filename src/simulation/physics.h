@@ -2,6 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -24,10 +25,24 @@ using PhysicsData = std::unique_ptr<mjData, DataDeleter>;
 
 /// Compiles the model that the MJCF text describes; `name` stands for it in messages. Errors
 /// (kData): what the physics engine says of it.
-Result<PhysicsModel> compile_model(const std::string& mjcf, const std::string& name);
+Result<std::shared_ptr<mjModel>> compile_model(const std::string& mjcf, const std::string& name);
 
 /// Scratch data for the model, at its initial state. Errors: kSystem when memory is short.
 Result<PhysicsData> make_data(const PhysicsModel& model);
+
+/// The two geoms that touch.
+inline std::array<int, 2> contact_geoms(const mjContact& contact) {
+#if mjVERSION_HEADER >= 315
+  return {contact.geom[0], contact.geom[1]};
+#else
+  return {contact.geom1, contact.geom2};
+#endif
+}
+
+/// The index of a named thing (mjOBJ_...) of the model, -1 when there is none.
+inline int find_in(const mjModel& model, int type, const std::string& name) {
+  return mj_name2id(&model, type, name.c_str());
+}
 
 /// Fails (kData) once the simulation has diverged: from then on its state means nothing.
 Result<void> check_stable(const mjData& data);

@@ -25,9 +25,10 @@ struct Object {
   /// the diameter twice. A mesh takes them from its file.
   std::array<double, 3> size{};
   Material material;
-  double mass = 0.0;        ///< kg; from volume and density unless given.
-  std::string mesh_file;    ///< STL or OBJ, of a mesh alone; an absolute path.
-  double mesh_scale = 1.0;  ///< mm for a unit of the file.
+  double mass = 0.0;          ///< kg; from volume and density unless given.
+  double top_diameter = 0.0;  ///< mm, of a cone alone.
+  std::string mesh_file;      ///< STL or OBJ, of a mesh alone; an absolute path.
+  double mesh_scale = 1.0;    ///< mm for a unit of the file.
 };
 
 }  // namespace somato

@@ -1,0 +1,156 @@
+#include "simulation/hand_scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "files/embedded.h"
+#include "simulation/object_mjcf.h"
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+constexpr double kMetres = 0.001;                          // in a mm
+constexpr double kRadians = std::numbers::pi / 180.0;      // in a deg
+constexpr double kMostHeight = 400.0, kMostWidth = 400.0;  // mm, of anything before a hand
+
+std::string_view model_file(Hand hand) {
+  return hand == Hand::kLucs2 ? "models/lucs_haptic_hand_2.xml" : "models/lucs_haptic_hand_3.xml";
+}
+
+// An actuator turns or shifts the joint it acts upon.
+bool is_slide(const mjModel& model, int servo) {
+  return model.jnt_type[model.actuator_trnid[2 * servo]] == mjJNT_SLIDE;
+}
+
+DegreeOfFreedom degree_of_freedom(const mjModel& model, int servo) {
+  const bool slide = is_slide(model, servo);
+  const double scale = slide ? kMetres : kRadians;
+  const mjtNum* range = model.actuator_ctrlrange + 2 * servo;
+  // Rounded to what the model's text can tell: 30 deg is 30, not 29.99998.
+  const auto in_unit = [&](double value) { return std::round(value / scale * 1e3) / 1e3; };
+  return {mj_id2name(&model, mjOBJ_ACTUATOR, servo), slide ? "mm" : "deg", in_unit(range[0]),
+          in_unit(range[1]), model.actuator_user[servo * model.nuser_actuator] / scale};
+}
+
+ChannelDescription sensor(const char* name, const char* unit, std::vector<std::string> elements) {
+  ChannelDescription description;
+  description.name = name;
+  description.unit = unit;
+  description.element_names = std::move(elements);
+  return description;
+}
+
+std::vector<std::string> potentiometers(const mjModel& model) {
+  std::vector<std::string> names;
+  const auto count = static_cast<int>(model.nsensor);
+  for (int i = 0; i < count; ++i) names.emplace_back(mj_id2name(&model, mjOBJ_SENSOR, i));
+  return names;
+}
+
+// Hand II knows its joints by where it drove them, Hand III by its potentiometers.
+std::vector<ChannelDescription> proprioception(Hand hand, const mjModel& model,
+                                               const std::vector<DegreeOfFreedom>& servos) {
+  if (hand == Hand::kLucs3) return {sensor("joints", "deg", potentiometers(model))};
+  std::vector<std::string> fingers;
+  for (std::size_t i = 2; i < servos.size(); ++i) fingers.push_back(servos[i].name);
+  return {sensor("height", "mm", {}), sensor("wrist", "deg", {}), sensor("joints", "deg", fingers)};
+}
+
+BodyDescription describe(const HandScene::Parts& parts) {
+  const mjModel& model = *parts.model;
+  BodyDescription description;
+  description.name = parts.hand == Hand::kLucs2 ? "LUCS Haptic Hand II" : "LUCS Haptic Hand III";
+  const auto servos = static_cast<int>(model.nu);
+  for (int i = 0; i < servos; ++i)
+    description.degrees_of_freedom.push_back(degree_of_freedom(model, i));
+  description.sensors = proprioception(parts.hand, model, description.degrees_of_freedom);
+  description.sensors.push_back(sensor("touch", "N", parts.taxels.names));
+  description.sensors.push_back(sensor("touch_change", "N", parts.taxels.names));
+  return description;
+}
+
+std::vector<double> start_of(const mjModel& model) {
+  const int found = detail::find_in(model, mjOBJ_NUMERIC, "start");
+  SOMATO_ASSERT(found >= 0 && model.numeric_size[found] == static_cast<int>(model.nu));
+  const mjtNum* first = model.numeric_data + model.numeric_adr[found];
+  return {first, first + model.nu};
+}
+
+void find_indices(HandScene::Parts& parts) {
+  const mjModel& model = *parts.model;
+  parts.taxels = detail::find_taxels(model);
+  parts.start = start_of(model);
+  for (int i = 0; i < static_cast<int>(model.nu); ++i)
+    parts.scales.push_back(is_slide(model, i) ? kMetres : kRadians);
+  parts.place = detail::find_in(model, mjOBJ_SITE, "object_place");
+  if (parts.place < 0) {
+    parts.place = detail::find_in(model, mjOBJ_SITE, "against_palm");
+    const auto& size = parts.object.size;
+    parts.place_back = std::min(size[0], size[1]) / 2 * kMetres;
+    parts.turn_to_palm = size[1] > size[0];
+  }
+  parts.object_body = detail::find_in(model, mjOBJ_BODY, "object");
+  parts.object_geom = detail::find_in(model, mjOBJ_GEOM, "object");
+  parts.stand_body = detail::find_in(model, mjOBJ_BODY, "stand");
+  SOMATO_ASSERT(parts.place >= 0 && parts.object_body >= 0 && parts.object_geom >= 0);
+}
+
+Result<void> check_size(const Object& object) {
+  const auto& size = object.size;
+  if (size[0] <= kMostWidth && size[1] <= kMostWidth && size[2] <= kMostHeight) return {};
+  return fail(ErrorKind::kUsage,
+              fmt::format("'{}' ({:g} x {:g} x {:g} mm) does not fit the hand", object.name,
+                          size[0], size[1], size[2]),
+              object.name, "take a smaller object");
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string scene_mjcf(std::string_view hand, const std::string& assets,
+                       const std::string& bodies) {
+  constexpr std::string_view kEnd = "</worldbody>";
+  const std::size_t end = hand.find(kEnd);
+  SOMATO_ASSERT(end != std::string_view::npos);
+  std::string text(hand.substr(0, end));
+  text += bodies;
+  text += kEnd;
+  if (!assets.empty()) text += "<asset>" + assets + "</asset>";
+  return text + std::string(hand.substr(end + kEnd.size()));
+}
+
+}  // namespace detail
+
+Result<HandScene> HandScene::build(Hand hand, const Object& object,
+                                   const SimulationParameters& parameters) {
+  auto measured = detail::measure_object(object);
+  if (!measured) return fail(std::move(measured.error()));
+  if (auto fits = check_size(measured->object); !fits) return fail(std::move(fits.error()));
+  const auto mjcf = detail::object_mjcf(
+      *measured, {parameters.free, parameters.friction.value_or(object.material.friction)});
+  auto model = detail::compile_model(
+      detail::scene_mjcf(detail::embedded_text(model_file(hand)), mjcf.assets, mjcf.bodies),
+      object.name);
+  if (!model) return fail(std::move(model.error()));
+  // The file tells a sensible step; the caller's counts.
+  (*model)->opt.timestep = parameters.time_step;
+  auto parts = std::make_shared<Parts>();
+  parts->hand = hand;
+  parts->object = std::move(measured->object);
+  parts->parameters = parameters;
+  parts->model = std::move(*model);
+  find_indices(*parts);
+  parts->description = describe(*parts);
+  return HandScene(std::move(parts));
+}
+
+const Object& HandScene::object() const {
+  return parts_->object;
+}
+
+}  // namespace somato

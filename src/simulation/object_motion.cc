@@ -1,0 +1,100 @@
+#include "simulation/object_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace somato::detail {
+namespace {
+
+constexpr double kMetres = 0.001;                      // in a mm
+constexpr double kRadians = std::numbers::pi / 180.0;  // in a deg
+
+bool is_free(const HandScene::Parts& scene) {
+  return scene.parameters.free;
+}
+
+void put_mocap(const mjModel& model, int body, const Pose& pose, mjData& data) {
+  const int mocap = model.body_mocapid[body];
+  std::copy(pose.position.begin(), pose.position.end(), data.mocap_pos + 3 * mocap);
+  std::copy(pose.turn.begin(), pose.turn.end(), data.mocap_quat + 4 * mocap);
+}
+
+// Above the beads of a stand by less than they are thick, so that it settles between them.
+double drop_of(const HandScene::Parts& scene) {
+  const double radius = std::min(scene.object.size[0], scene.object.size[1]) / 2 * kMetres;
+  return scene.stand_body < 0 ? 0.0 : radius / 9;
+}
+
+void put_free(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
+  const mjModel& model = *scene.model;
+  mjtNum* at = data.qpos + model.jnt_qposadr[model.body_jntadr[scene.object_body]];
+  std::copy(pose.position.begin(), pose.position.end(), at);
+  at[2] += drop_of(scene);
+  std::copy(pose.turn.begin(), pose.turn.end(), at + 3);
+}
+
+Error lost(const HandScene::Parts& scene, const std::string& how) {
+  return {ErrorKind::kData, fmt::format("the object {}", how), scene.object.name,
+          "hold it (leave out --free), or make it heavier"};
+}
+
+}  // namespace
+
+Pose object_pose(const HandScene::Parts& scene, const Placement& placement) {
+  const mjModel& model = *scene.model;
+  const mjtNum* site = model.site_pos + 3 * scene.place;
+  const std::array<mjtNum, 3> off{placement.x * kMetres, placement.y * kMetres + scene.place_back,
+                                  0.0};
+  Pose pose;
+  mju_rotVecQuat(pose.position.data(), off.data(), model.site_quat + 4 * scene.place);
+  mju_addTo3(pose.position.data(), site);
+  const double turn = placement.turn * kRadians + (scene.turn_to_palm ? std::numbers::pi / 2 : 0.0);
+  const std::array<mjtNum, 4> about{std::cos(turn / 2), 0.0, 0.0, std::sin(turn / 2)};
+  mju_mulQuat(pose.turn.data(), model.site_quat + 4 * scene.place, about.data());
+  return pose;
+}
+
+void put_object(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
+  if (scene.stand_body >= 0) put_mocap(*scene.model, scene.stand_body, pose, data);
+  if (is_free(scene)) {
+    put_free(scene, pose, data);
+  } else {
+    put_mocap(*scene.model, scene.object_body, pose, data);
+  }
+}
+
+Result<void> check_object(const HandScene::Parts& scene, const Pose& placed, const mjData& data) {
+  if (!is_free(scene)) return {};
+  constexpr double kFarthest = 0.06;  // m; a free block drifts by a tenth of this
+  constexpr double kDeepest = 0.005;  // m
+  const mjtNum* now = data.xpos + 3 * scene.object_body;
+  const double height = now[2] - placed.position[2];
+  if (height < -kDeepest) return fail(lost(scene, "sank into the table"));
+  if (std::hypot(now[0] - placed.position[0], now[1] - placed.position[1], height) > kFarthest)
+    return fail(lost(scene, "flew away"));
+  // The third column of its rotation: where its own vertical points.
+  if (data.xmat[9 * scene.object_body + 8] < std::numbers::sqrt2 / 2)
+    return fail(lost(scene, "fell over"));
+  return {};
+}
+
+Result<void> check_apart(const HandScene::Parts& scene, const mjData& data) {
+  for (int i = 0; i < data.ncon; ++i) {
+    const auto [one, other] = contact_geoms(data.contact[i]);
+    if (one != scene.object_geom && other != scene.object_geom) continue;
+    const int geom = one == scene.object_geom ? other : one;
+    const int body = scene.model->geom_bodyid[geom];
+    const bool of_hand = body != 0 && body != scene.stand_body;
+    if (!of_hand || data.contact[i].dist > 0.0) continue;
+    return fail(ErrorKind::kUsage,
+                fmt::format("'{}' does not fit the hand: before it closes, '{}' meets it",
+                            scene.object.name, mj_id2name(scene.model.get(), mjOBJ_BODY, body)),
+                scene.object.name, "take a smaller object, or place it with less noise");
+  }
+  return {};
+}
+
+}  // namespace somato::detail
