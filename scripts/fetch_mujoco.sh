@@ -4,17 +4,17 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 readonly folder=build/mujoco
-readonly version=3.17.0
+version=$(sed -n 's/^mujoco==\([^ ]*\).*/\1/p' scripts/mujoco.txt)
 
-[[ ! -e $folder/lib/libmujoco.so ]] || exit 0
+[[ ! -e $folder/lib/libmujoco.so.$version ]] || exit 0
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # The interpreter's tag matters little: the library inside is the same for each.
 if python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: \
-  --implementation cp --python-version 311 --platform manylinux_2_28_x86_64 --require-hashes \
-  --requirement scripts/mujoco.txt --dest "$work"; then
+  --implementation cp --python-version 311 --platform "manylinux_2_28_$(uname -m)" \
+  --require-hashes --requirement scripts/mujoco.txt --dest "$work"; then
   python3 -m zipfile -e "$work"/mujoco-*.whl "$work/wheel"
   mkdir -p "$work/mujoco/lib"
   mv "$work/wheel/mujoco/include" "$work/mujoco/include"
@@ -29,4 +29,5 @@ fi
 
 echo "fetch_mujoco: MuJoCo $version is out of reach; the distribution's older one is taken," \
   "whose figures differ" >&2
+rm -rf "$folder"
 scripts/setup.sh old-physics

@@ -22,7 +22,9 @@ class MemoryFile {
 #endif
   }
   MemoryFile(const MemoryFile&) = delete;
+  MemoryFile(MemoryFile&&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
+  MemoryFile& operator=(MemoryFile&&) = delete;
   ~MemoryFile() { mj_deleteVFS(files_.get()); }
 
   const mjVFS* get() const { return files_.get(); }

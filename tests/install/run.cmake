@@ -1,4 +1,5 @@
-# Installs BUILD into a fresh prefix below WORK, builds the user's project SOURCE against it, runs it.
+# Installs BUILD into a fresh prefix below WORK, builds the users' projects in SOURCE against it, runs
+# them. SIMULATION: whether BUILD has simulated bodies.
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
 
@@ -6,8 +7,57 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
+# user_project(FOLDER): sets 'configure' to the command that configures it
+macro(user_project folder)
+  set(configure ${CMAKE_COMMAND} -S ${SOURCE}/${folder} -B ${WORK}/${folder} -G Ninja
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix})
+endmacro()
+
+function(build_and_run folder)
+  user_project(${folder})
+  run(${configure})
+  run(${CMAKE_COMMAND} --build ${WORK}/${folder})
+  run(${WORK}/${folder}/user)
+endfunction()
+
+# refused(FOLDER TEXT): find_package says TEXT
+function(refused folder text)
+  user_project(${folder})
+  execute_process(COMMAND ${configure} --fresh RESULT_VARIABLE status ERROR_VARIABLE errors)
+  string(REGEX REPLACE "[ \n]+" " " errors "${errors}")
+  string(FIND "${errors}" "${text}" place)
+  if(status EQUAL 0 OR place EQUAL -1)
+    message(FATAL_ERROR "'${folder}' should have been refused with '${text}':\n${errors}")
+  endif()
+endfunction()
+
+# Everything that lies in FOLDER of the tree lies in the installed one.
+function(shared_files_are_there folder)
+  file(GLOB files ${SOURCE}/../../${folder}/*.xml ${SOURCE}/../../${folder}/*.toml)
+  foreach(file ${files})
+    get_filename_component(name ${file} NAME)
+    run(${CMAKE_COMMAND} -E compare_files ${file} ${prefix}/share/somato/${folder}/${name})
+  endforeach()
+endfunction()
+
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix})
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/user)
+shared_files_are_there(models)
+shared_files_are_there(objects)
+
+if(SIMULATION)
+  run(${prefix}/bin/somato --version)
+  build_and_run(simulation)
+  # Without the engine that came along, if one did, only who wants simulated bodies is refused.
+  file(GLOB_RECURSE engine ${prefix}/lib*/libmujoco*)
+  if(engine)
+    file(GLOB licences ${prefix}/share/doc/*/mujoco/LICENSE)
+    if(NOT licences)
+      message(FATAL_ERROR "The engine was installed without its licence")
+    endif()
+    file(REMOVE ${engine})
+    refused(simulation "The physics engine of somato's simulated bodies, libmujoco.so.")
+  endif()
+else()
+  refused(simulation "This somato was built without simulated bodies")
+endif()
+build_and_run(maps)
