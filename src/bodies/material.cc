@@ -1,5 +1,6 @@
 #include "somato/bodies/material.h"
 
+#include "bodies/valid_ranges.h"
 #include "files/embedded.h"
 #include "somato/core/check.h"
 #include "somato/files/toml_file.h"
@@ -69,6 +70,7 @@ const Declarations<Material>& Material::declarations() {
 }
 
 Result<void> Material::validate() const {
+  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
   if ((weave_period > 0.0) == (weave_height > 0.0)) return {};
   return fail(ErrorKind::kUsage, "a weave needs both 'weave_period' and 'weave_height'", {},
               "give both, or neither");

@@ -41,8 +41,8 @@ struct Material {
   /// All but the name.
   static const Declarations<Material>& declarations();
 
-  /// What single ranges cannot say. Errors (kUsage): a weave with a period and no height, or the
-  /// other way round.
+  /// Whether the numbers fit each other. Errors (kUsage): one out of its range; a weave with a
+  /// period and no height, or the other way round.
   Result<void> validate() const;
 
   /// N/mm under a taxel's dome.
