@@ -1,6 +1,42 @@
 #include "somato/bodies/material.h"
 
+#include "bodies/valid_ranges.h"
+#include "files/embedded.h"
+#include "somato/core/check.h"
+#include "somato/files/toml_file.h"
+
 namespace somato {
+namespace {
+
+tl::unexpected<Error> not_tables(const std::string& where) {
+  return fail(ErrorKind::kUsage, "'material' holds something that is no table", where,
+              "write each material as a table [material.NAME]");
+}
+
+// What the texture probe meets.
+void declare_surface(Declarations<Material>& d) {
+  d.add(
+      "loss", [](auto& m) -> auto& { return m.loss; }, "", Range::between(0, 2),
+      "Loss factor: damping of what vibrates against it; not given in the paper");
+  d.add(
+      "roughness", [](auto& m) -> auto& { return m.roughness; }, "um", Range::between(0, 2000),
+      "Root mean square height of the surface; not given in the paper");
+  d.add(
+      "correlation_length", [](auto& m) -> auto& { return m.correlation_length; }, "mm",
+      Range::between(0.02, 100),
+      "Distance beyond which heights are independent; not given in the paper");
+  d.add(
+      "hurst", [](auto& m) -> auto& { return m.hurst; }, "", Range::between(0.05, 1),
+      "Power of the distance by which heights grow apart below that; not given in the paper");
+  d.add(
+      "weave_period", [](auto& m) -> auto& { return m.weave_period; }, "mm", Range::between(0, 100),
+      "Distance between the ridges of a weave; 0: no weave; not given in the paper");
+  d.add(
+      "weave_height", [](auto& m) -> auto& { return m.weave_height; }, "um",
+      Range::between(0, 5000), "Height of the ridges over the grooves; not given in the paper");
+}
+
+}  // namespace
 
 const std::vector<std::pair<Hardness, std::string>>& Choices<Hardness>::all() {
   static const std::vector<std::pair<Hardness, std::string>> choices = {{Hardness::kSoft, "soft"},
@@ -23,7 +59,60 @@ const Declarations<Material>& Material::declarations() {
     d.add(
         "stiffness", [](auto& m) -> auto& { return m.stiffness; }, "N/mm", Range::above(0),
         "Force for a mm under the tip of the hardness probe; not given in the paper");
+    d.add(
+        "touch_stiffness", [](auto& m) -> auto& { return m.touch_stiffness; }, "N/mm",
+        Range::above(0),
+        "Force for a mm under a taxel; automatic: as under the tip; not given in the paper");
+    declare_surface(d);
     return d;
+  }();
+  return all;
+}
+
+Result<void> Material::validate() const {
+  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
+  if ((weave_period > 0.0) == (weave_height > 0.0)) return {};
+  return fail(ErrorKind::kUsage, "a weave needs both 'weave_period' and 'weave_height'", {},
+              "give both, or neither");
+}
+
+Result<Material> read_material(const std::string& name, const Table& table) {
+  Material defaults;
+  defaults.name = name;
+  auto material = read_parameters<Material>(table, std::move(defaults));
+  if (!material) return material;
+  if (auto valid = material->validate(); !valid) {
+    valid.error().where = table.where;
+    return fail(std::move(valid.error()));
+  }
+  return material;
+}
+
+Result<std::vector<Material>> read_materials(const Table& file) {
+  const Table::Entry* entry = file.find("material");
+  if (!entry) return std::vector<Material>{};
+  const Table* tables = std::get_if<Table>(&entry->content);
+  if (!tables) return not_tables(entry->where);
+  std::vector<Material> materials;
+  materials.reserve(tables->entries.size());
+  for (const Table::Entry& each : tables->entries) {
+    const Table* table = std::get_if<Table>(&each.content);
+    if (!table) return not_tables(each.where);
+    auto material = read_material(each.name, *table);
+    if (!material) return fail(std::move(material.error()));
+    materials.push_back(std::move(*material));
+  }
+  return materials;
+}
+
+const std::vector<Material>& declared_materials() {
+  static const std::vector<Material> all = [] {
+    constexpr std::string_view kFile = "objects/materials.toml";
+    const auto file = parse_toml(detail::embedded_text(kFile), kFile);
+    SOMATO_ASSERT(file);
+    auto materials = read_materials(*file);
+    SOMATO_ASSERT(materials);
+    return std::move(*materials);
   }();
   return all;
 }

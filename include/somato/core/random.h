@@ -18,6 +18,8 @@ enum class Stream : std::uint32_t {
   kDraws = 1,
   kGroupings = 2,
   kNoise = 3,
+  kTextureProbe = 20,
+  kHardnessProbe = 21,
   kUser = 1000,  ///< From here on, free for programs that use the library.
 };
 

@@ -1,0 +1,114 @@
+#include "somato/bodies/pressing.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "bodies/driving.h"
+#include "bodies/valid_ranges.h"
+
+namespace somato {
+namespace {
+
+using P = PressParameters;
+
+// The mean of so many of the readings that end `before` the last.
+double mean_of(const std::vector<float>& readings, std::size_t count, std::size_t before) {
+  const auto last = readings.end() - static_cast<std::ptrdiff_t>(before);
+  const auto first = last - static_cast<std::ptrdiff_t>(count);
+  return std::accumulate(first, last, 0.0) / static_cast<double>(count);
+}
+
+// The variance of a single reading, by the scatter between neighbours among the last: a slow
+// movement hardly counts.
+double noise_variance(const std::vector<float>& readings, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t i = readings.size() - count + 1; i < readings.size(); ++i) {
+    const double step = static_cast<double>(readings[i]) - static_cast<double>(readings[i - 1]);
+    sum += 0.5 * step * step;
+  }
+  return sum / static_cast<double>(count - 1);
+}
+
+bool looks_at_rest(const std::vector<float>& readings, std::size_t count) {
+  if (readings.size() < 2 * count) return false;
+  const double change = mean_of(readings, count, 0) - mean_of(readings, count, count);
+  const double error =
+      std::sqrt(2.0 * noise_variance(readings, 2 * count) / static_cast<double>(count));
+  return std::abs(change) <= 3.0 * error + 1.0;
+}
+
+Result<float> read_once(Body& body, std::size_t sensor, double seconds) {
+  if (auto stepped = body.step(seconds); !stepped) return fail(stepped.error());
+  const Matrix<float>& reading = body.state().readings[sensor];
+  if (!reading.empty()) return reading(reading.rows() - 1, 0);
+  return fail(ErrorKind::kData, "'potentiometer' gave no reading", "potentiometer",
+              "see whether it is connected");
+}
+
+Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, double target,
+                           const P& parameters) {
+  std::vector<float> readings;
+  std::size_t rests = 0;
+  for (double time = 0.0; time < parameters.patience; time += parameters.step) {
+    const auto reading = read_once(body, sensor, parameters.step);
+    if (!reading) return fail(reading.error());
+    readings.push_back(*reading);
+    const bool still =
+        detail::has_arrived(body, stick, target) && looks_at_rest(readings, parameters.readings);
+    rests = still ? rests + 1 : 0;
+    if (rests == parameters.readings) return {};
+  }
+  return fail(ErrorKind::kData,
+              fmt::format("the stick does not come to rest within {:g} s", parameters.patience),
+              body.description().degrees_of_freedom[stick].name,
+              "raise 'patience', or see what moves it");
+}
+
+// The last frame of what a sensor reported.
+Exploration exploration_of(const ChannelDescription& sensor, const Matrix<float>& reading) {
+  Channel channel = detail::empty_channel(sensor);
+  channel.rate = 0.0;
+  const auto last = reading.row(reading.rows() - 1);
+  channel.frames = Matrix<float>(1, last.size(), std::vector<float>(last.begin(), last.end()));
+  Exploration exploration;
+  exploration.channels.push_back(std::move(channel));
+  return exploration;
+}
+
+}  // namespace
+
+const Declarations<P>& P::declarations() {
+  static const Declarations<P> kAll =
+      Declarations<P>()
+          .add(
+              "to", [](P& p) -> auto& { return p.to; }, "mm", Range::any(),
+              "Where the stick is sent; automatic: its limit. Not given in the paper.")
+          .add(
+              "step", [](P& p) -> auto& { return p.step; }, "s", Range::between(1e-4, 60),
+              "Time between readings. Not given in the paper.")
+          .add(
+              "readings", [](P& p) -> auto& { return p.readings; }, "", Range::between(2, 1e6),
+              "How many are averaged to see whether it rests. Not given in the paper.")
+          .add(
+              "patience", [](P& p) -> auto& { return p.patience; }, "s", Range::above(0),
+              "How long to wait for that. Not given in the paper.");
+  return kAll;
+}
+
+Result<Exploration> explore_by_pressing(Body& body, const P& parameters) {
+  if (auto ranges = detail::check_ranges(parameters); !ranges) return fail(ranges.error());
+  const auto stick = find_degree_of_freedom(body.description(), "stick");
+  if (!stick) return fail(stick.error());
+  const auto sensor = find_sensor(body.description(), "potentiometer");
+  if (!sensor) return fail(sensor.error());
+  const double target = parameters.to.value_or(body.description().degrees_of_freedom[*stick].most);
+  if (auto sent = detail::drive_one(body, *stick, target); !sent) return fail(sent.error());
+  if (auto rests = wait_for_rest(body, *stick, *sensor, target, parameters); !rests) {
+    return fail(rests.error());
+  }
+  return exploration_of(body.description().sensors[*sensor], body.state().readings[*sensor]);
+}
+
+}  // namespace somato

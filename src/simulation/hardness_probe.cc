@@ -1,0 +1,171 @@
+#include "somato/simulation/hardness_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bodies/valid_ranges.h"
+#include "simulation/tick_clock.h"
+#include "somato/core/elementary.h"
+#include "somato/core/random.h"
+
+namespace somato {
+namespace {
+
+using P = HardnessProbeParameters;
+
+constexpr double kTickRate = 1000.0;  // Hz
+
+// A stick on a servo that is too weak to hold it against the material.
+class Stick {
+ public:
+  Stick(const Material& material, const P& parameters, double force)
+      : clearance_(parameters.clearance),
+        balance_(parameters.clearance + force / material.stiffness),
+        mm_per_tick_(parameters.stick_speed / kTickRate),
+        // A servo slows down in proportion to its load: it approaches the balance exponentially,
+        // from the full speed at first touch.
+        decay_(exponential(-mm_per_tick_ * material.stiffness / force)) {}
+
+  // Towards where the servo has been driven; mm.
+  double follow(double driven) {
+    const double free = std::min(position_ + mm_per_tick_, clearance_);
+    const double pressing = balance_ + (position_ - balance_) * decay_;
+    position_ = std::min(driven, position_ < clearance_ ? free : pressing);
+    return position_;
+  }
+
+  double position() const { return position_; }
+
+ private:
+  double clearance_;
+  double balance_;
+  double mm_per_tick_;
+  double decay_;
+  double position_ = 0.0;
+};
+
+// From mm to counts.
+class Potentiometer {
+ public:
+  explicit Potentiometer(const P& parameters)
+      : most_(static_cast<double>((std::size_t{1} << parameters.potentiometer_bits) - 1)),
+        counts_per_mm_(most_ / parameters.stroke) {}
+
+  float operator()(double position) const {
+    return static_cast<float>(std::clamp(std::round(position * counts_per_mm_), 0.0, most_));
+  }
+
+ private:
+  double most_;
+  double counts_per_mm_;
+};
+
+class HardnessProbe : public Body {
+ public:
+  HardnessProbe(const Material& material, const P& parameters, std::uint64_t exploration_seed)
+      : random_(exploration_seed, Stream::kHardnessProbe),
+        stick_(material, parameters,
+               parameters.force * (1.0 + parameters.force_noise * random_.normal())),
+        potentiometer_(parameters),
+        noise_(parameters.potentiometer_noise),
+        clock_(kTickRate),
+        mm_per_tick_(parameters.stick_speed / kTickRate) {
+    description_.name = "hardness_probe";
+    description_.degrees_of_freedom = {
+        {"stick", "mm", 0.0, parameters.stroke, parameters.stick_speed}};
+    description_.sensors = {{"potentiometer", "counts", {}, {}, 0.0, true}};
+    state_.positions = {0.0};
+    state_.readings = {Matrix<float>(0, 1)};
+  }
+
+  const BodyDescription& description() const override { return description_; }
+  const BodyState& state() const override { return state_; }
+
+ protected:
+  Result<void> drive_to(std::span<const double> targets) override {
+    target_ = targets[0];
+    return {};
+  }
+
+  Result<void> pass(double seconds) override {
+    for (std::int64_t due = clock_.pass(seconds); due > 0; --due) tick();
+    state_.readings[0] = Matrix<float>(1, 1, potentiometer_(stick_.position() + deviation_));
+    state_.time = clock_.time();
+    return {};
+  }
+
+ private:
+  void tick() {
+    double& driven = state_.positions[0];
+    driven += std::clamp(target_ - driven, -mm_per_tick_, mm_per_tick_);
+    stick_.follow(driven);
+    deviation_ = noise_ * random_.normal();
+  }
+
+  BodyDescription description_;
+  BodyState state_;
+  Random random_;  // force first, then noise as it comes
+  Stick stick_;
+  Potentiometer potentiometer_;
+  double noise_;
+  double deviation_ = 0.0;  // of the potentiometer, mm
+  detail::TickClock clock_;
+  double mm_per_tick_;
+  double target_ = 0.0;
+};
+
+void declare_stick(Declarations<P>& d) {
+  d.add(
+      "stroke", [](P& p) -> auto& { return p.stroke; }, "mm", Range::between(0.1, 1000),
+      "How far the stick goes; not given in the paper.");
+  d.add(
+      "stick_speed", [](P& p) -> auto& { return p.stick_speed; }, "mm/s",
+      Range::between(0.001, 1e4), "How fast it goes without load; not given in the paper.");
+  d.add(
+      "clearance", [](P& p) -> auto& { return p.clearance; }, "mm", Range::at_least(0),
+      "How far the material is from the stick at 0; not given in the paper.");
+  d.add(
+      "force", [](P& p) -> auto& { return p.force; }, "N", Range::above(0),
+      "Force with which it presses; P11 says constant, the value is not given in the paper.");
+  d.add(
+      "force_noise", [](P& p) -> auto& { return p.force_noise; }, "", Range::between(0, 0.05),
+      "Standard deviation of the force between explorations, as a share; not given in the paper.");
+}
+
+void declare_potentiometer(Declarations<P>& d) {
+  d.add(
+      "potentiometer_bits", [](P& p) -> auto& { return p.potentiometer_bits; }, "bits",
+      Range::between(1, 24), "Bits of a reading over the stroke; 18 in P11.");
+  d.add(
+      "potentiometer_noise", [](P& p) -> auto& { return p.potentiometer_noise; }, "mm",
+      Range::at_least(0), "Standard deviation of a reading; not given in the paper.");
+}
+
+}  // namespace
+
+const Declarations<P>& P::declarations() {
+  static const Declarations<P> kAll = [] {
+    Declarations<P> d;
+    declare_stick(d);
+    declare_potentiometer(d);
+    return d;
+  }();
+  return kAll;
+}
+
+Result<void> P::validate() const {
+  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
+  if (clearance < stroke) return {};
+  return fail(ErrorKind::kUsage,
+              "the stick never reaches the material: 'clearance' is 'stroke' or more", {},
+              "lower 'clearance', or raise 'stroke'");
+}
+
+Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material, const P& parameters,
+                                                  std::uint64_t exploration_seed) {
+  if (auto valid = material.validate(); !valid) return fail(std::move(valid.error()));
+  if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));
+  return std::make_unique<HardnessProbe>(material, parameters, exploration_seed);
+}
+
+}  // namespace somato
