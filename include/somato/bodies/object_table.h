@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "somato/bodies/object.h"
+
+namespace somato {
+
+/// Things to explore, and the materials declared with them.
+struct ObjectTable {
+  std::vector<Object> objects;
+  std::vector<Material> materials;  ///< Of the table alone, beside those that are known anyway.
+};
+
+/// The keys of an object's line in a table, each with its meaning and range; a shape has its own
+/// ones, see shape_keys().
+struct ObjectLine {
+  Shape shape = Shape::kSphere;
+  std::optional<double> diameter;
+  std::optional<double> width;
+  std::optional<double> depth;
+  std::optional<double> height;
+  double top_diameter = 0.0;
+  std::string file;
+  double scale = 1.0;
+  std::string material;
+  std::optional<double> mass;
+
+  static const Declarations<ObjectLine>& declarations();
+};
+
+/// The keys that a shape must have, and those that it may have, beside `shape`, `material` (which
+/// all must have) and `mass` (which all may have).
+struct ShapeKeys {
+  std::vector<std::string> needed;
+  std::vector<std::string> possible;
+};
+const ShapeKeys& shape_keys(Shape shape);
+
+/// The table that the TOML in `text` describes (docs/objects.md), in the order of the text. `where`
+/// is its file; files of meshes are looked for beside it. Objects are of the materials of the table
+/// or of those `declared`.
+/// Errors, with file and line: kUsage for unknown tables, keys, shapes and materials, keys that a
+/// shape lacks, sizes out of range, a cone whose top is wider than its foot, a capsule lower than
+/// wide, names that are none, a material of a declared name, nothing at all; kSystem and kData
+/// for the file of a mesh that cannot be read, is empty or is larger than 64 MiB.
+Result<ObjectTable> parse_object_table(std::string_view text, std::string_view where,
+                                       std::span<const Material> declared);
+
+/// The table in the file at `path`; see parse_object_table() and read_toml().
+Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared);
+
+/// The objects of Table I (P06), explored with LUCS Haptic Hand II. The materials plastic, metal,
+/// hard_board and wood must be among those `declared`; otherwise an error names the missing one.
+Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared);
+
+/// Five cylinders and five blocks for LUCS Haptic Hand III, and three and three new ones between
+/// them. Both tables are ours; the papers' Table II is not known. Of the same materials.
+Result<std::vector<Object>> lucs3_objects(std::span<const Material> declared);
+Result<std::vector<Object>> lucs3_new_objects(std::span<const Material> declared);
+
+}  // namespace somato

@@ -1,0 +1,421 @@
+#include "somato/bodies/object_table.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include "somato/core/random.h"
+#include "support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Material material_of(std::string name, double density) {
+  Material material;
+  material.name = std::move(name);
+  material.density = density;
+  return material;
+}
+
+const std::vector<Material>& declared() {
+  static const std::vector<Material> all{material_of("plastic", 1000), material_of("metal", 8000),
+                                         material_of("hard_board", 700), material_of("wood", 600)};
+  return all;
+}
+
+Result<ObjectTable> parse(const std::string& text) {
+  return parse_object_table(text, "t.toml", declared());
+}
+
+Object only_object(const std::string& line) {
+  const auto table = parse("[object]\nit = " + line);
+  if (!table) {
+    ADD_FAILURE() << to_string(table.error());
+    return {};
+  }
+  EXPECT_EQ(table->objects.size(), 1U);
+  return table->objects.at(0);
+}
+
+std::string error_of(const std::string& text, ErrorKind kind = ErrorKind::kUsage) {
+  const auto table = parse(text);
+  if (table) return "none";
+  EXPECT_EQ(table.error().kind, kind);
+  return to_string(table.error());
+}
+
+std::string error_of_object(const std::string& line) {
+  return error_of("[object]\nit = " + line);
+}
+
+void expect_says(const std::string& message, std::initializer_list<std::string> parts) {
+  for (const std::string& part : parts) {
+    EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
+  }
+}
+
+using Size = std::array<double, 3>;
+
+TEST(ObjectTable, EveryShapeHasItsOwnKeys) {
+  EXPECT_EQ(only_object(R"({ shape = "sphere", diameter = 72, material = "wood" })").size,
+            (Size{72, 72, 72}));
+  EXPECT_EQ(
+      only_object(R"({ shape = "cylinder", diameter = 62, height = 121, material = "wood" })").size,
+      (Size{62, 62, 121}));
+  EXPECT_EQ(only_object(
+                R"({ shape = "block", width = 58, depth = 50.5, height = 110, material = "wood" })")
+                .size,
+            (Size{58, 50.5, 110}));
+  EXPECT_EQ(
+      only_object(
+          R"({ shape = "ellipsoid", width = 58, depth = 50, height = 110, material = "wood" })")
+          .size,
+      (Size{58, 50, 110}));
+  EXPECT_EQ(
+      only_object(R"({ shape = "capsule", diameter = 40, height = 40, material = "wood" })").size,
+      (Size{40, 40, 40}));
+}
+
+TEST(ObjectTable, AConeMayBeCutOff) {
+  const Object pointed =
+      only_object(R"({ shape = "cone", diameter = 60, height = 90, material = "wood" })");
+  EXPECT_EQ(pointed.shape, Shape::kCone);
+  EXPECT_EQ(pointed.size, (Size{60, 60, 90}));
+  EXPECT_EQ(pointed.top_diameter, 0.0);
+  const Object cut = only_object(
+      R"({ shape = "cone", diameter = 60, height = 90, top_diameter = 60, material = "wood" })");
+  EXPECT_EQ(cut.top_diameter, 60.0);
+}
+
+TEST(ObjectTable, MassComesOfVolumeAndDensityUnlessGiven) {
+  EXPECT_DOUBLE_EQ(
+      only_object(
+          R"({ shape = "block", width = 50, depth = 50, height = 100, material = "metal" })")
+          .mass,
+      2.0);
+  EXPECT_EQ(
+      only_object(R"({ shape = "sphere", diameter = 72, material = "wood", mass = 0.31 })").mass,
+      0.31);
+}
+
+TEST(ObjectTable, KeepsTheOrderOfTheText) {
+  const auto table = parse(R"(
+[object]
+z = { shape = "sphere", diameter = 1, material = "wood" }
+a = { shape = "sphere", diameter = 1000, material = "metal" }
+[object.m]
+shape = "sphere"
+diameter = 3
+material = "foam"
+[material.foam]
+hardness = "soft"
+density = 30
+)");
+  ASSERT_TRUE(table) << to_string(table.error());
+  ASSERT_EQ(table->objects.size(), 3U);
+  EXPECT_EQ(table->objects[0].name, "z");
+  EXPECT_EQ(table->objects[1].name, "a");
+  EXPECT_EQ(table->objects[1].material.density, 8000.0);
+  EXPECT_EQ(table->objects[2].name, "m");
+  EXPECT_EQ(table->objects[2].material.hardness, Hardness::kSoft);
+  EXPECT_NEAR(table->objects[2].mass, 30 * kPi / 6 * 27 * 1e-9, 1e-15);
+  ASSERT_EQ(table->materials.size(), 1U);
+  EXPECT_EQ(table->materials[0].name, "foam");
+  EXPECT_EQ(table->materials[0].density, 30.0);
+}
+
+TEST(ObjectTable, MaterialsAloneAreEnough) {
+  const auto table = parse("[material.felt]\n");
+  ASSERT_TRUE(table);
+  EXPECT_TRUE(table->objects.empty());
+  EXPECT_EQ(table->materials.at(0).name, "felt");
+}
+
+TEST(ObjectTable, NothingIsNotEnough) {
+  for (const char* text : {"", "# boccia\n", "[object]\n", "[material]\n[object]\n"}) {
+    expect_says(error_of(text), {"t.toml", "neither objects nor materials"});
+  }
+}
+
+TEST(ObjectTable, MisspeltTablesKeysAndNamesHaveTheNearestKnown) {
+  expect_says(error_of("\n[objects]\n"), {"t.toml:2", "unknown table 'objects'", "'object'"});
+  expect_says(error_of_object(R"({ shape = "spere", diameter = 72, material = "wood" })"),
+              {"t.toml:2", "'shape'", "'sphere'"});
+  expect_says(error_of_object(R"({ shape = "sphere", diametre = 72, material = "wood" })"),
+              {"t.toml:2", "key of a sphere 'diametre'", "'diameter'"});
+  expect_says(error_of_object(R"({ shape = "sphere", diameter = 72, material = "wod" })"),
+              {"t.toml:2", "unknown material 'wod'", "'wood'"});
+  expect_says(error_of("[material.felt]\n\nhardnes = \"soft\"\n"),
+              {"t.toml:3", "unknown key 'hardnes'", "'hardness'"});
+}
+
+TEST(ObjectTable, AKeyOfAnotherShapeIsRefused) {
+  expect_says(
+      error_of_object(R"({ shape = "sphere", diameter = 7, width = 7, material = "wood" })"),
+      {"t.toml:2", "key of a sphere 'width'"});
+  expect_says(
+      error_of_object(
+          R"({ shape = "cylinder", diameter = 7, height = 7, top_diameter = 7, material = "wood" })"),
+      {"key of a cylinder 'top_diameter'"});
+  expect_says(
+      error_of_object(R"({ shape = "sphere", diameter = 7, material = "wood", name = "x" })"),
+      {"key of a sphere 'name'"});
+}
+
+TEST(ObjectTable, EveryNeededKeyIsMissedByName) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> shapes{
+      {"sphere", {"diameter"}},
+      {"cylinder", {"diameter", "height"}},
+      {"block", {"width", "depth", "height"}},
+      {"cone", {"diameter", "height"}},
+      {"ellipsoid", {"width", "depth", "height"}},
+      {"capsule", {"diameter", "height"}}};
+  for (const auto& [shape, keys] : shapes) {
+    std::string all = fmt::format(R"({{ shape = "{}", material = "wood")", shape);
+    for (const std::string& left_out : keys) {
+      std::string line = all;
+      for (const std::string& key : keys) {
+        if (key != left_out) line += fmt::format(", {} = 5", key);
+      }
+      expect_says(error_of_object(line + " }"), {"t.toml:2", shape, "'" + left_out + "'"});
+      expect_says(error_of_object(line + fmt::format(", {} = \"automatic\" }}", left_out)),
+                  {"t.toml:2", "'" + left_out + "' must be a number"});
+    }
+  }
+  expect_says(error_of_object(R"({ shape = "sphere", diameter = 72 })"), {"'material'"});
+  expect_says(error_of_object(R"({ diameter = 72, material = "wood" })"), {"'shape' is missing"});
+  expect_says(error_of_object(R"({ shape = "mesh", material = "wood" })"), {"a mesh", "'file'"});
+}
+
+TEST(ObjectTable, SizesAreAboveZeroAndAtMostAMetre) {
+  for (const char* size : {"0", "0.0", "-72", "1000.001", "nan", "inf", "-inf", "1e300",
+                           "9223372036854775807", "\"72\"", "[72]", "true", "{ mm = 72 }"}) {
+    const std::string line =
+        fmt::format(R"({{ shape = "sphere", diameter = {}, material = "wood" }})", size);
+    expect_says(error_of_object(line), {"t.toml:2", "'diameter' must be a"});
+  }
+  const std::string cone =
+      R"({{ shape = "cone", diameter = 1000, height = 5, top_diameter = {}, material = "wood" }})";
+  expect_says(error_of_object(fmt::format(fmt::runtime(cone), -1)), {"'top_diameter' must be"});
+  EXPECT_EQ(only_object(fmt::format(fmt::runtime(cone), 1000)).top_diameter, 1000.0);
+}
+
+TEST(ObjectTable, MassesAreAboveZero) {
+  for (const char* mass : {"0", "-0.1", "nan", "inf"}) {
+    expect_says(error_of_object(fmt::format(
+                    R"({{ shape = "sphere", diameter = 7, material = "wood", mass = {} }})", mass)),
+                {"'mass' must be a number, above 0"});
+  }
+}
+
+TEST(ObjectTable, ImpossibleProportionsAreRefused) {
+  expect_says(
+      error_of_object(
+          R"({ shape = "cone", diameter = 60, height = 9, top_diameter = 61, material = "wood" })"),
+      {"t.toml:2", "61 mm", "60 mm"});
+  expect_says(
+      error_of_object(R"({ shape = "capsule", diameter = 60, height = 59, material = "wood" })"),
+      {"t.toml:2", "59 mm", "60 mm"});
+}
+
+TEST(ObjectTable, NamesThatAreNone) {
+  const std::string sphere = R"( = { shape = "sphere", diameter = 7, material = "wood" })";
+  const std::string long_name(256, 'n');
+  for (const std::string& name : {std::string(R"("")"), std::string(R"("a\nb")"), long_name}) {
+    expect_says(error_of("[object]\n" + name + sphere), {"t.toml:2", "an object cannot be called"});
+  }
+  expect_says(error_of("[material.\"\"]\n"), {"t.toml:1", "a material cannot be called"});
+  expect_says(error_of("[object]\na" + sphere + "\na" + sphere), {"t.toml:3", "'a'"});
+}
+
+TEST(ObjectTable, AMaterialOfADeclaredNameIsRefused) {
+  expect_says(error_of("[material.wood]\ndensity = 5\n"),
+              {"t.toml:1", "'wood' is declared already"});
+}
+
+TEST(ObjectTable, WhatIsNoTableIsRefused) {
+  expect_says(error_of("object = 3\n"), {"t.toml:1", "'object' must be a table"});
+  expect_says(error_of("[[object]]\nname = \"a\"\n"), {"t.toml:1", "'object' must be a table"});
+  expect_says(error_of("material = [1]\n"), {"t.toml:1", "'material' must be a table"});
+  expect_says(error_of("[object]\nboccia = 72\n"), {"t.toml:2", "'boccia' must be a table"});
+  expect_says(error_of("[material]\nfelt = 0.3\n"), {"t.toml:2", "'felt' must be a table"});
+  expect_says(error_of("[object]\nboccia = {\n"), {"t.toml:"});
+}
+
+TEST(ObjectTable, DamagedTextEndsInAnErrorOrATable) {
+  const std::string whole =
+      "[object]\na = { shape = \"cone\", diameter = 7, height = 9, material = \"f\" }\n"
+      "[material.f]\ndensity = 30\n";
+  Random random(1);
+  int whole_tables = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = whole;
+    const std::size_t place = random.below(text.size());
+    text[place] = static_cast<char>(random.below(256));
+    const auto table = parse(text);
+    if (!table) {
+      EXPECT_FALSE(table.error().what.empty());
+      EXPECT_TRUE(table.error().where.starts_with("t.toml")) << table.error().where;
+      continue;
+    }
+    ++whole_tables;
+    for (const Object& object : table->objects) {
+      EXPECT_GT(object.mass, 0.0);
+      EXPECT_LE(object.size[0], 1000.0);
+    }
+  }
+  EXPECT_GT(whole_tables, 10);
+  EXPECT_LT(whole_tables, 2000);
+}
+
+class MeshFile : public testing::Test {
+ protected:
+  Result<ObjectTable> read(const std::string& file, const std::string& more = "") const {
+    const std::string table = folder_.with(
+        "things.toml", fmt::format("[object]\ncup = {{ shape = \"mesh\", file = \"{}\", "
+                                   "material = \"wood\"{} }}\n",
+                                   file, more));
+    return read_object_table(table, declared());
+  }
+
+  std::string error_of(const std::string& file, ErrorKind kind) const {
+    const auto table = read(file);
+    if (table) return "none";
+    EXPECT_EQ(table.error().kind, kind) << file;
+    EXPECT_EQ(table.error().where, folder_.file("things.toml") + ":2");
+    return to_string(table.error());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshFile, LiesBesideTheTable) {
+  std::filesystem::create_directory(folder_.file("meshes"));
+  folder_.with("meshes/cup.STL", "solid");
+  for (const std::string& file :
+       {std::string("meshes/cup.STL"), std::string("./meshes/../meshes/cup.STL"),
+        folder_.file("meshes/cup.STL")}) {
+    const auto table = read(file);
+    ASSERT_TRUE(table) << to_string(table.error());
+    const Object& cup = table->objects.at(0);
+    EXPECT_EQ(cup.mesh_file, folder_.file("meshes/cup.STL"));
+    EXPECT_EQ(cup.mesh_scale, 1.0);
+    EXPECT_EQ(cup.size, (Size{0, 0, 0}));
+    EXPECT_EQ(cup.mass, 0.0);
+  }
+}
+
+TEST_F(MeshFile, MayHaveAScaleAndAMass) {
+  folder_.with("cup.obj", "v 0 0 0");
+  const auto table = read("cup.obj", ", scale = 25.4, mass = 0.2");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->objects.at(0).mesh_scale, 25.4);
+  EXPECT_EQ(table->objects.at(0).mass, 0.2);
+  EXPECT_FALSE(read("cup.obj", ", scale = 0"));
+  EXPECT_FALSE(read("cup.obj", ", scale = 1001"));
+}
+
+TEST_F(MeshFile, ThatCannotBeReadIsRefused) {
+  folder_.with("cup.ply", "ply");
+  folder_.with("empty.stl", "");
+  std::filesystem::create_directory(folder_.file("folder.stl"));
+  ASSERT_EQ(::mkfifo(folder_.file("pipe.stl").c_str(), 0600), 0);
+  expect_says(error_of("missing.stl", ErrorKind::kSystem), {"missing.stl", "beside the table"});
+  expect_says(error_of("cup.ply", ErrorKind::kUsage), {"'cup.ply' is not a mesh", ".stl or .obj"});
+  expect_says(error_of("", ErrorKind::kUsage), {"not a mesh"});
+  expect_says(error_of("empty.stl", ErrorKind::kData), {"is empty"});
+  expect_says(error_of("folder.stl", ErrorKind::kData), {"is no regular file"});
+  expect_says(error_of("pipe.stl", ErrorKind::kData), {"is no regular file"});
+}
+
+TEST_F(MeshFile, OfMoreThan64MiBIsRefused) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
+  folder_.with("large.stl", "");
+  std::filesystem::resize_file(folder_.file("large.stl"), kMost);
+  EXPECT_TRUE(read("large.stl"));
+  std::filesystem::resize_file(folder_.file("large.stl"), kMost + 1);
+  expect_says(error_of("large.stl", ErrorKind::kData), {"large.stl"});
+}
+
+TEST(ObjectTable, AMissingFileIsTheSystemsError) {
+  const auto missing = read_object_table("no/such.toml", declared());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::kSystem);
+}
+
+TEST(Lucs2Objects, AreThoseOfTableOne) {
+  const auto objects = lucs2_objects(declared());
+  ASSERT_TRUE(objects) << to_string(objects.error());
+  std::vector<std::string> lines;
+  for (const Object& o : *objects) {
+    lines.push_back(fmt::format("{} {} {}x{}x{} {}", o.name, choice_name(o.shape), o.size[0],
+                                o.size[1], o.size[2], o.material.name));
+  }
+  EXPECT_EQ(lines,
+            (std::vector<std::string>{
+                "boccia sphere 72x72x72 plastic", "boule sphere 82x82x82 metal",
+                "cylinder cylinder 62x62x121 hard_board", "metal_cylinder cylinder 75x75x109 metal",
+                "block_1 block 50x50x110 wood", "block_2 block 58x50x110 wood"}));
+}
+
+void expect_counts(const std::vector<Object>& objects, std::ptrdiff_t each) {
+  std::ptrdiff_t cylinders = 0;
+  std::ptrdiff_t blocks = 0;
+  for (const Object& object : objects) {
+    cylinders += object.shape == Shape::kCylinder ? 1 : 0;
+    blocks += object.shape == Shape::kBlock ? 1 : 0;
+    EXPECT_GE(object.size[0], object.size[1]) << object.name;  // the wider side to the palm
+    EXPECT_GE(object.size[2], 120.0) << object.name;
+    EXPECT_LE(object.size[2], 150.0) << object.name;
+  }
+  EXPECT_EQ(cylinders, each);
+  EXPECT_EQ(blocks, each);
+}
+
+std::pair<double, double> widths(const std::vector<Object>& objects, Shape shape) {
+  std::pair<double, double> widths{1000.0, 0.0};
+  for (const Object& object : objects) {
+    if (object.shape != shape) continue;
+    widths.first = std::min(widths.first, object.size[0]);
+    widths.second = std::max(widths.second, object.size[0]);
+  }
+  return widths;
+}
+
+TEST(Lucs3Objects, SpanTheHand) {
+  const auto objects = lucs3_objects(declared());
+  ASSERT_TRUE(objects) << to_string(objects.error());
+  expect_counts(*objects, 5);
+  EXPECT_EQ(widths(*objects, Shape::kCylinder), (std::pair{40.0, 80.0}));
+  EXPECT_EQ(widths(*objects, Shape::kBlock), (std::pair{50.0, 90.0}));
+}
+
+TEST(Lucs3Objects, TheNewOnesLieBetweenAndAreOthers) {
+  const auto objects = lucs3_objects(declared()).value();
+  const auto fresh = lucs3_new_objects(declared());
+  ASSERT_TRUE(fresh) << to_string(fresh.error());
+  expect_counts(*fresh, 3);
+  for (const Object& one : *fresh) {
+    const auto [least, most] = widths(objects, one.shape);
+    EXPECT_GT(one.size[0], least);
+    EXPECT_LT(one.size[0], most);
+    for (const Object& other : objects) {
+      EXPECT_NE(one.name, other.name);
+      EXPECT_FALSE(one.shape == other.shape && one.size[0] == other.size[0]) << one.name;
+    }
+  }
+}
+
+TEST(Lucs2Objects, AMissingMaterialIsNamed) {
+  const auto objects = lucs2_objects(std::span(declared()).first(1));
+  ASSERT_FALSE(objects);
+  expect_says(to_string(objects.error()), {"objects/lucs2.toml:4", "'metal'"});
+}
+
+}  // namespace
+}  // namespace somato
