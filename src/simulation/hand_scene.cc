@@ -68,35 +68,69 @@ BodyDescription describe(const HandScene::Parts& parts) {
   for (int i = 0; i < servos; ++i)
     description.degrees_of_freedom.push_back(degree_of_freedom(model, i));
   description.sensors = proprioception(parts.hand, model, description.degrees_of_freedom);
+  if (parts.taxels.names.empty()) return description;
   description.sensors.push_back(sensor("touch", "N", parts.taxels.names));
   description.sensors.push_back(sensor("touch_change", "N", parts.taxels.names));
   return description;
 }
 
+// Where a model says that its servos start, or else at 0.
 std::vector<double> start_of(const mjModel& model) {
   const int found = detail::find_in(model, mjOBJ_NUMERIC, "start");
-  SOMATO_ASSERT(found >= 0 && model.numeric_size[found] == static_cast<int>(model.nu));
+  if (found < 0) return std::vector<double>(static_cast<std::size_t>(model.nu), 0.0);
+  SOMATO_ASSERT(model.numeric_size[found] == static_cast<int>(model.nu));
   const mjtNum* first = model.numeric_data + model.numeric_adr[found];
   return {first, first + model.nu};
 }
 
+bool has_taxels(Hand hand, const SimulationParameters& parameters) {
+  return hand == Hand::kLucs2 || parameters.taxels;
+}
+
 void find_indices(HandScene::Parts& parts) {
   const mjModel& model = *parts.model;
-  parts.taxels = detail::find_taxels(model);
+  parts.taxels.taxel_of_geom.assign(static_cast<std::size_t>(model.ngeom), -1);
+  if (has_taxels(parts.hand, parts.parameters)) parts.taxels = detail::find_taxels(model);
   parts.start = start_of(model);
   for (int i = 0; i < static_cast<int>(model.nu); ++i)
     parts.scales.push_back(is_slide(model, i) ? kMetres : kRadians);
   parts.place = detail::find_in(model, mjOBJ_SITE, "object_place");
   if (parts.place < 0) {
     parts.place = detail::find_in(model, mjOBJ_SITE, "against_palm");
-    const auto& size = parts.object.size;
-    parts.place_back = std::min(size[0], size[1]) / 2 * kMetres;
-    parts.turn_to_palm = size[1] > size[0];
+    parts.at_palm = true;
+    parts.turn_to_palm = parts.object.size[1] > parts.object.size[0];
   }
   parts.object_body = detail::find_in(model, mjOBJ_BODY, "object");
   parts.object_geom = detail::find_in(model, mjOBJ_GEOM, "object");
   parts.stand_body = detail::find_in(model, mjOBJ_BODY, "stand");
   SOMATO_ASSERT(parts.place >= 0 && parts.object_body >= 0 && parts.object_geom >= 0);
+}
+
+// Skin and material give way one after the other, and a contact's time constant grows with the root
+// of both together; that of the hand's geoms is the skin's alone.
+void soften(const Material& material, mjModel& model) {
+  constexpr double kSkin = 20.0;  // N/mm, not given in the paper
+  const int geom = detail::find_in(model, mjOBJ_GEOM, "object");
+  model.geom_solref[mjNREF * geom] *= std::sqrt(1.0 + kSkin / material.stiffness_under_taxel());
+}
+
+// Taxels that are not there are neither felt nor seen.
+void remove_taxels(mjModel& model) {
+  const detail::Taxels taxels = detail::find_taxels(model);
+  for (std::size_t geom = 0; geom < taxels.taxel_of_geom.size(); ++geom) {
+    if (taxels.taxel_of_geom[geom] < 0) continue;
+    model.geom_contype[geom] = 0;
+    model.geom_conaffinity[geom] = 0;
+    model.geom_rgba[4 * geom + 3] = 0.0F;
+  }
+}
+
+// What the model's text does not say because it depends on the object and the caller.
+void settle_model(Hand hand, const Material& material, const SimulationParameters& parameters,
+                  mjModel& model) {
+  model.opt.timestep = parameters.time_step;
+  soften(material, model);
+  if (!has_taxels(hand, parameters)) remove_taxels(model);
 }
 
 Result<void> check_size(const Object& object) {
@@ -137,8 +171,7 @@ Result<HandScene> HandScene::build(Hand hand, const Object& object,
       detail::scene_mjcf(detail::embedded_text(model_file(hand)), mjcf.assets, mjcf.bodies),
       object.name);
   if (!model) return fail(std::move(model.error()));
-  // The file tells a sensible step; the caller's counts.
-  (*model)->opt.timestep = parameters.time_step;
+  settle_model(hand, object.material, parameters, **model);
   auto parts = std::make_shared<Parts>();
   parts->hand = hand;
   parts->object = std::move(measured->object);

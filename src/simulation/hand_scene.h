@@ -22,8 +22,8 @@ class HandScene::Parts {
   std::vector<double> scales;  ///< Of each servo: its unit (deg, mm) in the model's (rad, m).
   std::vector<double> start;   ///< Of each servo, the open hand; in the model's units.
   int place = -1;              ///< The site where objects stand.
-  double place_back = 0.0;     ///< How far the object's middle is from the site, along its y (m).
-  bool turn_to_palm = false;   ///< Whether its wider side must be turned along the site's x.
+  bool at_palm = false;        ///< Whether objects are put against a palm there.
+  bool turn_to_palm = false;   ///< Whether that means turning its wider side along the palm.
   int object_body = -1;
   int object_geom = -1;
   int stand_body = -1;  ///< What a free round object lies on; -1 where there is none.

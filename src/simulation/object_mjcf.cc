@@ -96,14 +96,6 @@ GeomForm form_of(const MeasuredObject& measured) {
                                           -origin[1], -origin[2])};
 }
 
-// Skin and material give way one after the other: a contact's time constant grows with the root of
-// their compliance together. The skin's alone is that of the models' geoms.
-double time_constant(const Material& material) {
-  constexpr double kSkinTime = 0.01;  // s
-  constexpr double kSkin = 20.0;      // N/mm, not given in the paper
-  return kSkinTime * std::sqrt(1.0 + kSkin / std::max(material.stiffness, 0.5));
-}
-
 std::string mass_of(const Object& object) {
   return object.mass > 0.0 ? fmt::format(R"(mass="{}")", object.mass)
                            : fmt::format(R"(density="{}")", object.material.density);
@@ -185,10 +177,10 @@ ObjectMjcf object_mjcf(const MeasuredObject& measured, const ObjectSettings& set
   mjcf.assets = form.assets;
   mjcf.bodies = fmt::format(
       R"(<body name="object"{}>{}<geom name="object" {} {} contype="2" conaffinity="5" priority="1")"
-      R"( friction="{} 0.001 0.0001" condim="4" solref="{} 1" solimp="0.5 0.95 0.002 0.5 2")"
+      R"( friction="{} 0.001 0.0001" condim="4")"
       R"( rgba="0.35 0.55 0.75 1"/></body>)",
       settings.free ? "" : R"( mocap="true")", settings.free ? "<freejoint/>" : "", form.attributes,
-      mass_of(object), settings.friction, time_constant(object.material));
+      mass_of(object), settings.friction);
   if (settings.free && is_round_below(object.shape)) mjcf.bodies += beads(object);
   return mjcf;
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMetres = 0.001;                      // in a mm
 constexpr double kRadians = std::numbers::pi / 180.0;  // in a deg
+constexpr double kGap = 0.0002;                        // m, so that nothing overlaps
 
 bool is_free(const HandScene::Parts& scene) {
   return scene.parameters.free;
@@ -36,6 +37,14 @@ void put_free(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
   std::copy(pose.turn.begin(), pose.turn.end(), at + 3);
 }
 
+// How far the outline of an object that is turned by `turn` reaches along y from its middle.
+double half_extent(const Object& object, double turn) {
+  const double x = object.size[0] / 2 * kMetres * std::abs(std::sin(turn));
+  const double y = object.size[1] / 2 * kMetres * std::abs(std::cos(turn));
+  const bool has_corners = object.shape == Shape::kBlock || object.shape == Shape::kMesh;
+  return has_corners ? x + y : std::hypot(x, y);
+}
+
 Error lost(const HandScene::Parts& scene, const std::string& how) {
   return {ErrorKind::kData, fmt::format("the object {}", how), scene.object.name,
           "hold it (leave out --free), or make it heavier"};
@@ -46,12 +55,14 @@ Error lost(const HandScene::Parts& scene, const std::string& how) {
 Pose object_pose(const HandScene::Parts& scene, const Placement& placement) {
   const mjModel& model = *scene.model;
   const mjtNum* site = model.site_pos + 3 * scene.place;
-  const std::array<mjtNum, 3> off{placement.x * kMetres, placement.y * kMetres + scene.place_back,
-                                  0.0};
+  const double turn = placement.turn * kRadians + (scene.turn_to_palm ? std::numbers::pi / 2 : 0.0);
+  const double y = placement.y * kMetres;
+  const std::array<mjtNum, 3> off{
+      placement.x * kMetres,
+      scene.at_palm ? std::abs(y) + half_extent(scene.object, turn) + kGap : y, 0.0};
   Pose pose;
   mju_rotVecQuat(pose.position.data(), off.data(), model.site_quat + 4 * scene.place);
   mju_addTo3(pose.position.data(), site);
-  const double turn = placement.turn * kRadians + (scene.turn_to_palm ? std::numbers::pi / 2 : 0.0);
   const std::array<mjtNum, 4> about{std::cos(turn / 2), 0.0, 0.0, std::sin(turn / 2)};
   mju_mulQuat(pose.turn.data(), model.site_quat + 4 * scene.place, about.data());
   return pose;

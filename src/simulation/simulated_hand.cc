@@ -109,6 +109,7 @@ void read_sensors(SimulatedHand::Works& works) {
     state.readings.push_back(row(
         noisy(servo_angles(*scene.model, *works.data), scene.parameters.joint_noise, works.noise)));
   }
+  if (works.forces.empty()) return;
   const double deviation = scene.parameters.sensor_noise;
   state.readings.push_back(row(noisy_forces(works.forces, deviation, works.noise)));
   state.readings.push_back(row(noisy(works.piezo.signals(), deviation, works.noise)));

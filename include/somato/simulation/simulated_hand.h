@@ -14,8 +14,9 @@ namespace somato {
 /// The hands that can be simulated: models/lucs_haptic_hand_2.xml and ..._3.xml.
 enum class Hand { kLucs2, kLucs3 };
 
-/// How an object stands off its place: along the table's axes (of Hand III: along the palm and away
-/// from it), and turned about the vertical.
+/// How an object stands off its place. Before Hand II: along the table's axes. Hand III has it with
+/// its wider side against the palm: shifted along it, and away by the size of `y`. Either way
+/// turned about the vertical.
 struct Placement {
   double x = 0.0;     ///< mm.
   double y = 0.0;     ///< mm.
@@ -48,9 +49,9 @@ class HandScene {
 /// what stands before it.
 ///
 /// Sensors of Hand II: `height` (mm), `wrist` (deg) and `joints` (6, deg) as the driver knows them;
-/// of Hand III: `joints` (11, deg), the potentiometers inside its servos. Of both: `touch` (N), the
-/// normal force on each taxel alone, not below 0; `touch_change` (N), the same as a piezo element
-/// with its amplifier gives it: what changed within piezo_time.
+/// of Hand III: `joints` (11, deg), the potentiometers inside its servos. Of a hand with taxels:
+/// `touch` (N), the normal force on each taxel alone, not below 0; `touch_change` (N), the same as
+/// a piezo element with its amplifier gives it: what changed within piezo_time.
 class SimulatedHand : public Body {
  public:
   /// A hand, open, with the object at its placement; `seed` is that of all noise. Errors (kUsage):

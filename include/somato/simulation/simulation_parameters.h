@@ -10,6 +10,7 @@ namespace somato {
 struct SimulationParameters {
   double time_step = 0.001;
   bool free = false;
+  bool taxels = false;
   double placement_noise = 1.0;
   std::optional<double> placement_turn;
   double sensor_noise = 0.02;
