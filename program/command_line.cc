@@ -61,8 +61,10 @@ class Parser {
     }
     for (const Flag& flag : command.flags) add_flag(flag);
     for (const ParameterInfo& info : command.parameters) {
-      add(flag_of(info.name).substr(2), flag_of(info.name), description_of(info))
-          ->type_name("VALUE");
+      CLI::Option* option =
+          add(flag_of(info.name).substr(2), flag_of(info.name), description_of(info));
+      option->type_name("VALUE");
+      if (info.type == "switch") make_switch(*option);
     }
   }
 
@@ -94,6 +96,13 @@ class Parser {
     option->take_last();  // check() tells of repeats
     options_[key] = option;
     return option;
+  }
+
+  // "--free" alone means "--free true".
+  static void make_switch(CLI::Option& option) {
+    option.expected(0, 1);
+    option.default_str("true");
+    option.type_name("[true|false]");
   }
 
   static Result<void> check(const CLI::Option& option) {

@@ -7,6 +7,7 @@ namespace somato::program {
 Command run_command();
 Command apply_command();
 Command systems_command();
+Command explore_command();
 Command import_command();
 Command som_train_command();
 Command som_map_command();

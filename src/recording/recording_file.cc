@@ -79,15 +79,58 @@ Result<void> write_exploration(FrameWriter& file, const Exploration& exploration
   return done.and_then([&] { return file.end_exploration(); });
 }
 
-Result<void> write_all(FrameWriter& file, const Recording& recording) {
-  Result<void> done = file.begin_file();
-  for (const Exploration& exploration : recording.explorations) {
-    if (done) done = write_exploration(file, exploration);
+}  // namespace
+
+class RecordingFile::State {
+ public:
+  State(Replacement file, const std::string& path, const RecordingFileParameters& parameters)
+      : file_(std::move(file)),
+        writer_([this](std::string_view bytes) { return file_.write(bytes); }, path, parameters) {}
+
+  static Result<std::unique_ptr<State>> begin(FileSystem& files, const std::string& path,
+                                              const RecordingFileParameters& parameters) {
+    Result<Replacement> file = Replacement::begin(files, path);
+    if (!file) return fail(std::move(file.error()));
+    auto state = std::make_unique<State>(std::move(*file), path, parameters);
+    if (Result<void> begun = state->writer_.begin_file(); !begun)
+      return fail(std::move(begun.error()));
+    return state;
   }
-  return done.and_then([&] { return file.finish(); });
+
+  Result<void> add(const Exploration& exploration) {
+    return write_exploration(writer_, exploration);
+  }
+
+  Result<void> finish() {
+    return writer_.finish().and_then([&] { return file_.commit(); });
+  }
+
+ private:
+  Replacement file_;
+  FrameWriter writer_;
+};
+
+RecordingFile::RecordingFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingFile::RecordingFile(RecordingFile&&) noexcept = default;
+RecordingFile& RecordingFile::operator=(RecordingFile&&) noexcept = default;
+RecordingFile::~RecordingFile() = default;
+
+Result<RecordingFile> RecordingFile::begin(const std::string& path,
+                                           const RecordingFileParameters& parameters) {
+  auto state = State::begin(operating_system(), path, parameters);
+  if (!state) return fail(std::move(state.error()));
+  return RecordingFile(std::move(*state));
 }
 
-}  // namespace
+Result<void> RecordingFile::add(Exploration exploration) {
+  Recording alone;
+  alone.explorations.push_back(std::move(exploration));
+  return validate(alone).and_then([&] { return state_->add(alone.explorations.front()); });
+}
+
+Result<void> RecordingFile::finish() {
+  return state_->finish();
+}
 
 bool is_mcap(std::string_view bytes) {
   return bytes.starts_with(kMcapMagic);
@@ -106,10 +149,12 @@ Result<void> write_recording(FileSystem& files, const std::string& path, const R
                              const RecordingFileParameters& parameters) {
   Result<void> valid = validate(recording);
   if (!valid) return valid;
-  Result<Replacement> file = Replacement::begin(files, path);
+  auto file = RecordingFile::State::begin(files, path, parameters);
   if (!file) return fail(std::move(file.error()));
-  FrameWriter writer([&](std::string_view bytes) { return file->write(bytes); }, path, parameters);
-  return write_all(writer, recording).and_then([&] { return file->commit(); });
+  for (const Exploration& exploration : recording.explorations) {
+    if (Result<void> added = (*file)->add(exploration); !added) return added;
+  }
+  return (*file)->finish();
 }
 
 }  // namespace detail

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "files/file_system.h"
+#include "somato/files/whole_file.h"
 #include "support/failing_file_system.h"
 #include "support/made_recording.h"
 #include "support/random_recordings.h"
@@ -49,6 +50,43 @@ void expect_same(const Recording& read, const Recording& written) {
     }
   }
   EXPECT_TRUE(read == written);
+}
+
+TEST(RecordingFile, OneExplorationAtATimeGivesTheSameFile) {
+  const TemporaryFolder folder;
+  Random random(4);
+  const Recording recording = random_recording(random);
+  ASSERT_TRUE(write_recording(folder.file("whole.mcap"), recording));
+  auto file = RecordingFile::begin(folder.file("pieces.mcap"));
+  ASSERT_TRUE(file);
+  for (const Exploration& exploration : recording.explorations) {
+    ASSERT_TRUE(file->add(exploration));
+    EXPECT_FALSE(fs::exists(folder.file("pieces.mcap")));
+  }
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(read_whole(folder.file("pieces.mcap")), read_whole(folder.file("whole.mcap")));
+}
+
+TEST(RecordingFile, WithoutItsEndNothingChanges) {
+  const TemporaryFolder folder;
+  const std::string path = folder.with("a.mcap", "as it was");
+  Random random(4);
+  {
+    auto file = RecordingFile::begin(path);
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(file->add(random_recording(random).explorations.front()));
+  }
+  EXPECT_EQ(read_whole(path), "as it was");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(RecordingFile, RefusesAnExplorationThatIsNone) {
+  const TemporaryFolder folder;
+  auto file = RecordingFile::begin(folder.file("a.mcap"));
+  ASSERT_TRUE(file);
+  const auto refused = file->add(Exploration{});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kData);
 }
 
 TEST(RecordingFile, ReadsWhatItWrote) {

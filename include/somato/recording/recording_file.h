@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,35 @@ bool is_mcap_file(const std::string& path);
 /// Errors: kData for what validate() or RecordingWriter refuses; kSystem with the system's reason.
 Result<void> write_recording(const std::string& path, const Recording& recording,
                              const RecordingFileParameters& parameters = {});
+
+/// Writes a recording an exploration at a time, as write_recording() does: the file takes its
+/// place, whole, when it is finished; before, or without that, nothing changes there. Memory does
+/// not grow with the recording.
+class RecordingFile {
+ public:
+  /// Errors: kSystem with the system's reason.
+  static Result<RecordingFile> begin(const std::string& path,
+                                     const RecordingFileParameters& parameters = {});
+
+  RecordingFile(const RecordingFile&) = delete;
+  RecordingFile(RecordingFile&& other) noexcept;
+  RecordingFile& operator=(const RecordingFile&) = delete;
+  RecordingFile& operator=(RecordingFile&& other) noexcept;
+  ~RecordingFile();
+
+  /// Errors: kData for what validate() refuses of an exploration by itself and for what
+  /// RecordingWriter refuses; kSystem with the system's reason.
+  Result<void> add(Exploration exploration);
+
+  /// Errors: kSystem with the system's reason.
+  Result<void> finish();
+
+  class State;
+
+ private:
+  explicit RecordingFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
 
 /// Reads the whole recording in the MCAP file at `path`; errors as RecordingReader. What it holds
 /// is not validated.

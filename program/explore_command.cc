@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "commands.h"
+#include "data.h"
+#include "output.h"
+#include "output_folder.h"
+#include "somato/bodies/exploring.h"
+#include "somato/files/toml_file.h"
+#include "somato/recording/recording_file.h"
+#include "somato/simulation/explorer.h"
+#include "terminal.h"
+
+namespace somato::program {
+namespace {
+
+Result<ExploringBody> read_body(const Arguments& arguments) {
+  const auto& bodies = Choices<ExploringBody>::all();
+  const std::string& name = arguments.text("body");
+  std::vector<std::string> known;
+  known.reserve(bodies.size());
+  for (const auto& [body, body_name] : bodies) {
+    if (body_name == name) return body;
+    known.push_back(body_name);
+  }
+  return fail(unknown_name("body", name, "--body", known));
+}
+
+Result<ExploringParameters> read_parameters(const Arguments& arguments) {
+  ExploringParameters parameters;
+  if (arguments.has("settings")) {
+    auto read = read_toml(arguments.text("settings")).and_then([](const Table& file) {
+      return read_exploring_parameters(file);
+    });
+    if (!read) return read;
+    parameters = std::move(*read);
+  }
+  auto simulation = read_flags<SimulationParameters>(arguments, parameters.simulation);
+  if (!simulation) return fail(std::move(simulation.error()));
+  parameters.simulation = std::move(*simulation);
+  return parameters;
+}
+
+Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) {
+  if (!arguments.has("objects")) return default_things(body);
+  return read_object_table(arguments.text("objects"), declared_materials());
+}
+
+struct Request {
+  Explorer explorer;
+  ExploringPlan plan;
+  std::string output;
+  std::string image_folder;
+};
+
+Result<Request> read_request(const Arguments& arguments) {
+  auto body = read_body(arguments);
+  if (!body) return fail(std::move(body.error()));
+  auto things = read_things(arguments, *body);
+  if (!things) return fail(std::move(things.error()));
+  auto parameters = read_parameters(arguments);
+  if (!parameters) return fail(std::move(parameters.error()));
+  auto seed = arguments.number("seed", 0);
+  if (!seed) return fail(std::move(seed.error()));
+  auto explorations = arguments.number("explorations", 1);
+  if (!explorations) return fail(std::move(explorations.error()));
+  auto threads = read_threads(arguments);
+  if (!threads) return fail(std::move(threads.error()));
+  auto explorer = Explorer::build(*body, *things, *parameters, seed->value_or(1));
+  if (!explorer) return fail(std::move(explorer.error()));
+  const std::size_t count = explorer->things().size();
+  return Request{std::move(*explorer),
+                 {count, explorations->value_or(5), *threads},
+                 arguments.text("output"),
+                 arguments.text("images")};
+}
+
+// The number of frames of what a hand felt at each of its steps; of a probe, of its only channel.
+class FrameSpread {
+ public:
+  void add(const Exploration& exploration) {
+    const std::size_t frames = exploration.channels.front().frames.rows();
+    least_ = std::min(least_.value_or(frames), frames);
+    most_ = std::max(most_, frames);
+    sum_ += frames;
+    ++count_;
+  }
+
+  std::string text() const {
+    if (least_ == most_) return fmt::format("{} frames each", most_);
+    return fmt::format("{} to {} frames each, mean {:.1f}", *least_, most_,
+                       static_cast<double>(sum_) / static_cast<double>(count_));
+  }
+
+ private:
+  std::optional<std::size_t> least_;
+  std::size_t most_ = 0;
+  std::size_t sum_ = 0;
+  std::size_t count_ = 0;
+};
+
+void report_failures(const Request& request, const ExploringOutcome& outcome) {
+  for (const FailedExploration& failure : outcome.failures) {
+    std::fputs(fmt::format("somato: {}, trial {}: {}\n", request.explorer.things()[failure.item],
+                           failure.trial + 1, to_string(failure.error))
+                   .c_str(),
+               stderr);
+  }
+}
+
+// The command has done something even where not all went well.
+Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
+  report_failures(request, outcome);
+  if (outcome.failures.empty()) return {};
+  return fail(ErrorKind::kIncomplete,
+              fmt::format("{} of {} explorations failed and are not recorded",
+                          outcome.failures.size(), outcome.failures.size() + outcome.recorded),
+              request.output);
+}
+
+Result<void> explore_into(RecordingFile& file, const Request& request) {
+  FrameSpread spread;
+  std::size_t recorded = 0;
+  const auto sink = [&](Exploration&& exploration) {
+    spread.add(exploration);
+    ++recorded;
+    return file.add(std::move(exploration));
+  };
+  const auto explore = [&](std::size_t thing, std::size_t trial) {
+    return request.explorer.explore(thing, trial, request.image_folder);
+  };
+  auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
+  const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
+  if (!outcome && !interrupted) return fail(std::move(outcome.error()));
+  if (recorded == 0 && outcome) {
+    report_failures(request, *outcome);
+    return fail(ErrorKind::kData, "every exploration failed: nothing is recorded", request.output);
+  }
+  if (recorded == 0) return fail(std::move(outcome.error()));
+  if (auto finished = file.finish(); !finished) return finished;
+  fmt::print("{}: {} explorations of {} things, {}\n", request.output, recorded, request.plan.items,
+             spread.text());
+  if (!interrupted) return judge(request, *outcome);
+  outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
+  return fail(std::move(outcome.error()));
+}
+
+Result<void> run(const Arguments& arguments) {
+  if (auto savable = check_output(arguments, "output"); !savable) return savable;
+  auto request = read_request(arguments);
+  if (!request) return fail(std::move(request.error()));
+  OutputFolder images(request->image_folder);
+  if (!request->image_folder.empty()) {
+    if (auto made = images.make(); !made) return made;
+  }
+  auto file = RecordingFile::begin(request->output);
+  if (!file) return fail(std::move(file.error()));
+  return explore_into(*file, *request);
+}
+
+}  // namespace
+
+Command explore_command() {
+  return {"explore",
+          "Explore things with a simulated hand or probe, and record what it feels",
+          {},
+          {{"--body",
+            "What explores: lucs2, lucs3, texture, hardness, or all_senses (Hand III with taxels, "
+            "then both probes)",
+            true},
+           {"--objects", "TOML file with the things to explore, instead of the body's own table"},
+           {"--explorations", "Number of explorations of each thing; 5 unless given"},
+           {"--seed", "Seed of placement and noise; 1 unless given"},
+           {"--settings",
+            "TOML file with tables of parameters: simulation, plan, grasp, closing, texture_probe, "
+            "stroke, hardness_probe, press"},
+           {"--images", "Folder for pictures of the grasps"},
+           threads_flag(),
+           {"-o,--output", "File for the recording", true}},
+          parameter_flags<SimulationParameters>(),
+          run,
+          "simulation"};
+}
+
+}  // namespace somato::program
