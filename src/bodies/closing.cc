@@ -1,0 +1,172 @@
+#include "somato/bodies/closing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "somato/bodies/frame_log.h"
+
+namespace somato {
+namespace {
+
+// The servos that make a hand's fingers.
+std::vector<std::size_t> finger_servos(const BodyDescription& body) {
+  std::vector<std::size_t> servos;
+  for (std::size_t i = 0; i < body.degrees_of_freedom.size(); ++i) {
+    const std::string& name = body.degrees_of_freedom[i].name;
+    if (name != "wrist" && name != "height") servos.push_back(i);
+  }
+  return servos;
+}
+
+// Knows for how many frames no joint has left the place where it was, after it has moved at all.
+class Stillness {
+ public:
+  Stillness(std::span<const float> open, double still)
+      : place_(open.begin(), open.end()), still_(still) {}
+
+  void see(std::span<const float> joints) {
+    bool moves = false;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const double away = static_cast<double>(joints[i]) - static_cast<double>(place_[i]);
+      moves = moves || !(std::abs(away) <= still_);
+    }
+    if (moves) place_.assign(joints.begin(), joints.end());
+    frames_ = moves ? 0 : frames_ + 1;
+    has_moved_ = has_moved_ || moves;
+  }
+
+  std::size_t frames() const { return has_moved_ ? frames_ : 0; }
+
+ private:
+  std::vector<float> place_;
+  double still_;
+  std::size_t frames_ = 0;
+  bool has_moved_ = false;
+};
+
+class ClosingHand {
+ public:
+  ClosingHand(Body& body, const Closing& closing, std::size_t joints)
+      : body_(body),
+        closing_(closing),
+        joints_(joints),
+        fingers_(finger_servos(body.description())),
+        targets_(present_targets(body)),
+        log_(body.description()) {}
+
+  Result<void> open() {
+    if (fingers_.empty()) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("the body '{}' has no fingers", body_.description().name),
+                  body_.description().name, "take a hand");
+    }
+    for (const std::size_t i : fingers_) targets_[i] = servo(i).least;
+    return move_to(body_, targets_, closing_.motion);
+  }
+
+  Result<void> close() {
+    auto first = joints();
+    if (!first) return fail(std::move(first.error()));
+    Stillness stillness(*first, closing_.still);
+    for (std::size_t i = 0; stillness.frames() < closing_.still_iterations; ++i) {
+      if (static_cast<double>(i) * closing_.iteration >= closing_.longest) return never_closed();
+      if (auto passed = iterate(); !passed) return passed;
+      auto now = joints();
+      if (!now) return fail(std::move(now.error()));
+      stillness.see(*now);
+    }
+    return {};
+  }
+
+  Exploration explored() && { return {{}, {}, std::move(log_).channels()}; }
+
+ private:
+  const DegreeOfFreedom& servo(std::size_t i) const {
+    return body_.description().degrees_of_freedom[i];
+  }
+
+  Result<void> iterate() {
+    for (const std::size_t i : fingers_) {
+      const double way = closing_.share * servo(i).fastest * closing_.iteration;
+      targets_[i] = std::min(targets_[i] + way, servo(i).most);
+    }
+    return body_.command(targets_)
+        .and_then([&] { return body_.step(closing_.iteration); })
+        .and_then([&] { return log_.append(body_.state()); });
+  }
+
+  // The last frame of the last step; as many elements as before, or log_ has refused them.
+  Result<std::span<const float>> joints() {
+    const Matrix<float>& frames = body_.state().readings.at(joints_);
+    const bool fits = elements_ == 0 || frames.columns() == elements_;
+    if (frames.rows() > 0 && fits) {
+      elements_ = frames.columns();
+      return frames.row(frames.rows() - 1);
+    }
+    return fail(ErrorKind::kData, "the sensor 'joints' gave no frame, or one of another size",
+                "joints", "it must sample in each iteration");
+  }
+
+  tl::unexpected<Error> never_closed() const {
+    return fail(ErrorKind::kData,
+                fmt::format("the hand never closed: its joints did not move and come to rest "
+                            "within {:g} s",
+                            closing_.longest),
+                {}, "raise 'longest', 'share' or 'still'");
+  }
+
+  Body& body_;
+  const Closing& closing_;
+  std::size_t joints_;
+  std::size_t elements_ = 0;
+  std::vector<std::size_t> fingers_;
+  std::vector<double> targets_;
+  FrameLog log_;
+};
+
+}  // namespace
+
+const Declarations<Closing>& Closing::declarations() {
+  using P = Closing;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "iteration", [](P& p) -> auto& { return p.iteration; }, "s", Range::above(0),
+              "Time between two frames. Not given in the paper.")
+          .add(
+              "share", [](P& p) -> auto& { return p.share; }, "", Range{0.0, 1.0, true},
+              "Share of its greatest speed at which each servo closes. Not given in the paper.")
+          .add(
+              "still", [](P& p) -> auto& { return p.still; }, "deg", Range::at_least(0),
+              "The hand is still while no joint moves further. Not given in the paper.")
+          .add(
+              "still_iterations", [](P& p) -> auto& { return p.still_iterations; }, "",
+              Range::between(1, 1e6),
+              "Iterations for which the closed hand must be still. Not given in the paper.")
+          .add(
+              "longest", [](P& p) -> auto& { return p.longest; }, "s", Range::above(0),
+              "A hand that takes longer to close is an error. Not given in the paper.")
+          .add(
+              "settle", [](P& p) -> auto& { return p.motion.settle; }, "s", Range::above(0),
+              "Time for the open hand to come to rest. Not given in the paper.")
+          .add(
+              "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s", Range::above(0),
+              "A hand that takes longer to open is an error. Not given in the paper.");
+  return declared;
+}
+
+Result<Exploration> explore_by_closing(Body& body, const Closing& closing) {
+  const auto joints = find_sensor(body.description(), "joints");
+  if (!joints) return fail(joints.error());
+  ClosingHand hand(body, closing, *joints);
+  auto closed = hand.open().and_then([&] { return hand.close(); });
+  if (!closed) return fail(std::move(closed.error()));
+  return std::move(hand).explored();
+}
+
+}  // namespace somato

@@ -1,0 +1,61 @@
+#include "somato/bodies/exploration_plan.h"
+
+#include <fmt/format.h>
+
+namespace somato {
+namespace {
+
+tl::unexpected<Error> refuse(std::string what, std::string advice) {
+  return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
+}
+
+Result<void> check_ranges(const ExplorationPlan& plan) {
+  ExplorationPlan copy;
+  for (const auto& parameter : ExplorationPlan::declarations().all()) {
+    if (auto assigned = parameter.assign(copy, parameter.read(plan)); !assigned) return assigned;
+  }
+  return {};
+}
+
+}  // namespace
+
+const Declarations<ExplorationPlan>& ExplorationPlan::declarations() {
+  using P = ExplorationPlan;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "heights", [](P& p) -> auto& { return p.heights; }, "mm", Range::between(0, 1000),
+              "Heights of the hand, in their order. Two in P06; which is not given in the paper.")
+          .add(
+              "wrist_angles", [](P& p) -> auto& { return p.wrist_angles; }, "deg",
+              Range::between(-360, 360),
+              "Angles of the wrist, forth at one height and back at the next. Five in P06; which "
+              "is not given in the paper.")
+          .add(
+              "grasps", [](P& p) -> auto& { return p.grasps; }, "", Range::between(1, 10000),
+              "How many of all pairs of height and angle are taken, in this order. Nine in P06; "
+              "which of the ten is left out is not given in the paper.");
+  return declared;
+}
+
+Result<std::vector<GraspPose>> grasp_poses(const ExplorationPlan& plan) {
+  if (auto checked = check_ranges(plan); !checked) return fail(std::move(checked.error()));
+  const std::size_t angles = plan.wrist_angles.size();
+  if (plan.heights.empty()) return refuse("the plan has no heights", "give one or more 'heights'");
+  if (angles == 0) return refuse("the plan has no angles", "give one or more 'wrist_angles'");
+  if (plan.grasps > plan.heights.size() * angles) {
+    return refuse(fmt::format("{} grasps cannot be made of {} heights and {} wrist angles",
+                              plan.grasps, plan.heights.size(), angles),
+                  "lower 'grasps', or give more heights or angles");
+  }
+  std::vector<GraspPose> poses;
+  poses.reserve(plan.grasps);
+  for (std::size_t i = 0; i < plan.grasps; ++i) {
+    const std::size_t row = i / angles;
+    const std::size_t along = row % 2 == 0 ? i % angles : angles - 1 - i % angles;
+    poses.push_back({plan.heights[row], plan.wrist_angles[along]});
+  }
+  return poses;
+}
+
+}  // namespace somato

@@ -1,0 +1,90 @@
+#include "somato/bodies/explore_by_grasping.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace somato {
+namespace {
+
+// The servos of a hand that goes from grasp to grasp.
+class GraspingHand {
+ public:
+  GraspingHand(Body& body, const HandLayout& hand, const GuardedGrasp& grasp, std::size_t height,
+               std::size_t wrist)
+      : body_(body),
+        hand_(hand),
+        grasp_(grasp),
+        height_(height),
+        wrist_(wrist),
+        targets_(present_targets(body)),
+        log_(body.description()) {}
+
+  Result<void> open() {
+    for (const Finger& finger : hand_.fingers) {
+      targets_[finger.proximal.servo] = grasp_.proximal_open;
+      targets_[finger.distal.servo] = grasp_.distal_open;
+    }
+    return move_to(body_, targets_, grasp_.motion);
+  }
+
+  Result<void> grasp_at(const GraspPose& pose) {
+    targets_[height_] = pose.height;
+    targets_[wrist_] = pose.wrist_angle;
+    return move_to(body_, targets_, grasp_.motion)
+        .and_then([&] { return guarded_grasp(body_, hand_, grasp_, targets_, log_); })
+        .and_then([&](const GraspResult& result) {
+          touching_ += result.touching;
+          return open();
+        });
+  }
+
+  Result<Exploration> explored() && {
+    if (touching_ > 0) return Exploration{{}, {}, std::move(log_).channels()};
+    return fail(ErrorKind::kData, "the hand never touched the object", {},
+                "check where the object stands, or lower 'threshold'");
+  }
+
+ private:
+  Body& body_;
+  const HandLayout& hand_;
+  const GuardedGrasp& grasp_;
+  std::size_t height_;
+  std::size_t wrist_;
+  std::vector<double> targets_;
+  FrameLog log_;
+  std::size_t touching_ = 0;
+};
+
+tl::unexpected<Error> in_grasp(Error error, const std::vector<GraspPose>& poses,
+                               std::size_t index) {
+  const GraspPose& pose = poses[index];
+  const std::string grasp = fmt::format("grasp {} of {} (height {:g} mm, wrist {:g} deg)",
+                                        index + 1, poses.size(), pose.height, pose.wrist_angle);
+  error.where = error.where.empty() ? grasp : fmt::format("{}, {}", grasp, error.where);
+  return fail(std::move(error));
+}
+
+}  // namespace
+
+Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
+                                        const GuardedGrasp& grasp) {
+  const auto poses = grasp_poses(plan);
+  if (!poses) return fail(poses.error());
+  const auto layout = hand_layout(body.description());
+  if (!layout) return fail(layout.error());
+  const auto height = find_degree_of_freedom(body.description(), "height");
+  if (!height) return fail(height.error());
+  const auto wrist = find_degree_of_freedom(body.description(), "wrist");
+  if (!wrist) return fail(wrist.error());
+  GraspingHand hand(body, *layout, grasp, *height, *wrist);
+  if (auto opened = hand.open(); !opened) return fail(std::move(opened.error()));
+  for (std::size_t i = 0; i < poses->size(); ++i) {
+    auto grasped = hand.grasp_at((*poses)[i]);
+    if (!grasped) return in_grasp(std::move(grasped.error()), *poses, i);
+  }
+  return std::move(hand).explored();
+}
+
+}  // namespace somato

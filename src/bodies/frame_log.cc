@@ -1,0 +1,77 @@
+#include "somato/bodies/frame_log.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+// The elements of a sensor's frames, or 0 where only its frames tell.
+std::size_t elements_of(const ChannelDescription& sensor) {
+  if (!sensor.element_names.empty() || sensor.shape.empty()) return sensor.element_names.size();
+  return std::accumulate(sensor.shape.begin(), sensor.shape.end(), std::size_t{1},
+                         std::multiplies<>());
+}
+
+}  // namespace
+
+FrameLog::FrameLog(const BodyDescription& description) {
+  sensors_.reserve(description.sensors.size());
+  for (const ChannelDescription& sensor : description.sensors) {
+    Channel channel{sensor.name, sensor.unit, sensor.element_names, {}, {}, 0.0, sensor.shape, {}};
+    channel.frames = Matrix<float>(0, elements_of(sensor));
+    sensors_.push_back(
+        {std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0, {}});
+  }
+}
+
+Result<void> FrameLog::append(const BodyState& state) {
+  require(state.readings.size() == sensors_.size(), "FrameLog::append: readings of another body");
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    if (auto added = append(sensors_[i], state.readings[i], state.time); !added) return added;
+  }
+  return {};
+}
+
+Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, double end) {
+  if (frames.rows() == 0) return {};
+  Channel& channel = sensor.channel;
+  if (channel.frames.columns() == 0) channel.frames = Matrix<float>(0, frames.columns());
+  if (frames.columns() != channel.frames.columns() || frames.columns() == 0) {
+    return fail(ErrorKind::kData,
+                fmt::format("the sensor '{}' gave {} elements, not {}", channel.name,
+                            frames.columns(), channel.frames.columns()),
+                channel.name, "check the body's description");
+  }
+  if (sensor.rate == 0.0 && frames.rows() != 1) {
+    return fail(ErrorKind::kData,
+                fmt::format("the sensor '{}' has no rate and gave {} frames in one step",
+                            channel.name, frames.rows()),
+                channel.name, "check the body's description");
+  }
+  sensor.values.insert(sensor.values.end(), frames.values().begin(), frames.values().end());
+  for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
+    const auto later = static_cast<double>(frames.rows() - 1 - i);
+    channel.times.push_back(later == 0.0 ? end : end - later / sensor.rate);
+  }
+  return {};
+}
+
+std::vector<Channel> FrameLog::channels() && {
+  std::vector<Channel> channels;
+  channels.reserve(sensors_.size());
+  for (Sensor& sensor : sensors_) {
+    const std::size_t elements = sensor.channel.frames.columns();
+    const std::size_t rows = elements == 0 ? 0 : sensor.values.size() / elements;
+    sensor.channel.frames = Matrix<float>(rows, elements, std::move(sensor.values));
+    channels.push_back(std::move(sensor.channel));
+  }
+  return channels;
+}
+
+}  // namespace somato

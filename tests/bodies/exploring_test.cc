@@ -1,0 +1,238 @@
+#include "somato/bodies/exploring.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Exploration named(std::size_t item, std::size_t trial) {
+  Exploration exploration;
+  exploration.source = fmt::format("{}.{}", item, trial);
+  return exploration;
+}
+
+// Keeps the names of what comes.
+struct Keeper {
+  Names names;
+  ExplorationSink sink() {
+    return [this](Exploration&& exploration) -> Result<void> {
+      names.push_back(exploration.source);
+      return {};
+    };
+  }
+};
+
+// Those of items x each in order, up to `count`.
+Names in_order(std::size_t count, std::size_t each) {
+  Names names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back(named(i / each, i % each).source);
+  return names;
+}
+
+// Explorations that finish in another order than they began: the first of four waits for the other
+// ones, as far as threads allow.
+Result<Exploration> uneven(std::size_t item, std::size_t trial) {
+  const std::size_t turns = (item + trial) % 4 == 0 ? 2000 : 1;
+  for (std::size_t i = 0; i < turns; ++i) std::this_thread::yield();
+  return named(item, trial);
+}
+
+TEST(ExploreAllThreads, HandOnInOrderWhateverTheirNumber) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    Keeper keeper;
+    const auto outcome = explore_all({7, 5, threads}, uneven, keeper.sink());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->recorded, 35U);
+    EXPECT_TRUE(outcome->failures.empty());
+    EXPECT_EQ(keeper.names, in_order(35, 5));
+  }
+}
+
+TEST(ExploreAllThreads, EachIsExploredOnce) {
+  std::array<std::atomic<int>, 12> times{};
+  Keeper keeper;
+  ASSERT_TRUE(explore_all(
+      {4, 3, 3},
+      [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
+        ++times[item * 3 + trial];
+        return named(item, trial);
+      },
+      keeper.sink()));
+  for (const auto& count : times) EXPECT_EQ(count, 1);
+}
+
+TEST(ExploreAll, NothingToDoIsDone) {
+  Keeper keeper;
+  for (const ExploringPlan& plan : {ExploringPlan{0, 5, 2}, {5, 0, 2}}) {
+    const auto outcome = explore_all(plan, uneven, keeper.sink());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->recorded, 0U);
+  }
+  EXPECT_TRUE(keeper.names.empty());
+}
+
+TEST(ExploreAllThreads, AFailureIsListedAndNotRecorded) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    Keeper keeper;
+    const auto outcome = explore_all(
+        {4, 3, threads},
+        [](std::size_t item, std::size_t trial) -> Result<Exploration> {
+          if ((item * 3 + trial) % 5 != 0) return uneven(item, trial);
+          return fail(ErrorKind::kData, fmt::format("it flew away {} {}", item, trial));
+        },
+        keeper.sink());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(keeper.names, (Names{"0.1", "0.2", "1.0", "1.1", "2.0", "2.1", "2.2", "3.0", "3.2"}));
+    EXPECT_EQ(outcome->recorded, 9U);
+    ASSERT_EQ(outcome->failures.size(), 3U);
+    EXPECT_EQ(outcome->failures[0].error.what, "it flew away 0 0");
+    EXPECT_EQ(outcome->failures[1].item, 1U);
+    EXPECT_EQ(outcome->failures[1].trial, 2U);
+    EXPECT_EQ(outcome->failures[2].error.what, "it flew away 3 1");
+  }
+}
+
+TEST(ExploreAllThreads, NoneIsBegunFarAheadOfTheSink) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    std::atomic<std::size_t> taken = 0;
+    std::atomic<std::size_t> furthest = 0;
+    const auto outcome = explore_all(
+        {40, 1, threads},
+        [&](std::size_t item, std::size_t trial) {
+          const std::size_t ahead = item - taken;
+          std::size_t known = furthest;
+          while (ahead > known && !furthest.compare_exchange_weak(known, ahead)) {
+          }
+          return uneven(item, trial);
+        },
+        [&](Exploration&&) -> Result<void> {
+          ++taken;
+          return {};
+        });
+    ASSERT_TRUE(outcome);
+    // Counted in the sink before the queue knows, so that nothing looks further ahead than it was.
+    EXPECT_LT(furthest, 2 * threads);
+  }
+}
+
+// The first exploration ends only when others can go on no more: what is ahead of the sink fills
+// up and waits. With 3 threads, 0 waits for 1 .. 5 to have ended.
+TEST(ExploreAllThreads, ThoseAheadWaitForTheFirst) {
+  std::atomic<std::size_t> ended = 0;
+  std::atomic<std::size_t> most_before_first = 0;
+  Keeper keeper;
+  const auto outcome = explore_all(
+      {30, 1, 3},
+      [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
+        if (item == 0) {
+          while (ended < 5) std::this_thread::yield();
+          for (int i = 0; i < 10000; ++i) std::this_thread::yield();
+          most_before_first = ended.load();
+        }
+        ++ended;
+        return named(item, trial);
+      },
+      keeper.sink());
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(most_before_first, 5U);
+  EXPECT_EQ(keeper.names, in_order(30, 1));
+}
+
+TEST(ExploreAllThreads, AFailingSinkStopsAll) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    Names names;
+    std::atomic<std::size_t> begun = 0;
+    const auto outcome = explore_all(
+        {100, 1, threads},
+        [&](std::size_t item, std::size_t trial) {
+          ++begun;
+          return uneven(item, trial);
+        },
+        [&](Exploration&& exploration) -> Result<void> {
+          if (exploration.source == "7.0") return fail(ErrorKind::kSystem, "the disk is full");
+          names.push_back(exploration.source);
+          return {};
+        });
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().what, "the disk is full");
+    EXPECT_EQ(names, in_order(7, 1));
+    EXPECT_LE(begun, 7 + 2 * threads);
+  }
+}
+
+TEST(ExploreAllThreads, ProgressComesInOrder) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    std::vector<std::uint64_t> seen;
+    Keeper keeper;
+    const auto explore = [](std::size_t item, std::size_t trial) -> Result<Exploration> {
+      if (item == 1) return fail(ErrorKind::kData, "it flew away");
+      return uneven(item, trial);
+    };
+    ASSERT_TRUE(explore_all({3, 2, threads}, explore, keeper.sink(),
+                            [&](std::uint64_t done, std::uint64_t total) {
+                              seen.push_back(done);
+                              EXPECT_EQ(total, 6U);
+                              return true;
+                            }));
+    EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6}));
+  }
+}
+
+TEST(ExploreAllThreads, InterruptedAllThatCameBeforeIsThere) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    for (const std::uint64_t last : {0U, 1U, 9U}) {
+      Keeper keeper;
+      const auto outcome =
+          explore_all({50, 1, threads}, uneven, keeper.sink(),
+                      [&](std::uint64_t done, std::uint64_t) { return done < last; });
+      ASSERT_FALSE(outcome);
+      EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
+      EXPECT_EQ(keeper.names, in_order(last, 1));
+    }
+  }
+}
+
+TEST(ExploreAllThreads, AnExplorationThatIsInterruptedStopsAll) {
+  Keeper keeper;
+  const auto outcome = explore_all(
+      {20, 1, 2},
+      [](std::size_t item, std::size_t trial) -> Result<Exploration> {
+        if (item == 4) return fail(ErrorKind::kInterrupted, "somebody asked to stop");
+        return named(item, trial);
+      },
+      keeper.sink());
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().what, "somebody asked to stop");
+  EXPECT_EQ(keeper.names, in_order(4, 1));
+}
+
+TEST(ExploreAllThreads, AnExceptionIsRethrownAndNobodyWaits) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    Keeper keeper;
+    const auto explore = [](std::size_t item, std::size_t trial) -> Result<Exploration> {
+      if (item == 3) throw std::runtime_error("broken");
+      return uneven(item, trial);
+    };
+    EXPECT_THROW((void)explore_all({60, 1, threads}, explore, keeper.sink()), std::runtime_error);
+    EXPECT_LE(keeper.names.size(), 3U);
+  }
+}
+
+TEST(ExploreAll, NothingThatExploresIsACallersMistake) {
+  Keeper keeper;
+  EXPECT_THROW((void)explore_all({1, 1, 1}, {}, keeper.sink()), InvalidArgument);
+  EXPECT_THROW((void)explore_all({1, 1, 1}, uneven, {}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace somato
