@@ -1,6 +1,7 @@
 #include "bodies/driving.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace somato::detail {
 
@@ -17,9 +18,9 @@ bool has_arrived(const Body& body, std::size_t servo, double target) {
 
 Result<void> let_pass(Body& body, double seconds, double step,
                       const std::function<void()>& after_step) {
-  const double steps = std::ceil(seconds / step);
-  for (double i = 0.0; i < steps; ++i) {
-    if (auto stepped = body.step(seconds / steps); !stepped) return stepped;
+  const auto steps = std::llround(std::ceil(seconds / step));
+  for (std::int64_t i = 0; i < steps; ++i) {
+    if (auto stepped = body.step(seconds / static_cast<double>(steps)); !stepped) return stepped;
     after_step();
   }
   return {};

@@ -23,8 +23,7 @@ void declare_surface(Declarations<Material>& d) {
       "Root mean square height of the surface; not given in the paper");
   d.add(
       "correlation_length", [](auto& m) -> auto& { return m.correlation_length; }, "mm",
-      Range::between(0.02, 100),
-      "Distance beyond which heights are independent; not given in the paper");
+      Range::between(0.02, 100), "Distance over which heights stay alike; not given in the paper");
   d.add(
       "hurst", [](auto& m) -> auto& { return m.hurst; }, "", Range::between(0.05, 1),
       "Power of the distance by which heights grow apart below that; not given in the paper");

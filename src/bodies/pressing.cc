@@ -51,7 +51,8 @@ Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, do
                            const P& parameters) {
   std::vector<float> readings;
   std::size_t rests = 0;
-  for (double time = 0.0; time < parameters.patience; time += parameters.step) {
+  const double until = body.state().time + parameters.patience;
+  while (body.state().time < until) {
     const auto reading = read_once(body, sensor, parameters.step);
     if (!reading) return fail(reading.error());
     readings.push_back(*reading);

@@ -21,10 +21,22 @@ struct Stroke {
   std::size_t frames = 0;
 };
 
+// A stroke that could not end must not begin.
+Result<void> check_end(const DegreeOfFreedom& lever, double to) {
+  if (to >= lever.least && to <= lever.most) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("the stroke ends at {:g} {}, beyond the limits of '{}', {:g} to {:g} {}",
+                          to, lever.unit, lever.name, lever.least, lever.most, lever.unit),
+              lever.name, "let it end within the limits");
+}
+
 Result<Stroke> plan_stroke(const BodyDescription& body, const P& parameters) {
   if (auto ranges = detail::check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto lever = find_degree_of_freedom(body, "lever");
   if (!lever) return fail(lever.error());
+  if (auto within = check_end(body.degrees_of_freedom[*lever], parameters.to); !within) {
+    return fail(within.error());
+  }
   const auto sound = find_sensor(body, "sound");
   if (!sound) return fail(sound.error());
   const double rate = body.sensors[*sound].rate;

@@ -62,8 +62,10 @@ Surface::Surface(const Material& material, double finest, std::uint64_t world_se
       weave_amplitude_(0.5 * material.weave_height),
       weave_phase_(fraction(philox4x32({0, 0, 0, kWeave}, key_)[0])) {
   double spacing = material.correlation_length;
-  for (std::uint32_t number = 0; spacing >= finest; ++number, spacing *= 0.5) {
-    lattices_.push_back(make_lattice(material, number, spacing));
+  while (spacing >= finest) {
+    lattices_.push_back(
+        make_lattice(material, static_cast<std::uint32_t>(lattices_.size()), spacing));
+    spacing *= 0.5;
   }
 }
 
