@@ -34,10 +34,7 @@ class GraspingHand {
     targets_[wrist_] = pose.wrist_angle;
     return move_to(body_, targets_, grasp_.motion)
         .and_then([&] { return guarded_grasp(body_, hand_, grasp_, targets_, log_); })
-        .and_then([&](const GraspResult& result) {
-          touching_ += result.touching;
-          return open();
-        });
+        .map([&](const GraspResult& result) { touching_ += result.touching; });
   }
 
   Result<Exploration> explored() && {
@@ -69,7 +66,7 @@ tl::unexpected<Error> in_grasp(Error error, const std::vector<GraspPose>& poses,
 }  // namespace
 
 Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
-                                        const GuardedGrasp& grasp) {
+                                        const GuardedGrasp& grasp, const AfterGrasp& after_grasp) {
   const auto poses = grasp_poses(plan);
   if (!poses) return fail(poses.error());
   const auto layout = hand_layout(body.description());
@@ -81,7 +78,9 @@ Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
   GraspingHand hand(body, *layout, grasp, *height, *wrist);
   if (auto opened = hand.open(); !opened) return fail(std::move(opened.error()));
   for (std::size_t i = 0; i < poses->size(); ++i) {
-    auto grasped = hand.grasp_at((*poses)[i]);
+    auto grasped = hand.grasp_at((*poses)[i])
+                       .and_then([&] { return after_grasp ? after_grasp(i) : Result<void>(); })
+                       .and_then([&] { return hand.open(); });
     if (!grasped) return in_grasp(std::move(grasped.error()), *poses, i);
   }
   return std::move(hand).explored();

@@ -1,0 +1,82 @@
+#include "somato/simulation/explorer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "simulation/hand_explorers.h"
+#include "simulation/probe_explorers.h"
+#include "somato/core/check.h"
+
+namespace somato {
+
+const std::vector<std::pair<ExploringBody, std::string>>& Choices<ExploringBody>::all() {
+  static const std::vector<std::pair<ExploringBody, std::string>> choices = {
+      {ExploringBody::kLucs2, "lucs2"},
+      {ExploringBody::kLucs3, "lucs3"},
+      {ExploringBody::kTexture, "texture"},
+      {ExploringBody::kHardness, "hardness"},
+      {ExploringBody::kAllSenses, "all_senses"}};
+  return choices;
+}
+
+namespace {
+
+Result<std::unique_ptr<detail::ThingExplorer>> thing_explorer(ExploringBody body,
+                                                              const ObjectTable& things,
+                                                              const ExploringParameters& parameters,
+                                                              std::uint64_t seed) {
+  switch (body) {
+    case ExploringBody::kLucs2:
+      return detail::grasping_explorer(things, parameters, seed);
+    case ExploringBody::kLucs3:
+      return detail::closing_explorer(things, parameters, seed);
+    case ExploringBody::kTexture:
+      return detail::probe_explorer(detail::Probe::kTexture, things, parameters, seed);
+    case ExploringBody::kHardness:
+      return detail::probe_explorer(detail::Probe::kHardness, things, parameters, seed);
+    case ExploringBody::kAllSenses:
+      break;
+  }
+  return detail::all_senses_explorer(things, parameters, seed);
+}
+
+}  // namespace
+
+class Explorer::Parts {
+ public:
+  std::vector<std::string> things;
+  std::unique_ptr<const detail::ThingExplorer> explorer;
+};
+
+Result<ObjectTable> default_things(ExploringBody body) {
+  const auto& materials = declared_materials();
+  if (body == ExploringBody::kTexture || body == ExploringBody::kHardness)
+    return ObjectTable{{}, materials};
+  return (body == ExploringBody::kLucs2 ? lucs2_objects(materials) : lucs3_objects(materials))
+      .map([](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
+}
+
+Result<Explorer> Explorer::build(ExploringBody body, const ObjectTable& things,
+                                 const ExploringParameters& parameters, std::uint64_t seed) {
+  auto explorer = thing_explorer(body, things, parameters, seed);
+  if (!explorer) return fail(std::move(explorer.error()));
+  auto parts = std::make_shared<Parts>();
+  parts->things = (*explorer)->things();
+  parts->explorer = std::move(*explorer);
+  return Explorer(std::move(parts));
+}
+
+const std::vector<std::string>& Explorer::things() const {
+  return parts_->things;
+}
+
+Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
+                                      const std::string& image_folder) const {
+  require(thing < parts_->things.size(), "Explorer::explore: no such thing");
+  auto exploration = parts_->explorer->explore(thing, trial, image_folder);
+  if (!exploration && exploration.error().where.empty())
+    exploration.error().where = parts_->things[thing];
+  return exploration;
+}
+
+}  // namespace somato
