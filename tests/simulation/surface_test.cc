@@ -112,5 +112,15 @@ TEST(Surface, AWeaveRisesAndFallsByItsHeightOnceAPeriod) {
   EXPECT_NEAR(highest - lowest, 200.0, 0.01);
 }
 
+TEST(Surface, AnEdgeThatIsWiderThanARidgeDoesNotFollowTheWeave) {
+  Material cloth = rough(0.0, 0.3, 0.7);
+  cloth.weave_period = 0.1;
+  cloth.weave_height = 20.0;
+  Surface followed(cloth, 0.05, 7);
+  Surface bridged(cloth, 0.051, 7);
+  EXPECT_NE(followed.height(0.01, 0.0), 0.0);
+  EXPECT_EQ(bridged.height(0.01, 0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace somato::detail
