@@ -59,7 +59,7 @@ std::array<double, 4> spline_weights(double t) {
 Surface::Surface(const Material& material, double finest, std::uint64_t world_seed)
     : key_(surface_key(material.name, world_seed)),
       weave_period_(material.weave_period),
-      weave_amplitude_(0.5 * material.weave_height),
+      weave_amplitude_(0.5 * material.weave_period >= finest ? 0.5 * material.weave_height : 0.0),
       weave_phase_(fraction(philox4x32({0, 0, 0, kWeave}, key_)[0])) {
   double spacing = material.correlation_length;
   while (spacing >= finest) {

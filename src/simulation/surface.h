@@ -13,7 +13,8 @@ namespace somato::detail {
 /// Self-affine: a sum of random heights on lattices whose spacing starts at the correlation length
 /// and halves from one to the next, down to what an edge can follow. Lattice j has the share
 /// (1 - 4^-H) 4^(-H j) of the variance, with the Hurst exponent H; cubic B-splines lie between its
-/// nodes. A weave is a cosine along x.
+/// nodes. A weave is a cosine along x; the edge does not follow one whose ridges and
+/// grooves are less than that spacing apart.
 class Surface {
  public:
   /// `finest` (mm) is the least spacing of heights that the edge follows.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bodies/valid_ranges.h"
 
@@ -112,6 +113,8 @@ Result<void> P::validate() const {
   if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
   const double raised = edge_resonance * std::sqrt(1.0 + resonance_rise);
   if (auto fits = check_frequency("edge_resonance", raised, *this); !fits) return fits;
+  const double speed = lever_radius * lever_speed * std::numbers::pi / 180.0;
+  if (auto fits = check_frequency("lever_speed", speed / edge_width, *this); !fits) return fits;
   if (auto fits = check_frequency("servo_tone", 8.0 * servo_tone, *this); !fits) return fits;
   return check_frequency("microphone_low", microphone_low, *this);
 }

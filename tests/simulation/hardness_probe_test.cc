@@ -34,6 +34,7 @@ double press(double stiffness, const P& parameters, std::uint64_t seed = 1) {
   EXPECT_TRUE(probe);
   const auto exploration = explore_by_pressing(**probe);
   EXPECT_TRUE(exploration);
+  if (!exploration) return std::nan("");
   return static_cast<double>(exploration->channels.at(0).frames(0, 0));
 }
 

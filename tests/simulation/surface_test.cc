@@ -75,6 +75,14 @@ TEST(Surface, IsThereBeforeAnybodyVisitsIt) {
   for (int i = -20; i < 20; ++i) {
     EXPECT_EQ(straight.height(0.37 * i, 0.2 * i), visited.height(0.37 * i, 0.2 * i));
   }
+  for (const double y : {5.0, 6.0, 5.0}) {  // from here to there along one direction alone
+    Surface fresh(rough(10.0, 0.3, 0.7), 0.01, 5);
+    EXPECT_EQ(straight.height(2.0, y), fresh.height(2.0, y));
+  }
+  for (const double x : {5.0, 6.0, 5.0}) {
+    Surface fresh(rough(10.0, 0.3, 0.7), 0.01, 5);
+    EXPECT_EQ(straight.height(x, 2.0), fresh.height(x, 2.0));
+  }
 }
 
 TEST(Surface, EveryWorldAndEveryMaterialHasItsOwn) {
@@ -102,6 +110,16 @@ TEST(Surface, AWeaveRisesAndFallsByItsHeightOnceAPeriod) {
     EXPECT_NEAR(surface.height(0.001 * i + 0.75, -9.0), -z, 1e-9);
   }
   EXPECT_NEAR(highest - lowest, 200.0, 0.01);
+}
+
+TEST(Surface, AnEdgeThatIsWiderThanARidgeDoesNotFollowTheWeave) {
+  Material cloth = rough(0.0, 0.3, 0.7);
+  cloth.weave_period = 0.1;
+  cloth.weave_height = 20.0;
+  Surface followed(cloth, 0.05, 7);
+  Surface bridged(cloth, 0.051, 7);
+  EXPECT_NE(followed.height(0.01, 0.0), 0.0);
+  EXPECT_EQ(bridged.height(0.01, 0.0), 0.0);
 }
 
 }  // namespace

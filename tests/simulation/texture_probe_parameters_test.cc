@@ -29,6 +29,7 @@ void expect_refused(const TextureProbeParameters& parameters, const std::string&
 
 TEST(TextureProbeParameters, WhatTheSimulationCannotCarryIsRefused) {
   TextureProbeParameters parameters;
+  parameters.lever_speed = 25.0;
   parameters.sample_rate = 1000.0;
   parameters.oversampling = 4;  // up to 1800 Hz
   parameters.edge_resonance = 1700.0;
@@ -43,6 +44,9 @@ TEST(TextureProbeParameters, WhatTheSimulationCannotCarryIsRefused) {
   parameters.servo_tone = 100.0;
   parameters.microphone_low = 2000.0;
   expect_refused(parameters, "microphone_low");
+  parameters.microphone_low = 20.0;
+  parameters.lever_speed = 26.0;  // 18.15 mm/s, and a height each 0.01 mm
+  expect_refused(parameters, "lever_speed");
 }
 
 TEST(TextureProbeParameters, ValuesOutOfRangeAreRefused) {

@@ -48,6 +48,7 @@ Sound stroke(const Material& material, const TextureProbeParameters& parameters,
   EXPECT_TRUE(probe);
   const auto exploration = explore_by_stroking(**probe);
   EXPECT_TRUE(exploration);
+  if (!exploration) return Sound(8192, 0.0F);
   const auto values = exploration->channels.at(0).frames.values();
   return {values.begin(), values.end()};
 }
@@ -171,6 +172,27 @@ TEST(TextureProbe, AWeaveIsALineAtSpeedOverPeriod) {
               0.02);
 }
 
+TEST(TextureProbe, WhatTheSampleRateCannotCarryIsWeakenedBeforeItIsTaken) {
+  Material cloth = plain_material();
+  cloth.roughness = 0.0;
+  cloth.weave_height = 1.0;
+  TextureProbeParameters parameters = noiseless();
+  parameters.edge_width = 0.001;
+  parameters.edge_resonance = 20000.0;
+  parameters.edge_damping = 1.0 / std::sqrt(2.0);
+  cloth.loss = 0.0;
+  const auto loudness = [&](double frequency) {
+    cloth.weave_period = kSpeed / frequency;
+    return root_mean_square(stroke(cloth, parameters, {4, 1})) / frequency;
+  };
+  const auto warped = [](double frequency) {
+    return std::tan(std::numbers::pi * frequency / 65536.0);
+  };
+  // A Butterworth low-pass of order 8 at 0.4 of 8192 Hz.
+  const double expected = std::pow(warped(0.4 * 8192.0) / warped(5500.0), 8.0);
+  EXPECT_NEAR(loudness(5500.0) / loudness(500.0) / expected, 1.0, 0.05);
+}
+
 TEST(TextureProbe, SoundGrowsWithRoughnessFrictionAndGrip) {
   Material material = plain_material();
   const double once = root_mean_square(stroke(material, noiseless(), {5, 1}));
@@ -218,7 +240,9 @@ TEST(TextureProbe, TheServoWhinesWhileItTurns) {
 }
 
 TEST(TextureProbe, AStillLeverIsSilent) {
-  auto probe = make_texture_probe(plain_material(), noiseless(), {9, 1});
+  TextureProbeParameters parameters = noiseless();
+  parameters.servo_noise = 3.0;
+  auto probe = make_texture_probe(plain_material(), parameters, {9, 1});
   ASSERT_TRUE((*probe)->step(0.5));
   const auto still = (*probe)->state().readings[0].values();
   EXPECT_EQ(still.size(), 4096U);

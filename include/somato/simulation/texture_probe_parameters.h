@@ -36,7 +36,8 @@ struct TextureProbeParameters {
   static const Declarations<TextureProbeParameters>& declarations();
 
   /// Whether the parameters fit each other. Errors (kUsage): one out of its range; an edge,
-  /// a microphone or a servo with frequencies above 0.45 x `sample_rate` x `oversampling`.
+  /// a microphone or a servo with frequencies, or heights that pass by, above 0.45 x `sample_rate`
+  /// x `oversampling`.
   Result<void> validate() const;
 };
 
