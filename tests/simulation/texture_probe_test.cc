@@ -209,6 +209,39 @@ TEST(TextureProbe, SoundGrowsWithRoughnessFrictionAndGrip) {
   EXPECT_NEAR(root_mean_square(stroke(material, parameters, {5, 1})) / rigid, 51.0 / 100.0, 1e-3);
 }
 
+// A weave shows by the phase of its line where a stroke began.
+TEST(TextureProbe, PlacementNoiseHasItsSpread) {
+  Material cloth = plain_material();
+  cloth.roughness = 0.0;
+  cloth.weave_period = kSpeed / 50.0;
+  cloth.weave_height = 100.0;
+  const auto line = [&](double placement_noise, std::uint64_t seed) {
+    TextureProbeParameters parameters = noiseless();
+    parameters.stroke = 3.6;  // five periods
+    parameters.placement_noise = placement_noise;
+    auto probe = make_texture_probe(cloth, parameters, {4, seed});
+    StrokeParameters shorter;
+    shorter.to = 3.6;
+    const auto exploration = explore_by_stroking(**probe, shorter);
+    std::complex<double> sum = 0.0;
+    for (std::size_t i = 0; i < 819; ++i) {
+      const double turns = 50.0 * static_cast<double>(i) / 8192.0;
+      sum += static_cast<double>(exploration->channels[0].frames(i, 0)) *
+             std::polar(1.0, -2.0 * std::numbers::pi * turns);
+    }
+    return sum;
+  };
+  const std::complex<double> placed = line(0.0, 0);
+  double squares = 0.0;
+  constexpr int kSeeds = 150;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const double turned = std::arg(line(0.03, static_cast<std::uint64_t>(seed)) / placed);
+    const double shift = turned / (2.0 * std::numbers::pi) * cloth.weave_period;
+    squares += shift * shift;
+  }
+  EXPECT_NEAR(std::sqrt(squares / kSeeds), 0.03, 0.006);
+}
+
 TEST(TextureProbe, TheConverterRoundsAndSaturates) {
   TextureProbeParameters parameters;
   parameters.sensitivity = 1e4;
