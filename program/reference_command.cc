@@ -8,6 +8,7 @@
 #include "parameter_table.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/csv_import.h"
+#include "somato/studies/information.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::program {
@@ -89,6 +90,10 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
+  page +=
+      "## What vectors tell\n\nFlags of `somato information`; they stand in no file. "
+      "[information.md](information.md) defines what is measured.\n\n";
+  add_table<InformationParameters>(page, "information");
   page +=
       "## Maps\n\nKeys of a module of type `som`; those of other types stand with "
       "[them](modules.md).\n\n";

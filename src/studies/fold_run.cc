@@ -12,6 +12,7 @@
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 #include "somato/studies/nearest_neighbour.h"
+#include "studies/exploration_samples.h"
 
 namespace somato {
 namespace {
@@ -34,21 +35,6 @@ std::vector<std::size_t> places_of(const std::vector<std::size_t>& wanted,
     places.push_back(static_cast<std::size_t>(place));
   }
   return places;
-}
-
-Samples single_values(const Activations& activations, std::size_t module,
-                      const std::vector<std::size_t>& explorations) {
-  std::vector<Signal> signals;
-  signals.reserve(explorations.size());
-  for (const std::size_t exploration : explorations) {
-    const SignalView view = activations.find(module, exploration)->values[0];
-    std::vector<float> values(view.values.begin(), view.values.end());
-    signals.push_back(view.sparse
-                          ? Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()},
-                                           std::move(values))
-                          : Signal::dense(std::move(values)));
-  }
-  return Samples::from_signals(signals);
 }
 
 // A fold's samples as the areas and baselines see them: numbered among those learned or tested.

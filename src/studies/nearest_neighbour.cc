@@ -6,7 +6,6 @@
 #include "somato/core/check.h"
 
 namespace somato {
-namespace {
 
 double squared_distance(const SignalView& a, const SignalView& b) {
   if (a.sparse || b.sparse) {
@@ -19,8 +18,6 @@ double squared_distance(const SignalView& a, const SignalView& b) {
   }
   return sum;
 }
-
-}  // namespace
 
 std::size_t nearest_neighbour_class(const Samples& samples,
                                     const std::vector<std::size_t>& training, std::size_t test,

@@ -8,30 +8,10 @@
 #include <utility>
 
 #include "somato/graph/system_model.h"
+#include "studies/exploration_samples.h"
 
 namespace somato {
 namespace {
-
-Result<std::vector<std::string>> labels_of(const Recording& recording, const std::string& name) {
-  std::vector<std::string> labels;
-  for (const Exploration& exploration : recording.explorations) {
-    Result<std::string> label = find_label(exploration, name);
-    if (!label) return fail(std::move(label.error()));
-    labels.push_back(std::move(*label));
-  }
-  return labels;
-}
-
-Result<std::vector<std::size_t>> numbers_of(const Recording& recording, const std::string& name) {
-  if (name.empty()) {
-    std::vector<std::size_t> numbers(recording.explorations.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-    return numbers;
-  }
-  return labels_of(recording, name).map([](const std::vector<std::string>& labels) {
-    return Classes::from_names(labels).of_sample;
-  });
-}
 
 // Individuals are dealt to classes as wholes, so each must belong to one.
 Result<void> check_individuals(const Question& question, const StudyParameters& parameters) {

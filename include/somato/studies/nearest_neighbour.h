@@ -7,6 +7,10 @@
 
 namespace somato {
 
+/// The squared Euclidean distance of two signals of equal size; of sparse ones through their inner
+/// products, so that equal ones may come out a rounding error away from 0.
+double squared_distance(const SignalView& a, const SignalView& b);
+
 /// The class of the training sample nearest to `samples[test]` in Euclidean distance, the first of
 /// them in a tie: the plain baseline beside every map. Throws InvalidArgument without training
 /// samples.

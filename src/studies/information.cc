@@ -1,0 +1,364 @@
+#include "somato/studies/information.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "graph/wiring.h"
+#include "somato/graph/evaluation.h"
+#include "somato/graph/system_model.h"
+#include "somato/maps/labels.h"
+#include "somato/recording/content_hash.h"
+#include "studies/exploration_samples.h"
+#include "studies/rank_order.h"
+#include "studies/sample_distances.h"
+
+namespace somato {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<std::size_t>;
+
+constexpr std::size_t kFewestInOrder = 3;  // Two numbers are always in order.
+
+// The maps that no other map comes before.
+std::vector<std::string> first_maps(const System& system) {
+  const auto is_map = [&](std::size_t module) { return som_of(system, module) != nullptr; };
+  std::vector<std::string> names;
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    bool is_first = is_map(module);
+    for (std::size_t other = 0; is_first && other < system.modules().size(); ++other) {
+      is_first = other == module || !is_map(other) || !system.wiring().reaches(other, module);
+    }
+    if (is_first) names.push_back(system.modules()[module].name);
+  }
+  return names;
+}
+
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where) {
+  if (!name.empty()) {
+    auto module = system.find(name, "map");
+    if (!module || som_of(system, *module)) return module;
+    return fail(ErrorKind::kUsage, fmt::format("the module '{}' is no map", name), "map",
+                "name a module of type som");
+  }
+  const std::vector<std::string> candidates = first_maps(system);
+  if (candidates.size() == 1) return system.find(candidates.front());
+  if (candidates.empty()) {
+    return fail(ErrorKind::kUsage, "the system has no map", where, "add a module of type som");
+  }
+  return fail(ErrorKind::kUsage, "the system has more than one first map", where,
+              fmt::format("name one of {} as 'map'", fmt::join(candidates, ", ")));
+}
+
+// Before any training only what never learns can be asked.
+Result<void> check_fixed(const System& system, std::size_t vectors, std::size_t map) {
+  std::vector<std::string> learners;
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    const bool comes_before = module == vectors || system.wiring().reaches(module, vectors);
+    if (comes_before && system.modules()[module].module->learner()) {
+      learners.push_back("'" + system.modules()[module].name + "'");
+    }
+  }
+  if (learners.empty()) return {};
+  return fail(system.at_module(
+      {ErrorKind::kUsage,
+       fmt::format("what comes in depends on what {} learned", fmt::join(learners, ", ")),
+       {},
+       "name a map before which nothing learns, or keep it from learning: "
+       "a one_hot by 'low' and 'high'; 'somato run' measures what learns"},
+      map));
+}
+
+// Which module gives the vectors.
+Result<std::size_t> find_vectors(const System& system, const StudyDescription& description,
+                                 const std::string& map_name) {
+  const auto map = find_map(system, map_name, description.where);
+  if (!map) return fail(map.error());
+  std::size_t vectors = system.modules()[*map].inputs.front();
+  if (system.modules()[vectors].type->name == "standardization") {
+    vectors = system.modules()[vectors].inputs.front();
+  }
+  if (system.modules()[vectors].output.rate == Rate::kFrame) {
+    return fail(system.at_module({ErrorKind::kUsage,
+                                  "this map has frames coming in, and explorations are asked for",
+                                  {},
+                                  "put the frames together first, as with 'last'"},
+                                 *map));
+  }
+  if (auto fixed = check_fixed(system, vectors, *map); !fixed) return fail(fixed.error());
+  return vectors;
+}
+
+Result<Samples> vectors_of(const System& system, const Recording& recording, std::size_t module,
+                           std::size_t threads) {
+  Numbers all(recording.explorations.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Activations activations(system.modules().size(), all.size());
+  auto evaluated = evaluate(system, recording, all, {module}, threads, activations);
+  if (!evaluated) return fail(std::move(evaluated.error()));
+  return single_values(activations, module, all);
+}
+
+Error nothing_to_tell(const std::string& label) {
+  return {ErrorKind::kData,
+          "every exploration has the same '" + label + "'",
+          {},
+          "there is nothing to tell apart; name another label"};
+}
+
+bool all_equal(const Numbers& numbers) {
+  return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
+}
+
+Result<LabelInformation> about_label(const std::string& name, const Recording& recording,
+                                     const Matrix<double>& distances, const Numbers& individuals) {
+  const auto labels = labels_of(recording, name);
+  if (!labels) return fail(labels.error());
+  const Classes classes = Classes::from_names(*labels);
+  if (classes.names.size() < 2) return fail(nothing_to_tell(name));
+  Numbers each(individuals.size());
+  std::iota(each.begin(), each.end(), std::size_t{0});
+  const NeighbourAccuracy left_out = neighbour_accuracy(distances, classes.of_sample, each);
+  LabelInformation about{name, classes.names.size(), left_out.accuracy, left_out.chance, {}, {},
+                         {}};
+  about.distance_ratio = between_to_within(distances, classes.of_sample);
+  if (individuals == each) return about;
+  const NeighbourAccuracy others = neighbour_accuracy(distances, classes.of_sample, individuals);
+  if (others.chance <= 0.0) return about;  // no other individual has the same
+  about.accuracy_new_individuals = others.accuracy;
+  about.chance_new_individuals = others.chance;
+  return about;
+}
+
+Result<double> number_from(const std::string& text, const std::string& label) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && rest == end && std::isfinite(number)) return number;
+  return fail(ErrorKind::kData, fmt::format("the label '{}' says '{}', no number", label, text), {},
+              "name a label of numbers as 'order'");
+}
+
+// An individual as the order sees it.
+struct Individual {
+  std::string group;
+  double number = 0.0;
+  Numbers samples;
+};
+
+Error differs(const std::string& individual, const std::string& label) {
+  return {ErrorKind::kData,
+          fmt::format("explorations with the same '{}' differ in '{}'", individual, label),
+          {},
+          "name another label as 'individual'"};
+}
+
+Result<std::vector<Individual>> individuals_in_order(const Recording& recording,
+                                                     const InformationParameters& asked,
+                                                     const Numbers& individuals) {
+  const auto texts = labels_of(recording, asked.order);
+  if (!texts) return fail(texts.error());
+  auto groups = std::vector<std::string>(texts->size());
+  if (!asked.within.empty()) {
+    auto found = labels_of(recording, asked.within);
+    if (!found) return fail(std::move(found.error()));
+    groups = std::move(*found);
+  }
+  std::map<std::size_t, Individual> found;
+  for (std::size_t sample = 0; sample < texts->size(); ++sample) {
+    const auto number = number_from((*texts)[sample], asked.order);
+    if (!number) return fail(number.error());
+    const Individual first{groups[sample], *number, {}};
+    Individual& individual = found.emplace(individuals[sample], first).first->second;
+    if (individual.number != *number) return fail(differs(asked.individual, asked.order));
+    if (individual.group != groups[sample]) return fail(differs(asked.individual, asked.within));
+    individual.samples.push_back(sample);
+  }
+  std::vector<Individual> all;
+  all.reserve(found.size());
+  for (auto& [number, individual] : found) all.push_back(std::move(individual));
+  return all;
+}
+
+// The inner product of the individuals' mean vectors.
+double mean_inner_product(const Samples& vectors, const Individual& a, const Individual& b) {
+  double sum = 0.0;
+  for (const std::size_t i : a.samples) {
+    for (const std::size_t j : b.samples) sum += inner_product(vectors[i], vectors[j]);
+  }
+  return sum / static_cast<double>(a.samples.size() * b.samples.size());
+}
+
+OrderedGroup ordered(const std::vector<Individual>& members, const Samples& vectors) {
+  Matrix<double> products(members.size(), members.size());
+  OrderedGroup group;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    group.numbers.push_back(members[i].number);
+    for (std::size_t j = 0; j <= i; ++j) {
+      products(i, j) = mean_inner_product(vectors, members[i], members[j]);
+      products(j, i) = products(i, j);
+    }
+  }
+  group.positions = principal_positions(products);
+  return group;
+}
+
+bool has_an_order(const std::vector<Individual>& members) {
+  std::set<double> numbers;
+  for (const Individual& member : members) numbers.insert(member.number);
+  return numbers.size() >= kFewestInOrder;
+}
+
+Result<OrderInformation> about_order(const Recording& recording, const InformationParameters& asked,
+                                     const Numbers& individuals, const Samples& vectors) {
+  auto all = individuals_in_order(recording, asked, individuals);
+  if (!all) return fail(std::move(all.error()));
+  std::map<std::string, std::vector<Individual>> members;
+  for (Individual& individual : *all) members[individual.group].push_back(std::move(individual));
+  OrderInformation information;
+  std::vector<OrderedGroup> groups;
+  for (const auto& [name, group] : members) {
+    if (!has_an_order(group)) continue;
+    groups.push_back(ordered(group, vectors));
+    const double correlation = rank_correlation(groups.back().numbers, groups.back().positions);
+    information.groups.push_back({name, group.size(), std::abs(correlation)});
+  }
+  if (groups.empty()) {
+    return fail(
+        ErrorKind::kData,
+        fmt::format("no group has {} individuals of different '{}'", kFewestInOrder, asked.order),
+        {}, "two numbers are always in order; name another label as 'order' or 'within'");
+  }
+  const RankOrder order = rank_order(groups, asked.shuffles, asked.seed);
+  information.correlation = order.correlation;
+  information.shuffled = order.shuffled;
+  information.shuffled_share = order.shuffled_share;
+  return information;
+}
+
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const LabelInformation& about) {
+  return {{"label", about.label},
+          {"classes", about.classes},
+          {"accuracy", about.accuracy},
+          {"chance", about.chance},
+          {"accuracy_new_individuals", json_of(about.accuracy_new_individuals)},
+          {"chance_new_individuals", json_of(about.chance_new_individuals)},
+          {"distance_ratio", json_of(about.distance_ratio)}};
+}
+
+Json json_of(const OrderInformation& order) {
+  Json groups = Json::array();
+  for (const OrderInformation::Group& group : order.groups) {
+    groups.push_back({{"group", group.name},
+                      {"individuals", group.individuals},
+                      {"correlation", group.correlation}});
+  }
+  return {{"correlation", order.correlation},
+          {"shuffled", order.shuffled},
+          {"shuffled_share", order.shuffled_share},
+          {"groups", groups}};
+}
+
+Json json_of(const InformationParameters& asked) {
+  Json json = Json::object();
+  for (const auto& parameter : InformationParameters::declarations().all()) {
+    const std::string value = to_toml(parameter.read(asked));
+    const Json parsed = Json::parse(value, nullptr, false);
+    json[parameter.info.name] = parsed.is_discarded() ? Json(value) : parsed;
+  }
+  return json;
+}
+
+}  // namespace
+
+const Declarations<InformationParameters>& InformationParameters::declarations() {
+  using P = InformationParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "labels", [](P& p) -> auto& { return p.labels; }, "", Range::any(),
+              "Labels that the vectors are asked for.")
+          .add(
+              "individual", [](P& p) -> auto& { return p.individual; }, "", Range::any(),
+              "Label of the things themselves, such as the object when a label is its shape: a "
+              "label is asked for among other individuals too, and an order is that of their mean "
+              "vectors; empty: each exploration on its own.")
+          .add(
+              "order", [](P& p) -> auto& { return p.order; }, "", Range::any(),
+              "Label of numbers, such as girth, whose order is looked for; empty: none.")
+          .add(
+              "within", [](P& p) -> auto& { return p.within; }, "", Range::any(),
+              "Label of groups, such as shape, in each of which the order is looked for; empty: "
+              "among all.")
+          .add(
+              "map", [](P& p) -> auto& { return p.map; }, "", Range::any(),
+              "Name of the module of type som whose vectors are measured; empty: the one that no "
+              "other map comes before.")
+          .add(
+              "shuffles", [](P& p) -> auto& { return p.shuffles; }, "", Range::between(0, 1e6),
+              "Shufflings of the numbers that the order is compared with.")
+          .add(
+              "seed", [](P& p) -> auto& { return p.seed; }, "", Range::between(0, 1e15),
+              "Seed of the shufflings.");
+  return declared;
+}
+
+Result<Information> measure_information(const StudyDescription& description,
+                                        const Recording& recording,
+                                        const InformationParameters& asked, std::size_t threads) {
+  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
+  const auto system = System::build(description.system, layout_of(recording));
+  if (!system) return fail(system.error());
+  const auto module = find_vectors(*system, description, asked.map);
+  if (!module) return fail(module.error());
+  const auto individuals = numbers_of(recording, asked.individual);
+  if (!individuals) return fail(individuals.error());
+  if (all_equal(*individuals)) return fail(nothing_to_tell(asked.individual));
+  const auto vectors = vectors_of(*system, recording, *module, threads);
+  if (!vectors) return fail(vectors.error());
+
+  const SystemModule& gives = system->modules()[*module];
+  Information information{description.study.name, content_hash(recording), asked, gives.name,
+                          vectors->count(),       vectors->size(),         {},    {}};
+  const Matrix<double> distances = distances_between(*vectors, threads);
+  for (const std::string& label : asked.labels) {
+    auto about = about_label(label, recording, distances, *individuals);
+    if (!about) return fail(std::move(about.error()));
+    information.labels.push_back(std::move(*about));
+  }
+  if (asked.order.empty()) return information;
+  auto order = about_order(recording, asked, *individuals, *vectors);
+  if (!order) return fail(std::move(order.error()));
+  information.order = std::move(*order);
+  return information;
+}
+
+std::string to_json(const Information& information) {
+  Json labels = Json::array();
+  for (const LabelInformation& about : information.labels) labels.push_back(json_of(about));
+  Json json = {{"version", 1},
+               {"study", information.study},
+               {"data_hash", information.data_hash},
+               {"asked", json_of(information.asked)},
+               {"module", information.module},
+               {"explorations", information.explorations},
+               {"elements", information.elements},
+               {"labels", labels}};
+  if (information.order) json["order"] = json_of(*information.order);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace somato

@@ -1,0 +1,151 @@
+#include "studies/rank_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+
+namespace somato {
+namespace {
+
+// What counts as equal after rounding.
+constexpr double kRounding = 1e-12;
+
+constexpr int kMostSquarings = 60;
+
+double trace_of(const Matrix<double>& matrix) {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) trace += matrix(i, i);
+  return trace;
+}
+
+// The inner products of what is left of the vectors when their mean is taken away.
+Matrix<double> centred(const Matrix<double>& inner_products) {
+  const std::size_t count = inner_products.rows();
+  std::vector<double> row_means(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const double product : inner_products.row(i)) row_means[i] += product;
+    row_means[i] /= static_cast<double>(count);
+  }
+  const double mean = std::accumulate(row_means.begin(), row_means.end(), 0.0) /
+                      static_cast<double>(std::max<std::size_t>(count, 1));
+  Matrix<double> left = inner_products;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) left(i, j) += mean - row_means[i] - row_means[j];
+  }
+  return left;
+}
+
+void scale(Matrix<double>& matrix, double factor) {
+  for (double& value : matrix.values()) value *= factor;
+}
+
+Matrix<double> squared(const Matrix<double>& matrix) {
+  Matrix<double> square(matrix.rows(), matrix.rows());
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    for (std::size_t k = 0; k < matrix.rows(); ++k) {
+      for (std::size_t j = 0; j < matrix.rows(); ++j) {
+        square(i, j) += matrix(i, k) * matrix(k, j);
+      }
+    }
+  }
+  return square;
+}
+
+// A matrix of trace 1, squared until its largest eigenvalue alone is left.
+Matrix<double> largest_alone(Matrix<double> matrix) {
+  for (int squaring = 0; squaring < kMostSquarings; ++squaring) {
+    matrix = squared(matrix);
+    const double trace = trace_of(matrix);
+    scale(matrix, 1.0 / trace);
+    if (trace >= 1.0 - kRounding) break;
+  }
+  return matrix;
+}
+
+double sum_of_squares(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+// Ranks less their mean.
+std::vector<double> centred_ranks(const std::vector<double>& values) {
+  std::vector<double> ranks = ranks_of(values);
+  for (double& rank : ranks) rank -= (static_cast<double>(ranks.size()) + 1.0) / 2.0;
+  return ranks;
+}
+
+double mean_order(const std::vector<OrderedGroup>& groups) {
+  double sum = 0.0;
+  for (const OrderedGroup& group : groups) {
+    sum += std::abs(rank_correlation(group.numbers, group.positions));
+  }
+  return sum / static_cast<double>(groups.size());
+}
+
+void shuffle(std::vector<double>& values, Random& random) {
+  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
+}
+
+}  // namespace
+
+std::vector<double> ranks_of(const std::vector<double>& values) {
+  std::vector<double> ranks;
+  ranks.reserve(values.size());
+  for (const double value : values) {
+    const auto is_less = [&](double other) { return other < value; };
+    const auto less = std::count_if(values.begin(), values.end(), is_less);
+    const auto equal = std::count(values.begin(), values.end(), value);
+    ranks.push_back(static_cast<double>(less) + (static_cast<double>(equal) + 1.0) / 2.0);
+  }
+  return ranks;
+}
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  require(a.size() == b.size(), "a rank correlation needs as many values on either side");
+  const std::vector<double> ranks_a = centred_ranks(a);
+  const std::vector<double> ranks_b = centred_ranks(b);
+  const double spread = std::sqrt(sum_of_squares(ranks_a) * sum_of_squares(ranks_b));
+  if (spread <= 0.0) return 0.0;
+  return std::inner_product(ranks_a.begin(), ranks_a.end(), ranks_b.begin(), 0.0) / spread;
+}
+
+std::vector<double> principal_positions(const Matrix<double>& inner_products) {
+  const std::size_t count = inner_products.rows();
+  Matrix<double> products = centred(inner_products);
+  const double trace = trace_of(products);
+  if (!(trace > kRounding * trace_of(inner_products))) return std::vector<double>(count, 0.0);
+  scale(products, 1.0 / trace);
+  products = largest_alone(std::move(products));
+  // Every column points there; the longest is furthest from rounding.
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    if (products(i, i) > products(longest, longest)) longest = i;
+  }
+  const auto row = products.row(longest);
+  return {row.begin(), row.end()};
+}
+
+RankOrder rank_order(const std::vector<OrderedGroup>& groups, std::size_t shuffles,
+                     std::uint64_t seed) {
+  require(!groups.empty(), "an order needs groups");
+  RankOrder order;
+  order.correlation = mean_order(groups);
+  std::vector<OrderedGroup> shuffled = groups;
+  Random random(seed, Stream::kGroupings);
+  double sum = 0.0;
+  std::size_t as_high = 1;
+  for (std::size_t i = 0; i < shuffles; ++i) {
+    for (OrderedGroup& group : shuffled) shuffle(group.numbers, random);
+    const double correlation = mean_order(shuffled);
+    sum += correlation;
+    as_high += correlation >= order.correlation - kRounding ? 1 : 0;
+  }
+  if (shuffles > 0) order.shuffled = sum / static_cast<double>(shuffles);
+  order.shuffled_share = static_cast<double>(as_high) / static_cast<double>(shuffles + 1);
+  return order;
+}
+
+}  // namespace somato
