@@ -44,9 +44,7 @@ class Body {
   Body() = default;
   Body(const Body&) = delete;
   Body(Body&&) = delete;
-  Body(Body&&) = delete;
   Body& operator=(const Body&) = delete;
-  Body& operator=(Body&&) = delete;
   Body& operator=(Body&&) = delete;
   virtual ~Body() = default;
 
