@@ -43,7 +43,9 @@ class Body {
  public:
   Body() = default;
   Body(const Body&) = delete;
+  Body(Body&&) = delete;
   Body& operator=(const Body&) = delete;
+  Body& operator=(Body&&) = delete;
   virtual ~Body() = default;
 
   virtual const BodyDescription& description() const = 0;
