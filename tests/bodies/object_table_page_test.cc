@@ -4,18 +4,11 @@
 #include <regex>
 #include <sstream>
 
-#include "somato/bodies/object_table.h"
+#include "support/object_tables.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
-
-std::vector<Material> declared() {
-  std::vector<Material> materials(4);
-  const std::vector<std::string> names{"plastic", "metal", "hard_board", "wood"};
-  for (std::size_t i = 0; i < names.size(); ++i) materials[i].name = names[i];
-  return materials;
-}
 
 std::string page() {
   return bytes_of(std::string(SOMATO_SOURCE_DIR) + "/docs/objects.md");
