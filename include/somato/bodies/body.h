@@ -43,9 +43,7 @@ class Body {
  public:
   Body() = default;
   Body(const Body&) = delete;
-  Body(Body&&) = delete;
   Body& operator=(const Body&) = delete;
-  Body& operator=(Body&&) = delete;
   virtual ~Body() = default;
 
   virtual const BodyDescription& description() const = 0;
