@@ -2,7 +2,10 @@
 option(SOMATO_WARNINGS_AS_ERRORS "Treat compiler warnings of Somato's own code as errors" OFF)
 
 function(somato_set_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wpedantic)
+  # The second line and the clang one stand for checks that .clang-tidy leaves to the compilers.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wpedantic
+                                           -Wredundant-decls -Wzero-as-null-pointer-constant
+                                           $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
   if(SOMATO_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

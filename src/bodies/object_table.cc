@@ -107,8 +107,8 @@ std::array<double, 3> size_of(const ObjectLine& line) {
   return {width, depth, line.height ? *line.height : width};
 }
 
-bool has_mesh_ending(std::filesystem::path file) {
-  std::string ending = file.extension().string();
+bool has_mesh_ending(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return ending == ".stl" || ending == ".obj";
 }
@@ -123,7 +123,7 @@ Result<std::string> mesh_of(const ObjectLine& line, std::string_view table,
   }
   std::error_code ignored;
   const fs::path beside = fs::path(table).parent_path() / line.file;
-  const std::string path = fs::absolute(beside, ignored).lexically_normal().string();
+  std::string path = fs::absolute(beside, ignored).lexically_normal().string();
   // A pipe or device would keep the reader waiting.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
     return fail(ErrorKind::kData, fmt::format("{} is no regular file", shown(path)), where,

@@ -101,7 +101,9 @@ TEST_F(ExploreByGrasping, AHandThatNeverTouchesIsAnError) {
 TEST_F(ExploreByGrasping, OneTouchInOneGraspIsEnough) {
   plan_ = {{126}, {-24, 24}, 2};
   EXPECT_TRUE(explore_by_grasping(hand_, plan_, {}));
-  plan_.grasps = 1;
+  plan_ = {{126}, {24, -24}, 2};
+  EXPECT_TRUE(explore_by_grasping(hand_, plan_, {}));
+  plan_ = {{126}, {-24}, 1};
   EXPECT_FALSE(explore_by_grasping(hand_, plan_, {}));
 }
 

@@ -228,6 +228,25 @@ TEST(ExploreAllThreads, AnExceptionIsRethrownAndNobodyWaits) {
   }
 }
 
+// The others have filled what is ahead of the third one and wait for it when it throws.
+TEST(ExploreAllThreads, AnExceptionWakesThoseWhoWait) {
+  for (std::size_t threads = 2; threads <= 4; ++threads) {
+    Keeper keeper;
+    std::atomic<std::size_t> ended = 0;
+    const auto explore = [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
+      if (item == 3) {
+        while (ended < 2 + 2 * threads) std::this_thread::yield();
+        for (int i = 0; i < 10000; ++i) std::this_thread::yield();
+        throw std::runtime_error("broken");
+      }
+      ++ended;
+      return named(item, trial);
+    };
+    EXPECT_THROW((void)explore_all({60, 1, threads}, explore, keeper.sink()), std::runtime_error);
+    EXPECT_EQ(keeper.names, in_order(3, 1));
+  }
+}
+
 TEST(ExploreAll, NothingThatExploresIsACallersMistake) {
   Keeper keeper;
   EXPECT_THROW((void)explore_all({1, 1, 1}, {}, keeper.sink()), InvalidArgument);

@@ -252,22 +252,47 @@ TEST(GuardedGrasp, FingersCloseIndependently) {
   EXPECT_EQ(targets, (Positions{17, 6, -59, 30, 30}));
 }
 
-TEST(GuardedGrasp, ASlowSensorsLastFrameCounts) {
-  FakeHand hand("hand");
-  add_finger(hand, "finger1");
-  // Every 0.2 s; the grasp begins at 0.55 s, so that it feels in its odd iterations alone.
-  hand.add_sensor(
-      {"touch", "N", {"finger1_proximal_1", "finger1_distal_1"}, {}, 5.0, false},
-      [](const Positions& at) { return Frame{pressed(at[0], 10, 2), pressed(at[1], -20, 2)}; });
+// A finger with walls at 10 and -20 deg, 2 N a deg over the 5 N that its taxels always tell, felt
+// so often a second. The grasp begins at 0.55 s of the body's clock.
+struct Sampled {
+  explicit Sampled(double rate) : hand("hand"), log({}) {
+    add_finger(hand, "finger1");
+    hand.add_sensor({"touch", "N", {"finger1_proximal_1", "finger1_distal_1"}, {}, rate, false},
+                    [](const Positions& at) {
+                      return Frame{5 + pressed(at[0], 10, 2), 5 + pressed(at[1], -20, 2)};
+                    });
+    EXPECT_TRUE(move_to(hand, targets));
+    EXPECT_NEAR(hand.state().time, 0.55, 1e-9);
+    log = FrameLog(hand.description());
+    const HandLayout layout = hand_layout(hand.description()).value();
+    result = guarded_grasp(hand, layout, {}, targets, log);
+  }
+  FakeHand hand;
+  FrameLog log;
   std::vector<double> targets{0, -75};
-  ASSERT_TRUE(move_to(hand, targets));
-  FrameLog log(hand.description());
-  const auto result =
-      guarded_grasp(hand, hand_layout(hand.description()).value(), {}, targets, log);
-  ASSERT_TRUE(result);
-  EXPECT_EQ(targets, (Positions{13.5, -19}));
-  EXPECT_EQ(result->iterations, 9U + 14U + 3U);
-  EXPECT_EQ(std::move(log).channels()[0].frames.rows(), 13U);
+  Result<GraspResult> result;
+};
+
+TEST(GuardedGrasp, ASlowSensorIsRememberedBetweenItsFrames) {
+  Sampled slow(5);  // It feels in the odd iterations alone.
+  ASSERT_TRUE(slow.result);
+  EXPECT_EQ(slow.targets, (Positions{13.5, -19}));
+  EXPECT_EQ(slow.result->iterations, 9U + 14U + 3U);
+  EXPECT_EQ(std::move(slow.log).channels()[0].frames.rows(), 13U);
+}
+
+TEST(GuardedGrasp, AFastSensorsLastFrameCounts) {
+  Sampled fast(40);
+  ASSERT_TRUE(fast.result);
+  EXPECT_EQ(fast.targets, (Positions{12, -19}));
+  EXPECT_EQ(fast.result->iterations, 8U + 14U + 3U);
+  EXPECT_EQ(std::move(fast.log).channels()[0].frames.rows(), 4U * 25U);
+}
+
+TEST(GuardedGrasp, ASensorWithoutAFrameBeforeTheGraspIsAnError) {
+  const Sampled late(1);
+  ASSERT_FALSE(late.result);
+  EXPECT_EQ(late.result.error().where, "touch");
 }
 
 TEST(GuardedGrasp, ComesFromADescription) {

@@ -12,14 +12,15 @@ BodyDescription two_fingers() {
                            "finger2_proximal", "height"}) {
     body.degrees_of_freedom.push_back({name, "deg", 0, 1, 1});
   }
-  body.sensors = {{"joints", "deg", {}, {}, 0.0, true},
-                  {"touch",
-                   "N",
-                   {"finger1_proximal_1", "palm_1", "finger1_distal_1", "finger1_proximal_2",
-                    "finger2_proximal_1", "finger2_distal_1", "finger2_distal_12"},
-                   {},
-                   0.0,
-                   true}};
+  body.sensors = {
+      {"joints", "deg", {}, {}, 0.0, true},
+      {"touch",
+       "N",
+       {"finger1_proximal_1", "finger1_proximals_1", "finger1_distal_1", "finger1_proximal_2",
+        "finger2_proximal_1", "finger2_distal_1", "finger2_distal_12"},
+       {},
+       0.0,
+       true}};
   return body;
 }
 

@@ -2,31 +2,16 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
-#include <filesystem>
 #include <numbers>
 
 #include "somato/core/random.h"
-#include "support/temporary_folder.h"
+#include "support/object_tables.h"
 
 namespace somato {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-Material material_of(std::string name, double density) {
-  Material material;
-  material.name = std::move(name);
-  material.density = density;
-  return material;
-}
-
-const std::vector<Material>& declared() {
-  static const std::vector<Material> all{material_of("plastic", 1000), material_of("metal", 8000),
-                                         material_of("hard_board", 700), material_of("wood", 600)};
-  return all;
-}
 
 Result<ObjectTable> parse(const std::string& text) {
   return parse_object_table(text, "t.toml", declared());
@@ -51,12 +36,6 @@ std::string error_of(const std::string& text, ErrorKind kind = ErrorKind::kUsage
 
 std::string error_of_object(const std::string& line) {
   return error_of("[object]\nit = " + line);
-}
-
-void expect_says(const std::string& message, std::initializer_list<std::string> parts) {
-  for (const std::string& part : parts) {
-    EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
-  }
 }
 
 using Size = std::array<double, 3>;
@@ -273,148 +252,10 @@ TEST(ObjectTable, DamagedTextEndsInAnErrorOrATable) {
   EXPECT_LT(whole_tables, 2000);
 }
 
-class MeshFile : public testing::Test {
- protected:
-  Result<ObjectTable> read(const std::string& file, const std::string& more = "") const {
-    const std::string table = folder_.with(
-        "things.toml", fmt::format("[object]\ncup = {{ shape = \"mesh\", file = \"{}\", "
-                                   "material = \"wood\"{} }}\n",
-                                   file, more));
-    return read_object_table(table, declared());
-  }
-
-  std::string error_of(const std::string& file, ErrorKind kind) const {
-    const auto table = read(file);
-    if (table) return "none";
-    EXPECT_EQ(table.error().kind, kind) << file;
-    EXPECT_EQ(table.error().where, folder_.file("things.toml") + ":2");
-    return to_string(table.error());
-  }
-
-  TemporaryFolder folder_;
-};
-
-TEST_F(MeshFile, LiesBesideTheTable) {
-  std::filesystem::create_directory(folder_.file("meshes"));
-  folder_.with("meshes/cup.STL", "solid");
-  for (const std::string& file :
-       {std::string("meshes/cup.STL"), std::string("./meshes/../meshes/cup.STL"),
-        folder_.file("meshes/cup.STL")}) {
-    const auto table = read(file);
-    ASSERT_TRUE(table) << to_string(table.error());
-    const Object& cup = table->objects.at(0);
-    EXPECT_EQ(cup.mesh_file, folder_.file("meshes/cup.STL"));
-    EXPECT_EQ(cup.mesh_scale, 1.0);
-    EXPECT_EQ(cup.size, (Size{0, 0, 0}));
-    EXPECT_EQ(cup.mass, 0.0);
-  }
-}
-
-TEST_F(MeshFile, MayHaveAScaleAndAMass) {
-  folder_.with("cup.obj", "v 0 0 0");
-  const auto table = read("cup.obj", ", scale = 25.4, mass = 0.2");
-  ASSERT_TRUE(table);
-  EXPECT_EQ(table->objects.at(0).mesh_scale, 25.4);
-  EXPECT_EQ(table->objects.at(0).mass, 0.2);
-  EXPECT_FALSE(read("cup.obj", ", scale = 0"));
-  EXPECT_FALSE(read("cup.obj", ", scale = 1001"));
-}
-
-TEST_F(MeshFile, ThatCannotBeReadIsRefused) {
-  folder_.with("cup.ply", "ply");
-  folder_.with("empty.stl", "");
-  std::filesystem::create_directory(folder_.file("folder.stl"));
-  ASSERT_EQ(::mkfifo(folder_.file("pipe.stl").c_str(), 0600), 0);
-  expect_says(error_of("missing.stl", ErrorKind::kSystem), {"missing.stl", "beside the table"});
-  expect_says(error_of("cup.ply", ErrorKind::kUsage), {"'cup.ply' is not a mesh", ".stl or .obj"});
-  expect_says(error_of("", ErrorKind::kUsage), {"not a mesh"});
-  expect_says(error_of("empty.stl", ErrorKind::kData), {"is empty"});
-  expect_says(error_of("folder.stl", ErrorKind::kData), {"is no regular file"});
-  expect_says(error_of("pipe.stl", ErrorKind::kData), {"is no regular file"});
-}
-
-TEST_F(MeshFile, OfMoreThan64MiBIsRefused) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
-  folder_.with("large.stl", "");
-  std::filesystem::resize_file(folder_.file("large.stl"), kMost);
-  EXPECT_TRUE(read("large.stl"));
-  std::filesystem::resize_file(folder_.file("large.stl"), kMost + 1);
-  expect_says(error_of("large.stl", ErrorKind::kData), {"large.stl"});
-}
-
 TEST(ObjectTable, AMissingFileIsTheSystemsError) {
   const auto missing = read_object_table("no/such.toml", declared());
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().kind, ErrorKind::kSystem);
-}
-
-TEST(Lucs2Objects, AreThoseOfTableOne) {
-  const auto objects = lucs2_objects(declared());
-  ASSERT_TRUE(objects) << to_string(objects.error());
-  std::vector<std::string> lines;
-  for (const Object& o : *objects) {
-    lines.push_back(fmt::format("{} {} {}x{}x{} {}", o.name, choice_name(o.shape), o.size[0],
-                                o.size[1], o.size[2], o.material.name));
-  }
-  EXPECT_EQ(lines,
-            (std::vector<std::string>{
-                "boccia sphere 72x72x72 plastic", "boule sphere 82x82x82 metal",
-                "cylinder cylinder 62x62x121 hard_board", "metal_cylinder cylinder 75x75x109 metal",
-                "block_1 block 50x50x110 wood", "block_2 block 58x50x110 wood"}));
-}
-
-void expect_counts(const std::vector<Object>& objects, std::ptrdiff_t each) {
-  std::ptrdiff_t cylinders = 0;
-  std::ptrdiff_t blocks = 0;
-  for (const Object& object : objects) {
-    cylinders += object.shape == Shape::kCylinder ? 1 : 0;
-    blocks += object.shape == Shape::kBlock ? 1 : 0;
-    EXPECT_GE(object.size[0], object.size[1]) << object.name;  // the wider side to the palm
-    EXPECT_GE(object.size[2], 120.0) << object.name;
-    EXPECT_LE(object.size[2], 150.0) << object.name;
-  }
-  EXPECT_EQ(cylinders, each);
-  EXPECT_EQ(blocks, each);
-}
-
-std::pair<double, double> widths(const std::vector<Object>& objects, Shape shape) {
-  std::pair<double, double> widths{1000.0, 0.0};
-  for (const Object& object : objects) {
-    if (object.shape != shape) continue;
-    widths.first = std::min(widths.first, object.size[0]);
-    widths.second = std::max(widths.second, object.size[0]);
-  }
-  return widths;
-}
-
-TEST(Lucs3Objects, SpanTheHand) {
-  const auto objects = lucs3_objects(declared());
-  ASSERT_TRUE(objects) << to_string(objects.error());
-  expect_counts(*objects, 5);
-  EXPECT_EQ(widths(*objects, Shape::kCylinder), (std::pair{40.0, 80.0}));
-  EXPECT_EQ(widths(*objects, Shape::kBlock), (std::pair{50.0, 90.0}));
-}
-
-TEST(Lucs3Objects, TheNewOnesLieBetweenAndAreOthers) {
-  const auto objects = lucs3_objects(declared()).value();
-  const auto fresh = lucs3_new_objects(declared());
-  ASSERT_TRUE(fresh) << to_string(fresh.error());
-  expect_counts(*fresh, 3);
-  for (const Object& one : *fresh) {
-    const auto [least, most] = widths(objects, one.shape);
-    EXPECT_GT(one.size[0], least);
-    EXPECT_LT(one.size[0], most);
-    for (const Object& other : objects) {
-      EXPECT_NE(one.name, other.name);
-      EXPECT_FALSE(one.shape == other.shape && one.size[0] == other.size[0]) << one.name;
-    }
-  }
-}
-
-TEST(Lucs2Objects, AMissingMaterialIsNamed) {
-  const auto objects = lucs2_objects(std::span(declared()).first(1));
-  ASSERT_FALSE(objects);
-  expect_says(to_string(objects.error()), {"objects/lucs2.toml:4", "'metal'"});
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace somato {
 /// the sensors tell is a function of where the servos are.
 class FakeHand : public Body {
  public:
-  /// What a sensor without a rate tells at these positions.
+  /// What a sensor tells at these positions. With a rate, a step's last frame is of where the
+  /// servos are, those before it of where they were.
   using Feel = std::function<std::vector<float>(const std::vector<double>& positions)>;
 
   explicit FakeHand(std::string name) { description_.name = std::move(name); }
@@ -79,9 +80,11 @@ class FakeHand : public Body {
       const double rate = description_.sensors[i].rate;
       const auto rows = rate == 0.0 ? 1 : frames_at(rate, state_.time) - frames_at(rate, before);
       Matrix<float> frames(rows, frame.size());
-      for (std::size_t row = 0; row < rows; ++row) {
-        std::copy(frame.begin(), frame.end(), frames.row(row).begin());
+      for (std::size_t row = 0; row + 1 < rows; ++row) {
+        const std::vector<float> earlier = feels_[i](path[path.size() < 2 ? 0 : path.size() - 2]);
+        std::copy(earlier.begin(), earlier.end(), frames.row(row).begin());
       }
+      if (rows > 0) std::copy(frame.begin(), frame.end(), frames.row(rows - 1).begin());
       state_.readings.push_back(std::move(frames));
     }
   }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "somato/core/result.h"
+
+namespace somato::detail {
+
+/// Red, green and blue for every pixel, row after row from the top left.
+struct Image {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint8_t> rgb;  ///< 3 x width x height.
+};
+
+/// Throws InvalidArgument unless both lie from 1 to 16384.
+void require_picture_size(std::size_t width, std::size_t height);
+
+/// Writes the image as a PNG file, wholly or not at all. Errors: kSystem with the system's reason.
+/// Throws InvalidArgument unless it has pixels, and as many as its size says.
+Result<void> write_png(const std::string& path, const Image& image);
+
+}  // namespace somato::detail

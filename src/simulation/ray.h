@@ -1,0 +1,31 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+
+namespace somato::detail {
+
+using Vector3 = std::array<mjtNum, 3>;
+
+struct Ray {
+  Vector3 from{};
+  Vector3 direction{};  ///< Of length 1.
+};
+
+/// Where the ray first meets the geom: metres from its start, or below 0 where it does not.
+mjtNum distance_to_geom(const mjModel& model, const mjData& data, int geom, const Ray& ray);
+
+/// The unit normal of the geom where the ray meets it at `distance`, on the side it comes from.
+Vector3 normal_of_geom(const mjModel& model, const mjData& data, int geom, const Ray& ray,
+                       mjtNum distance);
+
+/// The point `distance` along the ray.
+Vector3 point_on(const Ray& ray, mjtNum distance);
+
+mjtNum dot(const Vector3& a, const Vector3& b);
+
+/// The vector scaled to length 1.
+Vector3 normalized(Vector3 vector);
+
+}  // namespace somato::detail
