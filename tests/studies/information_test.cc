@@ -9,7 +9,7 @@
 namespace somato {
 namespace {
 
-// Things on a line: sizes 10, 20, 30 and 40 of two kinds. Each was felt twice, `spread` apart.
+// Things on a line: three sizes of two kinds. Each was felt twice, `spread` apart.
 struct Thing {
   std::string name, kind, size;
   float place;
@@ -232,7 +232,7 @@ TEST(Information, RefusesASingleExploration) {
   one.explorations.pop_back();
   InformationParameters parameters = asked();
   parameters.individual.clear();
-  EXPECT_EQ(error_of(one, parameters).kind, ErrorKind::kData);
+  EXPECT_EQ(error_of(one, parameters).what, "the recording has only one exploration");
 }
 
 TEST(Information, StandsInJson) {
