@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "support/made_recording.h"
 #include "support/made_study.h"
 
 namespace somato {
@@ -132,6 +134,26 @@ TEST(Information, OrderIsThatOfTheMeans) {
   EXPECT_DOUBLE_EQ(found.order->correlation, 1.0);
 }
 
+// The mean of b's three samples is 20, between the others.
+TEST(Information, AMeanIsThatOfAllSamplesHoweverMany) {
+  Recording recording;
+  for (const auto& [object, size, place] :
+       std::vector<std::tuple<std::string, std::string, float>>{{"a", "1", 10.0F},
+                                                                {"b", "2", -50.0F},
+                                                                {"b", "2", 90.0F},
+                                                                {"b", "2", 20.0F},
+                                                                {"c", "3", 30.0F}}) {
+    Exploration exploration = testing::exploration_of(object, {place, 7.0F});
+    exploration.labels.push_back({"size", size});
+    recording.explorations.push_back(std::move(exploration));
+  }
+  InformationParameters parameters = asked("size");
+  parameters.labels = {"object"};
+  parameters.within.clear();
+  const auto found = measure_information(raw_study(), recording, parameters).value();
+  EXPECT_DOUBLE_EQ(found.order->correlation, 1.0);
+}
+
 TEST(Information, AGroupOfTwoNumbersHasNoOrder) {
   std::vector<Thing> things = kThings;
   things[2].size = "20";
@@ -217,6 +239,10 @@ TEST(Information, RefusesLabelsThatTellNothing) {
 TEST(Information, RefusesOrdersThatCannotBe) {
   EXPECT_EQ(error_of(recording_of(kThings), asked("object")).what,
             "the label 'object' says 'a', no number");
+  std::vector<Thing> measured = kThings;
+  measured[0].size = "10 mm";
+  EXPECT_EQ(error_of(recording_of(measured), asked("size")).what,
+            "the label 'size' says '10 mm', no number");
   InformationParameters parameters = asked("size");
   parameters.individual = "kind";
   EXPECT_EQ(error_of(recording_of(kThings), parameters).what,
