@@ -147,8 +147,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   if (auto finished = file.finish(); !finished) return finished;
-  fmt::print("{}: {} explorations of {} things, {}\n", request.output, recorded, request.plan.items,
-             spread.text());
+  fmt::print("{}: {} explorations of {} thing{}, {}\n", request.output, recorded,
+             request.plan.items, request.plan.items == 1 ? "" : "s", spread.text());
   if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));
