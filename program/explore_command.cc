@@ -103,13 +103,18 @@ class FrameSpread {
   std::size_t count_ = 0;
 };
 
+// The first failures, each in a line; many are seldom of different kinds.
 void report_failures(const Request& request, const ExploringOutcome& outcome) {
-  for (const FailedExploration& failure : outcome.failures) {
-    std::fputs(fmt::format("somato: {}, trial {}: {}\n", request.explorer.things()[failure.item],
-                           failure.trial + 1, to_string(failure.error))
-                   .c_str(),
-               stderr);
+  constexpr std::size_t kShown = 10;
+  const std::size_t count = outcome.failures.size();
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
+    const FailedExploration& failure = outcome.failures[i];
+    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer.things()[failure.item],
+                        failure.trial + 1, to_string(failure.error));
   }
+  if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
+  std::fputs(text.c_str(), stderr);
 }
 
 // The command has done something even where not all went well.
@@ -142,8 +147,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   if (auto finished = file.finish(); !finished) return finished;
-  fmt::print("{}: {} explorations of {} things, {}\n", request.output, recorded, request.plan.items,
-             spread.text());
+  fmt::print("{}: {} explorations of {} thing{}, {}\n", request.output, recorded,
+             request.plan.items, request.plan.items == 1 ? "" : "s", spread.text());
   if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

@@ -28,7 +28,6 @@ class Hand:
     studies: dict = field(hash=False)  # by the name in the tables: file, channel of touch
     noises: tuple  # mm; the turn goes with them, 2 degrees a mm
     asked: tuple  # flags of `somato information`
-    settings: str = ""  # of `somato explore`, as TOML
 
 
 @dataclass(frozen=True)
@@ -56,8 +55,7 @@ HAND_2 = Hand(
     ("--labels", "object,shape", "--individual", "object"))
 HAND_3 = Hand(
     "lucs3", {"joints": ("lucs3_joints.toml", None)}, (0, 0.5, 1, 2, 4),
-    ("--labels", "object,shape", "--individual", "object", "--order", "girth", "--within", "shape"),
-    "[closing]\nshare = 1.0\nstill = 1.0\n")
+    ("--labels", "object,shape", "--individual", "object", "--order", "girth", "--within", "shape"))
 HANDS = (HAND_2, HAND_3)
 CONDITIONS = [Condition(hand, noise, free)
               for hand in HANDS for free in (False, True) for noise in hand.noises]
@@ -112,11 +110,9 @@ def figures_of(options, condition, study_file, seed):
 def explore(options, condition, seed):
     """Records a condition once; returns the recording's file."""
     recording = options.out / f"{condition.name}_{seed}.mcap"
-    settings = options.out / f"{condition.hand.body}_settings.toml"
-    settings.write_text(condition.hand.settings, encoding="utf-8")
     somato(options, "explore", "--body", condition.hand.body, "--seed", seed,
            "--placement-noise", condition.noise, "--free", str(condition.free).lower(),
-           "--settings", settings, "--threads", options.threads, "-o", recording, may_lose=True)
+           "--threads", options.threads, "-o", recording, may_lose=True)
     return recording
 
 

@@ -73,7 +73,7 @@ class ClosingHand {
     auto first = joints();
     if (!first) return fail(std::move(first.error()));
     Stillness stillness(*first, closing_.still);
-    for (std::size_t i = 0; stillness.frames() < closing_.still_iterations; ++i) {
+    for (std::size_t i = 0; !is_driven() || stillness.frames() < closing_.still_iterations; ++i) {
       if (static_cast<double>(i) * closing_.iteration >= closing_.longest) return never_closed();
       if (auto passed = iterate(); !passed) return passed;
       auto now = joints();
@@ -98,6 +98,13 @@ class ClosingHand {
     return body_.command(targets_)
         .and_then([&] { return body_.step(closing_.iteration); })
         .and_then([&] { return log_.append(body_.state()); });
+  }
+
+  // Whether the driver has taken all servos to their limits: those that an object stops press on.
+  bool is_driven() const {
+    return std::all_of(fingers_.begin(), fingers_.end(), [&](std::size_t i) {
+      return targets_[i] == servo(i).most && has_arrived(body_.state().positions[i], targets_[i]);
+    });
   }
 
   // The last frame of the last step; as many elements as before, or log_ has refused them.

@@ -1,11 +1,13 @@
 #include "somato/simulation/explorer.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "simulation/hand_explorers.h"
 #include "simulation/probe_explorers.h"
 #include "somato/core/check.h"
+#include "somato/simulation/engine.h"
 
 namespace somato {
 
@@ -45,6 +47,7 @@ Result<std::unique_ptr<detail::ThingExplorer>> thing_explorer(ExploringBody body
 class Explorer::Parts {
  public:
   std::vector<std::string> things;
+  std::string source;  // What the explorations say that they come from.
   std::unique_ptr<const detail::ThingExplorer> explorer;
 };
 
@@ -62,6 +65,8 @@ Result<Explorer> Explorer::build(ExploringBody body, const ObjectTable& things,
   if (!explorer) return fail(std::move(explorer.error()));
   auto parts = std::make_shared<Parts>();
   parts->things = (*explorer)->things();
+  parts->source =
+      fmt::format("{}, simulated ({}), seed {}", choice_name(body), physics_engine(), seed);
   parts->explorer = std::move(*explorer);
   return Explorer(std::move(parts));
 }
@@ -74,8 +79,11 @@ Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
                                       const std::string& image_folder) const {
   require(thing < parts_->things.size(), "Explorer::explore: no such thing");
   auto exploration = parts_->explorer->explore(thing, trial, image_folder);
-  if (!exploration && exploration.error().where.empty())
+  if (exploration) {
+    exploration->source = parts_->source;
+  } else if (exploration.error().where.empty()) {
     exploration.error().where = parts_->things[thing];
+  }
   return exploration;
 }
 

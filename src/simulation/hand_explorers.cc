@@ -8,6 +8,7 @@
 
 #include "somato/bodies/explore_by_grasping.h"
 #include "somato/core/random.h"
+#include "somato/simulation/hand_picture.h"
 #include "somato/simulation/simulated_hand.h"
 
 namespace somato::detail {
@@ -31,8 +32,9 @@ class HandExplorer : public ThingExplorer {
     if (!hand) return fail(std::move(hand.error()));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
       if (image_folder.empty()) return {};
-      (void)grasp;
-      return {};
+      const std::string name =
+          fmt::format("{}-{}-{}.png", scenes_[thing].object().name, trial + 1, grasp + 1);
+      return save_hand_picture(**hand, (std::filesystem::path(image_folder) / name).string());
     };
     auto exploration = grasp(**hand, draw);
     if (exploration) exploration->labels = labels_of(scenes_[thing].object(), trial);

@@ -13,8 +13,8 @@ mjtNum cast(const mjModel& model, const mjData& data, int geom, const Ray& ray, 
   const int type = model.geom_type[geom];
   if (type == mjGEOM_MESH) return mj_rayMesh(&model, &data, geom, from, to, normal);
   if (type == mjGEOM_HFIELD) return mj_rayHfield(&model, &data, geom, from, to, normal);
-  return mju_rayGeom(data.geom_xpos + 3 * geom, data.geom_xmat + 9 * geom,
-                     model.geom_size + 3 * geom, from, to, type, normal);
+  return mju_rayGeom(entry(data.geom_xpos, 3, geom), entry(data.geom_xmat, 9, geom),
+                     entry(model.geom_size, 3, geom), from, to, type, normal);
 }
 
 Vector3 find_normal(const mjModel& model, const mjData& data, int geom, const Ray& ray, mjtNum) {
@@ -29,8 +29,8 @@ mjtNum cast(const mjModel& model, const mjData& data, int geom, const Ray& ray, 
   const int type = model.geom_type[geom];
   if (type == mjGEOM_MESH) return mj_rayMesh(&model, &data, geom, from, to);
   if (type == mjGEOM_HFIELD) return mj_rayHfield(&model, &data, geom, from, to);
-  return mju_rayGeom(data.geom_xpos + 3 * geom, data.geom_xmat + 9 * geom,
-                     model.geom_size + 3 * geom, from, to, type);
+  return mju_rayGeom(entry(data.geom_xpos, 3, geom), entry(data.geom_xmat, 9, geom),
+                     entry(model.geom_size, 3, geom), from, to, type);
 }
 
 // From where the ray meets the geom to where one that starts a little aside does.

@@ -3,10 +3,17 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
+#include <cstddef>
 
 namespace somato::detail {
 
 using Vector3 = std::array<mjtNum, 3>;
+
+/// The numbers of the thing of that index in one of the engine's tables, `size` of them a thing.
+template <class T>
+T* entry(T* table, std::ptrdiff_t size, std::ptrdiff_t index) {
+  return table + size * index;
+}
 
 struct Ray {
   Vector3 from{};

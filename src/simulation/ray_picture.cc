@@ -28,10 +28,9 @@ struct Camera {
 };
 
 Camera make_camera(const mjModel& model, const mjData& data, int camera, mjtNum aspect) {
-  const mjtNum* position = data.cam_xpos + 3 * camera;
-  const mjtNum* axes = data.cam_xmat + 9 * camera;
-  const mjtNum height =
-      std::tan(static_cast<mjtNum>(model.cam_fovy[camera]) * std::numbers::pi / 360);
+  const mjtNum* position = entry(data.cam_xpos, 3, camera);
+  const mjtNum* axes = entry(data.cam_xmat, 9, camera);
+  const mjtNum height = std::tan(model.cam_fovy[camera] * std::numbers::pi / 360);
   return {.position = {position[0], position[1], position[2]},
           .right = {axes[0], axes[3], axes[6]},
           .up = {axes[1], axes[4], axes[7]},
@@ -71,10 +70,10 @@ bool is_shown(const mjModel& model, int geom) {
 
 // As the engine's viewer has it: a colour of the geom's own hides that of its material.
 Colour colour_of(const mjModel& model, int geom) {
-  const float* own = model.geom_rgba + 4 * geom;
+  const float* own = entry(model.geom_rgba, 4, geom);
   const int material = model.geom_matid[geom];
   const bool is_default = std::all_of(own, own + 3, [](float part) { return part == 0.5F; });
-  const float* chosen = material >= 0 && is_default ? model.mat_rgba + 4 * material : own;
+  const float* chosen = material >= 0 && is_default ? entry(model.mat_rgba, 4, material) : own;
   return {chosen[0], chosen[1], chosen[2]};
 }
 
@@ -104,7 +103,7 @@ class Scene {
   }
   // Where the geom's bounding ball stands; none (radius 0) for planes.
   Vector3 centre(int geom) const {
-    const mjtNum* at = data_.geom_xpos + 3 * geom;
+    const mjtNum* at = entry(data_.geom_xpos, 3, geom);
     return {at[0], at[1], at[2]};
   }
   mjtNum radius(int geom) const { return model_.geom_rbound[geom]; }
@@ -221,7 +220,7 @@ Colour pixel(const Raster& raster, const Scene& scene, std::size_t rays, std::si
 }
 
 std::uint8_t to_byte(float part) {
-  return static_cast<std::uint8_t>(std::clamp(part, 0.0F, 1.0F) * 255.0F + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0F, 1.0F) * 255.0F));
 }
 
 }  // namespace

@@ -35,12 +35,6 @@ void set_joints(const mjModel& model, std::span<const double> positions, mjData&
     data.qpos[model.jnt_qposadr[model.actuator_trnid[2 * i]]] = positions[i];
 }
 
-void update_positions(const mjModel& model, mjData& data) {
-  mj_kinematics(&model, &data);
-  mj_comPos(&model, &data);
-  mj_collision(&model, &data);
-}
-
 Matrix<float> row(std::span<const double> values) {
   Matrix<float> matrix(1, values.size());
   std::transform(values.begin(), values.end(), matrix.row(0).begin(),
@@ -132,7 +126,7 @@ Result<std::unique_ptr<SimulatedHand>> SimulatedHand::create(const HandScene& sc
             std::vector<double>(parts->taxels.names.size(), 0.0), 0.0, BodyState{}});
   set_joints(*parts->model, parts->start, *works->data);
   detail::put_object(*parts, works->placed, *works->data);
-  update_positions(*parts->model, *works->data);
+  mj_forward(parts->model.get(), works->data.get());
   if (auto apart = detail::check_apart(*parts, *works->data); !apart)
     return fail(std::move(apart.error()));
   read_sensors(*works);
@@ -146,7 +140,7 @@ Result<void> SimulatedHand::check_clear(std::span<const double> positions) const
   if (!data) return fail(std::move(data.error()));
   set_joints(*scene.model, in_model(scene, positions), **data);
   detail::put_object(scene, works_->placed, **data);
-  update_positions(*scene.model, **data);
+  mj_forward(scene.model.get(), data->get());
   return detail::check_apart(scene, **data);
 }
 

@@ -13,6 +13,9 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
         "Whether the object is free to slide and tilt on the table, or held in its place; not "
         "given in the paper");
     d.add(
+        "taxels", [](auto& p) -> auto& { return p.taxels; }, "", Range::any(),
+        "Whether the fingers of Hand III have taxels; not given in the paper");
+    d.add(
         "placement_noise", [](auto& p) -> auto& { return p.placement_noise; }, "mm",
         Range::between(0, 50),
         "Standard deviation of where an object is put, along each axis; not given in the paper");

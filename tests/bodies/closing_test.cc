@@ -55,9 +55,10 @@ class ExploreByClosing : public testing::Test {
 
 TEST_F(ExploreByClosing, FingersCloseAtTheirOwnPaceUntilTheyRest) {
   make(45, 15);
-  // Frame k: 10 k up to 45, -10 + 5 k up to 15: nothing moves after frame 5, and 5 are still.
+  // Frame k: 10 k up to 45, -10 + 5 k up to 15: nothing moves after frame 5; but it goes on pressing
+  // until the slower servo has been driven by its 100 deg, which takes 20 frames.
   std::vector<Frame> expected;
-  for (int k = 1; k <= 10; ++k) {
+  for (int k = 1; k <= 20; ++k) {
     expected.push_back({std::min(45.F, 10.F * static_cast<float>(k)),
                         std::min(15.F, -10 + 5.F * static_cast<float>(k))});
   }
@@ -66,9 +67,9 @@ TEST_F(ExploreByClosing, FingersCloseAtTheirOwnPaceUntilTheyRest) {
 
 TEST_F(ExploreByClosing, TheHandOpensFirstAndWristAndLiftStay) {
   make(45, 15);
-  ASSERT_EQ(explore().size(), 10U);
+  ASSERT_EQ(explore().size(), 20U);
   EXPECT_EQ(hand_->commands.front(), (Positions{12, 0, -10, 7}));
-  EXPECT_EQ(hand_->commands.back(), (Positions{12, 90, 40, 7}));
+  EXPECT_EQ(hand_->commands.back(), (Positions{12, 90, 90, 7}));
   for (const Positions& at : hand_->path) {
     EXPECT_EQ(at[0], 12);
     EXPECT_EQ(at[3], 7);
@@ -97,7 +98,7 @@ TEST_F(ExploreByClosing, SmallMovesAreStillness) {
     offset_ = 0.02 * (sign = -sign);
     return Frame{0};
   });
-  EXPECT_EQ(explore().size(), 10U);
+  EXPECT_EQ(explore().size(), 20U);
   closing_.still = 0.01;
   EXPECT_FALSE(explore_by_closing(*hand_, closing_));
 }

@@ -172,6 +172,15 @@ TEST(RayPicture, AThingShadesTheFloorUnderIt) {
   EXPECT_NEAR(at(image, 67, 94)[0], brightness(0.85), 1);
 }
 
+TEST(RayPicture, AThingShadesWhatItTouches) {
+  // The floor 0.25 right of the middle of a box that reaches to 0.2: pixel 80 + 104 * 0.25 / 3
+  // across.
+  const World world = make_world(
+      "<geom type='plane' size='0 0 1' pos='0 0 -1' rgba='1 0 0 1'/>"
+      "<geom type='box' size='0.2 0.2 0.2' pos='0 3 -0.8' rgba='0 0 1 1'/>");
+  EXPECT_EQ(at(picture(world), 88, 94)[0], 128);
+}
+
 TEST(RayPicture, MoreRaysMixTheEdges) {
   const World world = make_world("<geom size='0.3' pos='0 2 0' rgba='0 0 0 1'/>");
   const Image image = ray_picture(*world.model, *world.data, {80, 60, 2, "view"}).value();

@@ -1,0 +1,34 @@
+#include "somato/simulation/hand_picture.h"
+
+#include <vector>
+
+#include "simulation/png.h"
+#include "simulation/ray_picture.h"
+#include "simulation/simulated_hand_works.h"
+
+namespace somato {
+namespace {
+
+constexpr detail::Colour kTouched{0.85F, 0.1F, 0.1F};
+constexpr double kFelt = 0.05;  // N
+
+std::vector<detail::Tint> touched_taxels(const SimulatedHand::Works& works) {
+  std::vector<detail::Tint> tints;
+  const auto& taxel_of_geom = works.scene->taxels.taxel_of_geom;
+  for (std::size_t geom = 0; geom < taxel_of_geom.size(); ++geom) {
+    const int taxel = taxel_of_geom[geom];
+    if (taxel < 0 || works.forces[static_cast<std::size_t>(taxel)] < kFelt) continue;
+    tints.push_back({static_cast<int>(geom), kTouched});
+  }
+  return tints;
+}
+
+}  // namespace
+
+Result<void> save_hand_picture(const SimulatedHand& hand, const std::string& path) {
+  const SimulatedHand::Works& works = hand.works();
+  return detail::ray_picture(*works.scene->model, *works.data, {}, touched_taxels(works))
+      .and_then([&](const detail::Image& image) { return detail::write_png(path, image); });
+}
+
+}  // namespace somato
