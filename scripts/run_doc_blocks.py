@@ -139,6 +139,11 @@ class Runner:
             if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
                 raise Failure(f"$ {command}\nprints:\n{printed}and not:\n" + "\n".join(shown))
 
+    def search_paths(self):
+        """Where a program finds the shared libraries it is linked with."""
+        shared = [Path(file) for file in self.options.link if ".so" in file]
+        return sorted({f"-Wl,-rpath,{file.parent}" for file in shared})
+
     def run_cpp(self, block):
         if "int main" not in block.text:
             return
@@ -147,7 +152,8 @@ class Runner:
         program = self.folder / "build/block"
         run_command([self.options.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I",
                      str(self.options.source / "include"), str(source), "-o", str(program),
-                     *self.options.link, "-pthread"], self.folder, self.environment)
+                     *self.options.link, *self.search_paths(), "-pthread"],
+                    self.folder, self.environment)
         run_command([str(program)], self.folder, self.environment)
 
 

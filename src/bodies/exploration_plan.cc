@@ -2,19 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "bodies/valid_ranges.h"
+
 namespace somato {
 namespace {
 
 tl::unexpected<Error> refuse(std::string what, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
-}
-
-Result<void> check_ranges(const ExplorationPlan& plan) {
-  ExplorationPlan copy;
-  for (const auto& parameter : ExplorationPlan::declarations().all()) {
-    if (auto assigned = parameter.assign(copy, parameter.read(plan)); !assigned) return assigned;
-  }
-  return {};
 }
 
 }  // namespace
@@ -39,7 +33,7 @@ const Declarations<ExplorationPlan>& ExplorationPlan::declarations() {
 }
 
 Result<std::vector<GraspPose>> grasp_poses(const ExplorationPlan& plan) {
-  if (auto checked = check_ranges(plan); !checked) return fail(std::move(checked.error()));
+  if (auto checked = detail::check_ranges(plan); !checked) return fail(std::move(checked.error()));
   const std::size_t angles = plan.wrist_angles.size();
   if (plan.heights.empty()) return refuse("the plan has no heights", "give one or more 'heights'");
   if (angles == 0) return refuse("the plan has no angles", "give one or more 'wrist_angles'");

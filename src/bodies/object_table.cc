@@ -186,9 +186,7 @@ class TableReader {
       return refuse(fmt::format("material '{}' is declared already", entry.name), entry.where,
                     "give yours another name");
     }
-    Material material;
-    material.name = entry.name;
-    return read_parameters(*keys, std::move(material)).map([&](Material&& read) {
+    return somato::read_material(entry.name, *keys).map([&](Material&& read) {
       materials_.push_back(read);
       table_.materials.push_back(std::move(read));
     });

@@ -217,6 +217,10 @@ TEST(ObjectTable, AMaterialOfADeclaredNameIsRefused) {
               {"t.toml:1", "'wood' is declared already"});
 }
 
+TEST(ObjectTable, AMaterialWhoseNumbersDoNotFitEachOtherIsRefused) {
+  expect_says(error_of("[material.cloth]\nweave_period = 1.0\n"), {"t.toml:1", "weave_height"});
+}
+
 TEST(ObjectTable, WhatIsNoTableIsRefused) {
   expect_says(error_of("object = 3\n"), {"t.toml:1", "'object' must be a table"});
   expect_says(error_of("[[object]]\nname = \"a\"\n"), {"t.toml:1", "'object' must be a table"});
