@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -13,6 +14,14 @@
 
 namespace somato::detail {
 namespace {
+
+// A name may hold what would lead into another folder.
+std::string picture_file(const std::string& folder, std::string thing, std::size_t trial,
+                         std::size_t grasp) {
+  std::replace(thing.begin(), thing.end(), '/', '_');
+  const std::string name = fmt::format("{}-{}-{}.png", thing, trial + 1, grasp + 1);
+  return (std::filesystem::path(folder) / name).string();
+}
 
 class HandExplorer : public ThingExplorer {
  public:
@@ -32,9 +41,8 @@ class HandExplorer : public ThingExplorer {
     if (!hand) return fail(std::move(hand.error()));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
       if (image_folder.empty()) return {};
-      const std::string name =
-          fmt::format("{}-{}-{}.png", scenes_[thing].object().name, trial + 1, grasp + 1);
-      return save_hand_picture(**hand, (std::filesystem::path(image_folder) / name).string());
+      return save_hand_picture(
+          **hand, picture_file(image_folder, scenes_[thing].object().name, trial, grasp));
     };
     auto exploration = grasp(**hand, draw);
     if (exploration) exploration->labels = labels_of(scenes_[thing].object(), trial);
