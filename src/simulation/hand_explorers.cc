@@ -106,7 +106,8 @@ Result<std::vector<HandScene>> scenes_of(Hand hand, const std::vector<Object>& o
   return scenes;
 }
 
-// The open hand must clear the object wherever the plan takes it.
+// The plan must keep to the hand's limits, and the open hand must clear the object wherever it
+// goes.
 Result<void> check_poses(const HandScene& scene, const std::vector<GraspPose>& poses,
                          const GuardedGrasp& grasp) {
   auto hand = SimulatedHand::create(scene, {}, 0);
@@ -115,7 +116,8 @@ Result<void> check_poses(const HandScene& scene, const std::vector<GraspPose>& p
     const std::array<double, 8> open{pose.height,         pose.wrist_angle,    grasp.proximal_open,
                                      grasp.distal_open,   grasp.proximal_open, grasp.distal_open,
                                      grasp.proximal_open, grasp.distal_open};
-    if (auto clear = (*hand)->check_clear(open); !clear) return clear;
+    auto possible = (*hand)->command(open).and_then([&] { return (*hand)->check_clear(open); });
+    if (!possible) return possible;
   }
   return {};
 }
