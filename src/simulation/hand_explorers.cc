@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -13,6 +14,14 @@
 
 namespace somato::detail {
 namespace {
+
+// A name may hold what would lead into another folder.
+std::string picture_file(const std::string& folder, std::string thing, std::size_t trial,
+                         std::size_t grasp) {
+  std::replace(thing.begin(), thing.end(), '/', '_');
+  const std::string name = fmt::format("{}-{}-{}.png", thing, trial + 1, grasp + 1);
+  return (std::filesystem::path(folder) / name).string();
+}
 
 class HandExplorer : public ThingExplorer {
  public:
@@ -32,9 +41,8 @@ class HandExplorer : public ThingExplorer {
     if (!hand) return fail(std::move(hand.error()));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
       if (image_folder.empty()) return {};
-      const std::string name =
-          fmt::format("{}-{}-{}.png", scenes_[thing].object().name, trial + 1, grasp + 1);
-      return save_hand_picture(**hand, (std::filesystem::path(image_folder) / name).string());
+      return save_hand_picture(
+          **hand, picture_file(image_folder, scenes_[thing].object().name, trial, grasp));
     };
     auto exploration = grasp(**hand, draw);
     if (exploration) exploration->labels = labels_of(scenes_[thing].object(), trial);
@@ -98,7 +106,8 @@ Result<std::vector<HandScene>> scenes_of(Hand hand, const std::vector<Object>& o
   return scenes;
 }
 
-// The open hand must clear the object wherever the plan takes it.
+// The plan must keep to the hand's limits, and the open hand must clear the object wherever it
+// goes.
 Result<void> check_poses(const HandScene& scene, const std::vector<GraspPose>& poses,
                          const GuardedGrasp& grasp) {
   auto hand = SimulatedHand::create(scene, {}, 0);
@@ -107,7 +116,8 @@ Result<void> check_poses(const HandScene& scene, const std::vector<GraspPose>& p
     const std::array<double, 8> open{pose.height,         pose.wrist_angle,    grasp.proximal_open,
                                      grasp.distal_open,   grasp.proximal_open, grasp.distal_open,
                                      grasp.proximal_open, grasp.distal_open};
-    if (auto clear = (*hand)->check_clear(open); !clear) return clear;
+    auto possible = (*hand)->command(open).and_then([&] { return (*hand)->check_clear(open); });
+    if (!possible) return possible;
   }
   return {};
 }

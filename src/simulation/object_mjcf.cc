@@ -134,7 +134,7 @@ Box bounding_box(const mjModel& model) {
     std::array<mjtNum, 3> local{};
     mju_f2n(local.data(), model.mesh_vert + 3 * vertex, 3);
     std::array<mjtNum, 3> point{};
-    mju_mulMatVec3(point.data(), rotation.data(), local.data());
+    mju_mulMatVec(point.data(), rotation.data(), local.data(), 3, 3);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       point[axis] += model.geom_pos[axis];
       box.least[axis] = std::min(box.least[axis], point[axis]);

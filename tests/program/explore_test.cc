@@ -67,6 +67,15 @@ TEST_F(Explore, DrawsTheGrasps) {
     EXPECT_TRUE(std::filesystem::file_size(path(std::string("pictures/") + name)) > 1000) << name;
 }
 
+TEST_F(Explore, PicturesStayInTheirFolderWhateverAThingIsCalled) {
+  write("things.toml", R"([object]
+"../tube" = { shape = "cylinder", diameter = 62, height = 121, material = "hard_board" }
+)");
+  output_of(explore({"--images", "pictures"}));
+  EXPECT_TRUE(std::filesystem::exists(path("pictures/.._tube-1-1.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("tube-1-1.png")));
+}
+
 TEST_F(Explore, RefusesBeforeAnythingMoves) {
   write("empty.toml", "");
   write("wide.toml",

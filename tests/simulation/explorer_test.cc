@@ -218,6 +218,14 @@ TEST(Explorer, WhatDoesNotFitIsRefusedBeforeAnythingMoves) {
             std::string::npos);
 }
 
+TEST(Explorer, APlanBeyondTheHandsLimitsIsRefusedBeforeAnythingMoves) {
+  ExploringParameters parameters;
+  parameters.plan.heights = {126.0, 300.0};
+  const auto refused = Explorer::build(ExploringBody::kLucs2, two_objects(), parameters, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, "height");
+}
+
 TEST(Explorer, AThingTooSmallToBeFeltIsNoExploration) {
   const Explorer explorer =
       built(ExploringBody::kLucs2, {{named("pea", thing(Shape::kSphere, 8, 8, 8))}, {}});

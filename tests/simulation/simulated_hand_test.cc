@@ -152,7 +152,7 @@ TEST(SimulatedHand, ForcesOfAHeldGraspBalanceThoseOfTheServos) {
     std::array<mjtNum, 6> local{};
     mj_contactForce(&model, &data, i, local.data());
     std::array<mjtNum, 3> force{};
-    mju_mulMatTVec3(force.data(), contact.frame, local.data());
+    mju_mulMatTVec(force.data(), contact.frame, local.data(), 3, 3);
     std::array<mjtNum, 3> arm{};
     mju_sub3(arm.data(), contact.pos, data.xanchor + 3 * joint);
     std::array<mjtNum, 3> moment{};
