@@ -23,17 +23,19 @@ std::string_view model_file(Hand hand) {
 
 // An actuator turns or shifts the joint it acts upon.
 bool is_slide(const mjModel& model, int servo) {
-  return model.jnt_type[model.actuator_trnid[2 * servo]] == mjJNT_SLIDE;
+  return model.jnt_type[*detail::row_of(model.actuator_trnid, servo, 2)] == mjJNT_SLIDE;
 }
 
 DegreeOfFreedom degree_of_freedom(const mjModel& model, int servo) {
   const bool slide = is_slide(model, servo);
   const double scale = slide ? kMetres : kRadians;
-  const mjtNum* range = model.actuator_ctrlrange + 2 * servo;
+  const mjtNum* range = detail::row_of(model.actuator_ctrlrange, servo, 2);
   // Rounded to what the model's text can tell: 30 deg is 30, not 29.99998.
   const auto in_unit = [&](double value) { return std::round(value / scale * 1e3) / 1e3; };
-  return {mj_id2name(&model, mjOBJ_ACTUATOR, servo), slide ? "mm" : "deg", in_unit(range[0]),
-          in_unit(range[1]), model.actuator_user[servo * model.nuser_actuator] / scale};
+  return {
+      mj_id2name(&model, mjOBJ_ACTUATOR, servo), slide ? "mm" : "deg", in_unit(range[0]),
+      in_unit(range[1]),
+      *detail::row_of(model.actuator_user, servo, static_cast<int>(model.nuser_actuator)) / scale};
 }
 
 ChannelDescription sensor(const char* name, const char* unit, std::vector<std::string> elements) {
@@ -47,6 +49,7 @@ ChannelDescription sensor(const char* name, const char* unit, std::vector<std::s
 std::vector<std::string> potentiometers(const mjModel& model) {
   std::vector<std::string> names;
   const auto count = static_cast<int>(model.nsensor);
+  names.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) names.emplace_back(mj_id2name(&model, mjOBJ_SENSOR, i));
   return names;
 }
@@ -111,7 +114,8 @@ void find_indices(HandScene::Parts& parts) {
 void soften(const Material& material, mjModel& model) {
   constexpr double kSkin = 20.0;  // N/mm, not given in the paper
   const int geom = detail::find_in(model, mjOBJ_GEOM, "object");
-  model.geom_solref[mjNREF * geom] *= std::sqrt(1.0 + kSkin / material.stiffness_under_taxel());
+  *detail::row_of(model.geom_solref, geom, mjNREF) *=
+      std::sqrt(1.0 + kSkin / material.stiffness_under_taxel());
 }
 
 // Taxels that are not there are neither felt nor seen.

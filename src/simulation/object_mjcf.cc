@@ -132,7 +132,7 @@ Box bounding_box(const mjModel& model) {
   mju_quat2Mat(rotation.data(), model.geom_quat);
   for (int vertex = 0; vertex < static_cast<int>(model.nmeshvert); ++vertex) {
     std::array<mjtNum, 3> local{};
-    mju_f2n(local.data(), model.mesh_vert + 3 * vertex, 3);
+    mju_f2n(local.data(), row_of(model.mesh_vert, vertex, 3), 3);
     std::array<mjtNum, 3> point{};
     mju_mulMatVec(point.data(), rotation.data(), local.data(), 3, 3);
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -19,8 +19,8 @@ bool is_free(const HandScene::Parts& scene) {
 
 void put_mocap(const mjModel& model, int body, const Pose& pose, mjData& data) {
   const int mocap = model.body_mocapid[body];
-  std::copy(pose.position.begin(), pose.position.end(), data.mocap_pos + 3 * mocap);
-  std::copy(pose.turn.begin(), pose.turn.end(), data.mocap_quat + 4 * mocap);
+  std::copy(pose.position.begin(), pose.position.end(), row_of(data.mocap_pos, mocap, 3));
+  std::copy(pose.turn.begin(), pose.turn.end(), row_of(data.mocap_quat, mocap, 4));
 }
 
 // Above the beads of a stand by less than they are thick, so that it settles between them.
@@ -54,17 +54,17 @@ Error lost(const HandScene::Parts& scene, const std::string& how) {
 
 Pose object_pose(const HandScene::Parts& scene, const Placement& placement) {
   const mjModel& model = *scene.model;
-  const mjtNum* site = model.site_pos + 3 * scene.place;
+  const mjtNum* site = row_of(model.site_pos, scene.place, 3);
   const double turn = placement.turn * kRadians + (scene.turn_to_palm ? std::numbers::pi / 2 : 0.0);
   const double y = placement.y * kMetres;
   const std::array<mjtNum, 3> off{
       placement.x * kMetres,
       scene.at_palm ? std::abs(y) + half_extent(scene.object, turn) + kGap : y, 0.0};
   Pose pose;
-  mju_rotVecQuat(pose.position.data(), off.data(), model.site_quat + 4 * scene.place);
+  mju_rotVecQuat(pose.position.data(), off.data(), row_of(model.site_quat, scene.place, 4));
   mju_addTo3(pose.position.data(), site);
   const std::array<mjtNum, 4> about{std::cos(turn / 2), 0.0, 0.0, std::sin(turn / 2)};
-  mju_mulQuat(pose.turn.data(), model.site_quat + 4 * scene.place, about.data());
+  mju_mulQuat(pose.turn.data(), row_of(model.site_quat, scene.place, 4), about.data());
   return pose;
 }
 
@@ -81,13 +81,13 @@ Result<void> check_object(const HandScene::Parts& scene, const Pose& placed, con
   if (!is_free(scene)) return {};
   constexpr double kFarthest = 0.06;  // m; a free block drifts by a tenth of this
   constexpr double kDeepest = 0.005;  // m
-  const mjtNum* now = data.xpos + 3 * scene.object_body;
+  const mjtNum* now = row_of(data.xpos, scene.object_body, 3);
   const double height = now[2] - placed.position[2];
   if (height < -kDeepest) return fail(lost(scene, "sank into the table"));
   if (std::hypot(now[0] - placed.position[0], now[1] - placed.position[1], height) > kFarthest)
     return fail(lost(scene, "flew away"));
   // The third column of its rotation: where its own vertical points.
-  if (data.xmat[9 * scene.object_body + 8] < std::numbers::sqrt2 / 2)
+  if (row_of(data.xmat, scene.object_body, 9)[8] < std::numbers::sqrt2 / 2)
     return fail(lost(scene, "fell over"));
   return {};
 }

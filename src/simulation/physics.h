@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,12 @@ inline std::array<int, 2> contact_geoms(const mjContact& contact) {
 /// The index of a named thing (mjOBJ_...) of the model, -1 when there is none.
 inline int find_in(const mjModel& model, int type, const std::string& name) {
   return mj_name2id(&model, type, name.c_str());
+}
+
+/// The row of an array of the engine whose rows have `width` numbers.
+template <typename Number>
+Number* row_of(Number* first, int row, int width) {
+  return first + static_cast<std::ptrdiff_t>(row) * width;
 }
 
 /// Fails (kData) once the simulation has diverged: from then on its state means nothing.

@@ -150,7 +150,7 @@ Result<std::unique_ptr<ThingExplorer>> all_senses_explorer(const ObjectTable& th
   parameters.simulation.taxels = true;
   auto hand = closing_explorer(things, parameters, seed);
   if (!hand) return fail(std::move(hand.error()));
-  std::vector<Material> materials = materials_to_explore({things.objects, {}});
+  const std::vector<Material> materials = materials_to_explore({things.objects, {}});
   if (auto usable = check_probes(materials, parameters); !usable)
     return fail(std::move(usable.error()));
   return std::make_unique<AllSensesExplorer>(std::move(*hand), things.objects,

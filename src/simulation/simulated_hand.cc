@@ -10,8 +10,6 @@
 namespace somato {
 namespace {
 
-using detail::Pose;
-
 // Streams of one seed that do not depend on each other.
 constexpr auto kPlayStream = static_cast<Stream>(static_cast<std::uint32_t>(Stream::kNoise) + 100);
 constexpr auto kSensorStream =

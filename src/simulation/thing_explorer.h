@@ -16,7 +16,9 @@ class ThingExplorer {
  public:
   ThingExplorer() = default;
   ThingExplorer(const ThingExplorer&) = delete;
+  ThingExplorer(ThingExplorer&&) = delete;
   ThingExplorer& operator=(const ThingExplorer&) = delete;
+  ThingExplorer& operator=(ThingExplorer&&) = delete;
   virtual ~ThingExplorer() = default;
 
   virtual std::vector<std::string> things() const = 0;

@@ -30,7 +30,8 @@ struct HardnessProbeParameters {
 };
 
 /// A hardness probe over a piece of material: a stick on a servo that presses with a constant
-/// force, and the servo's potentiometer (P11 section IV-C; how it is simulated: docs/bodies/probes.md).
+/// force, and the servo's potentiometer (P11 section IV-C; how it is simulated:
+/// docs/bodies/probes.md).
 ///
 /// It has the degree of freedom `stick` (mm), at 0 to begin with, which is `clearance` above the
 /// material, and the sensor `potentiometer` (counts, one element, once a step). A stick sent deeper

@@ -59,6 +59,10 @@ class SimulatedHand : public Body {
   static Result<std::unique_ptr<SimulatedHand>> create(const HandScene& scene,
                                                        const Placement& placement,
                                                        std::uint64_t seed);
+  SimulatedHand(const SimulatedHand&) = delete;
+  SimulatedHand(SimulatedHand&&) = delete;
+  SimulatedHand& operator=(const SimulatedHand&) = delete;
+  SimulatedHand& operator=(SimulatedHand&&) = delete;
   ~SimulatedHand() override;
 
   const BodyDescription& description() const override;
