@@ -98,9 +98,21 @@ TEST(HandScene, TaxelsOfHandThreeAreThereWhenAskedFor) {
     const HandScene scene = scene_of(Hand::kLucs3, cylinder_thing(), parameters);
     return scene.shared_parts()->taxels.names.size();
   };
+  // Those that can touch something.
+  const auto touchable = [&] {
+    const HandScene scene = scene_of(Hand::kLucs3, cylinder_thing(), parameters);
+    const mjModel& model = *scene.shared_parts()->model;
+    const auto geoms = detail::find_taxels(model).taxel_of_geom;
+    int found = 0;
+    for (std::size_t geom = 0; geom < geoms.size(); ++geom)
+      found += geoms[geom] >= 0 && model.geom_contype[geom] != 0 ? 1 : 0;
+    return found;
+  };
   EXPECT_EQ(count(), 0U);
+  EXPECT_EQ(touchable(), 0);
   parameters.taxels = true;
   EXPECT_EQ(count(), 37U);
+  EXPECT_EQ(touchable(), 37);
 }
 
 TEST(HandScene, AnObjectIsPutIntoTheModelsText) {
