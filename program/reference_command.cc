@@ -6,8 +6,10 @@
 
 #include "commands.h"
 #include "parameter_table.h"
+#include "somato/bodies/object_table.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/csv_import.h"
+#include "somato/simulation/exploring_parameters.h"
 #include "somato/studies/information.h"
 #include "somato/studies/study_parameters.h"
 
@@ -71,6 +73,26 @@ void add_command(std::string& page, const Command& command) {
   page += fmt::format("`{}` is `{}`.\n\n", example, flag_of(example));
 }
 
+void add_exploring(std::string& page) {
+  page +=
+      "## Settings of exploring\n\nTables of the file that `somato explore --settings` reads "
+      "([exploring](../exploring.md)). None of these numbers is in the papers, unless a line says "
+      "so.\n\n";
+  add_table<SimulationParameters>(page, "`[simulation]`");
+  add_table<ExplorationPlan>(page, "`[plan]`");
+  add_table<GuardedGrasp>(page, "`[grasp]`");
+  add_table<Closing>(page, "`[closing]`");
+  add_table<TextureProbeParameters>(page, "`[texture_probe]`");
+  add_table<StrokeParameters>(page, "`[stroke]`");
+  add_table<HardnessProbeParameters>(page, "`[hardness_probe]`");
+  add_table<PressParameters>(page, "`[press]`");
+  page +=
+      "## Things to explore\n\nThe tables of the file that `somato explore --objects` reads "
+      "([objects](../objects.md)).\n\n";
+  add_table<ObjectLine>(page, "`[object]`");
+  add_table<Material>(page, "`[material.NAME]`");
+}
+
 std::string reference_page(const std::vector<Command>& commands) {
   std::string page =
       "# Reference: flags and keys\n\n"
@@ -90,6 +112,7 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
+  add_exploring(page);
   page +=
       "## What vectors tell\n\nFlags of `somato information`; they stand in no file. "
       "[information.md](information.md) defines what is measured.\n\n";

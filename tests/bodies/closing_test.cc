@@ -55,8 +55,8 @@ class ExploreByClosing : public testing::Test {
 
 TEST_F(ExploreByClosing, FingersCloseAtTheirOwnPaceUntilTheyRest) {
   make(45, 15);
-  // Frame k: 10 k up to 45, -10 + 5 k up to 15: nothing moves after frame 5; but it goes on pressing
-  // until the slower servo has been driven by its 100 deg, which takes 20 frames.
+  // Frame k: 10 k up to 45, -10 + 5 k up to 15: nothing moves after frame 5; but it goes on
+  // pressing until the slower servo has been driven by its 100 deg, which takes 20 frames.
   std::vector<Frame> expected;
   for (int k = 1; k <= 20; ++k) {
     expected.push_back({std::min(45.F, 10.F * static_cast<float>(k)),

@@ -11,7 +11,8 @@ TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
   write_data();
   expect_refused(
       2, {{{},
-           {"a command is missing", "run, information, apply, systems, import, inspect, recover, som, reference",
+           {"a command is missing",
+            "run, information, apply, systems, import, inspect, recover, som, reference",
             "somato --help"}},
           {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
           {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
