@@ -90,6 +90,8 @@ class FrameSpread {
     ++count_;
   }
 
+  std::size_t count() const { return count_; }
+
   std::string text() const {
     if (least_ == most_) return fmt::format("{} frames each", most_);
     return fmt::format("{} to {} frames each, mean {:.1f}", *least_, most_,
@@ -129,10 +131,8 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
 
 Result<void> explore_into(RecordingFile& file, const Request& request) {
   FrameSpread spread;
-  std::size_t recorded = 0;
   const auto sink = [&](Exploration&& exploration) {
     spread.add(exploration);
-    ++recorded;
     return file.add(std::move(exploration));
   };
   const auto explore = [&](std::size_t thing, std::size_t trial) {
@@ -141,6 +141,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
   if (!outcome && !interrupted) return fail(std::move(outcome.error()));
+  const std::size_t recorded = spread.count();
   if (recorded == 0 && outcome) {
     report_failures(request, *outcome);
     return fail(ErrorKind::kData, "every exploration failed: nothing is recorded", request.output);

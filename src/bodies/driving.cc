@@ -3,10 +3,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "somato/bodies/motion.h"
+
 namespace somato::detail {
 
 Result<void> drive_one(Body& body, std::size_t servo, double target) {
-  std::vector<double> targets = body.state().positions;
+  std::vector<double> targets = present_targets(body);
   targets[servo] = target;
   return body.command(targets);
 }

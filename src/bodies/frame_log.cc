@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bodies/driving.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -23,7 +24,8 @@ std::size_t elements_of(const ChannelDescription& sensor) {
 FrameLog::FrameLog(const BodyDescription& description) {
   sensors_.reserve(description.sensors.size());
   for (const ChannelDescription& sensor : description.sensors) {
-    Channel channel{sensor.name, sensor.unit, sensor.element_names, {}, {}, 0.0, sensor.shape, {}};
+    Channel channel = detail::empty_channel(sensor);
+    channel.rate = 0.0;
     channel.frames = Matrix<float>(0, elements_of(sensor));
     sensors_.push_back(
         {std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0, {}});

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "files/embedded.h"
 #include "simulation/object_mjcf.h"
+#include "simulation/units.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
-constexpr double kMetres = 0.001;                          // in a mm
-constexpr double kRadians = std::numbers::pi / 180.0;      // in a deg
+using detail::kMetres;
+using detail::kRadians;
+
 constexpr double kMostHeight = 400.0, kMostWidth = 400.0;  // mm, of anything before a hand
 
 std::string_view model_file(Hand hand) {

@@ -9,11 +9,10 @@
 #include <string_view>
 
 #include "simulation/physics.h"
+#include "simulation/units.h"
 
 namespace somato::detail {
 namespace {
-
-constexpr double kMetres = 0.001;  // in a mm
 
 std::string escaped(std::string_view text) {
   std::string safe;

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulation/units.h"
+
 namespace somato::detail {
 namespace {
 
-constexpr double kMetres = 0.001;                      // in a mm
-constexpr double kRadians = std::numbers::pi / 180.0;  // in a deg
-constexpr double kGap = 0.0002;                        // m, so that nothing overlaps
+constexpr double kGap = 0.0002;  // m, so that nothing overlaps
 
 bool is_free(const HandScene::Parts& scene) {
   return scene.parameters.free;
