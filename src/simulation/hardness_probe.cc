@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bodies/valid_ranges.h"
-#include "simulation/tick_clock.h"
+#include "simulation/probe_body.h"
 #include "somato/core/elementary.h"
 #include "somato/core/random.h"
 
@@ -60,58 +60,33 @@ class Potentiometer {
   double counts_per_mm_;
 };
 
-class HardnessProbe : public Body {
+class HardnessProbe : public detail::ProbeBody {
  public:
   HardnessProbe(const Material& material, const P& parameters, std::uint64_t exploration_seed)
-      : random_(exploration_seed, Stream::kHardnessProbe),
+      : ProbeBody("hardness_probe", {"stick", "mm", 0.0, parameters.stroke, parameters.stick_speed},
+                  {"potentiometer", "counts", {}, {}, 0.0, true}, kTickRate),
+        random_(exploration_seed, Stream::kHardnessProbe),
         stick_(material, parameters,
                parameters.force * (1.0 + parameters.force_noise * random_.normal())),
         potentiometer_(parameters),
-        noise_(parameters.potentiometer_noise),
-        clock_(kTickRate),
-        mm_per_tick_(parameters.stick_speed / kTickRate) {
-    description_.name = "hardness_probe";
-    description_.degrees_of_freedom = {
-        {"stick", "mm", 0.0, parameters.stroke, parameters.stick_speed}};
-    description_.sensors = {{"potentiometer", "counts", {}, {}, 0.0, true}};
-    state_.positions = {0.0};
-    state_.readings = {Matrix<float>(0, 1)};
-  }
-
-  const BodyDescription& description() const override { return description_; }
-  const BodyState& state() const override { return state_; }
+        noise_(parameters.potentiometer_noise) {}
 
  protected:
-  Result<void> drive_to(std::span<const double> targets) override {
-    target_ = targets[0];
-    return {};
-  }
-
-  Result<void> pass(double seconds) override {
-    for (std::int64_t due = clock_.pass(seconds); due > 0; --due) tick();
-    state_.readings[0] = Matrix<float>(1, 1, potentiometer_(stick_.position() + deviation_));
-    state_.time = clock_.time();
-    return {};
-  }
-
- private:
-  void tick() {
-    double& driven = state_.positions[0];
-    driven += std::clamp(target_ - driven, -mm_per_tick_, mm_per_tick_);
-    stick_.follow(driven);
+  void tick() override {
+    stick_.follow(drive());
     deviation_ = noise_ * random_.normal();
   }
 
-  BodyDescription description_;
-  BodyState state_;
+  Matrix<float> read() override {
+    return Matrix<float>(1, 1, potentiometer_(stick_.position() + deviation_));
+  }
+
+ private:
   Random random_;  // force first, then noise as it comes
   Stick stick_;
   Potentiometer potentiometer_;
   double noise_;
   double deviation_ = 0.0;  // of the potentiometer, mm
-  detail::TickClock clock_;
-  double mm_per_tick_;
-  double target_ = 0.0;
 };
 
 void declare_stick(Declarations<P>& d) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "simulation/biquad.h"
+#include "simulation/probe_body.h"
 #include "simulation/surface.h"
-#include "simulation/tick_clock.h"
 #include "somato/core/elementary.h"
 #include "somato/core/random.h"
 
@@ -143,60 +144,35 @@ class Microphone {
   Random& random_;
 };
 
-class TextureProbe : public Body {
+class TextureProbe : public detail::ProbeBody {
  public:
   TextureProbe(const Material& material, const TextureProbeParameters& parameters,
                const ProbeSeeds& seeds)
-      : random_(seeds.exploration, Stream::kTextureProbe),
+      : ProbeBody("texture_probe", {"lever", "deg", 0.0, parameters.stroke, parameters.lever_speed},
+                  {"sound", "counts", {}, {}, parameters.sample_rate, true}, tick_rate(parameters)),
+        random_(seeds.exploration, Stream::kTextureProbe),
         edge_(material, parameters, seeds.world, random_),
         whine_(parameters, random_),
-        microphone_(parameters, random_),
-        clock_(tick_rate(parameters)),
-        degrees_per_tick_(parameters.lever_speed / tick_rate(parameters)) {
-    description_.name = "texture_probe";
-    description_.degrees_of_freedom = {
-        {"lever", "deg", 0.0, parameters.stroke, parameters.lever_speed}};
-    description_.sensors = {{"sound", "counts", {}, {}, parameters.sample_rate, true}};
-    state_.positions = {0.0};
-    state_.readings = {Matrix<float>(0, 1)};
-  }
-
-  const BodyDescription& description() const override { return description_; }
-  const BodyState& state() const override { return state_; }
+        microphone_(parameters, random_) {}
 
  protected:
-  Result<void> drive_to(std::span<const double> targets) override {
-    target_ = targets[0];
-    return {};
+  void tick() override {
+    const bool moves = is_driven();
+    const double edge = edge_.move_to(drive());
+    microphone_.hear(edge, moves ? whine_.next() : 0.0, frames_);
   }
 
-  Result<void> pass(double seconds) override {
-    std::vector<float> frames;
-    for (std::int64_t due = clock_.pass(seconds); due > 0; --due) tick(frames);
-    const std::size_t count = frames.size();
-    state_.readings[0] = Matrix<float>(count, 1, std::move(frames));
-    state_.time = clock_.time();
-    return {};
+  Matrix<float> read() override {
+    const std::size_t count = frames_.size();
+    return Matrix<float>(count, 1, std::exchange(frames_, {}));
   }
 
  private:
-  void tick(std::vector<float>& frames) {
-    double& lever = state_.positions[0];
-    const bool moves = lever != target_;
-    lever += std::clamp(target_ - lever, -degrees_per_tick_, degrees_per_tick_);
-    const double edge = edge_.move_to(lever);
-    microphone_.hear(edge, moves ? whine_.next() : 0.0, frames);
-  }
-
-  BodyDescription description_;
-  BodyState state_;
   Random random_;  // placement first, then the servo, then noise as it comes
   Edge edge_;
   Whine whine_;
   Microphone microphone_;
-  detail::TickClock clock_;
-  double degrees_per_tick_;
-  double target_ = 0.0;
+  std::vector<float> frames_;  // heard during the step under way
 };
 
 }  // namespace
