@@ -10,11 +10,6 @@
 namespace somato {
 namespace {
 
-// Streams of one seed that do not depend on each other.
-constexpr auto kPlayStream = static_cast<Stream>(static_cast<std::uint32_t>(Stream::kNoise) + 100);
-constexpr auto kSensorStream =
-    static_cast<Stream>(static_cast<std::uint32_t>(Stream::kNoise) + 101);
-
 std::vector<double> in_units(const HandScene::Parts& scene, std::span<const double> positions) {
   std::vector<double> units(positions.size());
   for (std::size_t i = 0; i < units.size(); ++i) units[i] = positions[i] / scene.scales[i];
@@ -118,9 +113,9 @@ Result<std::unique_ptr<SimulatedHand>> SimulatedHand::create(const HandScene& sc
   auto works = std::make_unique<Works>(
       Works{parts, std::move(*data),
             detail::ServoDriver(*parts->model, parts->start, parts->parameters.servo_play,
-                                Random(seed, kPlayStream)),
+                                Random(seed, Stream::kServoPlay)),
             detail::PiezoElements(parts->taxels.names.size(), parts->parameters.piezo_time),
-            detail::object_pose(*parts, placement), Random(seed, kSensorStream),
+            detail::object_pose(*parts, placement), Random(seed, Stream::kHandSensors),
             std::vector<double>(parts->taxels.names.size(), 0.0), 0.0, BodyState{}});
   set_joints(*parts->model, parts->start, *works->data);
   detail::put_object(*parts, works->placed, *works->data);

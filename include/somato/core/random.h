@@ -20,6 +20,8 @@ enum class Stream : std::uint32_t {
   kNoise = 3,
   kTextureProbe = 20,
   kHardnessProbe = 21,
+  kServoPlay = 103,
+  kHandSensors = 104,
   kUser = 1000,  ///< From here on, free for programs that use the library.
 };
 
