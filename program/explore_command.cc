@@ -159,7 +159,7 @@ Result<void> run(const Arguments& arguments) {
   if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto request = read_request(arguments);
   if (!request) return fail(std::move(request.error()));
-  OutputFolder images(request->image_folder);
+  OutputFolder images(request->image_folder, "--images");
   if (!request->image_folder.empty()) {
     if (auto made = images.make(); !made) return made;
   }

@@ -20,7 +20,7 @@ Result<void> OutputFolder::make() {
   std::filesystem::create_directories(path_, code);
   if (code) {
     return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(), path_.string(),
-                "give --out a folder that can be written to");
+                "give " + flag_ + " a folder that can be written to");
   }
   for (const std::string& file : {results(), map(), system(), journal()}) {
     if (auto free = check_output(file); !free) return free;

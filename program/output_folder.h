@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/core/result.h"
@@ -12,7 +13,9 @@ namespace somato::program {
 /// end at a missing folder. A folder that was made goes again when nothing came to be in it.
 class OutputFolder {
  public:
-  explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  /// `flag` is the one that names it, for messages.
+  OutputFolder(std::filesystem::path path, std::string flag)
+      : path_(std::move(path)), flag_(std::move(flag)) {}
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder(OutputFolder&&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -29,6 +32,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path path_;
+  std::string flag_;
   std::vector<std::filesystem::path> made_;  // innermost first
 };
 

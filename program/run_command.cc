@@ -111,7 +111,7 @@ Result<void> run_whole(const Arguments& arguments, const StudyDescription& descr
   if (!recording) return fail(std::move(recording.error()));
   auto test_data = read_test_data(arguments, format);
   if (!test_data) return fail(std::move(test_data.error()));
-  OutputFolder folder(arguments.text("out"));
+  OutputFolder folder(arguments.text("out"), "--out");
   if (auto made = folder.make(); !made) return made;
   const StudyOptions options{threads, terminal_progress(description.study.name),
                              *test_data ? &**test_data : nullptr, folder.journal()};

@@ -89,6 +89,8 @@ TEST_F(Explore, RefusesBeforeAnythingMoves) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
+  expect_refused(1, explore({"--images", "empty.toml/pictures"}),
+                 {"empty.toml/pictures: the folder cannot be made", "give --images a folder"});
   const std::vector<Refusal> refusals = {
       {with({"--body", "lucs5"}), {"lucs5", "lucs"}},
       {with({"--body", "lucs2", "--objects", "none.toml"}), {"none.toml"}},
