@@ -175,8 +175,8 @@ Command explore_command() {
           "Explore things with a simulated hand or probe, and record what it feels",
           {},
           {{"--body",
-            "What explores: lucs2, lucs3, texture, hardness, or all_senses (Hand III with taxels, "
-            "then both probes)",
+            "What explores: lucs2, lucs3, texture, hardness, probes (both of these), or all_senses "
+            "(Hand III with taxels, then both probes)",
             true},
            {"--objects", "TOML file with the things to explore, instead of the body's own table"},
            {"--explorations", "Number of explorations of each thing; 5 unless given"},

@@ -17,6 +17,7 @@ const std::vector<std::pair<ExploringBody, std::string>>& Choices<ExploringBody>
       {ExploringBody::kLucs3, "lucs3"},
       {ExploringBody::kTexture, "texture"},
       {ExploringBody::kHardness, "hardness"},
+      {ExploringBody::kProbes, "probes"},
       {ExploringBody::kAllSenses, "all_senses"}};
   return choices;
 }
@@ -36,6 +37,8 @@ Result<std::unique_ptr<detail::ThingExplorer>> thing_explorer(ExploringBody body
       return detail::probe_explorer(detail::Probe::kTexture, things, parameters, seed);
     case ExploringBody::kHardness:
       return detail::probe_explorer(detail::Probe::kHardness, things, parameters, seed);
+    case ExploringBody::kProbes:
+      return detail::probe_explorer(detail::Probe::kBoth, things, parameters, seed);
     case ExploringBody::kAllSenses:
       break;
   }
@@ -53,8 +56,10 @@ class Explorer::Parts {
 
 Result<ObjectTable> default_things(ExploringBody body) {
   const auto& materials = declared_materials();
-  if (body == ExploringBody::kTexture || body == ExploringBody::kHardness)
+  if (body == ExploringBody::kTexture || body == ExploringBody::kHardness ||
+      body == ExploringBody::kProbes) {
     return ObjectTable{{}, materials};
+  }
   return (body == ExploringBody::kLucs2 ? lucs2_objects(materials) : lucs3_objects(materials))
       .map([](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
 }

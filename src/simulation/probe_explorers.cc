@@ -26,6 +26,12 @@ Result<Exploration> press(const Material& material, const ExploringParameters& p
       });
 }
 
+void append_channels(Exploration& exploration, Exploration&& more) {
+  exploration.channels.insert(exploration.channels.end(),
+                              std::make_move_iterator(more.channels.begin()),
+                              std::make_move_iterator(more.channels.end()));
+}
+
 std::vector<Label> labels_of_material(const Material& material, std::size_t trial) {
   return {{"material", material.name},
           {"hardness", choice_name(material.hardness)},
@@ -51,11 +57,17 @@ class ProbeExplorer : public ThingExplorer {
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
                               const std::string& /*image_folder*/) const override {
     const Material& material = materials_[thing];
-    auto exploration =
-        probe_ == Probe::kTexture
-            ? stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)})
-            : press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness));
-    if (exploration) exploration->labels = labels_of_material(material, trial);
+    Result<Exploration> exploration;
+    if (probe_ != Probe::kHardness) {
+      exploration = stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)});
+      if (!exploration) return exploration;
+    }
+    if (probe_ != Probe::kTexture) {
+      auto pressed = press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness));
+      if (!pressed) return pressed;
+      append_channels(*exploration, std::move(*pressed));
+    }
+    exploration->labels = labels_of_material(material, trial);
     return exploration;
   }
 
@@ -88,12 +100,6 @@ Result<void> check_probes(const std::vector<Material>& materials,
       return fail(std::move(probe.error()));
   }
   return {};
-}
-
-void append_channels(Exploration& exploration, Exploration&& more) {
-  exploration.channels.insert(exploration.channels.end(),
-                              std::make_move_iterator(more.channels.begin()),
-                              std::make_move_iterator(more.channels.end()));
 }
 
 class AllSensesExplorer : public ThingExplorer {

@@ -8,9 +8,10 @@
 
 namespace somato::detail {
 
-enum class Probe { kTexture, kHardness };
+/// Which probes try a material: one of them, or both in the same exploration.
+enum class Probe { kTexture, kHardness, kBoth };
 
-/// A probe tries each material of the table, or where it has none those of its objects. Errors:
+/// Probes try each material of the table, or where it has none those of its objects. Errors:
 /// kUsage for a table without either; those of the probes.
 Result<std::unique_ptr<ThingExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
                                                       const ExploringParameters& parameters,

@@ -20,6 +20,7 @@ enum class ExploringBody {
   kLucs3,      ///< LUCS Haptic Hand III closes on an object once.
   kTexture,    ///< The texture probe strokes a material.
   kHardness,   ///< The hardness probe presses a material.
+  kProbes,     ///< Both probes try a material in the same exploration.
   kAllSenses,  ///< Hand III with taxels closes on an object; both probes try what it is made of.
 };
 
