@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "somato/maps/grid.h"
+
+namespace somato {
+
+/// Individuals on a map, such as objects: a number each, such as their size, the group they belong
+/// to, such as their shape, and where the map has them, the mean of their samples' positions.
+struct MappedIndividual {
+  double number = 0.0;
+  std::size_t group = 0;
+  Position position;
+};
+
+/// The mean position of each individual's winners, in the plane of the grid (a torus is cut open at
+/// its edges). `individuals[i]` is that of sample i, numbered from 0 without gaps; `numbers` and
+/// `groups` have one value an individual. Throws InvalidArgument when the sizes do not fit.
+std::vector<MappedIndividual> mapped_individuals(const Grid& grid,
+                                                 const std::vector<std::size_t>& winners,
+                                                 const std::vector<std::size_t>& individuals,
+                                                 const std::vector<double>& numbers,
+                                                 const std::vector<std::size_t>& groups);
+
+/// How well individuals lie around the map in the order of their numbers: P11's "ordered in a
+/// clockwise manner according to size". An individual's angle is that of its position around the
+/// mean of all positions. A map may be mirrored and has no first angle, so of both directions and
+/// all starting points the best is taken; luck gets the same choice.
+struct CircularOrder {
+  /// Spearman's rank correlation of number and place around the map; at most 1.
+  double around = 0.0;
+  /// The same within each group, averaged over the groups with at least three different numbers; one
+  /// direction for all groups, each its own starting point. 0 without such a group.
+  double within = 0.0;
+};
+
+/// Throws InvalidArgument without individuals.
+CircularOrder circular_order(const std::vector<MappedIndividual>& individuals);
+
+/// What luck gives: the means over `shuffles` shufflings of the numbers, for `within` within their
+/// groups, and the shares of shufflings that come at least as high as the true order.
+struct CircularOrderByLuck {
+  CircularOrder mean;
+  CircularOrder share_as_high;
+};
+
+CircularOrderByLuck circular_order_by_luck(const std::vector<MappedIndividual>& individuals,
+                                           std::size_t shuffles, std::uint64_t seed);
+
+}  // namespace somato
