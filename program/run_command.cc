@@ -52,8 +52,9 @@ std::string summary(const Metric& metric) {
 
 void print_table(const StudyResults& results) {
   for (const SystemResults& system : results.systems) {
-    fmt::print("\n{}: {} by {}, {} samples, {} seeds\n", system.name, system.protocol, system.label,
-               system.samples, results.seeds);
+    const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
+    fmt::print("\n{}: {}{} by {}, {} samples, {} seeds\n", system.name, system.protocol, group,
+               system.label, system.samples, results.seeds);
     for (const Metric& metric : system.metrics) {
       fmt::print("  {:<34}{}\n", metric.name, summary(metric));
     }

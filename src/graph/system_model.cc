@@ -149,6 +149,12 @@ const Som* som_of(const System& system, std::size_t module) {
   return som != nullptr ? &som->som() : nullptr;
 }
 
+Grid grid_of(const System& system, std::size_t module) {
+  const auto* som = dynamic_cast<const modules::SomModule*>(system.modules()[module].module.get());
+  require(som != nullptr, "only a module of type som has a grid");
+  return som->grid();
+}
+
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer) {
   if (answer) require_fit(system, *answer);

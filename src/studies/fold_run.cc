@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "somato/codes/standardization.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
-#include "somato/maps/areas.h"
-#include "somato/maps/labels.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 #include "somato/studies/nearest_neighbour.h"
@@ -16,14 +15,6 @@
 
 namespace somato {
 namespace {
-
-std::vector<std::size_t> at(const std::vector<std::size_t>& values,
-                            const std::vector<std::size_t>& places) {
-  std::vector<std::size_t> chosen;
-  chosen.reserve(places.size());
-  for (const std::size_t place : places) chosen.push_back(values[place]);
-  return chosen;
-}
 
 // Where each of `wanted` stands in `all`; both ascend.
 std::vector<std::size_t> places_of(const std::vector<std::size_t>& wanted,
@@ -37,42 +28,17 @@ std::vector<std::size_t> places_of(const std::vector<std::size_t>& wanted,
   return places;
 }
 
-// A fold's samples as the areas and baselines see them: numbered among those learned or tested.
-struct Tested {
-  std::vector<std::size_t> training;
-  std::vector<std::size_t> test;
-  std::vector<std::size_t> classes;
-};
-
-void measure_areas(const Som& som, const std::vector<std::size_t>& winners,
-                   const std::vector<std::size_t>& samples, const Tested& tested,
-                   const std::vector<std::vector<std::size_t>>& wrong_groupings,
-                   FoldOutcome& outcome) {
-  outcome.apart = individuals_apart(winners, tested.classes);
-  const WinnerAreas areas(som.grid(), winners);
-  outcome.connected = areas.connected(tested.classes);
-  for (const std::vector<std::size_t>& wrong : wrong_groupings) {
-    outcome.connected_wrong += areas.connected(at(wrong, samples)) ? 1.0 : 0.0;
+// Numbers of samples among those learned or tested, as numbers of explorations.
+std::vector<std::size_t> neighbours_among(const Samples& samples,
+                                          const std::vector<std::size_t>& training,
+                                          const std::vector<std::size_t>& test,
+                                          const std::vector<std::size_t>& explorations) {
+  std::vector<std::size_t> nearest;
+  nearest.reserve(test.size());
+  for (const std::size_t sample : test) {
+    nearest.push_back(explorations[nearest_neighbour(samples, training, sample)]);
   }
-  if (wrong_groupings.empty()) return;
-  outcome.connected_wrong /= static_cast<double>(wrong_groupings.size());
-}
-
-void measure_baseline(const Samples& vectors, const Tested& tested, FoldOutcome& outcome) {
-  const auto neighbours = [&](const Samples& samples) {
-    std::vector<std::size_t> classes;
-    classes.reserve(tested.test.size());
-    for (const std::size_t test : tested.test) {
-      classes.push_back(nearest_neighbour_class(samples, tested.training, test, tested.classes));
-    }
-    return classes;
-  };
-  outcome.raw_baseline = neighbours(vectors);
-  outcome.standardized_baseline = outcome.raw_baseline;
-  if (tested.training.size() < 2) return;
-  const auto standardization =
-      Standardization::fit(vectors.subset(tested.training), {ConstantColumns::kZero});
-  if (standardization) outcome.standardized_baseline = neighbours(standardization->apply(vectors));
+  return nearest;
 }
 
 }  // namespace
@@ -97,28 +63,42 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Questi
   return TrainedFold{std::move(*system), std::move(samples), std::move(inputs), std::move(vectors)};
 }
 
+Neighbours nearest_neighbours(const TrainedFold& trained, const Fold& fold) {
+  const std::vector<std::size_t> training = places_of(fold.training, trained.samples);
+  const std::vector<std::size_t> test = places_of(fold.test, trained.samples);
+  Neighbours nearest;
+  nearest.raw = neighbours_among(trained.vectors, training, test, trained.samples);
+  nearest.standardized = nearest.raw;
+  if (training.size() < 2) return nearest;
+  const auto standardization =
+      Standardization::fit(trained.vectors.subset(training), {ConstantColumns::kZero});
+  if (!standardization) return nearest;
+  nearest.standardized =
+      neighbours_among(standardization->apply(trained.vectors), training, test, trained.samples);
+  return nearest;
+}
+
 FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,
-                      const std::vector<std::vector<std::size_t>>& wrong_groupings) {
+                      Neighbours nearest) {
   const Som& som = *som_of(trained.system, question.map);
-  const Tested tested{places_of(fold.training, trained.samples),
-                      places_of(fold.test, trained.samples),
-                      at(question.classes.of_sample, trained.samples)};
-  const std::vector<std::size_t> winners = winners_of(som, trained.inputs, 1);
-  const NeuronLabels labels = NeuronLabels::by_majority(
-      at(winners, tested.training), at(tested.classes, tested.training), som.neurons());
-  const SomQuality quality = measure_quality(som, trained.inputs.subset(tested.test));
+  const std::vector<std::size_t> training = places_of(fold.training, trained.samples);
+  const std::vector<std::size_t> test = places_of(fold.test, trained.samples);
+  const SomQuality quality = measure_quality(som, trained.inputs.subset(test));
+  const auto count = static_cast<double>(test.size());
 
   FoldOutcome outcome;
-  const auto count = static_cast<double>(tested.test.size());
+  outcome.training_winners = winners_of(som, trained.inputs.subset(training), 1);
+  outcome.winners = quality.winners;
+  outcome.nearest = std::move(nearest);
   outcome.summed_distance = quality.quantization_error * count;
   outcome.torn = quality.topographic_error * count;
-  outcome.winners = quality.winners;
+  const std::set<std::size_t> won(outcome.training_winners.begin(), outcome.training_winners.end());
+  const std::vector<std::size_t> named(won.begin(), won.end());
+  outcome.named_by.reserve(test.size());
   SomWorkspace workspace;
-  for (const std::size_t sample : tested.test) {
-    outcome.predictions.push_back(labels.classify(som, trained.inputs[sample], workspace));
+  for (const std::size_t sample : test) {
+    outcome.named_by.push_back(som.winner_among(named, trained.inputs[sample], workspace));
   }
-  measure_areas(som, winners, trained.samples, tested, wrong_groupings, outcome);
-  measure_baseline(trained.vectors, tested, outcome);
   return outcome;
 }
 

@@ -11,17 +11,24 @@
 
 namespace somato {
 
-/// What one training gave: everything the metrics of a seed are made of.
+/// The nearest training sample of each tested one, as numbers of explorations: what the plain
+/// baseline goes by.
+struct Neighbours {
+  std::vector<std::size_t> raw;
+  std::vector<std::size_t> standardized;  ///< On vectors standardized on the training part.
+
+  bool operator==(const Neighbours&) const = default;
+};
+
+/// What one training gave: everything that metrics are made of, whatever label they ask for.
 struct FoldOutcome {
-  std::vector<std::size_t> winners;                ///< Of the tested samples.
-  std::vector<std::size_t> predictions;            ///< Classes of the tested samples.
-  std::vector<std::size_t> raw_baseline;           ///< The same by the nearest neighbour.
-  std::vector<std::size_t> standardized_baseline;  ///< The same on standardized vectors.
-  double summed_distance = 0.0;                    ///< Of the tested samples from their winners.
-  double torn = 0.0;             ///< Tested samples whose two winners do not touch.
-  bool apart = false;            ///< No winner shared between classes, learned or tested.
-  bool connected = false;        ///< Each class one region, learned or tested.
-  double connected_wrong = 0.0;  ///< Share of wrong groupings connected.
+  std::vector<std::size_t> training_winners;  ///< Of the samples it learned from.
+  std::vector<std::size_t> winners;           ///< Of the tested samples.
+  std::vector<std::size_t> named_by;  ///< The neurons that name the tested samples: the most
+                                      ///< similar of those that training samples won.
+  Neighbours nearest;                 ///< Of the tested samples.
+  double summed_distance = 0.0;       ///< Of the tested samples from their winners.
+  double torn = 0.0;                  ///< Tested samples whose two winners do not touch.
 
   bool operator==(const FoldOutcome&) const = default;
 };
@@ -39,8 +46,11 @@ struct TrainedFold {
 Result<TrainedFold> train_fold(const StudyDescription& description, const Question& question,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
 
+/// The neighbours of a fold's tested samples among what it learned from.
+Neighbours nearest_neighbours(const TrainedFold& trained, const Fold& fold);
+
 /// Tests what was trained on a fold.
 FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,
-                      const std::vector<std::vector<std::size_t>>& wrong_groupings);
+                      Neighbours nearest);
 
 }  // namespace somato

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -48,28 +48,24 @@ std::string header_of(const std::string& fingerprint) {
 Json content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   return {{"protocol", protocol},
           {"training", training},
+          {"training_winners", outcome.training_winners},
           {"winners", outcome.winners},
-          {"predictions", outcome.predictions},
-          {"raw_baseline", outcome.raw_baseline},
-          {"standardized_baseline", outcome.standardized_baseline},
+          {"named_by", outcome.named_by},
+          {"nearest_raw", outcome.nearest.raw},
+          {"nearest_standardized", outcome.nearest.standardized},
           {"summed_distance", outcome.summed_distance},
-          {"torn", outcome.torn},
-          {"apart", outcome.apart},
-          {"connected", outcome.connected},
-          {"connected_wrong", outcome.connected_wrong}};
+          {"torn", outcome.torn}};
 }
 
 FoldOutcome outcome_of(const Json& line) {
   FoldOutcome outcome;
+  line.at("training_winners").get_to(outcome.training_winners);
   line.at("winners").get_to(outcome.winners);
-  line.at("predictions").get_to(outcome.predictions);
-  line.at("raw_baseline").get_to(outcome.raw_baseline);
-  line.at("standardized_baseline").get_to(outcome.standardized_baseline);
+  line.at("named_by").get_to(outcome.named_by);
+  line.at("nearest_raw").get_to(outcome.nearest.raw);
+  line.at("nearest_standardized").get_to(outcome.nearest.standardized);
   line.at("summed_distance").get_to(outcome.summed_distance);
   line.at("torn").get_to(outcome.torn);
-  line.at("apart").get_to(outcome.apart);
-  line.at("connected").get_to(outcome.connected);
-  line.at("connected_wrong").get_to(outcome.connected_wrong);
   return outcome;
 }
 

@@ -19,9 +19,8 @@ double squared_distance(const SignalView& a, const SignalView& b) {
   return sum;
 }
 
-std::size_t nearest_neighbour_class(const Samples& samples,
-                                    const std::vector<std::size_t>& training, std::size_t test,
-                                    const std::vector<std::size_t>& classes) {
+std::size_t nearest_neighbour(const Samples& samples, const std::vector<std::size_t>& training,
+                              std::size_t test) {
   require(!training.empty(), "a nearest neighbour needs training samples");
   double least = std::numeric_limits<double>::infinity();
   std::size_t nearest = training.front();
@@ -32,7 +31,7 @@ std::size_t nearest_neighbour_class(const Samples& samples,
       nearest = candidate;
     }
   }
-  return classes[nearest];
+  return nearest;
 }
 
 }  // namespace somato

@@ -4,26 +4,114 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "somato/graph/system_model.h"
+#include "somato/studies/most_similar.h"
 #include "studies/exploration_samples.h"
+#include "studies/numbered_individuals.h"
 
 namespace somato {
 namespace {
 
-// Individuals are dealt to classes as wholes, so each must belong to one.
-Result<void> check_individuals(const Question& question, const StudyParameters& parameters) {
+using Numbers = std::vector<std::size_t>;
+
+// Each exploration on its own.
+Numbers each_alone(std::size_t explorations) {
+  Numbers numbers(explorations);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+std::size_t count_different(const Numbers& numbers) {
+  return std::set<std::size_t>(numbers.begin(), numbers.end()).size();
+}
+
+// Individuals are dealt to classes as wholes, so each must belong to one; where every class is a
+// single individual, there would be nothing to deal.
+Result<Numbers> individuals_of(const Classes& classes, const Numbers& individuals,
+                               const std::string& label, const std::string& individual) {
   std::map<std::size_t, std::size_t> class_of;
-  for (std::size_t i = 0; i < question.individuals.size(); ++i) {
-    const std::size_t its_class = question.classes.of_sample[i];
-    if (class_of.emplace(question.individuals[i], its_class).first->second == its_class) continue;
+  for (std::size_t i = 0; i < individuals.size(); ++i) {
+    const std::size_t its_class = classes.of_sample[i];
+    if (class_of.emplace(individuals[i], its_class).first->second == its_class) continue;
     return fail(ErrorKind::kData,
-                "explorations with the same '" + parameters.individual + "' differ in '" +
-                    parameters.label + "'",
-                {}, "name another label as 'individual', or leave it empty");
+                "explorations with the same '" + individual + "' differ in '" + label + "'", {},
+                "name another label as 'individual', or leave it empty");
   }
+  return class_of.size() == classes.names.size() ? each_alone(individuals.size()) : individuals;
+}
+
+Result<AskedLabel> ask(const Recording& recording, const std::string& label,
+                       const StudyParameters& study, const Numbers& individuals) {
+  const auto names = labels_of(recording, label);
+  if (!names) return fail(names.error());
+  AskedLabel asked{label, Classes::from_names(*names), {}};
+  auto dealt = individuals_of(asked.classes, individuals, label, study.individual);
+  if (!dealt) return fail(std::move(dealt.error()));
+  asked.individuals = std::move(*dealt);
+  return asked;
+}
+
+Result<void> ask_labels(const StudyParameters& study, const Numbers& individuals,
+                        Question& question) {
+  std::vector<std::string> names{study.label};
+  names.insert(names.end(), study.labels.begin(), study.labels.end());
+  for (const std::string& name : names) {
+    auto asked = ask(question.recording, name, study, individuals);
+    if (!asked) return fail(std::move(asked.error()));
+    question.labels.push_back(std::move(*asked));
+  }
+  return {};
+}
+
+// Sizes within their groups are asked like a label: small and large ones of each. What is large
+// among what was learned from, is; of others, what is as large as one of these.
+AskedLabel ask_size_groups(const AskedOrder& order, const std::vector<std::string>& group_names,
+                           std::size_t learned) {
+  const auto last = order.individuals.begin() + static_cast<std::ptrdiff_t>(learned);
+  const std::size_t known = *std::max_element(order.individuals.begin(), last) + 1;
+  std::vector<SizedThing> things;
+  for (std::size_t i = 0; i < known; ++i) things.push_back({order.numbers[i], order.groups[i]});
+  const std::vector<bool> large = is_large(things);
+  const auto is_as_large = [&](std::size_t individual) {
+    for (std::size_t i = 0; i < known; ++i) {
+      if (large[i] && things[i].group == order.groups[individual] &&
+          things[i].number <= order.numbers[individual]) {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<std::string> names;
+  names.reserve(order.individuals.size());
+  for (const std::size_t individual : order.individuals) {
+    names.push_back((is_as_large(individual) ? "large " : "small ") +
+                    group_names[order.groups[individual]]);
+  }
+  return {"size_group", Classes::from_names(names), order.individuals};
+}
+
+Result<void> ask_order(const StudyParameters& study, const Numbers& individuals,
+                       std::size_t learned, Question& question) {
+  if (study.order.empty()) return {};
+  const auto members = numbered_individuals(
+      question.recording, {study.individual, study.order, study.within}, individuals);
+  if (!members) return fail(members.error());
+  if (!has_an_order(*members)) return fail(no_order(study.order));
+  AskedOrder order{individuals, {}, {}};
+  std::vector<std::string> names;
+  for (const NumberedIndividual& member : *members) {
+    order.numbers.push_back(member.number);
+    names.push_back(member.group);
+  }
+  const Classes groups = Classes::from_names(names);
+  order.groups = groups.of_sample;
+  question.labels.push_back(ask_size_groups(order, groups.names, learned));
+  question.order = std::move(order);
   return {};
 }
 
@@ -44,7 +132,7 @@ Result<Recording> join(const Recording& recording, const Recording* test) {
 // There must be something to tell apart in what is learned from.
 Result<void> check_classes(const Question& question, const std::string& label,
                            std::size_t learned) {
-  const auto& classes = question.classes.of_sample;
+  const auto& classes = question.classes().of_sample;
   const auto begin = classes.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(learned);
   if (learned < 2) {
@@ -63,25 +151,24 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, Question&
   question.samples.test_samples = all - learned;
   question.samples.folds = study.folds;
   question.samples.seed = study.first_seed;
-  question.samples.classes = question.classes.of_sample;
+  question.samples.classes = question.classes().of_sample;
   question.samples.classes.resize(learned);
-  auto groups = numbers_of(question.recording, study.group);
-  if (!groups) return fail(std::move(groups.error()));
-  question.samples.groups = std::move(*groups);
-  question.samples.groups.resize(learned);
-  const auto& first = question.samples.groups.front();
+  for (const std::string& label : study.groups) {
+    auto groups = numbers_of(question.recording, label);
+    if (!groups) return fail(std::move(groups.error()));
+    groups->resize(learned);
+    if (count_different(*groups) < 2) {
+      return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
+                  "there are no groups to leave out; name another label in 'groups'");
+    }
+    question.groups[label] = std::move(*groups);
+  }
   for (const Protocol protocol : study.protocols) {
     if (protocol == Protocol::kFolds && study.folds > learned) {
       return fail(
           ErrorKind::kData,
           fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},
           "write a smaller number of 'folds' in [study]");
-    }
-    if (protocol == Protocol::kLeaveGroupOut &&
-        std::count(question.samples.groups.begin(), question.samples.groups.end(), first) ==
-            static_cast<std::ptrdiff_t>(learned)) {
-      return fail(ErrorKind::kData, "every exploration has the same '" + study.group + "'", {},
-                  "there are no groups to leave out; name another label as 'group'");
     }
   }
   return {};
@@ -136,10 +223,18 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
                                  *map));
   }
   if (input.type->name == "standardization") question.vectors = input.inputs.front();
+  question.vectors_learned = !system.is_fixed(question.vectors);
+  question.grid = grid_of(system, *map);
   return {};
 }
 
 }  // namespace
+
+FoldSamples Question::divided_by(const std::string& group) const {
+  FoldSamples divided = samples;
+  if (!group.empty()) divided.groups = groups.at(group);
+  return divided;
+}
 
 Result<System> Question::system(const StudyDescription& description) const {
   return System::build(description.system, layout);
@@ -154,17 +249,16 @@ Result<Question> make_question(const StudyDescription& description, const Record
   question.layout = layout_of(question.recording);
   auto system = question.system(description);
   if (!system) return fail(std::move(system.error()));
-  auto labels = labels_of(question.recording, description.study.label);
-  if (!labels) return fail(std::move(labels.error()));
-  question.classes = Classes::from_names(*labels);
-  auto individuals = numbers_of(question.recording, description.study.individual);
-  if (!individuals) return fail(std::move(individuals.error()));
-  question.individuals = std::move(*individuals);
+  const StudyParameters& study = description.study;
+  const auto individuals = numbers_of(question.recording, study.individual);
+  if (!individuals) return fail(individuals.error());
   const std::size_t learned = recording.explorations.size();
-  Result<void> ready = check_classes(question, description.study.label, learned)
-                           .and_then([&] { return check_individuals(question, description.study); })
-                           .and_then([&] { return divide(description.study, learned, question); })
-                           .and_then([&] { return find_modules(*system, description, question); });
+  Result<void> ready =
+      ask_labels(study, *individuals, question)
+          .and_then([&] { return check_classes(question, study.label, learned); })
+          .and_then([&] { return ask_order(study, *individuals, learned, question); })
+          .and_then([&] { return divide(study, learned, question); })
+          .and_then([&] { return find_modules(*system, description, question); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));

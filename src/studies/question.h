@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "somato/core/result.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
+#include "somato/maps/grid.h"
 #include "somato/maps/labels.h"
 #include "somato/recording/recording.h"
 #include "somato/studies/protocol.h"
@@ -13,18 +17,39 @@
 
 namespace somato {
 
+/// A label that is asked, and what is dealt to its classes anew in wrong groupings.
+struct AskedLabel {
+  std::string name;
+  Classes classes;  ///< Of all explorations.
+  std::vector<std::size_t> individuals;
+};
+
+/// Individuals with a number each, such as objects with their girth, and what they are within.
+struct AskedOrder {
+  std::vector<std::size_t> individuals;  ///< Of each exploration.
+  std::vector<double> numbers;           ///< Of each individual.
+  std::vector<std::size_t> groups;       ///< Of each individual.
+};
+
 /// What a study asks: explorations, their classes, and the individuals behind them; and what of its
 /// system never learns, computed once.
 struct Question {
-  Recording recording;  ///< What is divided, then the explorations of `--test-data`.
-  FoldSamples samples;  ///< How it is divided.
-  Classes classes;      ///< Of all explorations.
-  std::vector<std::size_t> individuals;
+  Recording recording;             ///< What is divided, then the explorations of `--test-data`.
+  FoldSamples samples;             ///< How it is divided.
+  std::vector<AskedLabel> labels;  ///< The study's own first.
+  std::map<std::string, std::vector<std::size_t>> groups;  ///< Of leave_group_out, by label.
+  std::optional<AskedOrder> order;
   RecordingLayout layout;
   std::size_t map = 0;      ///< The module that answers.
   std::size_t vectors = 0;  ///< The module whose output the baseline compares: what the map learns,
                             ///< before a standardization that comes right before the map.
+  bool vectors_learned = false;  ///< Whether they depend on what was learned.
+  Grid grid;                     ///< Of the map.
   Activations fixed;
+
+  const Classes& classes() const { return labels.front().classes; }
+  /// How it is divided with the groups of a label; empty: as it is.
+  FoldSamples divided_by(const std::string& group) const;
 
   /// A system of its own for one training.
   Result<System> system(const StudyDescription& description) const;

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 Json metrics_json(const std::vector<Metric>& metrics) {
   Json json = Json::object();
@@ -26,6 +26,9 @@ Json runs_json(const std::vector<Run>& runs) {
                     {"winners", run.winners},
                     {"labels", run.labels},
                     {"predictions", run.predictions}});
+    for (const auto& [label, predictions] : run.other_predictions) {
+      json.back()["other_predictions"][label] = predictions;
+    }
   }
   return json;
 }
@@ -33,12 +36,13 @@ Json runs_json(const std::vector<Run>& runs) {
 Json systems_json(const std::vector<SystemResults>& systems) {
   Json json = Json::array();
   for (const SystemResults& system : systems) {
-    json.push_back({{"name", system.name},
-                    {"protocol", system.protocol},
-                    {"label", system.label},
-                    {"samples", system.samples},
-                    {"metrics", metrics_json(system.metrics)},
-                    {"runs", runs_json(system.runs)}});
+    Json one = {{"name", system.name}, {"protocol", system.protocol}};
+    if (!system.group.empty()) one["group"] = system.group;
+    one.update({{"label", system.label},
+                {"samples", system.samples},
+                {"metrics", metrics_json(system.metrics)},
+                {"runs", runs_json(system.runs)}});
+    json.push_back(std::move(one));
   }
   return json;
 }

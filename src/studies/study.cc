@@ -59,19 +59,21 @@ std::vector<Settings> all_settings(const StudyDescription& description, const Sy
 // What decides the trainings: a study with the same text here has the same ones. More seeds have
 // more of them.
 std::string fingerprint(const StudyDescription& description, const StudyResults& results,
-                        const std::vector<Protocol>& protocols) {
+                        const std::vector<ProtocolPart>& parts) {
   StudyParameters study = description.study;
   study.seeds = 1;
   std::string text = parameters_to_toml(study) + to_toml(description.system) +
                      "data = " + results.data_hash + "\ntest_data = " + results.test_data_hash +
                      "\n";
-  for (const Protocol protocol : protocols) text += choice_name(protocol) + "\n";
+  for (const ProtocolPart& part : parts) {
+    text += choice_name(part.protocol) + " " + part.group + "\n";
+  }
   return text;
 }
 
 // The classes of what was learned from alone: others have no neurons.
 Classes learned_classes(const Question& question) {
-  Classes classes = question.classes;
+  Classes classes = question.classes();
   classes.of_sample.resize(question.samples.samples);
   const auto last = std::max_element(classes.of_sample.begin(), classes.of_sample.end());
   classes.names.resize(*last + 1);
@@ -92,10 +94,17 @@ StudyOutcome outcome_of(const StudyDescription& description, const Question& que
   return outcome;
 }
 
-std::vector<Protocol> protocols_of(const StudyDescription& description, const Question& question) {
-  std::vector<Protocol> protocols = description.study.protocols;
-  if (question.samples.test_samples > 0) protocols.push_back(Protocol::kTestData);
-  return protocols;
+std::vector<ProtocolPart> parts_of(const StudyDescription& description, const Question& question) {
+  std::vector<ProtocolPart> parts;
+  for (const Protocol protocol : description.study.protocols) {
+    if (protocol != Protocol::kLeaveGroupOut) {
+      parts.push_back({protocol, {}});
+      continue;
+    }
+    for (const std::string& group : description.study.groups) parts.push_back({protocol, group});
+  }
+  if (question.samples.test_samples > 0) parts.push_back({Protocol::kTestData, {}});
+  return parts;
 }
 
 }  // namespace
@@ -111,17 +120,17 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
   StudyResults results{description.study.name, description.study.seeds, {}, {}, {}, {}};
   results.data_hash = content_hash(recording);
   if (options.test_data) results.test_data_hash = content_hash(*options.test_data);
-  const std::vector<Protocol> protocols = protocols_of(description, *question);
+  const std::vector<ProtocolPart> parts = parts_of(description, *question);
   Result<Journal> journal;
   if (!options.journal.empty()) {
-    journal = Journal::open(options.journal, fingerprint(description, results, protocols));
+    journal = Journal::open(options.journal, fingerprint(description, results, parts));
   }
   if (!journal) return fail(std::move(journal.error()));
 
   std::deque<SystemRunner> runners;
   std::uint64_t trainings = 1;
-  for (const Protocol protocol : protocols) {
-    runners.emplace_back(description, *question, protocol, runners.size());
+  for (const ProtocolPart& part : parts) {
+    runners.emplace_back(description, *question, part, runners.size());
     trainings += runners.back().trainings() - runners.back().known(*journal);
   }
   Tally tally(options.progress, trainings);

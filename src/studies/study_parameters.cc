@@ -72,11 +72,28 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
     return refuse("protocols", "'test_data' is no protocol to name",
                   "run the study with --test-data instead");
   }
-  if (has(Protocol::kLeaveGroupOut) && study.group.empty()) {
-    return refuse("protocols", "leave_group_out needs the label whose groups are left out",
-                  "add group = \"...\" to [study]");
+  if (has(Protocol::kLeaveGroupOut) && study.groups.empty()) {
+    return refuse("protocols", "leave_group_out needs the labels whose groups are left out",
+                  "add groups = [\"...\"] to [study]");
   }
-  return check_effect(file, "group", "leave_group_out", has(Protocol::kLeaveGroupOut))
+  if (has_duplicates(study.groups)) {
+    return refuse("groups", "a label is named twice", "name each of groups in [study] once");
+  }
+  if (!study.order.empty() && study.individual.empty()) {
+    return refuse("order", "an order is one of individuals, and none are named",
+                  "add individual = \"...\" to [study]");
+  }
+  if (!study.within.empty() && study.order.empty()) {
+    return refuse("within", "'within' has no effect without 'order'",
+                  "leave it out, or add the order");
+  }
+  for (const std::string& pair : study.mapped_with) {
+    if (std::count(pair.begin(), pair.end(), ' ') == 1) continue;
+    return refuse(
+        "mapped_with", "'" + pair + "' does not name two classes",
+        "write two names with a space between them: those mapped, and those they are with");
+  }
+  return check_effect(file, "groups", "leave_group_out", has(Protocol::kLeaveGroupOut))
       .and_then([&] { return check_effect(file, "folds", "k_folds", has(Protocol::kFolds)); });
 }
 
@@ -93,9 +110,24 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
               "label", [](P& p) -> auto& { return p.label; }, "", Range::any(),
               "Which label of the explorations the map is asked to tell apart.")
           .add(
+              "labels", [](P& p) -> auto& { return p.labels; }, "", Range::any(),
+              "Further labels asked of the same maps, such as the shape.")
+          .add(
               "individual", [](P& p) -> auto& { return p.individual; }, "", Range::any(),
               "Label of what is dealt to classes anew in wrong groupings, such as the object when "
-              "the label is its shape; empty: each exploration on its own.")
+              "the label is its shape; each exploration on its own where it is empty, or where "
+              "every class is a single individual.")
+          .add(
+              "order", [](P& p) -> auto& { return p.order; }, "", Range::any(),
+              "Label with a number of each individual, such as its girth: whether it is in order "
+              "around the map (P11 section III).")
+          .add(
+              "within", [](P& p) -> auto& { return p.within; }, "", Range::any(),
+              "Label of the groups within which the order is asked, too, such as the shape.")
+          .add(
+              "mapped_with", [](P& p) -> auto& { return p.mapped_with; }, "", Range::any(),
+              "Pairs of classes, each two names with a space between them: how many samples of the "
+              "first are mapped with the second.")
           .add(
               "map", [](P& p) -> auto& { return p.map; }, "", Range::any(),
               "Name of the module of type som whose winners answer; empty: the one that no other "
@@ -106,8 +138,9 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
               "papers; or each in turn, each group, or each of some equal parts on what never met "
               "it. test_data comes with --test-data.")
           .add(
-              "group", [](P& p) -> auto& { return p.group; }, "", Range::any(),
-              "Label whose values are the groups of leave_group_out.")
+              "groups", [](P& p) -> auto& { return p.groups; }, "", Range::any(),
+              "Labels whose values are the groups of leave_group_out, which is run once for each "
+              "label.")
           .add(
               "folds", [](P& p) -> auto& { return p.folds; }, "", Range::between(2, 1e6),
               "Number of parts of k_folds.")
@@ -141,7 +174,7 @@ Result<StudyDescription> read_study(const Table& file) {
     if (entry.name == "recording") part = read_part(entry, description.recording);
     if (!part) return fail(std::move(part.error()));
   }
-  auto system = read_system(file, {"study", "recording"});
+  auto system = read_system(file, {"study", "recording", "explore", "variation", "claim"});
   if (!system) return fail(std::move(system.error()));
   description.system = std::move(*system);
   if (description.system.name.empty()) description.system.name = description.study.name;

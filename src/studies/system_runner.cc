@@ -4,8 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "somato/studies/wrong_groupings.h"
-
 namespace somato {
 namespace {
 
@@ -18,9 +16,9 @@ std::vector<std::size_t> all_tested(const std::vector<Fold>& folds) {
   return tested;
 }
 
-// The one that is better on average over the seeds: in favour of the baseline.
-Metric better_of(const Metric& a, const Metric& b) {
-  return {"baseline_accuracy", a.mean() >= b.mean() ? a.values : b.values};
+std::size_t place_of(std::size_t sample, const std::vector<std::size_t>& ascending) {
+  const auto place = std::lower_bound(ascending.begin(), ascending.end(), sample);
+  return static_cast<std::size_t>(place - ascending.begin());
 }
 
 }  // namespace
@@ -55,15 +53,16 @@ void Tally::keep(Error error) {
 }
 
 SystemRunner::SystemRunner(const StudyDescription& description, const Question& question,
-                           Protocol protocol, std::size_t number)
+                           ProtocolPart part, std::size_t number)
     : description_(description),
       question_(question),
-      protocol_(protocol),
+      part_(std::move(part)),
       number_(number),
-      taken_(protocol == Protocol::kTrainIsTest ? 1 : 0),
-      folds_(folds(protocol, question.samples)),
+      taken_(part_.protocol == Protocol::kTrainIsTest ? 1 : 0),
+      folds_(folds(part_.protocol, question.divided_by(part_.group))),
       tested_(all_tested(folds_)),
-      outcomes_(description.study.seeds * folds_.size()) {}
+      outcomes_(description.study.seeds * folds_.size()),
+      neighbours_(folds_.size()) {}
 
 std::size_t SystemRunner::known(const Journal& journal) const {
   std::size_t known = 0;
@@ -80,12 +79,12 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
     outcomes_[training] = *known;
     return;
   }
-  const std::size_t seed_index = training / folds_.size();
-  const Fold& fold = folds_[training % folds_.size()];
-  const auto trained = train_fold(description_, question_, fold, seed(seed_index),
-                                  [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
+  const std::size_t fold = training % folds_.size();
+  const auto trained =
+      train_fold(description_, question_, folds_[fold], seed(training / folds_.size()),
+                 [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
   if (!trained) return tally.failed(trained.error());
-  outcomes_[training] = test_fold(*trained, question_, fold, wrong_groupings_of(seed_index));
+  outcomes_[training] = test_fold(*trained, question_, folds_[fold], neighbours(*trained, fold));
   if (auto kept = journal.add(number_, training, outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
@@ -94,108 +93,82 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
 
 void SystemRunner::take(const TrainedFold& trained) {
   if (taken_ == 0) return;
-  outcomes_[0] = test_fold(trained, question_, folds_[0], wrong_groupings_of(0));
+  outcomes_[0] = test_fold(trained, question_, folds_[0], neighbours(trained, 0));
+}
+
+// Computed once a fold where nothing that comes before the map learns: every seed has the same.
+Neighbours SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
+  if (question_.vectors_learned) return nearest_neighbours(trained, folds_[fold]);
+  {
+    const std::lock_guard lock(mutex_);
+    if (neighbours_[fold]) return *neighbours_[fold];
+  }
+  Neighbours nearest = nearest_neighbours(trained, folds_[fold]);
+  const std::lock_guard lock(mutex_);
+  neighbours_[fold] = nearest;
+  return nearest;
 }
 
 SystemResults SystemRunner::results() const {
   SystemResults results;
   results.name = description_.study.name;
-  results.protocol = choice_name(protocol_);
+  results.protocol = choice_name(part_.protocol);
+  results.group = part_.group;
   results.label = description_.study.label;
   results.samples = tested_.size();
-  for (std::size_t s = 0; s < description_.study.seeds; ++s) results.runs.push_back(run_of(s));
-  results.metrics = metrics();
+  const std::vector<SeedOutcome> all = seeds();
+  for (const SeedOutcome& seed : all) results.runs.push_back(run_of(seed));
+  results.metrics = metrics_of({description_.study, question_, part_.protocol, folds_}, all);
   return results;
 }
 
-Run SystemRunner::run_of(std::size_t seed_index) const {
-  const std::size_t samples = tested_.size();
-  Run run{seed(seed_index), std::vector<std::size_t>(samples), {}, {}};
-  run.predictions.resize(samples);
-  const std::vector<std::string>& names = question_.classes.names;
+std::vector<SeedOutcome> SystemRunner::seeds() const {
+  std::vector<SeedOutcome> seeds(description_.study.seeds);
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    seeds[s].seed = seed(s);
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      seeds[s].folds.push_back(&outcomes_[s * folds_.size() + f]);
+    }
+  }
+  return seeds;
+}
+
+Run SystemRunner::run_of(const SeedOutcome& seed) const {
+  Run run{seed.seed, {}, {}, {}, {}};
+  run.winners.resize(tested_.size());
   for (std::size_t f = 0; f < folds_.size(); ++f) {
-    const FoldOutcome& result = outcome(seed_index, f);
-    for (std::size_t i = 0; i < result.winners.size(); ++i) {
-      const auto place = std::lower_bound(tested_.begin(), tested_.end(), folds_[f].test[i]);
-      const auto sample = static_cast<std::size_t>(place - tested_.begin());
-      run.winners[sample] = result.winners[i];
-      run.predictions[sample] = names[result.predictions[i]];
+    for (std::size_t i = 0; i < folds_[f].test.size(); ++i) {
+      run.winners[place_of(folds_[f].test[i], tested_)] = seed.folds[f]->winners[i];
+    }
+  }
+  for (const AskedLabel& label : question_.labels) {
+    std::vector<std::vector<std::size_t>> named;
+    named.reserve(folds_.size());
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      named.push_back(predictions(label.classes, folds_[f], *seed.folds[f]));
+    }
+    std::vector<std::string> names = names_of_tested(label.classes, named);
+    if (&label == &question_.labels.front()) {
+      run.predictions = std::move(names);
+    } else {
+      run.other_predictions.emplace_back(label.name, std::move(names));
     }
   }
   for (const std::size_t sample : tested_) {
-    run.labels.push_back(names[question_.classes.of_sample[sample]]);
+    run.labels.push_back(question_.classes().names[question_.classes().of_sample[sample]]);
   }
   return run;
 }
 
-// The sum of a fold's value over the folds of a seed, divided by `count`.
-template <typename Value>
-Metric SystemRunner::over_folds(std::string name, std::size_t count, const Value& value) const {
-  Metric metric{std::move(name), {}};
-  for (std::size_t s = 0; s < description_.study.seeds; ++s) {
-    double sum = 0.0;
-    for (std::size_t f = 0; f < folds_.size(); ++f) sum += value(outcome(s, f));
-    metric.values.push_back(sum / static_cast<double>(count));
-  }
-  return metric;
-}
-
-// The share of the tested samples whose class was predicted.
-Metric SystemRunner::accuracy(std::string name, Predictions predictions) const {
-  Metric metric{std::move(name), {}};
-  for (std::size_t s = 0; s < description_.study.seeds; ++s) {
-    std::size_t right = 0;
-    for (std::size_t f = 0; f < folds_.size(); ++f) {
-      const std::vector<std::size_t>& predicted = outcome(s, f).*predictions;
-      for (std::size_t i = 0; i < predicted.size(); ++i) {
-        const std::size_t true_class = question_.classes.of_sample[folds_[f].test[i]];
-        right += predicted[i] == true_class ? 1 : 0;
-      }
+std::vector<std::string> SystemRunner::names_of_tested(
+    const Classes& classes, const std::vector<std::vector<std::size_t>>& of_folds) const {
+  std::vector<std::string> names(tested_.size());
+  for (std::size_t f = 0; f < folds_.size(); ++f) {
+    for (std::size_t i = 0; i < folds_[f].test.size(); ++i) {
+      names[place_of(folds_[f].test[i], tested_)] = classes.names[of_folds[f][i]];
     }
-    metric.values.push_back(static_cast<double>(right) / static_cast<double>(tested_.size()));
   }
-  return metric;
-}
-
-std::vector<Metric> SystemRunner::metrics() const {
-  const Metric raw = accuracy("baseline_accuracy_raw", &FoldOutcome::raw_baseline);
-  const Metric standardized =
-      accuracy("baseline_accuracy_standardized", &FoldOutcome::standardized_baseline);
-  std::vector<Metric> metrics{
-      accuracy("accuracy", &FoldOutcome::predictions),
-      better_of(raw, standardized),
-      raw,
-      standardized,
-      over_folds("individuals_apart", folds_.size(),
-                 [](const FoldOutcome& o) { return o.apart ? 1.0 : 0.0; }),
-      over_folds("areas_connected", folds_.size(),
-                 [](const FoldOutcome& o) { return o.connected ? 1.0 : 0.0; }),
-      over_folds("areas_connected_wrong_groupings", folds_.size(),
-                 [](const FoldOutcome& o) { return o.connected_wrong; }),
-      over_folds("quantization_error", tested_.size(),
-                 [](const FoldOutcome& o) { return o.summed_distance; }),
-      over_folds("topographic_error", tested_.size(), [](const FoldOutcome& o) { return o.torn; }),
-  };
-  if (wrong_groupings_of(0).empty()) {
-    // Nothing was compared, and 0 would say that luck never does this.
-    std::erase_if(metrics, [](const Metric& metric) {
-      return metric.name == "areas_connected_wrong_groupings";
-    });
-  }
-  return metrics;
-}
-
-// Dealt among the explorations that the protocol looks at.
-std::vector<std::vector<std::size_t>> SystemRunner::wrong_groupings_of(
-    std::size_t seed_index) const {
-  std::vector<std::size_t> classes = question_.classes.of_sample;
-  std::vector<std::size_t> individuals = question_.individuals;
-  if (protocol_ != Protocol::kTestData) {
-    classes.resize(question_.samples.samples);
-    individuals.resize(question_.samples.samples);
-  }
-  return wrong_groupings(classes, individuals, description_.study.wrong_groupings,
-                         seed(seed_index));
+  return names;
 }
 
 }  // namespace somato

@@ -15,6 +15,7 @@
 #include "somato/studies/study_parameters.h"
 #include "studies/fold_run.h"
 #include "studies/journal.h"
+#include "studies/metrics.h"
 #include "studies/question.h"
 
 namespace somato {
@@ -44,12 +45,18 @@ class Tally {
   std::atomic<bool> stopped_ = false;
 };
 
+/// A protocol with the label of its groups, if it has any.
+struct ProtocolPart {
+  Protocol protocol;
+  std::string group;
+};
+
 /// One protocol: all seeds and folds, and the metrics made of them. The description and the
 /// question must outlive it.
 class SystemRunner {
  public:
   /// `number` is the place of the protocol among those of the study.
-  SystemRunner(const StudyDescription& description, const Question& question, Protocol protocol,
+  SystemRunner(const StudyDescription& description, const Question& question, ProtocolPart part,
                std::size_t number);
 
   /// How many trainings there are to run.
@@ -69,25 +76,22 @@ class SystemRunner {
 
  private:
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
-  const FoldOutcome& outcome(std::size_t seed_index, std::size_t fold) const {
-    return outcomes_[seed_index * folds_.size() + fold];
-  }
-  Run run_of(std::size_t seed_index) const;
-  template <typename Value>
-  Metric over_folds(std::string name, std::size_t count, const Value& value) const;
-  using Predictions = std::vector<std::size_t> FoldOutcome::*;
-  Metric accuracy(std::string name, Predictions predictions) const;
-  std::vector<std::vector<std::size_t>> wrong_groupings_of(std::size_t seed_index) const;
-  std::vector<Metric> metrics() const;
+  Neighbours neighbours(const TrainedFold& trained, std::size_t fold);
+  std::vector<SeedOutcome> seeds() const;
+  Run run_of(const SeedOutcome& seed) const;
+  std::vector<std::string> names_of_tested(
+      const Classes& classes, const std::vector<std::vector<std::size_t>>& of_folds) const;
 
   const StudyDescription& description_;
   const Question& question_;
-  Protocol protocol_;
+  ProtocolPart part_;
   std::size_t number_;
   std::size_t taken_;  ///< Trainings that are not run here.
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
   std::vector<FoldOutcome> outcomes_;
+  std::vector<std::optional<Neighbours>> neighbours_;  ///< Of folds whose vectors know no seed.
+  std::mutex mutex_;                                   ///< Guards neighbours_.
 };
 
 }  // namespace somato

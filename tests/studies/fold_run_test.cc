@@ -220,7 +220,7 @@ TEST(HeldOut, NothingIsLearnedFromTheValuesOfWhatIsTested) {
 // Ranges, a T-MPSOM, a standardization and a map.
 TEST(HeldOut, NothingThatLearnsLearnsFromTheValuesOfWhatIsTested) {
   StudyDescription description = learning_study();
-  description.study.group = "trial";
+  description.study.groups = {"trial"};
   const Recording asked = testing::grasps(3, 3, 4);
   expect_nothing_leaks(description, asked, Protocol::kLeaveGroupOut);
   expect_nothing_leaks(description, asked, Protocol::kLeaveOneOut);

@@ -13,7 +13,7 @@ label = "shape"
 individual = "object"
 map = "first_map"
 protocols = ["leave_group_out", "k_folds"]
-group = "session"
+groups = ["session"]
 folds = 4
 seeds = 3
 first_seed = 40
@@ -57,7 +57,7 @@ TEST(ReadStudy, ReadsEveryPart) {
   EXPECT_EQ(study.individual, "object");
   EXPECT_EQ(study.map, "first_map");
   EXPECT_EQ(study.protocols, (std::vector<Protocol>{Protocol::kLeaveGroupOut, Protocol::kFolds}));
-  EXPECT_EQ(study.group, "session");
+  EXPECT_EQ(study.groups, std::vector<std::string>{"session"});
   EXPECT_EQ(study.folds, 4U);
   EXPECT_EQ(study.seeds, 3U);
   EXPECT_EQ(study.first_seed, 40U);

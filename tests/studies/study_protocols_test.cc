@@ -129,7 +129,7 @@ TEST(TestData, DealsWrongGroupingsAmongBothRecordings) {
     connected += areas.connected(wrong) ? 1.0 : 0.0;
   }
   const SystemResults& system = system_of(outcome, "test_data");
-  EXPECT_NEAR(values_of(system, "areas_connected_wrong_groupings")[0], connected / 40.0, 1e-12);
+  EXPECT_NEAR(values_of(system, "areas_connected_by_luck")[0], connected / 40.0, 1e-12);
 }
 
 void expect_test_data_refused(const Recording& recording, const Recording& test,
@@ -159,7 +159,7 @@ TEST(LeaveGroupOut, LearnsFromTheOtherGroupsAlone) {
   const Recording recording = testing::grasps(3, 3, 4);
   StudyDescription description = testing::learning_study();
   description.study.protocols = {Protocol::kLeaveGroupOut};
-  description.study.group = "trial";
+  description.study.groups = {"trial"};
   const SystemResults groups = system_of(outcome_of(description, recording), "leave_group_out");
   EXPECT_EQ(groups.samples, 9U);
   for (std::size_t trial = 0; trial < 3; ++trial) {

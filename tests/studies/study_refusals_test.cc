@@ -115,10 +115,10 @@ TEST(Study, RefusesWhatCannotBeDivided) {
   expect_refused(description, good, ErrorKind::kData, "4 explorations cannot be divided into 5");
   Recording one_trial = testing::grasps(2, 1, 1);
   description.study.protocols = {Protocol::kLeaveGroupOut};
-  description.study.group = "trial";
+  description.study.groups = {"trial"};
   expect_refused(description, one_trial, ErrorKind::kData,
                  "every exploration has the same 'trial'");
-  description.study.group = "session";
+  description.study.groups = {"session"};
   expect_refused(description, one_trial, ErrorKind::kUsage, "unknown label 'session'");
 }
 

@@ -272,7 +272,7 @@ TEST(Study, DealsIndividualsAsWholes) {
   const StudyOutcome whole = outcome_of(description, recording);
   description.study.individual = "";
   const StudyOutcome single = outcome_of(description, recording);
-  const std::string metric = "areas_connected_wrong_groupings";
+  const std::string metric = "areas_connected_by_luck";
   const double whole_share = values_of(system_of(whole, "train_is_test"), metric)[0];
   const double single_share = values_of(system_of(single, "train_is_test"), metric)[0];
   EXPECT_NEAR(whole_share, share_connected(whole, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}), 1e-12);
@@ -286,7 +286,7 @@ TEST(Study, LeavesOutTheMeasureOfWrongGroupingsWhenThereIsNone) {
   const StudyOutcome outcome = outcome_of(description, objects_apart(2, 3, 1.0, 1));
   for (const SystemResults& system : outcome.results.systems) {
     for (const Metric& metric : system.metrics) {
-      EXPECT_NE(metric.name, "areas_connected_wrong_groupings");
+      EXPECT_NE(metric.name, "areas_connected_by_luck");
     }
   }
 }

@@ -38,4 +38,7 @@ Result<SystemModel> load_system(const std::string& path);
 /// The map that a module holds; nullptr when the module is none of type `som`.
 const Som* som_of(const System& system, std::size_t module);
 
+/// The grid of that map, also before it has learned. Throws InvalidArgument for another module.
+Grid grid_of(const System& system, std::size_t module);
+
 }  // namespace somato

@@ -11,11 +11,10 @@ namespace somato {
 /// products, so that equal ones may come out a rounding error away from 0.
 double squared_distance(const SignalView& a, const SignalView& b);
 
-/// The class of the training sample nearest to `samples[test]` in Euclidean distance, the first of
-/// them in a tie: the plain baseline beside every map. Throws InvalidArgument without training
-/// samples.
-std::size_t nearest_neighbour_class(const Samples& samples,
-                                    const std::vector<std::size_t>& training, std::size_t test,
-                                    const std::vector<std::size_t>& classes);
+/// The training sample nearest to `samples[test]` in Euclidean distance, the first of them in a
+/// tie: what it is, the plain baseline beside every map says of the tested one. Throws
+/// InvalidArgument without training samples.
+std::size_t nearest_neighbour(const Samples& samples, const std::vector<std::size_t>& training,
+                              std::size_t test);
 
 }  // namespace somato

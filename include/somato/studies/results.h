@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace somato {
@@ -24,12 +25,15 @@ struct Run {
   std::vector<std::size_t> winners;      ///< On the map that was tested with the sample.
   std::vector<std::string> labels;       ///< The true classes.
   std::vector<std::string> predictions;  ///< The classes the map named.
+  /// The same for further labels, by their names.
+  std::vector<std::pair<std::string, std::vector<std::string>>> other_predictions;
 };
 
 /// A system under one protocol.
 struct SystemResults {
   std::string name;
   std::string protocol;
+  std::string group;  ///< Of leave_group_out.
   std::string label;
   std::size_t samples = 0;
   std::vector<Metric> metrics;
@@ -58,7 +62,7 @@ struct StudyResults {
   std::vector<SystemResults> systems;
 };
 
-/// The results as results.json, version 2; the same bytes for the same results.
+/// The results as results.json, version 3; the same bytes for the same results.
 std::string to_json(const StudyResults& results);
 
 }  // namespace somato

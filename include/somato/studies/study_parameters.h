@@ -17,10 +17,14 @@ namespace somato {
 struct StudyParameters {
   std::string name;
   std::string label = "object";
+  std::vector<std::string> labels;
   std::string individual;
+  std::string order;
+  std::string within;
+  std::vector<std::string> mapped_with;
   std::string map;
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
-  std::string group;
+  std::vector<std::string> groups;
   std::size_t folds = 10;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;

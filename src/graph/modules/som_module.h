@@ -18,6 +18,7 @@ class SomModule : public SteppedModule, public Learner {
   explicit SomModule(Parameters parameters) : parameters_(std::move(parameters)) {}
 
   const Som& som() const { return som_; }
+  Grid grid() const { return parameters_.grid(); }
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override;
   Learner* learner() override { return this; }

@@ -1,0 +1,183 @@
+#include "studies/map_reading.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "somato/maps/labels.h"
+#include "somato/maps/size_order.h"
+#include "somato/maps/winner_measures.h"
+#include "somato/studies/most_similar.h"
+#include "somato/studies/wrong_groupings.h"
+#include "studies/metrics.h"
+
+namespace somato {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+using MapMeasure = std::function<double(const Numbers& classes)>;
+
+Numbers first_of(const Numbers& values, std::size_t count) {
+  return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+// Of each classification, the right one and wrong ones.
+struct Groupings {
+  Numbers right;
+  std::vector<Numbers> wrong;
+};
+
+void add_measure(const std::string& name, const Groupings& groupings, const MapMeasure& measure,
+                 NamedValues& values) {
+  values.emplace_back(name, measure(groupings.right));
+  if (groupings.wrong.empty()) return;  // 0 would say that luck never does it.
+  double sum = 0.0;
+  for (const Numbers& wrong : groupings.wrong) sum += measure(wrong);
+  values.emplace_back(name + "_by_luck", sum / static_cast<double>(groupings.wrong.size()));
+}
+
+double count_true(const std::vector<bool>& flags) {
+  return static_cast<double>(std::count(flags.begin(), flags.end(), true));
+}
+
+// Samples of class `a` whose surroundings are of class `b`.
+std::size_t mapped_with(const Numbers& classes, const Numbers& surroundings, std::size_t a,
+                        std::size_t b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    count += classes[i] == a && surroundings[i] == b ? 1 : 0;
+  }
+  return count;
+}
+
+void read_label(const std::string& prefix, const Groupings& groupings, const Grid& grid,
+                const Numbers& winners, NamedValues& values) {
+  add_measure(
+      prefix + "told_exactly", groupings,
+      [&](const Numbers& classes) { return count_true(classes_told_exactly(winners, classes)); },
+      values);
+  add_measure(
+      prefix + "undetermined", groupings,
+      [&](const Numbers& classes) {
+        return static_cast<double>(undetermined_samples(winners, classes));
+      },
+      values);
+  add_measure(
+      prefix + "with_own", groupings,
+      [&](const Numbers& classes) {
+        const Numbers surroundings = classes_of_surroundings(grid, winners, classes);
+        double own = 0.0;
+        for (std::size_t i = 0; i < classes.size(); ++i)
+          own += surroundings[i] == classes[i] ? 1 : 0;
+        return own;
+      },
+      values);
+}
+
+// The number of a class, or none that a sample could have.
+std::size_t class_named(const Classes& classes, const std::string& name) {
+  const auto found = std::find(classes.names.begin(), classes.names.end(), name);
+  return static_cast<std::size_t>(found - classes.names.begin());
+}
+
+void read_pairs(const StudyParameters& study, const Classes& classes, const Numbers& right,
+                const Numbers& surroundings, NamedValues& values) {
+  for (const std::string& pair : study.mapped_with) {
+    const std::size_t gap = pair.find(' ');
+    const std::size_t a = class_named(classes, pair.substr(0, gap));
+    const std::size_t b = class_named(classes, pair.substr(gap + 1));
+    values.emplace_back("mapped_with " + pair,
+                        static_cast<double>(mapped_with(right, surroundings, a, b)));
+  }
+}
+
+void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winners,
+                std::uint64_t seed, NamedValues& values) {
+  constexpr std::size_t kShuffles = 100;
+  const Numbers individuals = first_of(order.individuals, winners.size());
+  const std::size_t learned = *std::max_element(individuals.begin(), individuals.end()) + 1;
+  const std::vector<double> numbers(order.numbers.begin(),
+                                    order.numbers.begin() + static_cast<std::ptrdiff_t>(learned));
+  const auto mapped =
+      mapped_individuals(grid, winners, individuals, numbers, first_of(order.groups, learned));
+  const CircularOrder found = circular_order(mapped);
+  const CircularOrder luck = circular_order_by_luck(mapped, kShuffles, seed).mean;
+  values.emplace_back("order_around", found.around);
+  values.emplace_back("order_around_by_luck", luck.around);
+  values.emplace_back("order_within", found.within);
+  values.emplace_back("order_within_by_luck", luck.within);
+}
+
+std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individuals) {
+  std::vector<SizedThing> things;
+  things.reserve(individuals.size());
+  for (const std::size_t individual : individuals) {
+    things.push_back({order.numbers[individual], order.groups[individual]});
+  }
+  return things;
+}
+
+// The share of samples that stand with one of those they are most similar to.
+double share_with(const std::vector<Numbers>& similar, const Numbers& placed) {
+  double right = 0.0;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    right += std::count(similar[i].begin(), similar[i].end(), placed[i]) > 0 ? 1.0 : 0.0;
+  }
+  return right / static_cast<double>(placed.size());
+}
+
+}  // namespace
+
+std::vector<Numbers> wrong_classes(const AskedLabel& label, std::size_t explorations,
+                                   std::size_t count, std::uint64_t seed) {
+  return wrong_groupings(first_of(label.classes.of_sample, explorations),
+                         first_of(label.individuals, explorations), count, seed);
+}
+
+NamedValues read_map(const StudyParameters& study, const Question& question, const Numbers& winners,
+                     std::uint64_t seed) {
+  NamedValues values;
+  const Grid& grid = question.grid;
+  for (const AskedLabel& label : question.labels) {
+    const bool own = &label == &question.labels.front();
+    const Groupings groupings{first_of(label.classes.of_sample, winners.size()),
+                              wrong_classes(label, winners.size(), study.wrong_groupings, seed)};
+    read_label(own ? "" : label.name + ".", groupings, grid, winners, values);
+    if (!own) continue;
+    read_pairs(study, label.classes, groupings.right,
+               classes_of_surroundings(grid, winners, groupings.right), values);
+  }
+  if (question.order) read_order(*question.order, grid, winners, seed, values);
+  values.emplace_back("on_border", share_on_border(grid, winners));
+  values.emplace_back("on_border_by_luck", border_of(grid));
+  return values;
+}
+
+NamedValues read_placed(const Question& question, const FoldOutcome& outcome) {
+  if (!question.order) return {};
+  const AskedOrder& order = *question.order;
+  const std::size_t learned = question.samples.samples;
+  const Numbers asked(order.individuals.begin() + static_cast<std::ptrdiff_t>(learned),
+                      order.individuals.end());
+  const Numbers known_samples = first_of(order.individuals, learned);
+  const std::size_t known = *std::max_element(known_samples.begin(), known_samples.end()) + 1;
+  Numbers known_individuals(known);
+  for (std::size_t i = 0; i < known; ++i) known_individuals[i] = i;
+  const auto similar = most_similar(things(order, known_individuals), things(order, asked));
+  const Classes individuals{std::vector<std::string>(known), order.individuals};
+  Fold fold;
+  for (std::size_t i = 0; i < learned; ++i) fold.training.push_back(i);
+  const auto neighbours = [&](const Numbers& nearest) {
+    Numbers individuals_of_nearest;
+    for (const std::size_t sample : nearest)
+      individuals_of_nearest.push_back(order.individuals[sample]);
+    return individuals_of_nearest;
+  };
+  return {
+      {"placed_with_most_similar", share_with(similar, predictions(individuals, fold, outcome))},
+      {"baseline_placed_with_most_similar",
+       std::max(share_with(similar, neighbours(outcome.nearest.raw)),
+                share_with(similar, neighbours(outcome.nearest.standardized)))}};
+}
+
+}  // namespace somato

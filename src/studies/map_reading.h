@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "somato/studies/study_parameters.h"
+#include "studies/fold_run.h"
+#include "studies/question.h"
+
+namespace somato {
+
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
+/// Classes that are wrong on purpose (see wrong_groupings()), of the first `explorations`.
+std::vector<std::vector<std::size_t>> wrong_classes(const AskedLabel& label,
+                                                    std::size_t explorations, std::size_t count,
+                                                    std::uint64_t seed);
+
+/// What the papers read off a map with all samples on it, each with what luck would give:
+/// docs/reference/results.md. `winners` are those of the samples that were learned from.
+NamedValues read_map(const StudyParameters& study, const Question& question,
+                     const std::vector<std::size_t>& winners, std::uint64_t seed);
+
+/// What is read where new individuals were put on a map: the share that is placed with the known
+/// individual most similar to it, and the same of the nearest neighbour. Nothing without an order.
+NamedValues read_placed(const Question& question, const FoldOutcome& outcome);
+
+}  // namespace somato

@@ -1,0 +1,224 @@
+#include "studies/metrics.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "somato/maps/areas.h"
+#include "somato/maps/labels.h"
+#include "studies/map_reading.h"
+
+namespace somato {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+Numbers at(const Numbers& values, const Numbers& places) {
+  Numbers chosen;
+  chosen.reserve(places.size());
+  for (const std::size_t place : places) chosen.push_back(values[place]);
+  return chosen;
+}
+
+std::size_t count_equal(const Numbers& a, const Numbers& b) {
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) equal += a[i] == b[i] ? 1 : 0;
+  return equal;
+}
+
+// Makes the metrics of one study under one protocol.
+class MetricsMaker {
+ public:
+  MetricsMaker(const Asked& asked, const std::vector<SeedOutcome>& seeds)
+      : asked_(asked), seeds_(seeds) {
+    for (const Fold& fold : asked.folds) tested_ += fold.test.size();
+  }
+
+  std::vector<Metric> make() {
+    for (const AskedLabel& label : asked_.question.labels) {
+      prefix_ = &label == &asked_.question.labels.front() ? "" : label.name + ".";
+      if (can_be_named(label.classes)) add_accuracies(label.classes);
+      add_areas(label);
+    }
+    prefix_.clear();
+    read_maps();
+    add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
+    add_sum("topographic_error", [](const FoldOutcome& o) { return o.torn; });
+    return std::move(metrics_);
+  }
+
+ private:
+  template <typename Value>  // of a seed
+  void add(const std::string& name, const Value& value) {
+    Metric metric{prefix_ + name, {}};
+    metric.values.reserve(seeds_.size());
+    for (const SeedOutcome& seed : seeds_) metric.values.push_back(value(seed));
+    metrics_.push_back(std::move(metric));
+  }
+
+  // A sum over the folds for each tested sample.
+  template <typename Value>
+  void add_sum(const std::string& name, const Value& value) {
+    add(name, [&](const SeedOutcome& seed) {
+      double sum = 0.0;
+      for (const FoldOutcome* fold : seed.folds) sum += value(*fold);
+      return sum / static_cast<double>(tested_);
+    });
+  }
+
+  // A class can be named where a fold learned from it.
+  bool can_be_named(const Classes& classes) const {
+    return std::any_of(asked_.folds.begin(), asked_.folds.end(), [&](const Fold& fold) {
+      const Numbers learned = at(classes.of_sample, fold.training);
+      const std::set<std::size_t> known(learned.begin(), learned.end());
+      return std::any_of(fold.test.begin(), fold.test.end(), [&](std::size_t sample) {
+        return known.contains(classes.of_sample[sample]);
+      });
+    });
+  }
+
+  template <typename Named>  // the classes named for a fold's tested samples
+  void add_share_right(const std::string& name, const Classes& classes, const Named& named) {
+    add(name, [&](const SeedOutcome& seed) {
+      std::size_t right = 0;
+      for (std::size_t f = 0; f < seed.folds.size(); ++f) {
+        right += count_equal(named(asked_.folds[f], *seed.folds[f]),
+                             at(classes.of_sample, asked_.folds[f].test));
+      }
+      return static_cast<double>(right) / static_cast<double>(tested_);
+    });
+  }
+
+  void add_accuracies(const Classes& classes) {
+    add_share_right("accuracy", classes, [&](const Fold& fold, const FoldOutcome& outcome) {
+      return predictions(classes, fold, outcome);
+    });
+    const std::size_t best = metrics_.size();
+    add_share_right("baseline_accuracy_raw", classes, [&](const Fold&, const FoldOutcome& outcome) {
+      return at(classes.of_sample, outcome.nearest.raw);
+    });
+    add_share_right("baseline_accuracy_standardized", classes,
+                    [&](const Fold&, const FoldOutcome& outcome) {
+                      return at(classes.of_sample, outcome.nearest.standardized);
+                    });
+    // The one that is better on average over the seeds: in favour of the baseline.
+    const Metric& raw = metrics_[best];
+    const Metric& standardized = metrics_[best + 1];
+    Metric better = raw.mean() >= standardized.mean() ? raw : standardized;
+    better.name = prefix_ + "baseline_accuracy";
+    metrics_.insert(metrics_.begin() + static_cast<std::ptrdiff_t>(best), std::move(better));
+  }
+
+  // The winners of all samples of a fold, learned or tested, with these samples.
+  struct FoldWinners {
+    Numbers samples;
+    Numbers winners;
+  };
+  FoldWinners fold_winners(const SeedOutcome& seed, std::size_t f) const {
+    const Fold& fold = asked_.folds[f];
+    FoldWinners all{fold.training, seed.folds[f]->training_winners};
+    if (fold.training == fold.test) return all;
+    all.samples.insert(all.samples.end(), fold.test.begin(), fold.test.end());
+    all.winners.insert(all.winners.end(), seed.folds[f]->winners.begin(),
+                       seed.folds[f]->winners.end());
+    return all;
+  }
+
+  // Dealt among the explorations that the protocol looks at.
+  std::vector<Numbers> wrong(const AskedLabel& label, std::uint64_t seed) const {
+    return wrong_classes(label, explorations_looked_at(), asked_.study.wrong_groupings, seed);
+  }
+
+  std::size_t explorations_looked_at() const {
+    const FoldSamples& samples = asked_.question.samples;
+    return samples.samples + (asked_.protocol == Protocol::kTestData ? samples.test_samples : 0);
+  }
+
+  // A measure of the areas that classes take, made once for the winners of a fold.
+  using AreaMeasure = std::function<double(const Numbers& classes)>;
+  using MakeMeasure = std::function<AreaMeasure(const Numbers& winners)>;
+
+  void add_area_measure(const std::string& name, const AskedLabel& label, const MakeMeasure& make) {
+    Metric right{prefix_ + name, {}};
+    Metric luck{prefix_ + name + "_by_luck", {}};
+    for (const SeedOutcome& seed : seeds_) {
+      const std::vector<Numbers> groupings = wrong(label, seed.seed);
+      double of_right = 0.0;
+      double of_wrong = 0.0;
+      for (std::size_t f = 0; f < seed.folds.size(); ++f) {
+        const FoldWinners all = fold_winners(seed, f);
+        const AreaMeasure measure = make(all.winners);
+        of_right += measure(at(label.classes.of_sample, all.samples));
+        for (const Numbers& grouping : groupings) of_wrong += measure(at(grouping, all.samples));
+      }
+      const auto folds = static_cast<double>(seed.folds.size());
+      right.values.push_back(of_right / folds);
+      if (!groupings.empty()) {
+        luck.values.push_back(of_wrong / (folds * static_cast<double>(groupings.size())));
+      }
+    }
+    metrics_.push_back(std::move(right));
+    // Where nothing was compared, 0 would say that luck never does it.
+    if (!luck.values.empty()) metrics_.push_back(std::move(luck));
+  }
+
+  void add_areas(const AskedLabel& label) {
+    add_area_measure("individuals_apart", label, [](const Numbers& winners) -> AreaMeasure {
+      return [&winners](const Numbers& classes) {
+        return individuals_apart(winners, classes) ? 1.0 : 0.0;
+      };
+    });
+    add_area_measure("areas_connected", label, [&](const Numbers& winners) -> AreaMeasure {
+      return [areas = WinnerAreas(asked_.question.grid, winners)](const Numbers& classes) {
+        return areas.connected(classes) ? 1.0 : 0.0;
+      };
+    });
+  }
+
+  // What the papers read off one map with all samples on it; or off one that new things are put on.
+  void read_maps() {
+    const bool one_map = asked_.protocol == Protocol::kTrainIsTest;
+    if (!one_map && asked_.protocol != Protocol::kTestData) return;
+    std::vector<NamedValues> readings;
+    readings.reserve(seeds_.size());
+    for (const SeedOutcome& seed : seeds_) {
+      const FoldOutcome& outcome = *seed.folds.front();
+      readings.push_back(one_map
+                             ? read_map(asked_.study, asked_.question, outcome.winners, seed.seed)
+                             : read_placed(asked_.question, outcome));
+    }
+    for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
+      Metric metric{readings.front()[reading].first, {}};
+      for (const NamedValues& values : readings) metric.values.push_back(values[reading].second);
+      metrics_.push_back(std::move(metric));
+    }
+  }
+
+  const Asked& asked_;
+  const std::vector<SeedOutcome>& seeds_;
+  std::size_t tested_ = 0;
+  std::string prefix_;
+  std::vector<Metric> metrics_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
+                                     const FoldOutcome& outcome) {
+  const auto last =
+      std::max_element(outcome.training_winners.begin(), outcome.training_winners.end());
+  const NeuronLabels labels = NeuronLabels::by_majority(
+      outcome.training_winners, at(classes.of_sample, fold.training), *last + 1);
+  Numbers named;
+  named.reserve(outcome.named_by.size());
+  for (const std::size_t neuron : outcome.named_by) named.push_back(*labels[neuron]);
+  return named;
+}
+
+std::vector<Metric> metrics_of(const Asked& asked, const std::vector<SeedOutcome>& seeds) {
+  return MetricsMaker(asked, seeds).make();
+}
+
+}  // namespace somato
