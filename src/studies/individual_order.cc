@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "somato/core/rank_correlation.h"
 #include "studies/exploration_samples.h"
 #include "studies/rank_order.h"
 
