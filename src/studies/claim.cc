@@ -93,8 +93,8 @@ Result<std::vector<Claim>> read_claims(const Table& file) {
 
 double ClaimOutcome::share() const {
   if (values.empty()) return 0.0;
-  const auto holding =
-      std::count_if(values.begin(), values.end(), [&](double value) { return holds(claim, value); });
+  const auto holding = std::count_if(values.begin(), values.end(),
+                                     [&](double value) { return holds(claim, value); });
   return static_cast<double>(holding) / static_cast<double>(values.size());
 }
 

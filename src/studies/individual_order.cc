@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "somato/core/rank_correlation.h"
 #include "studies/numbered_individuals.h"
 #include "studies/rank_order.h"
 

@@ -7,6 +7,7 @@
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
+#include "somato/core/rank_correlation.h"
 
 namespace somato {
 namespace {
@@ -66,17 +67,6 @@ Matrix<double> largest_alone(Matrix<double> matrix) {
   return matrix;
 }
 
-double sum_of_squares(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
-// Ranks less their mean.
-std::vector<double> centred_ranks(const std::vector<double>& values) {
-  std::vector<double> ranks = ranks_of(values);
-  for (double& rank : ranks) rank -= (static_cast<double>(ranks.size()) + 1.0) / 2.0;
-  return ranks;
-}
-
 double mean_order(const std::vector<OrderedGroup>& groups) {
   double sum = 0.0;
   for (const OrderedGroup& group : groups) {
@@ -90,27 +80,6 @@ void shuffle(std::vector<double>& values, Random& random) {
 }
 
 }  // namespace
-
-std::vector<double> ranks_of(const std::vector<double>& values) {
-  std::vector<double> ranks;
-  ranks.reserve(values.size());
-  for (const double value : values) {
-    const auto is_less = [&](double other) { return other < value; };
-    const auto less = std::count_if(values.begin(), values.end(), is_less);
-    const auto equal = std::count(values.begin(), values.end(), value);
-    ranks.push_back(static_cast<double>(less) + (static_cast<double>(equal) + 1.0) / 2.0);
-  }
-  return ranks;
-}
-
-double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  require(a.size() == b.size(), "a rank correlation needs as many values on either side");
-  const std::vector<double> ranks_a = centred_ranks(a);
-  const std::vector<double> ranks_b = centred_ranks(b);
-  const double spread = std::sqrt(sum_of_squares(ranks_a) * sum_of_squares(ranks_b));
-  if (spread <= 0.0) return 0.0;
-  return std::inner_product(ranks_a.begin(), ranks_a.end(), ranks_b.begin(), 0.0) / spread;
-}
 
 std::vector<double> principal_positions(const Matrix<double>& inner_products) {
   const std::size_t count = inner_products.rows();

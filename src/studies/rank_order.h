@@ -8,13 +8,6 @@
 
 namespace somato {
 
-/// Places from 1 in ascending order; equal values share the mean of theirs.
-std::vector<double> ranks_of(const std::vector<double>& values);
-
-/// Spearman's rank correlation: the correlation of the ranks, -1 to 1; 0 when the values of a side
-/// are all equal. Throws InvalidArgument when the sides differ in length.
-double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
-
 /// Where vectors lie along the direction in which they differ most (the first principal component),
 /// up to sign and scale, from their inner products, n x n. All 0 when the vectors are equal.
 std::vector<double> principal_positions(const Matrix<double>& inner_products);

@@ -1,7 +1,8 @@
 #include "somato/studies/results.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "studies/results_json.h"
 
 namespace somato {
 namespace {
@@ -33,20 +34,6 @@ Json runs_json(const std::vector<Run>& runs) {
   return json;
 }
 
-Json systems_json(const std::vector<SystemResults>& systems) {
-  Json json = Json::array();
-  for (const SystemResults& system : systems) {
-    Json one = {{"name", system.name}, {"protocol", system.protocol}};
-    if (!system.group.empty()) one["group"] = system.group;
-    one.update({{"label", system.label},
-                {"samples", system.samples},
-                {"metrics", metrics_json(system.metrics)},
-                {"runs", runs_json(system.runs)}});
-    json.push_back(std::move(one));
-  }
-  return json;
-}
-
 // TOML's numbers, texts, switches and lists of them are JSON's as they stand; only a text that is
 // not UTF-8 is not.
 Json setting_json(const std::string& value) {
@@ -54,7 +41,19 @@ Json setting_json(const std::string& value) {
   return json.is_discarded() ? Json(value) : json;
 }
 
-Json settings_json(const std::vector<Settings>& parts) {
+}  // namespace
+
+Json detail::system_json(const SystemResults& system) {
+  Json json = {{"name", system.name}, {"protocol", system.protocol}};
+  if (!system.group.empty()) json["group"] = system.group;
+  json.update({{"label", system.label},
+               {"samples", system.samples},
+               {"metrics", metrics_json(system.metrics)},
+               {"runs", runs_json(system.runs)}});
+  return json;
+}
+
+Json detail::settings_json(const std::vector<Settings>& parts) {
   Json json = Json::object();
   for (const Settings& part : parts) {
     for (const Setting& setting : part.settings) {
@@ -63,8 +62,6 @@ Json settings_json(const std::vector<Settings>& parts) {
   }
   return json;
 }
-
-}  // namespace
 
 double Metric::mean() const {
   double sum = 0.0;
@@ -84,10 +81,13 @@ std::string to_json(const StudyResults& results) {
   Json json = {{"version", kVersion},
                {"study", results.study},
                {"seeds", results.seeds},
-               {"settings", settings_json(results.settings)},
+               {"settings", detail::settings_json(results.settings)},
                {"data_hash", results.data_hash}};
   if (!results.test_data_hash.empty()) json["test_data_hash"] = results.test_data_hash;
-  json["systems"] = systems_json(results.systems);
+  json["systems"] = Json::array();
+  for (const SystemResults& system : results.systems) {
+    json["systems"].push_back(detail::system_json(system));
+  }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

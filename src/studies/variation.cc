@@ -20,10 +20,11 @@ std::vector<std::string> names_of(const Table& table) {
 
 Error misfit(const Table::Entry& entry) {
   const bool table = std::holds_alternative<Table>(entry.content);
-  return {ErrorKind::kUsage,
-          "'" + entry.name + "' is " + (table ? "no table" : "a table") + " in the system's file",
-          entry.where,
-          table ? "give it a value" : "change the keys in it, as with " + entry.name + ".KEY = ..."};
+  return {
+      ErrorKind::kUsage,
+      "'" + entry.name + "' is " + (table ? "no table" : "a table") + " in the system's file",
+      entry.where,
+      table ? "give it a value" : "change the keys in it, as with " + entry.name + ".KEY = ..."};
 }
 
 Result<void> change(Table& table, const Table& changes, const std::string& name);

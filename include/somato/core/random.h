@@ -18,6 +18,7 @@ enum class Stream : std::uint32_t {
   kDraws = 1,
   kGroupings = 2,
   kNoise = 3,
+  kSizeOrder = 4,
   kTextureProbe = 20,
   kHardnessProbe = 21,
   kServoPlay = 103,

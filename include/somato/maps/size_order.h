@@ -18,7 +18,8 @@ struct MappedIndividual {
 
 /// The mean position of each individual's winners, in the plane of the grid (a torus is cut open at
 /// its edges). `individuals[i]` is that of sample i, numbered from 0 without gaps; `numbers` and
-/// `groups` have one value an individual. Throws InvalidArgument when the sizes do not fit.
+/// `groups` have one value an individual. Throws InvalidArgument when the sizes do not fit, a
+/// winner is not on the grid, or an individual has no sample.
 std::vector<MappedIndividual> mapped_individuals(const Grid& grid,
                                                  const std::vector<std::size_t>& winners,
                                                  const std::vector<std::size_t>& individuals,
@@ -26,22 +27,25 @@ std::vector<MappedIndividual> mapped_individuals(const Grid& grid,
                                                  const std::vector<std::size_t>& groups);
 
 /// How well individuals lie around the map in the order of their numbers: P11's "ordered in a
-/// clockwise manner according to size". An individual's angle is that of its position around the
-/// mean of all positions. A map may be mirrored and has no first angle, so of both directions and
-/// all starting points the best is taken; luck gets the same choice.
+/// clockwise manner according to size" (III-B). An individual's angle is that of its position
+/// around the mean of all positions; equal angles share their place, and an individual at the mean
+/// itself, which has no angle, gets the middle place. A map may be mirrored and has no first angle,
+/// so of both directions and all starting points the best is taken; luck gets the same choice.
 struct CircularOrder {
-  /// Spearman's rank correlation of number and place around the map; at most 1.
+  /// Spearman's rank correlation of number and place around the map, 0 to 1.
   double around = 0.0;
-  /// The same within each group, averaged over the groups with at least three different numbers; one
-  /// direction for all groups, each its own starting point. 0 without such a group.
+  /// The same within each group, averaged over the groups with at least three different numbers;
+  /// one direction for all groups, each its own starting point. 0 without such a group. Three at
+  /// three angles are always in order in one direction: groups of three tell little.
   double within = 0.0;
 };
 
-/// Throws InvalidArgument without individuals.
+/// Throws InvalidArgument without individuals, or with a number or position that is not finite.
 CircularOrder circular_order(const std::vector<MappedIndividual>& individuals);
 
 /// What luck gives: the means over `shuffles` shufflings of the numbers, for `within` within their
-/// groups, and the shares of shufflings that come at least as high as the true order.
+/// groups (0 for none), and the shares of shufflings that come at least as high as the true order,
+/// which is counted as one of them: never 0. Throws what circular_order() throws.
 struct CircularOrderByLuck {
   CircularOrder mean;
   CircularOrder share_as_high;

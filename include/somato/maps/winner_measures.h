@@ -9,24 +9,25 @@ namespace somato {
 
 // What the papers read off a trained map, as counts over the samples' winners: `winners[i]` is the
 // neuron of sample i and `classes[i]` its class, numbered from 0. All throw InvalidArgument when
-// the two differ in number, when there is no sample, or when a winner is not on the grid.
+// the two differ in number, when there is no sample, or when a winner is not on the grid they get.
 // docs/reference/results.md says which sentence of which paper each stands for.
 
 /// For each class up to the greatest number, whether it is told exactly: it has samples, and no
-/// neuron that one of them wins is won by a sample of another class. Of P11's materials "perfectly
-/// discriminated".
+/// neuron that wins one of them wins a sample of another class. Of P11's materials "perfectly
+/// discriminated" (IV-F).
 std::vector<bool> classes_told_exactly(const std::vector<std::size_t>& winners,
                                        const std::vector<std::size_t>& classes);
 
 /// How many samples share their neuron with a sample of another class: of P11's explorations whose
-/// "hard/soft category is undetermined".
+/// "hard/soft category is undetermined" (IV-F).
 std::size_t undetermined_samples(const std::vector<std::size_t>& winners,
                                  const std::vector<std::size_t>& classes);
 
 /// For each sample the class that its surroundings on the map stand for: of the other samples whose
-/// winners are nearest to its own on the grid (at distance 0 if any), the class with most; in a tie
-/// the sample's own class if it is among them, else the lowest number. A single sample stands for
-/// itself. A sample whose surroundings are of another class is "mapped with" that one.
+/// winners are nearest to its own on the grid (at distance 0 if any; squared distances within 1e-9
+/// are equal), the class with most; in a tie the sample's own class if it is among them, else the
+/// lowest number. A single sample stands for itself. A sample whose surroundings are of another
+/// class is "mapped with" that one (P11, III-B).
 std::vector<std::size_t> classes_of_surroundings(const Grid& grid,
                                                  const std::vector<std::size_t>& winners,
                                                  const std::vector<std::size_t>& classes);
@@ -36,6 +37,7 @@ std::vector<std::size_t> classes_of_surroundings(const Grid& grid,
 double share_on_border(const Grid& grid, const std::vector<std::size_t>& winners);
 
 /// The share of neurons that stand there: what a map with its samples spread evenly would have.
+/// Throws InvalidArgument for a grid without neurons.
 double border_of(const Grid& grid);
 
 }  // namespace somato

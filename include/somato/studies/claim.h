@@ -26,7 +26,8 @@ struct Claim {
   std::optional<double> published;
   std::optional<double> at_least;
   std::optional<double> at_most;
-  std::string where;  ///< `file:line`; not declared.
+  std::string where = {};     ///< `file:line`; not declared.
+  std::string question = {};  ///< That it belongs to, or empty; not declared.
 
   /// Whether it is about the difference of two.
   bool compares() const { return !than_system.empty() || !than_variation.empty(); }

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/core/value.h"
+#include "somato/studies/claim.h"
+#include "somato/studies/results.h"
+#include "somato/studies/study_parameters.h"
+#include "somato/studies/variation.h"
+
+namespace somato {
+
+/// What a file about several systems asks: its table `[question]`.
+struct QuestionParameters {
+  std::string name;
+  std::string text;
+  std::vector<std::string> systems;
+  std::size_t pairs = 24;
+
+  static const Declarations<QuestionParameters>& declarations();
+};
+
+/// One thing to run: a system as a file describes it, with a question's changes.
+struct ReproductionPart {
+  std::string question;   ///< Empty: the system is asked for itself.
+  std::string system;     ///< Name of its study.
+  std::string variation;  ///< Empty: as it stands.
+  StudyDescription description;
+  Table explore;                     ///< The table `[explore]`; empty without one.
+  std::optional<std::size_t> pairs;  ///< At most so many; of a question.
+};
+
+/// What files ask to be run, and what is claimed.
+struct ReproductionPlan {
+  std::vector<ReproductionPart> parts;
+  std::vector<Claim> claims;  ///< Each with its `system`, and `than_system` where it compares.
+};
+
+/// A TOML file that was read, by the name that it is asked for with.
+struct NamedFile {
+  std::string name;
+  Table content;
+};
+
+/// Adds what a file asks for to the plan: a system as it stands, then its variations; or those of a
+/// question (a file with a table [question]). `systems` are the files that a question may name.
+/// Errors (kUsage) with their place: those of the descriptions; a question about a system that is
+/// not among them; a claim about something that is not run.
+Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
+                         ReproductionPlan& plan);
+
+/// One training and testing of a system: which recording, and the seed of what learns.
+struct Pair {
+  std::size_t recording = 0;
+  std::uint64_t seed = 0;
+};
+
+/// How many of `pairs` a recording has: as equal numbers as can be, the first recordings one more.
+std::size_t pairs_of(std::size_t recording, std::size_t recordings, std::size_t pairs);
+
+/// What came of a part: its study under each protocol, over all pairs of recording and seed.
+struct PartResults {
+  std::string question;
+  std::string system;
+  std::string variation;
+  std::vector<std::string> recordings;  ///< Names of those it was run on.
+  std::vector<Settings> settings;       ///< As the first recording decided them.
+  std::vector<Pair> pairs;
+  std::vector<SystemResults> protocols;  ///< Metrics with one value a pair, runs one a pair.
+};
+
+/// Adds what a study found on recording number `recording` of the part, whose seeds follow those of
+/// the recording before. Throws InvalidArgument when protocols or metrics differ from those before.
+void add_results(const StudyResults& found, std::size_t recording, PartResults& part);
+
+/// A recording that was explored or given.
+struct RecordingInfo {
+  std::string name;
+  std::string source;  ///< Where it comes from: its settings, or its path's last part.
+  std::uint64_t seed = 0;
+  std::string data_hash;
+  std::size_t explorations = 0;
+};
+
+/// A system that was asked for and could not be run on what was given.
+struct NotApplicable {
+  std::string system;
+  std::string reason;
+};
+
+/// Everything that a reproduction found.
+struct ReproductionResults {
+  std::uint64_t seed = 0;
+  std::size_t pairs = 0;
+  std::vector<RecordingInfo> recordings;
+  std::vector<PartResults> parts;
+  std::vector<ClaimOutcome> claims;
+  std::vector<NotApplicable> not_applicable;
+};
+
+/// How the claims came out; those about something that was not run are left out.
+std::vector<ClaimOutcome> judge(const std::vector<Claim>& claims,
+                                const std::vector<PartResults>& parts);
+
+/// The results as results.json of a reproduction, version 1; the same bytes for the same results.
+std::string to_json(const ReproductionResults& results);
+
+}  // namespace somato

@@ -1,0 +1,177 @@
+#include "somato/studies/reproduction.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "somato/core/check.h"
+#include "studies/results_json.h"
+
+namespace somato {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+
+void append(const SystemResults& found, SystemResults& all) {
+  require(found.protocol == all.protocol && found.group == all.group &&
+              found.metrics.size() == all.metrics.size(),
+          "recordings of one part must be asked the same");
+  for (std::size_t i = 0; i < all.metrics.size(); ++i) {
+    require(found.metrics[i].name == all.metrics[i].name,
+            "recordings of one part must be measured alike");
+    const std::vector<double>& values = found.metrics[i].values;
+    all.metrics[i].values.insert(all.metrics[i].values.end(), values.begin(), values.end());
+  }
+  all.runs.insert(all.runs.end(), found.runs.begin(), found.runs.end());
+}
+
+const Metric* find_metric(const PartResults& part, const Claim& claim, const std::string& name) {
+  for (const SystemResults& protocol : part.protocols) {
+    if (protocol.protocol != claim.protocol || protocol.group != claim.group) continue;
+    const auto found = std::find_if(protocol.metrics.begin(), protocol.metrics.end(),
+                                    [&](const Metric& metric) { return metric.name == name; });
+    if (found != protocol.metrics.end()) return &*found;
+  }
+  return nullptr;
+}
+
+// Compared with a system of another file, a claim looks at that one as it was run for itself.
+const PartResults* find_part(const std::vector<PartResults>& parts, const std::string& question,
+                             const std::string& system, const std::string& variation) {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const PartResults& part) {
+    return part.question == question && part.system == system && part.variation == variation;
+  });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResults>& parts) {
+  const PartResults* part = find_part(parts, claim.question, claim.system, claim.variation);
+  const Metric* metric = part ? find_metric(*part, claim, claim.metric) : nullptr;
+  if (!metric) return {};
+  ClaimOutcome outcome{claim, metric->values, {}};
+  if (!claim.compares()) {
+    const Metric* luck = find_metric(*part, claim, claim.metric + "_by_luck");
+    if (luck) outcome.by_luck = luck->mean();
+    return outcome;
+  }
+  const PartResults* than =
+      find_part(parts, claim.question, claim.than_system, claim.than_variation);
+  const Metric* other = than ? find_metric(*than, claim, claim.metric) : nullptr;
+  if (!other || other->values.size() != metric->values.size()) return {};
+  for (std::size_t i = 0; i < outcome.values.size(); ++i) outcome.values[i] -= other->values[i];
+  return outcome;
+}
+
+Json recordings_json(const std::vector<RecordingInfo>& recordings) {
+  Json json = Json::array();
+  for (const RecordingInfo& recording : recordings) {
+    json.push_back({{"name", recording.name},
+                    {"source", recording.source},
+                    {"seed", recording.seed},
+                    {"data_hash", recording.data_hash},
+                    {"explorations", recording.explorations}});
+  }
+  return json;
+}
+
+Json pairs_json(const std::vector<Pair>& pairs) {
+  Json json = Json::array();
+  for (const Pair& pair : pairs) json.push_back({pair.recording, pair.seed});
+  return json;
+}
+
+Json parts_json(const std::vector<PartResults>& parts) {
+  Json json = Json::array();
+  for (const PartResults& part : parts) {
+    Json protocols = Json::array();
+    for (const SystemResults& protocol : part.protocols) {
+      protocols.push_back(detail::system_json(protocol));
+    }
+    json.push_back({{"question", part.question},
+                    {"system", part.system},
+                    {"variation", part.variation},
+                    {"settings", detail::settings_json(part.settings)},
+                    {"recordings", part.recordings},
+                    {"pairs", pairs_json(part.pairs)},
+                    {"protocols", std::move(protocols)}});
+  }
+  return json;
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json claim_json(const ClaimOutcome& outcome) {
+  const Claim& claim = outcome.claim;
+  const Metric values{claim.metric, outcome.values};
+  Json json = {{"text", claim.text},           {"paper", claim.paper},
+               {"question", claim.question},   {"system", claim.system},
+               {"variation", claim.variation}, {"metric", claim.metric},
+               {"protocol", claim.protocol},   {"group", claim.group}};
+  if (claim.compares()) {
+    json["than_system"] = claim.than_system;
+    json["than_variation"] = claim.than_variation;
+  }
+  json["published"] = optional_json(claim.published);
+  json["at_least"] = optional_json(claim.at_least);
+  json["at_most"] = optional_json(claim.at_most);
+  json["share"] = outcome.share();
+  json["mean"] = values.mean();
+  json["sd"] = values.standard_deviation();
+  json["by_luck"] = optional_json(outcome.by_luck);
+  json["pairs"] = outcome.values.size();
+  return json;
+}
+
+}  // namespace
+
+std::size_t pairs_of(std::size_t recording, std::size_t recordings, std::size_t pairs) {
+  return pairs / recordings + (recording < pairs % recordings ? 1 : 0);
+}
+
+void add_results(const StudyResults& found, std::size_t recording, PartResults& part) {
+  require(!found.systems.empty(), "a study finds something under each of its protocols");
+  for (const Run& run : found.systems.front().runs) part.pairs.push_back({recording, run.seed});
+  if (part.protocols.empty()) {
+    part.protocols = found.systems;
+    part.settings = found.settings;
+    return;
+  }
+  require(part.protocols.size() == found.systems.size(),
+          "recordings of one part must have the same protocols");
+  for (std::size_t i = 0; i < found.systems.size(); ++i) {
+    append(found.systems[i], part.protocols[i]);
+  }
+}
+
+std::vector<ClaimOutcome> judge(const std::vector<Claim>& claims,
+                                const std::vector<PartResults>& parts) {
+  std::vector<ClaimOutcome> outcomes;
+  for (const Claim& claim : claims) {
+    if (auto outcome = judge(claim, parts)) outcomes.push_back(std::move(*outcome));
+  }
+  return outcomes;
+}
+
+std::string to_json(const ReproductionResults& results) {
+  Json claims = Json::array();
+  for (const ClaimOutcome& outcome : results.claims) claims.push_back(claim_json(outcome));
+  Json skipped = Json::array();
+  for (const NotApplicable& one : results.not_applicable) {
+    skipped.push_back({{"system", one.system}, {"reason", one.reason}});
+  }
+  const Json json = {{"version", kVersion},
+                     {"seed", results.seed},
+                     {"pairs", results.pairs},
+                     {"recordings", recordings_json(results.recordings)},
+                     {"systems", parts_json(results.parts)},
+                     {"claims", std::move(claims)},
+                     {"not_applicable", std::move(skipped)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace somato

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <utility>
+
+#include "somato/studies/reproduction.h"
+
+namespace somato {
+namespace {
+
+constexpr const char* kQuestion = "question";
+
+const Table* table_named(const Table& file, const std::string& name) {
+  const Table::Entry* entry = file.find(name);
+  return entry ? std::get_if<Table>(&entry->content) : nullptr;
+}
+
+// What may stand in a question beside its changes.
+bool belongs_to_question(const std::string& name) {
+  return name == kQuestion || name == "variation" || name == "claim";
+}
+
+Result<QuestionParameters> read_question(const Table& file) {
+  const Table* table = table_named(file, kQuestion);
+  if (!table) {
+    return fail(ErrorKind::kUsage, "'question' must be a table", file.find(kQuestion)->where,
+                "write [question] on a line of its own, its keys below");
+  }
+  auto question = read_parameters<QuestionParameters>(*table);
+  if (!question) return question;
+  if (question->name.empty() || question->systems.empty()) {
+    return fail(ErrorKind::kUsage, "a question needs a name and systems", table->where,
+                "add name = \"...\" and systems = [\"...\"] to [question]");
+  }
+  return question;
+}
+
+Result<ReproductionPart> part_of(const Table& file, const std::string& question,
+                                 const std::string& variation, std::optional<std::size_t> pairs) {
+  auto description = read_study(file);
+  if (!description) return fail(std::move(description.error()));
+  ReproductionPart part{question, description->study.name, variation, {}, {}, pairs};
+  part.description = std::move(*description);
+  if (const Table* explore = table_named(file, "explore")) part.explore = *explore;
+  return part;
+}
+
+Result<void> add_part(const Table& file, const std::string& question, const std::string& variation,
+                      std::optional<std::size_t> pairs, ReproductionPlan& plan) {
+  auto part = part_of(file, question, variation, pairs);
+  if (!part) return fail(std::move(part.error()));
+  plan.parts.push_back(std::move(*part));
+  return {};
+}
+
+bool is_for(const Variation& variation, const std::string& system) {
+  const auto& systems = variation.systems;
+  return systems.empty() || std::find(systems.begin(), systems.end(), system) != systems.end();
+}
+
+// The file, if it is asked for as it stands, and with each of the variations.
+Result<void> add_variations(const Table& file, const std::string& system,
+                            const std::string& question, const std::vector<Variation>& variations,
+                            std::optional<std::size_t> pairs, ReproductionPlan& plan) {
+  for (const Variation& variation : variations) {
+    if (!is_for(variation, system)) continue;
+    auto varied = with_changes(file, variation.changes);
+    if (!varied) return fail(std::move(varied.error()));
+    auto added = add_part(*varied, question, variation.name, pairs, plan);
+    if (!added) return added;
+  }
+  return {};
+}
+
+Result<const NamedFile*> find_system(const std::vector<NamedFile>& systems, const std::string& name,
+                                     const std::string& where) {
+  std::vector<std::string> known;
+  for (const NamedFile& system : systems) {
+    if (system.name == name) return &system;
+    known.push_back(system.name);
+  }
+  return fail(unknown_name("system", name, where, known));
+}
+
+// What the question changes for all of its variations: [study], [explore], [module.NAME].
+Table common_changes(const Table& file) {
+  Table changes{file.where, {}};
+  for (const Table::Entry& entry : file.entries) {
+    if (!belongs_to_question(entry.name)) changes.entries.push_back(entry);
+  }
+  return changes;
+}
+
+Result<void> check_names(const std::vector<Variation>& variations,
+                         const std::vector<std::string>& systems) {
+  for (const Variation& variation : variations) {
+    for (const std::string& system : variation.systems) {
+      if (std::find(systems.begin(), systems.end(), system) != systems.end()) continue;
+      return fail(unknown_name("system of the question", system, variation.where, systems));
+    }
+  }
+  return {};
+}
+
+Result<void> add_question(const NamedFile& file, const std::vector<NamedFile>& systems,
+                          const std::vector<Variation>& variations, ReproductionPlan& plan) {
+  const auto question = read_question(file.content);
+  if (!question) return fail(question.error());
+  if (auto known = check_names(variations, question->systems); !known) return known;
+  for (const std::string& name : question->systems) {
+    const auto system = find_system(systems, name, table_named(file.content, kQuestion)->where);
+    if (!system) return fail(system.error());
+    const auto changed = with_changes((*system)->content, common_changes(file.content));
+    if (!changed) return fail(changed.error());
+    Result<void> added = add_part(*changed, question->name, {}, question->pairs, plan);
+    if (added) {
+      added = add_variations(*changed, name, question->name, variations, question->pairs, plan);
+    }
+    if (!added) return added;
+  }
+  return {};
+}
+
+bool is_run(const ReproductionPlan& plan, std::size_t first, const std::string& system,
+            const std::string& variation) {
+  const auto begin = plan.parts.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::any_of(begin, plan.parts.end(), [&](const ReproductionPart& part) {
+    return part.system == system && part.variation == variation;
+  });
+}
+
+// Claims of a file are about the parts that it added.
+Result<void> add_claims(const Table& file, std::size_t first_part, const std::string& question,
+                        ReproductionPlan& plan) {
+  auto claims = read_claims(file);
+  if (!claims) return fail(std::move(claims.error()));
+  for (Claim& claim : *claims) {
+    if (claim.system.empty()) claim.system = plan.parts[first_part].system;
+    const bool compares = claim.compares();
+    if (compares && claim.than_system.empty()) claim.than_system = claim.system;
+    const bool other_file = question.empty() && compares && claim.than_system != claim.system;
+    const bool known = is_run(plan, first_part, claim.system, claim.variation) &&
+                       (!compares || other_file ||
+                        is_run(plan, first_part, claim.than_system, claim.than_variation));
+    if (!known) {
+      return fail(ErrorKind::kUsage, "the claim is about something that is not run", claim.where,
+                  "name systems and variations of this file");
+    }
+    claim.question = question;
+    plan.claims.push_back(std::move(claim));
+  }
+  return {};
+}
+
+}  // namespace
+
+const Declarations<QuestionParameters>& QuestionParameters::declarations() {
+  using P = QuestionParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "name", [](P& p) -> auto& { return p.name; }, "", Range::any(),
+              "Name of the question; stands in the results. Has to be given.")
+          .add(
+              "text", [](P& p) -> auto& { return p.text; }, "", Range::any(),
+              "What is asked, in one sentence.")
+          .add(
+              "systems", [](P& p) -> auto& { return p.systems; }, "", Range::any(),
+              "Names of the systems it is asked of.")
+          .add(
+              "pairs", [](P& p) -> auto& { return p.pairs; }, "", Range::between(1, 1e6),
+              "Pairs of recording and seed for each variation; fewer where fewer are asked for.");
+  return declared;
+}
+
+Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
+                         ReproductionPlan& plan) {
+  const auto variations = read_variations(file.content);
+  if (!variations) return fail(variations.error());
+  const std::size_t first = plan.parts.size();
+  if (file.content.find(kQuestion)) {
+    auto added = add_question(file, systems, *variations, plan);
+    if (!added) return added;
+    return add_claims(file.content, first, plan.parts[first].question, plan);
+  }
+  Result<void> added = add_part(file.content, {}, {}, {}, plan);
+  if (added) {
+    added = add_variations(file.content, plan.parts[first].system, {}, *variations, {}, plan);
+  }
+  return added ? add_claims(file.content, first, {}, plan) : added;
+}
+
+}  // namespace somato
