@@ -11,29 +11,19 @@ struct SizedThing {
   std::size_t group = 0;
 };
 
-<<<<<<< HEAD
-/// For each of `asked` the known things most similar to it: of the same group those with the
-/// nearest number, both in a tie; none without one of its group.
-=======
 /// For each of `asked` the known things most similar to it, ascending: of the same group those with
 /// the nearest number, both in a tie (numbers as near but for rounding); none without one of its
 /// group. What P11 (III-B) calls the most similar object of the training set: the paper leaves open
 /// how it judged that, and shape and size are all it tells of its objects. Throws InvalidArgument
 /// for a number that is not finite.
->>>>>>> 34b6d2357381a084afe83aed78ab5c086c4bd708
 std::vector<std::vector<std::size_t>> most_similar(const std::vector<SizedThing>& known,
                                                    const std::vector<SizedThing>& asked);
 
 /// Whether each thing is one of the large ones of its group: not below the median thing of the
-<<<<<<< HEAD
-/// group, the upper one of two. P11 tells small from large cylinders and blocks; which are which is
-/// not given in the paper.
-=======
 /// group, the upper one of two; of five, two are small and three large. Equal numbers are never
 /// parted, so where the lower half equals the median all are large. P11 (III-B, Fig. 6b) tells
 /// small from large cylinders and blocks; which are which, and how many, is not given in the paper.
 /// Throws InvalidArgument for a number that is not finite.
->>>>>>> 34b6d2357381a084afe83aed78ab5c086c4bd708
 std::vector<bool> is_large(const std::vector<SizedThing>& things);
 
 }  // namespace somato
