@@ -54,11 +54,7 @@ std::string key_of(const std::string& flag) {
 class Parser {
  public:
   Parser(CLI::App& app, const Command& command) : app_(app), command_(command) {
-    for (const Positional& positional : command.positionals) {
-      add(positional.name, positional.name, positional.text)
-          ->required(positional.required)
-          ->type_name("");
-    }
+    for (const Positional& positional : command.positionals) add_positional(positional);
     for (const Flag& flag : command.flags) add_flag(flag);
     for (const ParameterInfo& info : command.parameters) {
       CLI::Option* option =
@@ -76,6 +72,12 @@ class Parser {
       if (option->count() == 0) continue;
       if (auto usable = check(*option); !usable) return usable;
       arguments.texts[name] = option->results().back();
+    }
+    for (const auto& [name, option] : lists_) {
+      for (const std::string& value : option->results()) {
+        if (value.empty()) return fail(usage_error("the value is empty", name));
+      }
+      if (option->count() > 0) arguments.lists[name] = option->results();
     }
     return command_.run(arguments);
   }
@@ -96,6 +98,19 @@ class Parser {
     option->take_last();  // check() tells of repeats
     options_[key] = option;
     return option;
+  }
+
+  void add_positional(const Positional& positional) {
+    CLI::Option* option = nullptr;
+    if (positional.many) {
+      auto values = std::make_unique<std::vector<std::string>>();
+      option = app_.add_option(positional.name, *values, positional.text);
+      many_values_.push_back(std::move(values));
+      lists_[positional.name] = option;
+    } else {
+      option = add(positional.name, positional.name, positional.text);
+    }
+    option->required(positional.required)->type_name("");
   }
 
   // "--free" alone means "--free true".
@@ -126,6 +141,8 @@ class Parser {
   const Command& command_;
   std::vector<std::unique_ptr<std::string>> values_;
   std::map<std::string, CLI::Option*> options_;
+  std::vector<std::unique_ptr<std::vector<std::string>>> many_values_;
+  std::map<std::string, CLI::Option*> lists_;
 };
 
 std::vector<std::string> names_of_subcommands(const CLI::App& app) {

@@ -16,6 +16,7 @@ struct Positional {
   std::string name;  ///< Upper case, as the usage shows it.
   std::string text;
   bool required = true;
+  bool many = false;  ///< Takes all that is left, at least one where it is required.
 };
 
 /// A flag that is no parameter of a struct: where things come from and go to.
@@ -30,6 +31,7 @@ struct Flag {
 class Arguments {
  public:
   std::map<std::string, std::string> texts;
+  std::map<std::string, std::vector<std::string>> lists;  ///< Of positionals that take many.
 
   bool has(const std::string& name) const { return texts.contains(name); }
   std::string text(const std::string& name) const;

@@ -5,6 +5,7 @@
 namespace somato::program {
 
 Command run_command();
+Command reproduce_command();
 Command information_command();
 Command apply_command();
 Command systems_command();

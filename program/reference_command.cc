@@ -37,7 +37,8 @@ std::string flag_cell(const Flag& flag) {
 std::string usage_of(const Command& command) {
   std::string usage = "somato " + command.name;
   for (const Positional& positional : command.positionals) {
-    usage += positional.required ? " " + positional.name : " [" + positional.name + "]";
+    const std::string name = positional.name + (positional.many ? "..." : "");
+    usage += positional.required ? " " + name : " [" + name + "]";
   }
   for (const Flag& flag : command.flags) {
     if (flag.required) usage += fmt::format(" {} ...", flag.name.substr(0, flag.name.find(',')));

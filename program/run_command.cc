@@ -8,42 +8,48 @@
 #include "commands.h"
 #include "data.h"
 #include "explanation.h"
+#include "explore_table.h"
 #include "output_folder.h"
-#include "somato/drawing/map_picture.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/format.h"
 #include "somato/recording/layout.h"
+#include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
 #include "study_data.h"
 #include "terminal.h"
+#include "winners_picture.h"
 
 namespace somato::program {
 namespace {
+
+// Variations, claims and what to explore belong to 'reproduce', but are never wrong unnoticed.
+Result<void> read_file(const std::string& path, const Table& file, ReproductionPlan& plan) {
+  if (file.find("question")) {
+    return fail(ErrorKind::kUsage, "the file asks a question about several systems", path,
+                "answer it with 'somato reproduce'");
+  }
+  if (auto added = add_to_plan({path, file}, {}, plan); !added) return added;
+  for (const ReproductionPart& part : plan.parts) {
+    if (part.explore.entries.empty()) continue;
+    if (auto read = read_explore_table(part.explore); !read) return fail(std::move(read.error()));
+  }
+  return {};
+}
 
 Result<StudyDescription> describe(const Arguments& arguments) {
   auto seeds = arguments.number("seeds", 1);
   if (!seeds) return fail(std::move(seeds.error()));
   Result<Table> file = read_toml(arguments.text("STUDY"));
   if (!file) return fail(std::move(file.error()));
-  Result<StudyDescription> description = read_study(*file);
-  if (!description) return description;
-  if (*seeds) description->study.seeds = **seeds;
+  ReproductionPlan plan;
+  if (auto read = read_file(arguments.text("STUDY"), *file, plan); !read) {
+    return fail(std::move(read.error()));
+  }
+  StudyDescription description = std::move(plan.parts.front().description);
+  if (*seeds) description.study.seeds = **seeds;
   return description;
-}
-
-std::string picture_of(const StudyDescription& description, const StudyOutcome& outcome) {
-  LabelPanel panel;
-  panel.title = "Winners by " + description.study.label;
-  panel.grid = outcome.map().grid();
-  panel.class_names = outcome.classes.names;
-  panel.winners = outcome.winners;
-  panel.classes = outcome.classes.of_sample;
-  const std::string caption =
-      fmt::format("{} explorations, trained and shown on all of them; seed {}.",
-                  outcome.winners.size(), description.study.first_seed);
-  return draw_picture(description.study.name, caption, {panel});
 }
 
 std::string summary(const Metric& metric) {
@@ -64,7 +70,8 @@ void print_table(const StudyResults& results) {
 Result<void> save(const OutputFolder& folder, const StudyDescription& description,
                   const StudyOutcome& outcome) {
   if (auto saved = save_whole(folder.results(), to_json(outcome.results)); !saved) return saved;
-  if (auto saved = save_whole(folder.map(), picture_of(description, outcome)); !saved) return saved;
+  if (auto saved = save_whole(folder.map(), winners_picture(description, outcome)); !saved)
+    return saved;
   return save_system(folder.system(), outcome.model.system, outcome.model.answer);
 }
 

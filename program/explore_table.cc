@@ -1,0 +1,56 @@
+#include "explore_table.h"
+
+#include <utility>
+
+namespace somato::program {
+
+const Declarations<ExploreParameters>& ExploreParameters::declarations() {
+  using P = ExploreParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add(
+              "body", [](P& p) -> auto& { return p.body; }, "", Range::any(),
+              "What explores. Has to be given.")
+          .add(
+              "objects", [](P& p) -> auto& { return p.objects; }, "", Range::any(),
+              "TOML file with the things to explore; empty: the body's own table.")
+          .add(
+              "explorations", [](P& p) -> auto& { return p.explorations; }, "",
+              Range::between(1, 1e6), "Explorations of each thing.")
+          .add(
+              "new_objects", [](P& p) -> auto& { return p.new_objects; }, "", Range::any(),
+              "Whether new objects of the body are explored once each, to test with.");
+  return declared;
+}
+
+Result<ExploreTable> read_explore_table(const Table& table) {
+  Table keys{table.where, {}};
+  Table tables{table.where, {}};
+  for (const Table::Entry& entry : table.entries) {
+    (std::holds_alternative<Table>(entry.content) ? tables : keys).entries.push_back(entry);
+  }
+  if (!keys.find("body")) {
+    return fail(ErrorKind::kUsage, "[explore] needs a body", table.where,
+                "add body = \"lucs2\", or another");
+  }
+  auto explore = read_parameters<ExploreParameters>(keys);
+  if (!explore) return fail(std::move(explore.error()));
+  if (explore->new_objects && explore->body != ExploringBody::kLucs3) {
+    return fail(ErrorKind::kUsage, "only lucs3 has a table of new objects",
+                keys.find("new_objects")->where, "test with --test-data instead");
+  }
+  auto exploring = read_exploring_parameters(tables);
+  if (!exploring) return fail(std::move(exploring.error()));
+  return ExploreTable{std::move(*explore), std::move(*exploring)};
+}
+
+std::string to_text(const ExploreTable& table) {
+  const ExploringParameters& all = table.exploring;
+  return parameters_to_toml(table.explore) + parameters_to_toml(all.simulation) +
+         parameters_to_toml(all.plan) + parameters_to_toml(all.grasp) +
+         parameters_to_toml(all.closing) + parameters_to_toml(all.texture_probe) +
+         parameters_to_toml(all.stroke) + parameters_to_toml(all.hardness_probe) +
+         parameters_to_toml(all.press);
+}
+
+}  // namespace somato::program

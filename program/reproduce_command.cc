@@ -1,0 +1,324 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "commands.h"
+#include "data.h"
+#include "output.h"
+#include "reproduction_recordings.h"
+#include "reproduction_table.h"
+#include "somato/files/toml_file.h"
+#include "somato/files/whole_file.h"
+#include "somato/studies/own_systems.h"
+#include "somato/studies/reproduction.h"
+#include "somato/studies/study.h"
+#include "study_data.h"
+#include "terminal.h"
+#include "winners_picture.h"
+
+namespace somato::program {
+namespace {
+
+constexpr const char* kAll = "all";
+
+// What was asked for on the command line.
+struct Request {
+  ReproductionPlan plan;
+  bool everything = false;  ///< Systems that do not apply to what is given are passed over.
+  std::size_t pairs = 100;
+  std::size_t recordings = 6;
+  std::uint64_t seed = 2011;
+  std::size_t threads = 1;
+  std::filesystem::path out;
+  std::optional<GivenRecordings> given;
+  std::optional<Recording> test_data;
+};
+
+// The papers' systems and questions explore; those for data sets need data.
+std::vector<NamedFile> files_of_everything(const OwnSystems& own, bool data_given) {
+  std::vector<NamedFile> files = own.systems;
+  const auto& more = data_given ? own.recorded : own.questions;
+  files.insert(files.end(), more.begin(), more.end());
+  return files;
+}
+
+Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
+  if (name.ends_with(".toml")) {
+    return read_toml(name).map([&](Table content) { return NamedFile{name, std::move(content)}; });
+  }
+  std::vector<std::string> known{kAll};
+  for (const auto* files : {&own.systems, &own.recorded, &own.questions}) {
+    for (const NamedFile& file : *files) {
+      if (file.name == name) return file;
+      known.push_back(file.name);
+    }
+  }
+  return fail(unknown_name("system", name, "reproduce", known));
+}
+
+Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names,
+                                           const OwnSystems& own, Request& request) {
+  request.everything = names.empty() || std::count(names.begin(), names.end(), kAll) > 0;
+  if (request.everything) return files_of_everything(own, request.given.has_value());
+  std::vector<NamedFile> files;
+  for (const std::string& name : names) {
+    auto file = find_file(name, own);
+    if (!file) return fail(std::move(file.error()));
+    files.push_back(std::move(*file));
+  }
+  return files;
+}
+
+// Explored anew unless given, so it must say how.
+Result<void> check_explorable(const Request& request) {
+  for (const ReproductionPart& part : request.plan.parts) {
+    if (part.explore.entries.empty()) {
+      if (request.given) continue;
+      return fail(ErrorKind::kUsage, "'" + part.system + "' does not say what explores",
+                  part.description.where, "give --data, or add a table [explore]");
+    }
+    if (auto read = read_explore_table(part.explore); !read) return fail(std::move(read.error()));
+  }
+  return {};
+}
+
+Result<void> read_plan(const Arguments& arguments, Request& request) {
+  const auto own = own_systems();
+  if (!own) return fail(own.error());
+  const auto found = arguments.lists.find("SYSTEM");
+  const auto names = found == arguments.lists.end() ? std::vector<std::string>{} : found->second;
+  const auto files = asked_files(names, *own, request);
+  if (!files) return fail(files.error());
+  for (const NamedFile& file : *files) {
+    if (auto added = add_to_plan(file, own->systems, request.plan); !added) return added;
+  }
+  return check_explorable(request);
+}
+
+Result<void> read_numbers(const Arguments& arguments, Request& request) {
+  const auto read = [&](const std::string& flag, std::size_t least, auto& value) -> Result<void> {
+    auto number = arguments.number(flag, least);
+    if (!number) return fail(std::move(number.error()));
+    if (*number) value = **number;
+    return {};
+  };
+  return read("pairs", 1, request.pairs)
+      .and_then([&] { return read("recordings", 1, request.recordings); })
+      .and_then([&] { return read("seed", 0, request.seed); });
+}
+
+Result<void> read_data(const Arguments& arguments, Request& request) {
+  if (arguments.has("data")) {
+    auto given = GivenRecordings::at(arguments.text("data"));
+    if (!given) return fail(std::move(given.error()));
+    request.given = std::move(*given);
+  }
+  if (!arguments.has("test-data")) return {};
+  auto test = read_study_data(RecordingFormat::kAutomatic, arguments.text("test-data"));
+  if (!test) return fail(std::move(test.error()));
+  request.test_data = std::move(*test);
+  return {};
+}
+
+Result<Request> read_request(const Arguments& arguments) {
+  Request request;
+  request.out = arguments.has("out") ? arguments.text("out") : "out/reproduction";
+  auto threads = read_threads(arguments);
+  if (!threads) return fail(std::move(threads.error()));
+  request.threads = *threads;
+  auto read = read_numbers(arguments, request)
+                  .and_then([&] { return read_data(arguments, request); })
+                  .and_then([&] { return read_plan(arguments, request); });
+  if (!read) return fail(std::move(read.error()));
+  return request;
+}
+
+std::string title_of(const ReproductionPart& part) {
+  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
+  if (!part.variation.empty()) title += ", " + part.variation;
+  return title;
+}
+
+std::string file_name_of(const ReproductionPart& part) {
+  std::string name = part.question.empty() ? part.system : part.question + "-" + part.system;
+  if (!part.variation.empty()) name += "-" + part.variation;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+// Runs the parts of a request one after the other and keeps what they find.
+class Reproduction {
+ public:
+  Reproduction(const Request& request)
+      : request_(request), explored_(request.out / "recordings", request.seed, request.threads) {}
+
+  Result<void> run() {
+    results_.seed = request_.seed;
+    results_.pairs = request_.pairs;
+    for (std::size_t i = 0; i < request_.plan.parts.size(); ++i) {
+      place_ = fmt::format(" ({} of {})", i + 1, request_.plan.parts.size());
+      auto ran = run_part(request_.plan.parts[i]);
+      if (!ran) return ran;
+    }
+    results_.claims = judge(request_.plan.claims, results_.parts);
+    return {};
+  }
+
+  const ReproductionResults& results() const { return results_; }
+
+ private:
+  std::filesystem::path journal(const ReproductionPart& part, std::size_t recording) const {
+    return request_.out / "unfinished" /
+           fmt::format("{}-{}.journal", file_name_of(part), recording);
+  }
+
+  Result<void> run_part(const ReproductionPart& part) {
+    PartResults found{part.question, part.system, part.variation, {}, {}, {}, {}};
+    const std::vector<std::size_t> given =
+        request_.given ? request_.given->of_format(part.description.recording.format)
+                       : std::vector<std::size_t>{};
+    if (request_.given && given.empty())
+      return pass_over(part, "no recording of that kind is given");
+    const std::size_t pairs = std::min(request_.pairs, part.pairs.value_or(request_.pairs));
+    const std::size_t recordings =
+        std::min(request_.given ? given.size() : request_.recordings, pairs);
+    std::uint64_t first_seed = request_.seed;
+    for (std::size_t i = 0; i < recordings; ++i) {
+      const std::size_t seeds = pairs_of(i, recordings, pairs);
+      auto recording = request_.given ? request_.given->get(given[i]) : explored(part, i);
+      if (!recording) return fail(std::move(recording.error()));
+      auto ran = run_on(*recording, part, i, {first_seed, seeds}, found);
+      if (!ran && request_.given && is_misfit(ran.error())) return pass_over(part, ran.error());
+      if (!ran) return ran;
+      first_seed += seeds;
+    }
+    results_.parts.push_back(std::move(found));
+    return {};
+  }
+
+  Result<PairedRecording> explored(const ReproductionPart& part, std::size_t index) const {
+    return read_explore_table(part.explore).and_then([&](const ExploreTable& table) {
+      return explored_.get(table, index);
+    });
+  }
+
+  struct Seeds {
+    std::uint64_t first;
+    std::size_t count;
+  };
+
+  Result<void> run_on(const PairedRecording& recording, const ReproductionPart& part,
+                      std::size_t index, Seeds seeds, PartResults& found) {
+    StudyDescription description = part.description;
+    description.study.first_seed = seeds.first;
+    description.study.seeds = seeds.count;
+    const Recording* test = request_.test_data ? &*request_.test_data
+                            : recording.test   ? &*recording.test
+                                               : nullptr;
+    const StudyOptions options{request_.threads, terminal_progress(title_of(part) + place_), test,
+                               journal(part, index).string()};
+    auto outcome = run_study(description, recording.recording, options);
+    if (!outcome) return fail(std::move(outcome.error()));
+    if (auto drawn = draw(part, index, description, *outcome); !drawn) return drawn;
+    add_results(outcome->results, index, found);
+    found.recordings.push_back(recording.info.name);
+    remember(recording.info);
+    return {};
+  }
+
+  // The first map of a system as it stands.
+  Result<void> draw(const ReproductionPart& part, std::size_t index,
+                    const StudyDescription& description, const StudyOutcome& outcome) const {
+    if (index > 0 || !part.question.empty()) return {};
+    const auto path = request_.out / "maps" / (file_name_of(part) + ".svg");
+    return save_whole(path.string(), winners_picture(description, outcome));
+  }
+
+  void remember(const RecordingInfo& info) {
+    const auto known = std::any_of(results_.recordings.begin(), results_.recordings.end(),
+                                   [&](const RecordingInfo& one) { return one.name == info.name; });
+    if (!known) results_.recordings.push_back(info);
+  }
+
+  // What a system and a recording have to say of each other, not the machine.
+  static bool is_misfit(const Error& error) {
+    return error.kind == ErrorKind::kUsage || error.kind == ErrorKind::kData;
+  }
+
+  Result<void> pass_over(const ReproductionPart& part, Error error) {
+    if (!request_.everything) return fail(std::move(error));
+    results_.not_applicable.push_back({title_of(part), to_string(error)});
+    return {};
+  }
+
+  Result<void> pass_over(const ReproductionPart& part, const std::string& reason) {
+    return pass_over(part, Error{ErrorKind::kUsage, reason, part.description.where, {}});
+  }
+
+  const Request& request_;
+  ExploredRecordings explored_;
+  ReproductionResults results_;
+  std::string place_;
+};
+
+Result<void> make_folders(const std::filesystem::path& out) {
+  for (const char* folder : {"recordings", "maps", "unfinished"}) {
+    std::error_code code;
+    std::filesystem::create_directories(out / folder, code);
+    if (!code) continue;
+    return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
+                (out / folder).string(), "give --out a folder that can be written to");
+  }
+  return check_output((out / "results.json").string());
+}
+
+Error how_to_go_on(Error error) {
+  if (error.kind == ErrorKind::kInterrupted) {
+    error.advice = "what is done is kept; the same command goes on from there";
+  }
+  return error;
+}
+
+Result<void> run(const Arguments& arguments) {
+  const auto request = read_request(arguments);
+  if (!request) return fail(request.error());
+  if (auto made = make_folders(request->out); !made) return made;
+  Reproduction reproduction(*request);
+  if (auto ran = reproduction.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
+  const std::string path = (request->out / "results.json").string();
+  if (auto saved = save_whole(path, to_json(reproduction.results())); !saved) return saved;
+  std::error_code gone;
+  std::filesystem::remove_all(request->out / "unfinished", gone);
+  fmt::print("{}", reproduction_table(reproduction.results()));
+  fmt::print("\nWritten: {}, maps in {}\n", path, (request->out / "maps").string());
+  return {};
+}
+
+}  // namespace
+
+Command reproduce_command() {
+  return {
+      "reproduce",
+      "Run the papers' systems on recordings of simulated bodies, beside what was published",
+      {{"SYSTEM",
+        "Systems and questions by name, or TOML files; all, or none named: the nine systems and "
+        "the questions, with --data also the systems for data sets",
+        false, true}},
+      {{"--pairs", "Pairs of recording and seed for each system; 100 unless given"},
+       {"--recordings", "Independent recordings they are spread over; 6 unless given"},
+       {"--seed", "First seed of exploring and of training; 2011 unless given"},
+       {"--data",
+        "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
+        "of data sets"},
+       {"--test-data", "A recording of its own to test what learned from all of each other"},
+       {"--out", "Folder for results.json, maps and recordings; out/reproduction unless given"},
+       threads_flag()},
+      {},
+      run};
+}
+
+}  // namespace somato::program

@@ -1,0 +1,142 @@
+#include "reproduction_recordings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "somato/bodies/exploring.h"
+#include "somato/files/checksum.h"
+#include "somato/recording/content_hash.h"
+#include "somato/recording/recording_file.h"
+#include "somato/simulation/engine.h"
+#include "study_data.h"
+#include "terminal.h"
+#include "version.h"
+
+namespace somato::program {
+namespace {
+
+Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
+  const auto& materials = declared_materials();
+  if (new_objects) {
+    return lucs3_new_objects(materials).map(
+        [](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
+  }
+  if (table.explore.objects.empty()) return default_things(table.explore.body);
+  return read_object_table(table.explore.objects, materials);
+}
+
+Result<void> explore_into(const std::string& path, const Explorer& explorer,
+                          const ExploringPlan& plan, const std::string& name) {
+  auto file = RecordingFile::begin(path);
+  if (!file) return fail(std::move(file.error()));
+  const auto explored = explore_all(
+      plan, [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial); },
+      [&](Exploration&& exploration) { return file->add(std::move(exploration)); },
+      terminal_progress("exploring " + name));
+  if (!explored) return fail(explored.error());
+  if (!explored->failures.empty()) return fail(explored->failures.front().error);
+  return file->finish();
+}
+
+std::string file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
+  // Another engine or version may move things otherwise, and must not find these.
+  const std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
+  return fmt::format("{}{}-{:08x}-{}.mcap", choice_name(table.explore.body),
+                     new_objects ? "-new" : "", crc32c(what), seed);
+}
+
+PairedRecording paired(std::string name, std::string source, std::uint64_t seed,
+                       Recording recording) {
+  RecordingInfo info{std::move(name), std::move(source), seed, content_hash(recording),
+                     recording.explorations.size()};
+  return {std::move(info), std::move(recording), {}};
+}
+
+std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> entries;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    entries.push_back(entry.path());
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+}  // namespace
+
+Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
+                                               std::uint64_t seed, std::string& name) const {
+  name = file_name(table, new_objects, seed);
+  const std::string path = (folder_ / name).string();
+  std::error_code missing;
+  if (std::filesystem::exists(path, missing)) return read_recording(path);
+  auto things = things_for(table, new_objects);
+  if (!things) return fail(std::move(things.error()));
+  const auto explorer = Explorer::build(table.explore.body, *things, table.exploring, seed);
+  if (!explorer) return fail(explorer.error());
+  const std::size_t each = new_objects ? 1 : table.explore.explorations;
+  auto done = explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
+  if (!done) return fail(std::move(done.error()));
+  return read_recording(path);
+}
+
+Result<PairedRecording> ExploredRecordings::get(const ExploreTable& table,
+                                                std::size_t index) const {
+  const std::uint64_t seed = first_seed_ + index;
+  std::string name;
+  auto recording = explored(table, false, seed, name);
+  if (!recording) return fail(std::move(recording.error()));
+  const std::string source = recording->explorations.front().source;
+  PairedRecording pair = paired(name, source, seed, std::move(*recording));
+  if (!table.explore.new_objects) return pair;
+  std::string name_of_new;
+  auto test = explored(table, true, seed, name_of_new);
+  if (!test) return fail(std::move(test.error()));
+  pair.test = std::move(*test);
+  return pair;
+}
+
+Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
+  GivenRecordings given;
+  std::error_code missing;
+  if (!std::filesystem::exists(path, missing)) {
+    return fail(ErrorKind::kSystem, "there is no such file or folder", path.string(),
+                "give --data a recording, a folder of recordings, or data sets");
+  }
+  const auto add = [&](const std::filesystem::path& place) {
+    if (std::filesystem::is_regular_file(place)) {
+      if (is_mcap_file(place.string()))
+        given.places_.push_back({place, RecordingFormat::kAutomatic});
+      return;
+    }
+    if (auto format = recognize_format(place)) given.places_.push_back({place, *format});
+  };
+  add(path);
+  if (given.places_.empty()) {
+    for (const auto& entry : sorted_entries(path)) add(entry);
+  }
+  if (!given.places_.empty()) return given;
+  return fail(ErrorKind::kData, "there are no recordings and no known data sets", path.string(),
+              "'somato inspect' tells what a file is; 'somato import' makes recordings of others");
+}
+
+std::vector<std::size_t> GivenRecordings::of_format(RecordingFormat format) const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (places_[i].format == format) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+Result<PairedRecording> GivenRecordings::get(std::size_t number) const {
+  const Place& place = places_[number];
+  auto recording = read_study_data(place.format, place.path.string());
+  if (!recording) return fail(std::move(recording.error()));
+  const std::string name = std::filesystem::absolute(place.path).lexically_normal().filename();
+  return paired(name, "given", 0, std::move(*recording));
+}
+
+}  // namespace somato::program

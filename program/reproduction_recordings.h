@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "explore_table.h"
+#include "somato/core/result.h"
+#include "somato/recording/format.h"
+#include "somato/recording/recording.h"
+#include "somato/studies/reproduction.h"
+
+namespace somato::program {
+
+/// A recording to run a system on, with one to test new individuals with if there is any.
+struct PairedRecording {
+  RecordingInfo info;
+  Recording recording;
+  std::optional<Recording> test;
+};
+
+/// Recordings that are explored when they are asked for, and kept in a folder: who asks again, or
+/// goes on after an interruption, gets the same file.
+class ExploredRecordings {
+ public:
+  ExploredRecordings(std::filesystem::path folder, std::uint64_t first_seed, std::size_t threads)
+      : folder_(std::move(folder)), first_seed_(first_seed), threads_(threads) {}
+
+  /// Recording number `index` of those that the table asks for, with the seed after those before
+  /// it. Errors: those of exploring, also when a single exploration fails; kInterrupted.
+  Result<PairedRecording> get(const ExploreTable& table, std::size_t index) const;
+
+ private:
+  Result<Recording> explored(const ExploreTable& table, bool new_objects, std::uint64_t seed,
+                             std::string& name) const;
+
+  std::filesystem::path folder_;
+  std::uint64_t first_seed_;
+  std::size_t threads_;
+};
+
+/// Recordings at a path: a file; the files of a folder; a data set; or the data sets in a folder.
+class GivenRecordings {
+ public:
+  /// Looks what is there. Errors: kSystem for a path that cannot be read; kData when nothing is.
+  static Result<GivenRecordings> at(const std::filesystem::path& path);
+
+  /// Numbers of those a study of this format can be about: automatic, recordings of bodies.
+  std::vector<std::size_t> of_format(RecordingFormat format) const;
+
+  Result<PairedRecording> get(std::size_t number) const;
+
+ private:
+  struct Place {
+    std::filesystem::path path;
+    RecordingFormat format;  ///< kAutomatic for a recording's file.
+  };
+  std::vector<Place> places_;
+};
+
+}  // namespace somato::program

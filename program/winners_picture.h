@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "somato/studies/study.h"
+
+namespace somato::program {
+
+/// The winners of all explorations on the map that learned from all of them, as SVG.
+std::string winners_picture(const StudyDescription& description, const StudyOutcome& outcome);
+
+}  // namespace somato::program
