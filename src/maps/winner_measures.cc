@@ -36,7 +36,8 @@ std::vector<bool> shares_with_another(const std::vector<std::size_t>& winners,
   return shares;
 }
 
-// The other samples whose winners are nearest to that of `sample`, counted by class.
+// The other samples whose winners are nearest to that of `sample`, counted by class; itself when
+// there is no other.
 std::map<std::size_t, std::size_t> votes_around(const Grid& grid, std::size_t sample,
                                                 const std::vector<std::size_t>& winners,
                                                 const std::vector<std::size_t>& classes) {
@@ -50,7 +51,7 @@ std::map<std::size_t, std::size_t> votes_around(const Grid& grid, std::size_t sa
   const double nearest = *std::min_element(distances.begin(), distances.end()) + kTolerance;
   std::map<std::size_t, std::size_t> votes;
   for (std::size_t i = 0; i < winners.size(); ++i) {
-    if (i != sample && distances[i] <= nearest) ++votes[classes[i]];
+    if (distances[i] <= nearest) ++votes[classes[i]];
   }
   return votes;
 }

@@ -117,6 +117,14 @@ TEST(CircularOrder, SharesPlacesAtEqualAnglesDespiteRounding) {
   }
 }
 
+// The same 1 and 2 a hair above and below the line where angles start again.
+TEST(CircularOrder, SharesPlacesWhereAFullTurnEnds) {
+  EXPECT_DOUBLE_EQ(
+      circular_order({{1, 0, {2, -1e-12}}, {2, 0, {1, 1e-12}}, {3, 0, {-3, 3}}, {4, 0, {0, -3}}})
+          .around,
+      std::sqrt(0.9));
+}
+
 TEST(CircularOrder, IsNoneWhereNothingDiffers) {
   EXPECT_EQ(circular_order({{1, 0, {2, 3}}, {2, 0, {2, 3}}, {3, 0, {2, 3}}}).around, 0.0);
   EXPECT_EQ(circular_order({{1, 0, {2, 3}}, {2, 0, {2, 3}}, {3, 0, {2, 3}}}).within, 0.0);
