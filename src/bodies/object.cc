@@ -75,9 +75,15 @@ double girth(const Object& object) {
   return round_ellipse(width, depth);
 }
 
+bool is_radially_symmetric(const Object& object) {
+  return object.shape != Shape::kBlock && object.shape != Shape::kMesh &&
+         object.size[0] == object.size[1];
+}
+
 std::vector<Label> labels_of(const Object& object, std::size_t trial) {
   return {{"object", object.name},
           {"shape", choice_name(object.shape)},
+          {"symmetry", is_radially_symmetric(object) ? "radial" : "none"},
           {"girth", fmt::format("{:.1f}", girth(object))},
           {"material", object.material.name},
           {"hardness", choice_name(object.material.hardness)},

@@ -115,6 +115,25 @@ Result<void> ask_order(const StudyParameters& study, const Numbers& individuals,
   return {};
 }
 
+// Without the explorations that are not asked about.
+Result<void> keep_only(const StudyParameters& study, Recording& recording) {
+  if (study.only.empty()) return {};
+  const auto labels = labels_of(recording, study.label);
+  if (!labels) return fail(labels.error());
+  for (const std::string& name : study.only) {
+    if (std::find(labels->begin(), labels->end(), name) != labels->end()) continue;
+    return fail(unknown_name("value of the label '" + study.label + "'", name, "only",
+                             Classes::from_names(*labels).names));
+  }
+  Recording kept;
+  for (std::size_t i = 0; i < labels->size(); ++i) {
+    if (std::find(study.only.begin(), study.only.end(), (*labels)[i]) == study.only.end()) continue;
+    kept.explorations.push_back(std::move(recording.explorations[i]));
+  }
+  recording = std::move(kept);
+  return {};
+}
+
 // The two must be alike, and not only each in itself.
 Result<Recording> join(const Recording& recording, const Recording* test) {
   Recording all = recording;
@@ -240,9 +259,13 @@ Result<System> Question::system(const StudyDescription& description) const {
   return System::build(description.system, layout);
 }
 
-Result<Question> make_question(const StudyDescription& description, const Recording& recording,
+Result<Question> make_question(const StudyDescription& description, const Recording& whole,
                                const Recording* test, std::size_t threads) {
   Question question;
+  Recording recording = whole;
+  if (auto kept = keep_only(description.study, recording); !kept) {
+    return fail(std::move(kept.error()));
+  }
   auto all = join(recording, test);
   if (!all) return fail(std::move(all.error()));
   question.recording = std::move(*all);

@@ -110,6 +110,10 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
               "label", [](P& p) -> auto& { return p.label; }, "", Range::any(),
               "Which label of the explorations the map is asked to tell apart.")
           .add(
+              "only", [](P& p) -> auto& { return p.only; }, "", Range::any(),
+              "Values of the label that are asked about; explorations with others are left out. "
+              "Empty: all.")
+          .add(
               "labels", [](P& p) -> auto& { return p.labels; }, "", Range::any(),
               "Further labels asked of the same maps, such as the shape.")
           .add(

@@ -112,6 +112,7 @@ TEST(Labels, SayWhatIsKnownOfTheThing) {
   boccia.material.hardness = Hardness::kSoft;
   EXPECT_EQ(labels_of(boccia, 4), (std::vector<Label>{{"object", "boccia"},
                                                       {"shape", "sphere"},
+                                                      {"symmetry", "radial"},
                                                       {"girth", "226.2"},
                                                       {"material", "plastic"},
                                                       {"hardness", "soft"},

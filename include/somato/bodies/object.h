@@ -45,8 +45,12 @@ double mass_of(const Material& material, double volume);
 /// its width and depth, whatever its outline.
 double girth(const Object& object);
 
-/// What is known about an exploration of the object: object, shape, girth (mm, with one decimal),
-/// material, hardness, and trial, which is written counting from 1 and given from 0.
+/// Whether it looks the same however it is turned on the table: no block, no mesh, and round ones
+/// whose width is their depth.
+bool is_radially_symmetric(const Object& object);
+
+/// What is known about an exploration of the object: object, shape, symmetry (radial or none, P06
+/// section 2.3), girth (mm, with one decimal), material, hardness, and trial, which is written counting from 1 and given from 0.
 std::vector<Label> labels_of(const Object& object, std::size_t trial);
 
 }  // namespace somato

@@ -17,6 +17,7 @@ namespace somato {
 struct StudyParameters {
   std::string name;
   std::string label = "object";
+  std::vector<std::string> only;
   std::vector<std::string> labels;
   std::string individual;
   std::string order;
