@@ -13,7 +13,9 @@ const Declarations<ExploreParameters>& ExploreParameters::declarations() {
               "What explores. Has to be given.")
           .add(
               "objects", [](P& p) -> auto& { return p.objects; }, "", Range::any(),
-              "TOML file with the things to explore; empty: the body's own table.")
+              "TOML file with the things to explore, or the name of one of Somato's own tables; "
+              "empty: the "
+              "body's own.")
           .add(
               "explorations", [](P& p) -> auto& { return p.explorations; }, "",
               Range::between(1, 1e6), "Explorations of each thing.")

@@ -24,8 +24,10 @@ Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
     return lucs3_new_objects(materials).map(
         [](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
   }
-  if (table.explore.objects.empty()) return default_things(table.explore.body);
-  return read_object_table(table.explore.objects, materials);
+  const std::string& objects = table.explore.objects;
+  if (objects.empty()) return default_things(table.explore.body);
+  return objects.ends_with(".toml") ? read_object_table(objects, materials)
+                                    : own_object_table(objects, materials);
 }
 
 Result<void> explore_into(const std::string& path, const Explorer& explorer,

@@ -85,6 +85,8 @@ std::vector<Label> labels_of(const Object& object, std::size_t trial) {
           {"shape", choice_name(object.shape)},
           {"symmetry", is_radially_symmetric(object) ? "radial" : "none"},
           {"girth", fmt::format("{:.1f}", girth(object))},
+          {"width", fmt::format("{:.1f}", object.size[0])},
+          {"depth", fmt::format("{:.1f}", object.size[1])},
           {"material", object.material.name},
           {"hardness", choice_name(object.material.hardness)},
           {"trial", fmt::format("{}", trial + 1)}};

@@ -244,10 +244,10 @@ class TableReader {
   ObjectTable table_;
 };
 
-Result<std::vector<Object>> embedded_objects(std::string_view path,
-                                             std::span<const Material> declared) {
-  return parse_object_table(detail::embedded_text(path), path, declared)
-      .map([](ObjectTable&& table) { return std::move(table.objects); });
+Result<std::vector<Object>> own_objects(std::string_view name, std::span<const Material> declared) {
+  return own_object_table(name, declared).map([](ObjectTable&& table) {
+    return std::move(table.objects);
+  });
 }
 
 }  // namespace
@@ -314,16 +314,30 @@ Result<ObjectTable> read_object_table(const std::string& path, std::span<const M
       [&](const Table& root) { return TableReader(path, declared).read(root); });
 }
 
+Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared) {
+  constexpr std::string_view kFolder = "objects/";
+  constexpr std::string_view kEnding = ".toml";
+  std::vector<std::string> known;
+  for (const detail::EmbeddedFile& file : detail::embedded_files()) {
+    if (!file.path.starts_with(kFolder) || file.path == "objects/materials.toml") continue;
+    const std::string_view own =
+        file.path.substr(kFolder.size(), file.path.size() - kFolder.size() - kEnding.size());
+    if (own == name) return parse_object_table(file.text, file.path, declared);
+    known.emplace_back(own);
+  }
+  return fail(unknown_name("table of objects", name, "objects", known));
+}
+
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared) {
-  return embedded_objects("objects/lucs2.toml", declared);
+  return own_objects("lucs2", declared);
 }
 
 Result<std::vector<Object>> lucs3_objects(std::span<const Material> declared) {
-  return embedded_objects("objects/lucs3.toml", declared);
+  return own_objects("lucs3", declared);
 }
 
 Result<std::vector<Object>> lucs3_new_objects(std::span<const Material> declared) {
-  return embedded_objects("objects/lucs3_new.toml", declared);
+  return own_objects("lucs3_new", declared);
 }
 
 }  // namespace somato

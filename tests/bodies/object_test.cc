@@ -114,6 +114,8 @@ TEST(Labels, SayWhatIsKnownOfTheThing) {
                                                       {"shape", "sphere"},
                                                       {"symmetry", "radial"},
                                                       {"girth", "226.2"},
+                                                      {"width", "72.0"},
+                                                      {"depth", "72.0"},
                                                       {"material", "plastic"},
                                                       {"hardness", "soft"},
                                                       {"trial", "5"}}));

@@ -54,6 +54,10 @@ Result<ObjectTable> parse_object_table(std::string_view text, std::string_view w
 /// The table in the file at `path`; see parse_object_table() and read_toml().
 Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared);
 
+/// The table of that name that travels with the library, such as "lucs3_new": a file of `objects/`.
+/// Errors (kUsage): an unknown name, with the nearest known one; those of parse_object_table().
+Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared);
+
 /// The objects of Table I (P06), explored with LUCS Haptic Hand II. The materials plastic, metal,
 /// hard_board and wood must be among those `declared`; otherwise an error names the missing one.
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared);
