@@ -44,6 +44,7 @@ template <typename Real, typename Term>
 inline void sum_rows(std::size_t blocks, std::size_t columns, Real* out, const Term& term) {
   std::size_t block = 0;
   for (; block + 4 <= blocks; block += 4) sum_blocks<Real, 4>(block, columns, out, term);
+  for (; block + 2 <= blocks; block += 2) sum_blocks<Real, 2>(block, columns, out, term);
   for (; block < blocks; ++block) sum_blocks<Real, 1>(block, columns, out, term);
 }
 
@@ -91,14 +92,6 @@ inline Vector<Real> masked_at(const Lanes<const Real>& w, const Real* mask, std:
 }
 
 template <typename Real>
-void masked_inner_products(Lanes<const Real> w, const Real* mask, const Real* x, Real* out) {
-  sum_rows<Real>(
-      w.blocks, w.columns, out, [&](std::size_t block, std::size_t column, Vector<Real> sum) {
-        return multiply_add(masked_at(w, mask, block, column), Vector<Real>::all(x[column]), sum);
-      });
-}
-
-template <typename Real>
 void sparse_masked_inner_products(Lanes<const Real> w, const Real* mask,
                                   const std::uint32_t* columns, const Real* x, std::size_t count,
                                   Real* out) {
@@ -127,6 +120,21 @@ void move_towards(Lanes<Real> w, const Real* x, const Real* gains) {
       multiply_add(gain, Vector<Real>::all(x[column]) - weight, weight).store(lanes);
     }
   }
+}
+
+template <typename Real>
+void move_and_measure(Lanes<Real> w, const Real* x, const Real* gains, Real* squared_norms) {
+  const auto limit = Vector<Real>::all(kNegligible<Real>);
+  sum_rows<Real>(w.blocks, w.columns, squared_norms,
+                 [&](std::size_t block, std::size_t column, Vector<Real> sum) {
+                   const auto gain = Vector<Real>::load(gains + block * kLaneCount<Real>);
+                   Real* lanes = lanes_at(w, block, column);
+                   const auto weight = Vector<Real>::load(lanes);
+                   const auto moved = zero_below(
+                       multiply_add(gain, Vector<Real>::all(x[column]) - weight, weight), limit);
+                   moved.store(lanes);
+                   return multiply_add(moved, moved, sum);
+                 });
 }
 
 // Plain, for the compiler to vectorize: the elements do not depend on each other.
@@ -160,17 +168,54 @@ void clear_negligible(Lanes<Real> w) {
 }
 
 template <typename Real>
+void invert_square_roots(Real* values, std::size_t blocks) {
+  for (std::size_t block = 0; block < blocks; ++block) {
+    Real* lanes = values + block * kLaneCount<Real>;
+    (Vector<Real>::all(1) / square_root(Vector<Real>::load(lanes))).store(lanes);
+  }
+}
+
+// Count neighbouring places at once; to those out of another's reach the factors are zero.
+template <typename Real, std::size_t Count>
+inline void spread_to(std::size_t place, const Real* in, std::size_t places, const Real* factors,
+                      std::size_t reach, Real* out) {
+  const std::size_t first = place > reach ? place - reach : 0;
+  const std::size_t end = place + Count + reach < places ? place + Count + reach : places;
+  Vector<Real> sums[Count];
+  for (auto& sum : sums) sum = Vector<Real>::all(0);
+  for (std::size_t from = first; from < end; ++from) {
+    const auto value = Vector<Real>::load(in + from * kLaneCount<Real>);
+    const Real* factor = factors + from - place;
+    for (std::size_t i = 0; i < Count; ++i) {
+      sums[i] = multiply_add(value, Vector<Real>::all(*(factor - i)), sums[i]);
+    }
+  }
+  for (std::size_t i = 0; i < Count; ++i) sums[i].store(out + (place + i) * kLaneCount<Real>);
+}
+
+template <typename Real>
+void spread(const Real* in, std::size_t places, const Real* factors, std::size_t reach, Real* out) {
+  std::size_t place = 0;
+  for (; place + kSpreadGroup <= places; place += kSpreadGroup) {
+    spread_to<Real, kSpreadGroup>(place, in, places, factors, reach, out);
+  }
+  for (; place < places; ++place) spread_to<Real, 1>(place, in, places, factors, reach, out);
+}
+
+template <typename Real>
 constexpr Table<Real> make_table() {
   return {squared_distances<Real>,
           inner_products<Real>,
           sparse_inner_products<Real>,
-          masked_inner_products<Real>,
           sparse_masked_inner_products<Real>,
           squared_norms<Real>,
           move_towards<Real>,
+          move_and_measure<Real>,
           add_scaled<Real>,
           scale_rows<Real>,
-          clear_negligible<Real>};
+          clear_negligible<Real>,
+          invert_square_roots<Real>,
+          spread<Real>};
 }
 
 }  // namespace

@@ -108,10 +108,6 @@ TYPED_TEST(Kernels, GiveThePlainSums) {
     expect_sums(out, rows, w.columns(), [&](std::size_t row, std::size_t d) {
       return Exact{w(row, d)} * Exact{w(row, d)};
     });
-    table.masked_inner_products(kernels::lanes(w), p.mask.data(), p.sample.data(), out.data());
-    expect_sums(out, rows, w.columns(), [&](std::size_t row, std::size_t d) {
-      return Exact{p.mask(row, d)} * Exact{w(row, d)} * Exact{p.sample[d]};
-    });
     table.sparse_inner_products(kernels::lanes(w), p.indices.data(), p.sparse_values.data(),
                                 p.indices.size(), out.data());
     expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
@@ -200,8 +196,6 @@ std::vector<Real> all_results() {
     table.inner_products(w, p.sample.data(), out.data());
     keep();
     table.squared_norms(w, out.data());
-    keep();
-    table.masked_inner_products(w, p.mask.data(), p.sample.data(), out.data());
     keep();
     table.sparse_inner_products(w, p.indices.data(), p.sparse_values.data(), p.indices.size(),
                                 out.data());
