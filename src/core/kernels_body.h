@@ -122,19 +122,48 @@ void move_towards(Lanes<Real> w, const Real* x, const Real* gains) {
   }
 }
 
+// Sums squares as sum_blocks() does. Gains and element are loaded before anything is stored: for
+// all the compiler knows they may be the same memory as the weights.
+template <typename Real, std::size_t Count>
+inline void move_and_measure_blocks(Lanes<Real> w, std::size_t first_block, const Real* x,
+                                    const Real* gains, Real* squared_norms) {
+  const auto limit = Vector<Real>::all(kNegligible<Real>);
+  Vector<Real> gain[Count];
+  Vector<Real> totals[Count];
+  for (std::size_t i = 0; i < Count; ++i) {
+    gain[i] = Vector<Real>::load(gains + (first_block + i) * kLaneCount<Real>);
+    totals[i] = Vector<Real>::all(0);
+  }
+  for (std::size_t start = 0; start < w.columns; start += kChunk) {
+    const std::size_t end = start + kChunk < w.columns ? start + kChunk : w.columns;
+    Vector<Real> sums[Count];
+    for (auto& sum : sums) sum = Vector<Real>::all(0);
+    for (std::size_t column = start; column < end; ++column) {
+      const auto element = Vector<Real>::all(x[column]);
+      for (std::size_t i = 0; i < Count; ++i) {
+        Real* lanes = lanes_at(w, first_block + i, column);
+        const auto weight = Vector<Real>::load(lanes);
+        const auto moved = zero_below(multiply_add(gain[i], element - weight, weight), limit);
+        moved.store(lanes);
+        sums[i] = multiply_add(moved, moved, sums[i]);
+      }
+    }
+    for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sums[i];
+  }
+  for (std::size_t i = 0; i < Count; ++i) {
+    totals[i].store(squared_norms + (first_block + i) * kLaneCount<Real>);
+  }
+}
+
 template <typename Real>
 void move_and_measure(Lanes<Real> w, const Real* x, const Real* gains, Real* squared_norms) {
-  const auto limit = Vector<Real>::all(kNegligible<Real>);
-  sum_rows<Real>(w.blocks, w.columns, squared_norms,
-                 [&](std::size_t block, std::size_t column, Vector<Real> sum) {
-                   const auto gain = Vector<Real>::load(gains + block * kLaneCount<Real>);
-                   Real* lanes = lanes_at(w, block, column);
-                   const auto weight = Vector<Real>::load(lanes);
-                   const auto moved = zero_below(
-                       multiply_add(gain, Vector<Real>::all(x[column]) - weight, weight), limit);
-                   moved.store(lanes);
-                   return multiply_add(moved, moved, sum);
-                 });
+  std::size_t block = 0;
+  for (; block + 2 <= w.blocks; block += 2) {
+    move_and_measure_blocks<Real, 2>(w, block, x, gains, squared_norms);
+  }
+  for (; block < w.blocks; ++block) {
+    move_and_measure_blocks<Real, 1>(w, block, x, gains, squared_norms);
+  }
 }
 
 // Plain, for the compiler to vectorize: the elements do not depend on each other.

@@ -68,6 +68,13 @@ bool all_finite(std::span<const float> values) {
                      [](float value) { return std::isfinite(value); });
 }
 
+// Of values not below zero.
+double largest(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, value);
+  return largest;
+}
+
 // Never 0, which stands for no weights.
 std::uint64_t new_state() {
   static std::atomic<std::uint64_t> last{0};
@@ -270,14 +277,16 @@ void TMpsom::combine(std::size_t input, Workspace& workspace) const {
 // N and the gains alpha N from y; false when there is nothing to learn.
 bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
   std::vector<double>& spread = workspace.neighbourhood_;
-  double total = 0.0;
+  bool finite = true;
   for (std::size_t n = 0; n < spread.size(); ++n) {
-    total += workspace.activity_[n];
+    finite = finite && std::isfinite(workspace.activity_[n]);
     spread[n] = std::max(workspace.activity_[n], 0.0);
   }
-  require(std::isfinite(total), "T-MPSOM: the activity is too large; normalize the inputs");
+  const char* const too_large = "T-MPSOM: the activity is too large; normalize the inputs";
+  require(finite, too_large);
   neighbourhood_.spread(spread, workspace.spread_);
-  const double maximum = *std::max_element(spread.begin(), spread.end());
+  const double maximum = largest(spread);
+  require(std::isfinite(maximum), too_large);
   if (maximum <= 0.0) return false;
   for (std::size_t n = 0; n < spread.size(); ++n) {
     spread[n] /= maximum;

@@ -14,7 +14,7 @@ std::uint32_t index_of(const SignalView& signal, std::size_t i) {
 
 double length_of(std::span<const float> values, TMpsomNorm norm) {
   double squared = 0.0;
-  for (const float value : values) squared = std::fma(double{value}, double{value}, squared);
+  for (const float value : values) squared += double{value} * double{value};  // exact products
   require(std::isfinite(squared), "T-MPSOM: an input holds a value that is not finite");
   return norm == TMpsomNorm::kL2 && squared > 0.0 ? std::sqrt(squared) : 1.0;
 }
@@ -45,16 +45,15 @@ void TMpsom::Workspace::Heard::take(const SignalView& signal, TMpsomNorm norm) {
   const double length = length_of(signal.values, norm);  // or throws, and nothing is changed
   state = 0;
   count = 0;
+  std::size_t element = 0;
   for (std::size_t i = 0; i < signal.values.size(); ++i) {
-    if (signal.values[i] == 0.0F) continue;
-    indices[count] = index_of(signal, i);
-    values[count++] = signal.values[i];
+    const std::uint32_t index = index_of(signal, i);
+    for (; element <= index; ++element) ranks[element] = static_cast<std::uint32_t>(count);
+    indices[count] = index;
+    values[count] = signal.values[i];
+    count += signal.values[i] != 0.0F ? 1 : 0;
   }
-  std::size_t below = 0;
-  for (std::size_t k = 0; k < ranks.size(); ++k) {
-    ranks[k] = static_cast<std::uint32_t>(below);
-    if (below < count && indices[below] == k) ++below;
-  }
+  for (; element < ranks.size(); ++element) ranks[element] = static_cast<std::uint32_t>(count);
   for (std::size_t i = 0; i < count; ++i) {
     normalized[i] = static_cast<float>(double{values[i]} / length);
   }
