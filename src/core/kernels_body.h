@@ -18,22 +18,28 @@ template <typename Real>
 constexpr std::size_t kLaneCount = 64 / sizeof(Real);
 
 // Sums term(block, column) over `columns` columns for Count neighbouring blocks at once: so many
-// independent sums hide the latency of the multiply-add.
+// independent sums hide the latency of the multiply-add. Here and below loops over Count are
+// unrolled by hand: g++ -O2 leaves them, and then keeps the sums in memory.
 template <typename Real, std::size_t Count, typename Term>
 inline void sum_blocks(std::size_t first_block, std::size_t columns, Real* out, const Term& term) {
   Vector<Real> totals[Count];
-  for (auto& total : totals) total = Vector<Real>::all(0);
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < Count; ++i) totals[i] = Vector<Real>::all(0);
   for (std::size_t start = 0; start < columns; start += kChunk) {
     const std::size_t end = start + kChunk < columns ? start + kChunk : columns;
     Vector<Real> sums[Count];
-    for (auto& sum : sums) sum = Vector<Real>::all(0);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < Count; ++i) sums[i] = Vector<Real>::all(0);
     for (std::size_t column = start; column < end; ++column) {
+#pragma GCC unroll 4
       for (std::size_t i = 0; i < Count; ++i) {
         sums[i] = term(first_block + i, column, sums[i]);
       }
     }
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sums[i];
   }
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < Count; ++i) {
     totals[i].store(out + (first_block + i) * kLaneCount<Real>);
   }
@@ -130,6 +136,7 @@ inline void move_and_measure_blocks(Lanes<Real> w, std::size_t first_block, cons
   const auto limit = Vector<Real>::all(kNegligible<Real>);
   Vector<Real> gain[Count];
   Vector<Real> totals[Count];
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < Count; ++i) {
     gain[i] = Vector<Real>::load(gains + (first_block + i) * kLaneCount<Real>);
     totals[i] = Vector<Real>::all(0);
@@ -137,9 +144,11 @@ inline void move_and_measure_blocks(Lanes<Real> w, std::size_t first_block, cons
   for (std::size_t start = 0; start < w.columns; start += kChunk) {
     const std::size_t end = start + kChunk < w.columns ? start + kChunk : w.columns;
     Vector<Real> sums[Count];
-    for (auto& sum : sums) sum = Vector<Real>::all(0);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < Count; ++i) sums[i] = Vector<Real>::all(0);
     for (std::size_t column = start; column < end; ++column) {
       const auto element = Vector<Real>::all(x[column]);
+#pragma GCC unroll 4
       for (std::size_t i = 0; i < Count; ++i) {
         Real* lanes = lanes_at(w, first_block + i, column);
         const auto weight = Vector<Real>::load(lanes);
@@ -148,8 +157,10 @@ inline void move_and_measure_blocks(Lanes<Real> w, std::size_t first_block, cons
         sums[i] = multiply_add(moved, moved, sums[i]);
       }
     }
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sums[i];
   }
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < Count; ++i) {
     totals[i].store(squared_norms + (first_block + i) * kLaneCount<Real>);
   }
@@ -211,14 +222,17 @@ inline void spread_to(std::size_t place, const Real* in, std::size_t places, con
   const std::size_t first = place > reach ? place - reach : 0;
   const std::size_t end = place + Count + reach < places ? place + Count + reach : places;
   Vector<Real> sums[Count];
-  for (auto& sum : sums) sum = Vector<Real>::all(0);
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < Count; ++i) sums[i] = Vector<Real>::all(0);
   for (std::size_t from = first; from < end; ++from) {
     const auto value = Vector<Real>::load(in + from * kLaneCount<Real>);
     const Real* factor = factors + from - place;
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < Count; ++i) {
       sums[i] = multiply_add(value, Vector<Real>::all(*(factor - i)), sums[i]);
     }
   }
+#pragma GCC unroll 4
   for (std::size_t i = 0; i < Count; ++i) sums[i].store(out + (place + i) * kLaneCount<Real>);
 }
 
