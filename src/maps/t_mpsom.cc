@@ -68,11 +68,16 @@ bool all_finite(std::span<const float> values) {
                      [](float value) { return std::isfinite(value); });
 }
 
-// Of values not below zero.
+// Of values not below zero, some at a time: a chain of comparisons would wait for each.
 double largest(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, value);
-  return largest;
+  constexpr std::size_t kAtOnce = 8;
+  double best[kAtOnce] = {};
+  const double* value = values.data();
+  for (std::size_t left = values.size(); left >= kAtOnce; left -= kAtOnce, value += kAtOnce) {
+    for (std::size_t i = 0; i < kAtOnce; ++i) best[i] = best[i] < value[i] ? value[i] : best[i];
+  }
+  for (; value != values.data() + values.size(); ++value) best[0] = std::max(best[0], *value);
+  return *std::max_element(std::begin(best), std::end(best));
 }
 
 // Never 0, which stands for no weights.
@@ -194,7 +199,8 @@ void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace
   check(inputs, workspace);
   require(out.size() == neurons(), "T-MPSOM: the activity needs one value a neuron");
   hear(inputs, workspace);
-  for (std::size_t n = 0; n < out.size(); ++n) out[n] = static_cast<float>(workspace.activity_[n]);
+  std::transform(workspace.activity_.begin(), workspace.activity_.end(), out.begin(),
+                 [](double activity) { return static_cast<float>(activity); });
 }
 
 bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& workspace) {
@@ -263,24 +269,26 @@ void TMpsom::find_partial(std::size_t input, Workspace::Heard& heard) const {
 
 // Takes the partial activations of one input into y, in double precision.
 void TMpsom::combine(std::size_t input, Workspace& workspace) const {
-  std::vector<double>& activity = workspace.activity_;
-  const AlignedVector<float>& partial = workspace.inputs_[input].partial;
+  double* const activity = workspace.activity_.data();
+  const float* const partial = workspace.inputs_[input].partial.data();
+  const std::size_t count = neurons();
   if (input == 0) {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] = partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] = partial[n];
   } else if (parameters_.combination == TMpsomCombination::kMultiplied) {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] *= partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] *= partial[n];
   } else {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] += partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] += partial[n];
   }
 }
 
 // N and the gains alpha N from y; false when there is nothing to learn.
 bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
-  std::vector<double>& spread = workspace.neighbourhood_;
+  const std::span<double> spread = workspace.neighbourhood_;
+  const double* const activity = workspace.activity_.data();
   bool finite = true;
-  for (std::size_t n = 0; n < spread.size(); ++n) {
-    finite = finite && std::isfinite(workspace.activity_[n]);
-    spread[n] = std::max(workspace.activity_[n], 0.0);
+  for (std::size_t n = 0; double& value : spread) {
+    finite &= std::isfinite(activity[n]);
+    value = std::max(activity[n++], 0.0);
   }
   const char* const too_large = "T-MPSOM: the activity is too large; normalize the inputs";
   require(finite, too_large);
@@ -288,9 +296,10 @@ bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
   const double maximum = largest(spread);
   require(std::isfinite(maximum), too_large);
   if (maximum <= 0.0) return false;
-  for (std::size_t n = 0; n < spread.size(); ++n) {
-    spread[n] /= maximum;
-    workspace.gains_[n] = factor(alpha * spread[n]);
+  float* gain = workspace.gains_.data();
+  for (double& value : spread) {
+    value /= maximum;
+    *gain++ = factor(alpha * value);
   }
   return true;
 }

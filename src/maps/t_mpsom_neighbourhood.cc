@@ -24,21 +24,38 @@ std::size_t reach_of(std::size_t extent, double sigma) {
   return reach;
 }
 
-// Up to kLanes lines along an axis, one a lane: where each starts, and how many there are.
-struct Lines {
-  std::array<std::size_t, kLanes> starts{};
-  std::size_t count = 0;
-};
-
-Lines lines_from(std::size_t first, std::size_t extent, std::size_t stride, std::size_t size) {
-  Lines lines;
-  lines.count = std::min(kLanes, size / extent - first);
-  for (std::size_t lane = 0; lane < lines.count; ++lane) {
-    const std::size_t line = first + lane;
-    lines.starts[lane] = line / stride * stride * extent + line % stride;
+// Up to kLanes lines along an axis, one a lane.
+class Lines {
+ public:
+  // From number `first` of `all` lines.
+  Lines(std::size_t first, std::size_t all, std::size_t extent, std::size_t stride)
+      : count_(std::min(kLanes, all - first)), extent_(extent), stride_(stride) {
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      const std::size_t line = first + lane;
+      starts_[lane] = line / stride * stride * extent + line % stride;
+    }
   }
-  return lines;
-}
+
+  void gather(const double* values, double* lanes) const {
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      const double* from = values + starts_[lane];
+      for (std::size_t i = 0; i < extent_; ++i) lanes[i * kLanes + lane] = from[i * stride_];
+    }
+  }
+
+  void scatter(const double* lanes, double* values) const {
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      double* to = values + starts_[lane];
+      for (std::size_t i = 0; i < extent_; ++i) to[i * stride_] = lanes[i * kLanes + lane];
+    }
+  }
+
+ private:
+  std::size_t count_;
+  std::size_t extent_;
+  std::size_t stride_;
+  std::array<std::size_t, kLanes> starts_{};
+};
 
 }  // namespace
 
@@ -79,20 +96,13 @@ void GridGaussian::spread_along(const Axis& axis, std::span<double> values, Work
   require(workspace.lines.size() >= axis.extent * kLanes,
           "GridGaussian: the workspace is of a smaller grid");
   const double* factors = axis.factors.data() + axis.factors.size() / 2;
-  for (std::size_t first = 0; first < values.size() / axis.extent; first += kLanes) {
-    const Lines lines = lines_from(first, axis.extent, axis.stride, values.size());
-    for (std::size_t i = 0; i < axis.extent; ++i) {
-      for (std::size_t lane = 0; lane < lines.count; ++lane) {
-        workspace.lines[i * kLanes + lane] = values[lines.starts[lane] + i * axis.stride];
-      }
-    }
+  const std::size_t count = values.size() / axis.extent;
+  for (std::size_t first = 0; first < count; first += kLanes) {
+    const Lines lines(first, count, axis.extent, axis.stride);
+    lines.gather(values.data(), workspace.lines.data());
     kernels::table<double>().spread(workspace.lines.data(), axis.extent, factors, axis.reach,
                                     workspace.spread_lines.data());
-    for (std::size_t i = 0; i < axis.extent; ++i) {
-      for (std::size_t lane = 0; lane < lines.count; ++lane) {
-        values[lines.starts[lane] + i * axis.stride] = workspace.spread_lines[i * kLanes + lane];
-      }
-    }
+    lines.scatter(workspace.spread_lines.data(), values.data());
   }
 }
 

@@ -30,7 +30,8 @@ namespace somato {
 /// Zeros and signs, which they leave open: a vector of zeros stays so when normalized; when no
 /// neuron is active (max N' <= 0) nothing is learned; activity below zero, which only signed input
 /// brings about, counts as none for N. Initial weights are uniform in [0, 1), then normalized.
-/// Arbors, gains alpha N and updated weights below 1e-18 are taken as zero, for speed.
+/// Arbors, G along an axis, gains alpha N and updated weights below 1e-18 are taken as zero, for
+/// speed.
 ///
 /// While it is used the map is constant; each thread brings its own Workspace. Neurons are in
 /// row-major order of the grid. Inputs must be finite; results have the same bits on every machine.
