@@ -107,9 +107,9 @@ TEST(TMpsomWorkspace, SeesASingleBit) {
   activation_with(map, dense({{0, 2, 0}, {1, 2}}), workspace);
   const auto inputs = dense({{0, more, 0}, {1, 2}});
   EXPECT_EQ(activation_with(map, inputs, workspace), activation(map, inputs));
-  const auto moved = dense({{2, 0, 0}, {1, 2}});
+  const auto moved = dense({{more, 0, 0}, {1, 2}});
   EXPECT_EQ(activation_with(map, moved, workspace), activation(map, moved));
-  const auto opposite = dense({{-2, 0, 0}, {1, 2}});
+  const auto opposite = dense({{-more, 0, 0}, {1, 2}});
   EXPECT_EQ(activation_with(map, opposite, workspace), activation(map, opposite));
 }
 

@@ -15,10 +15,9 @@ namespace somato {
 /// This is N' of a T-MPSOM (P06 section 4.1, P11 section II). The Gaussian is the product of one
 /// Gaussian an axis, so the sum over all pairs of places is one pass along each axis.
 ///
-/// Along each axis a Gaussian below 1e-18 (beyond 9.1 sigma) is taken as zero, so the value of a
-/// place is too small by less than 1e-18 a place and axis times the sum of all |values|. Against
-/// the greatest value, which is what N is relative to, that is below 1e-18 times axes times
-/// places for values not below zero.
+/// Along each axis a Gaussian below 1e-18 (beyond 9.1 sigma) is taken as zero. So only pairs whose
+/// Gaussian is below 1e-18 are left out, and a value is off by less than 1e-18 times the sum of all
+/// |values|.
 class GridGaussian {
  public:
   /// Scratch memory for spread(), for one thread.
