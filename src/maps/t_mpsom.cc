@@ -305,7 +305,7 @@ bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
 }
 
 // A few blocks at a time are moved and normalized while they are in the nearest cache.
-void TMpsom::move(Input& input, Workspace& workspace) {
+void TMpsom::move(Input& input, Workspace& workspace) const {
   LaneMatrix<float>& weights = input.weights;
   for (std::size_t first = 0; first < weights.blocks(); first += kGroup) {
     const std::size_t count = std::min(kGroup, weights.blocks() - first);

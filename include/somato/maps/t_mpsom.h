@@ -137,7 +137,7 @@ class TMpsom {
   void find_partial(std::size_t input, Workspace::Heard& heard) const;
   void combine(std::size_t input, Workspace& workspace) const;
   bool find_gains(double alpha, Workspace& workspace) const;
-  void move(Input& input, Workspace& workspace);
+  void move(Input& input, Workspace& workspace) const;
   void normalize_all(Input& input, Workspace& workspace);
   static void normalize_blocks(Input& input, std::size_t first, std::size_t count,
                                float* squared_norms);
