@@ -26,6 +26,13 @@ inline Vector<float> operator-(Vector<float> a, Vector<float> b) {
 inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
   return {_mm512_mul_ps(a.lanes, b.lanes)};
 }
+inline Vector<float> operator/(Vector<float> a, Vector<float> b) {
+  return {_mm512_div_ps(a.lanes, b.lanes)};
+}
+// Masked, though of all lanes: g++ 12 warns of the undefined register behind the plain form.
+inline Vector<float> square_root(Vector<float> a) {
+  return {_mm512_maskz_sqrt_ps(0xFFFF, a.lanes)};
+}
 inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
   return {_mm512_fmadd_ps(a.lanes, b.lanes, c.lanes)};
 }
@@ -50,6 +57,12 @@ inline Vector<double> operator-(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
   return {_mm512_mul_pd(a.lanes, b.lanes)};
+}
+inline Vector<double> operator/(Vector<double> a, Vector<double> b) {
+  return {_mm512_div_pd(a.lanes, b.lanes)};
+}
+inline Vector<double> square_root(Vector<double> a) {
+  return {_mm512_maskz_sqrt_pd(0xFF, a.lanes)};
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm512_fmadd_pd(a.lanes, b.lanes, c.lanes)};
@@ -84,6 +97,12 @@ inline Vector<float> operator-(Vector<float> a, Vector<float> b) {
 }
 inline Vector<float> operator*(Vector<float> a, Vector<float> b) {
   return {_mm256_mul_ps(a.low, b.low), _mm256_mul_ps(a.high, b.high)};
+}
+inline Vector<float> operator/(Vector<float> a, Vector<float> b) {
+  return {_mm256_div_ps(a.low, b.low), _mm256_div_ps(a.high, b.high)};
+}
+inline Vector<float> square_root(Vector<float> a) {
+  return {_mm256_sqrt_ps(a.low), _mm256_sqrt_ps(a.high)};
 }
 inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float> c) {
   return {_mm256_fmadd_ps(a.low, b.low, c.low), _mm256_fmadd_ps(a.high, b.high, c.high)};
@@ -121,6 +140,12 @@ inline Vector<double> operator-(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> operator*(Vector<double> a, Vector<double> b) {
   return {_mm256_mul_pd(a.low, b.low), _mm256_mul_pd(a.high, b.high)};
+}
+inline Vector<double> operator/(Vector<double> a, Vector<double> b) {
+  return {_mm256_div_pd(a.low, b.low), _mm256_div_pd(a.high, b.high)};
+}
+inline Vector<double> square_root(Vector<double> a) {
+  return {_mm256_sqrt_pd(a.low), _mm256_sqrt_pd(a.high)};
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm256_fmadd_pd(a.low, b.low, c.low), _mm256_fmadd_pd(a.high, b.high, c.high)};
@@ -172,6 +197,22 @@ inline Vector<Real> operator-(Vector<Real> a, const Vector<Real>& b) {
 template <typename Real>
 inline Vector<Real> operator*(Vector<Real> a, const Vector<Real>& b) {
   for (std::size_t i = 0; i < a.kCount; ++i) a.lanes[i] *= b.lanes[i];
+  return a;
+}
+template <typename Real>
+inline Vector<Real> operator/(Vector<Real> a, const Vector<Real>& b) {
+  for (std::size_t i = 0; i < a.kCount; ++i) a.lanes[i] /= b.lanes[i];
+  return a;
+}
+inline float square_root(float value) {
+  return __builtin_sqrtf(value);
+}
+inline double square_root(double value) {
+  return __builtin_sqrt(value);
+}
+template <typename Real>
+inline Vector<Real> square_root(Vector<Real> a) {
+  for (Real& lane : a.lanes) lane = square_root(lane);
   return a;
 }
 // Without the instruction these are calls of the mathematics library: slower, the same bits.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+
+// So many blocks of neurons are taken at once.
+constexpr std::size_t kGroup = 4;
 
 float factor(double value) {
   return value < kernels::kNegligible<float> ? 0.0F : static_cast<float>(value);
@@ -59,32 +63,27 @@ LaneMatrix<float> initial_weights(const TMpsomParameters& parameters, std::size_
   return weights;
 }
 
-double squared_norm(std::span<const float> values) {
-  double sum = 0.0;
-  for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
-  return sum;
+bool all_finite(std::span<const float> values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](float value) { return std::isfinite(value); });
 }
 
-// Writes the stored values of `signal`, normalized, to the front of `out`.
-void write_stored(const SignalView& signal, TMpsomNorm norm, std::span<float> out) {
-  const double squared = squared_norm(signal.values);
-  require(std::isfinite(squared), "T-MPSOM: an input holds a value that is not finite");
-  const double length = norm == TMpsomNorm::kL2 && squared > 0.0 ? std::sqrt(squared) : 1.0;
-  for (std::size_t i = 0; i < signal.values.size(); ++i) {
-    out[i] = static_cast<float>(double{signal.values[i]} / length);
+// Of values not below zero, some at a time: a chain of comparisons would wait for each.
+double largest(std::span<const double> values) {
+  constexpr std::size_t kAtOnce = 8;
+  double best[kAtOnce] = {};
+  const double* value = values.data();
+  for (std::size_t left = values.size(); left >= kAtOnce; left -= kAtOnce, value += kAtOnce) {
+    for (std::size_t i = 0; i < kAtOnce; ++i) best[i] = best[i] < value[i] ? value[i] : best[i];
   }
+  for (; value != values.data() + values.size(); ++value) best[0] = std::max(best[0], *value);
+  return *std::max_element(std::begin(best), std::end(best));
 }
 
-// The same with all zeros written out: from the back, so that no stored value is overwritten
-// before it has found its place.
-void write_all(const SignalView& signal, TMpsomNorm norm, std::span<float> out) {
-  write_stored(signal, norm, out);
-  if (!signal.sparse) return;
-  std::size_t stored = signal.indices.size();
-  for (std::size_t k = signal.size; k-- > 0;) {
-    const bool here = stored > 0 && signal.indices[stored - 1] == k;
-    out[k] = here ? out[--stored] : 0.0F;
-  }
+// Never 0, which stands for no weights.
+std::uint64_t new_state() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
 }
 
 // Divides a row whose squared norm is beyond what float holds well.
@@ -115,7 +114,7 @@ Result<void> check_weights(const TMpsomParameters& parameters,
                   fmt::format("the weights of input {} are {} x {}, not {} x {}", a, w.rows(),
                               w.columns(), parameters.neurons(), parameters.input_sizes[a]));
     }
-    if (!std::isfinite(squared_norm(w.values()))) {
+    if (!all_finite(w.values())) {
       return fail(ErrorKind::kData, fmt::format("a weight of input {} is not finite", a));
     }
   }
@@ -124,20 +123,43 @@ Result<void> check_weights(const TMpsomParameters& parameters,
 
 }  // namespace
 
+TMpsom::Input::Input(const TMpsomParameters& parameters, std::size_t input)
+    : arbor(make_arbor(parameters, input)) {
+  for (std::size_t row = 0; row < arbor.rows(); row += kGroup * kLanes) {
+    ReceptiveField& field = fields.emplace_back(ReceptiveField{arbor.columns(), 0});
+    const std::size_t end = std::min(row + kGroup * kLanes, arbor.rows());
+    for (std::size_t neuron = row; neuron < end; ++neuron) field.widen(arbor, neuron);
+    field.first = std::min(field.first, field.end);  // it may see nothing
+  }
+}
+
+void TMpsom::ReceptiveField::widen(const LaneMatrix<float>& arbor, std::size_t neuron) {
+  for (std::size_t k = 0; k < arbor.columns(); ++k) {
+    if (arbor(neuron, k) == 0.0F) continue;
+    first = std::min(first, k);
+    end = std::max(end, k + 1);
+  }
+}
+
 TMpsom::Workspace::Workspace(const TMpsom& map)
     : activity_(map.neurons()), neighbourhood_(map.neurons()), spread_(map.neighbourhood_) {
-  for (const Input& input : map.inputs_) inputs_.emplace_back(input.weights.columns());
-  const std::size_t padded = map.inputs_.front().weights.padded_rows();
-  partial_.resize(padded);
+  const std::size_t padded = map.inputs_.front().arbor.padded_rows();
+  std::size_t longest = 0;
+  for (const Input& input : map.inputs_) {
+    inputs_.emplace_back(input.arbor.columns(), padded);
+    longest = std::max(longest, input.arbor.columns());
+  }
+  sample_.resize(longest);
   gains_.resize(padded);
   squared_norms_.resize(padded);
 }
 
 TMpsom::TMpsom(TMpsomParameters parameters, WithoutWeights /*tag*/)
     : parameters_(checked(std::move(parameters))),
-      neighbourhood_(parameters_.shape, parameters_.neighbourhood_sigma) {
+      neighbourhood_(parameters_.shape, parameters_.neighbourhood_sigma),
+      state_(new_state()) {
   for (std::size_t a = 0; a < parameters_.input_sizes.size(); ++a) {
-    inputs_.push_back({{}, make_arbor(parameters_, a)});
+    inputs_.emplace_back(parameters_, a);
   }
 }
 
@@ -147,7 +169,7 @@ TMpsom::TMpsom(TMpsomParameters parameters) : TMpsom(std::move(parameters), With
   }
   if (parameters_.weight_norm == TMpsomNorm::kNone) return;
   Workspace workspace(*this);
-  for (Input& input : inputs_) normalize_blocks(input, 0, input.weights.blocks(), workspace);
+  for (Input& input : inputs_) normalize_all(input, workspace);
 }
 
 Result<TMpsom> TMpsom::from_weights(TMpsomParameters parameters,
@@ -176,38 +198,20 @@ void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace
                         std::span<float> out) const {
   check(inputs, workspace);
   require(out.size() == neurons(), "T-MPSOM: the activity needs one value a neuron");
-  const kernels::Table<float>& kernels = kernels::table<float>();
-  for (std::size_t a = 0; a < inputs_.size(); ++a) {
-    std::vector<float>& sample = workspace.inputs_[a];
-    write_stored(inputs[a], parameters_.input_norm, sample);
-    const auto weights = kernels::lanes(inputs_[a].weights);
-    if (inputs[a].sparse) {
-      kernels.sparse_masked_inner_products(weights, inputs_[a].arbor.data(),
-                                           inputs[a].indices.data(), sample.data(),
-                                           inputs[a].indices.size(), workspace.partial_.data());
-    } else {
-      kernels.masked_inner_products(weights, inputs_[a].arbor.data(), sample.data(),
-                                    workspace.partial_.data());
-    }
-    combine(a, workspace);
-  }
-  for (std::size_t n = 0; n < out.size(); ++n) out[n] = static_cast<float>(workspace.activity_[n]);
+  hear(inputs, workspace);
+  std::transform(workspace.activity_.begin(), workspace.activity_.end(), out.begin(),
+                 [](double activity) { return static_cast<float>(activity); });
 }
 
 bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& workspace) {
   check(inputs, workspace);
   require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be in 0 .. 1");
-  for (std::size_t a = 0; a < inputs_.size(); ++a) {
-    std::vector<float>& sample = workspace.inputs_[a];
-    write_all(inputs[a], parameters_.input_norm, sample);
-    kernels::table<float>().masked_inner_products(kernels::lanes(std::as_const(inputs_[a].weights)),
-                                                  inputs_[a].arbor.data(), sample.data(),
-                                                  workspace.partial_.data());
-    combine(a, workspace);
-  }
+  hear(inputs, workspace);
   if (!find_gains(alpha, workspace)) return false;
+  state_ = new_state();
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
-    move(inputs_[a], workspace.inputs_[a].data(), workspace);
+    workspace.inputs_[a].write_dense(workspace.sample_);
+    move(inputs_[a], workspace);
   }
   return true;
 }
@@ -231,74 +235,112 @@ void TMpsom::check(std::span<const SignalView> inputs, const Workspace& workspac
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
     const std::size_t size = parameters_.input_sizes[a];
     require(inputs[a].size == size, "T-MPSOM: an input has another size than the map expects");
-    require(workspace.inputs_[a].size() == size, "T-MPSOM: the workspace belongs to another map");
+    require(workspace.inputs_[a].values.size() == size,
+            "T-MPSOM: the workspace belongs to another map");
   }
+}
+
+// y. An input that is the same again, for weights that are the same, too, has its partial
+// activations already.
+void TMpsom::hear(std::span<const SignalView> inputs, Workspace& workspace) const {
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    Workspace::Heard& heard = workspace.inputs_[a];
+    if (!heard.is_again(inputs[a])) heard.take(inputs[a], parameters_.input_norm);
+    if (heard.state != state_) find_partial(a, heard);
+    combine(a, workspace);
+  }
+}
+
+// Each group of blocks takes what it sees of the elements that are not zero.
+void TMpsom::find_partial(std::size_t input, Workspace::Heard& heard) const {
+  const auto& [weights, arbor, fields] = inputs_[input];
+  for (std::size_t group = 0; group < fields.size(); ++group) {
+    const std::size_t block = group * kGroup;
+    const std::size_t offset = block * weights.columns() * kLanes;
+    const std::size_t first = heard.ranks[fields[group].first];
+    const std::size_t count = heard.ranks[fields[group].end] - first;
+    kernels::table<float>().sparse_masked_inner_products(
+        {weights.data() + offset, std::min(kGroup, weights.blocks() - block), weights.columns()},
+        arbor.data() + offset, heard.indices.data() + first, heard.normalized.data() + first, count,
+        heard.partial.data() + block * kLanes);
+  }
+  heard.state = state_;
 }
 
 // Takes the partial activations of one input into y, in double precision.
 void TMpsom::combine(std::size_t input, Workspace& workspace) const {
-  std::vector<double>& activity = workspace.activity_;
-  const AlignedVector<float>& partial = workspace.partial_;
+  double* const activity = workspace.activity_.data();
+  const float* const partial = workspace.inputs_[input].partial.data();
+  const std::size_t count = neurons();
   if (input == 0) {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] = partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] = partial[n];
   } else if (parameters_.combination == TMpsomCombination::kMultiplied) {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] *= partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] *= partial[n];
   } else {
-    for (std::size_t n = 0; n < activity.size(); ++n) activity[n] += partial[n];
+    for (std::size_t n = 0; n < count; ++n) activity[n] += partial[n];
   }
 }
 
 // N and the gains alpha N from y; false when there is nothing to learn.
 bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
-  std::vector<double>& spread = workspace.neighbourhood_;
-  double total = 0.0;
-  for (std::size_t n = 0; n < spread.size(); ++n) {
-    total += workspace.activity_[n];
-    spread[n] = std::max(workspace.activity_[n], 0.0);
+  const std::span<double> spread = workspace.neighbourhood_;
+  const double* const activity = workspace.activity_.data();
+  bool finite = true;
+  for (std::size_t n = 0; double& value : spread) {
+    finite &= std::isfinite(activity[n]);
+    value = std::max(activity[n++], 0.0);
   }
-  require(std::isfinite(total), "T-MPSOM: the activity is too large; normalize the inputs");
+  const char* const too_large = "T-MPSOM: the activity is too large; normalize the inputs";
+  require(finite, too_large);
   neighbourhood_.spread(spread, workspace.spread_);
-  const double maximum = *std::max_element(spread.begin(), spread.end());
+  const double maximum = largest(spread);
+  require(std::isfinite(maximum), too_large);
   if (maximum <= 0.0) return false;
-  for (std::size_t n = 0; n < spread.size(); ++n) {
-    spread[n] /= maximum;
-    workspace.gains_[n] = factor(alpha * spread[n]);
+  float* gain = workspace.gains_.data();
+  for (double& value : spread) {
+    value /= maximum;
+    *gain++ = factor(alpha * value);
   }
   return true;
 }
 
 // A few blocks at a time are moved and normalized while they are in the nearest cache.
-void TMpsom::move(Input& input, const float* sample, Workspace& workspace) {
-  constexpr std::size_t kGroup = 4;
+void TMpsom::move(Input& input, Workspace& workspace) const {
   LaneMatrix<float>& weights = input.weights;
   for (std::size_t first = 0; first < weights.blocks(); first += kGroup) {
     const std::size_t count = std::min(kGroup, weights.blocks() - first);
-    float* values = weights.data() + first * weights.columns() * kLanes;
-    kernels::table<float>().move_towards({values, count, weights.columns()}, sample,
-                                         workspace.gains_.data() + first * kLanes);
-    kernels::table<float>().clear_negligible({values, count, weights.columns()});
+    float* squared_norms = workspace.squared_norms_.data() + first * kLanes;
+    kernels::table<float>().move_and_measure(
+        {weights.data() + first * weights.columns() * kLanes, count, weights.columns()},
+        workspace.sample_.data(), workspace.gains_.data() + first * kLanes, squared_norms);
     if (parameters_.weight_norm == TMpsomNorm::kL2) {
-      normalize_blocks(input, first, count, workspace);
+      normalize_blocks(input, first, count, squared_norms);
     }
   }
 }
 
+void TMpsom::normalize_all(Input& input, Workspace& workspace) {
+  float* squared_norms = workspace.squared_norms_.data();
+  kernels::table<float>().squared_norms(kernels::lanes(std::as_const(input.weights)),
+                                        squared_norms);
+  normalize_blocks(input, 0, input.weights.blocks(), squared_norms);
+}
+
 void TMpsom::normalize_blocks(Input& input, std::size_t first, std::size_t count,
-                              Workspace& workspace) {
+                              float* squared_norms) {
   constexpr float kSmallest = 1e-30F;
   constexpr float kLargest = 1e30F;
+  for (std::size_t lane = 0; lane < count * kLanes; ++lane) {
+    if (squared_norms[lane] > kSmallest && squared_norms[lane] < kLargest) continue;
+    const std::size_t row = first * kLanes + lane;
+    if (row < input.weights.rows()) normalize_row(input.weights, row);
+    squared_norms[lane] = 1.0F;
+  }
   const kernels::Table<float>& kernels = kernels::table<float>();
   const std::size_t columns = input.weights.columns();
-  float* values = input.weights.data() + first * columns * kLanes;
-  float* factors = workspace.squared_norms_.data() + first * kLanes;
-  kernels.squared_norms({values, count, columns}, factors);
-  for (std::size_t lane = 0; lane < count * kLanes; ++lane) {
-    const bool well_held = factors[lane] > kSmallest && factors[lane] < kLargest;
-    const std::size_t row = first * kLanes + lane;
-    if (!well_held && row < input.weights.rows()) normalize_row(input.weights, row);
-    factors[lane] = well_held ? 1.0F / std::sqrt(factors[lane]) : 1.0F;
-  }
-  kernels.scale_rows({values, count, columns}, factors);
+  kernels.invert_square_roots(squared_norms, count);
+  kernels.scale_rows({input.weights.data() + first * columns * kLanes, count, columns},
+                     squared_norms);
 }
 
 }  // namespace somato

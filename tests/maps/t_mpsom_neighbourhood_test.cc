@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
@@ -67,6 +68,41 @@ TEST(GridGaussian, SpreadsAsTheSumOverAllPairs) {
         EXPECT_NEAR(values[i], expected[i], 1e-13 * expected[i]);
       }
     }
+  }
+}
+
+// What is cut off: values between 0 and 1 over many orders, so that far places matter where
+// near ones are small. The bound is the one of the class comment, and rounding.
+TEST(GridGaussian, IsWithinItsBoundOfTheSumOverAllPairs) {
+  Random random(3);
+  for (const Shape& shape : {Shape{46, 23}, Shape{60}, Shape{3, 25, 4}}) {
+    for (const double sigma : {0.3, 1.0, 2.0}) {
+      const GridGaussian gaussian(shape, sigma);
+      GridGaussian::Workspace workspace(gaussian);
+      std::vector<double> values = random_values(random, shape);
+      for (double& value : values) value = std::pow(10.0, -60.0 * value);
+      const std::vector<double> expected = spread_by_pairs(values, shape, sigma);
+      const double total = std::accumulate(values.begin(), values.end(), 0.0);
+      gaussian.spread(values, workspace);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        EXPECT_NEAR(values[i], expected[i], 1e-13 * expected[i] + 1e-18 * total);
+      }
+    }
+  }
+}
+
+// One value: what comes of it is the Gaussian, up to where it is below 1e-18 (sqrt(2 * 18 ln 10),
+// or 9.1 sigma).
+TEST(GridGaussian, EndsWhereItIsNegligible) {
+  const GridGaussian gaussian({41}, 1.0);
+  GridGaussian::Workspace workspace(gaussian);
+  std::vector<double> values(41);
+  values[20] = 1.0;
+  gaussian.spread(values, workspace);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double distance = std::fabs(static_cast<double>(i) - 20.0);
+    const double expected = distance <= 9.0 ? std::exp(-distance * distance / 2.0) : 0.0;
+    EXPECT_NEAR(values[i], expected, 1e-14 * expected) << i;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,8 @@ namespace somato {
 /// Zeros and signs, which they leave open: a vector of zeros stays so when normalized; when no
 /// neuron is active (max N' <= 0) nothing is learned; activity below zero, which only signed input
 /// brings about, counts as none for N. Initial weights are uniform in [0, 1), then normalized.
-/// Arbors, gains alpha N and updated weights below 1e-18 are taken as zero, for speed.
+/// Arbors, G along an axis, gains alpha N and updated weights below 1e-18 are taken as zero, for
+/// speed.
 ///
 /// While it is used the map is constant; each thread brings its own Workspace. Neurons are in
 /// row-major order of the grid. Inputs must be finite; results have the same bits on every machine.
@@ -48,9 +50,25 @@ class TMpsom {
 
    private:
     friend class TMpsom;
-    std::vector<std::vector<float>> inputs_;  // normalized; of a sparse input in activation() only
-                                              // its stored values, at the front
-    AlignedVector<float> partial_;
+
+    // What came in last for one input, and the partial activations that it gave.
+    struct Heard {
+      Heard(std::size_t elements, std::size_t padded_neurons);
+      bool is_again(const SignalView& signal) const;
+      void take(const SignalView& signal, TMpsomNorm norm);
+      void write_dense(std::span<float> out) const;
+
+      std::size_t count = 0;  // of elements that are not zero: the others add nothing
+      std::vector<std::uint32_t> indices;
+      std::vector<float> values;  // as they came
+      std::vector<float> normalized;
+      std::vector<std::uint32_t> ranks;  // how many of `indices` are below each element
+      AlignedVector<float> partial;
+      std::uint64_t state = 0;  // of the weights that `partial` is of; 0: it is of none
+    };
+
+    std::vector<Heard> inputs_;
+    std::vector<float> sample_;
     AlignedVector<float> gains_;
     AlignedVector<float> squared_norms_;
     std::vector<double> activity_;
@@ -77,9 +95,10 @@ class TMpsom {
   /// A copy of the arbor A of one input: neurons x elements, each in 0 .. 1.
   Matrix<float> arbor(std::size_t input) const;
 
-  /// Writes y, one value a neuron, to `out`. Sparse inputs cost their stored values only, and give
-  /// the same as dense ones (the same bits up to 256 elements, beyond that up to rounding). Does
-  /// not allocate. Throws InvalidArgument when numbers or sizes differ from the parameters', or
+  /// Writes y, one value a neuron, to `out`. Only elements that are not zero cost anything, and
+  /// sparse inputs give the same bits as dense ones. An input that is the same as in the last call
+  /// with this workspace costs next to nothing, as long as the weights are the same, too. Does not
+  /// allocate. Throws InvalidArgument when numbers or sizes differ from the parameters', or
   /// when something is not finite.
   void activation(std::span<const SignalView> inputs, Workspace& workspace,
                   std::span<float> out) const;
@@ -94,23 +113,39 @@ class TMpsom {
   bool operator==(const TMpsom& other) const;
 
  private:
+  // The elements that a group of neurons sees: beyond, their arbors are zero.
+  struct ReceptiveField {
+    void widen(const LaneMatrix<float>& arbor, std::size_t neuron);
+
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+
   struct Input {
+    Input(const TMpsomParameters& parameters, std::size_t input);
+
     LaneMatrix<float> weights;
     LaneMatrix<float> arbor;
+    std::vector<ReceptiveField> fields;  // of each kGroup blocks
   };
 
   struct WithoutWeights {};
   TMpsom(TMpsomParameters parameters, WithoutWeights /*tag*/);
 
   void check(std::span<const SignalView> inputs, const Workspace& workspace) const;
+  void hear(std::span<const SignalView> inputs, Workspace& workspace) const;
+  void find_partial(std::size_t input, Workspace::Heard& heard) const;
   void combine(std::size_t input, Workspace& workspace) const;
   bool find_gains(double alpha, Workspace& workspace) const;
-  void move(Input& input, const float* sample, Workspace& workspace);
-  void normalize_blocks(Input& input, std::size_t first, std::size_t count, Workspace& workspace);
+  void move(Input& input, Workspace& workspace) const;
+  void normalize_all(Input& input, Workspace& workspace);
+  static void normalize_blocks(Input& input, std::size_t first, std::size_t count,
+                               float* squared_norms);
 
   TMpsomParameters parameters_;
   std::vector<Input> inputs_;
   GridGaussian neighbourhood_;
+  std::uint64_t state_;  // another number whenever weights change, so that none stands for two
 };
 
 }  // namespace somato

@@ -13,15 +13,18 @@ namespace somato {
 ///     out_p = sum over q of values_q exp(-|p - q|^2 / (2 sigma^2))
 ///
 /// This is N' of a T-MPSOM (P06 section 4.1, P11 section II). The Gaussian is the product of one
-/// Gaussian an axis, so the sum over all pairs of places is one pass along each axis; nothing is
-/// cut off.
+/// Gaussian an axis, so the sum over all pairs of places is one pass along each axis.
+///
+/// Along each axis a Gaussian below 1e-18 (beyond 9.1 sigma) is taken as zero. So only pairs whose
+/// Gaussian is below 1e-18 are left out, and a value is off by less than 1e-18 times the sum of all
+/// |values|.
 class GridGaussian {
  public:
   /// Scratch memory for spread(), for one thread.
   struct Workspace {
     explicit Workspace(const GridGaussian& gaussian);
-    std::vector<double> line;
-    AlignedVector<double> spread_line;
+    AlignedVector<double> lines;  // eight neighbouring ones, as the kernel takes them
+    AlignedVector<double> spread_lines;
   };
 
   GridGaussian() = default;
@@ -34,13 +37,16 @@ class GridGaussian {
   void spread(std::span<double> values, Workspace& workspace) const;
 
  private:
-  // exp(-(u - v)^2 / (2 sigma^2)) for all places u and v along one axis, and how far apart in
-  // memory neighbours along this axis are.
+  // Places along one axis, how far apart in memory neighbours along it are, how many places the
+  // Gaussian reaches, and its values: distance 0 in the middle, zeros beyond its reach.
   struct Axis {
-    LaneMatrix<double> factors;
+    std::size_t extent = 1;
     std::size_t stride = 1;
+    std::size_t reach = 0;
+    std::vector<double> factors;
   };
 
+  static Axis make_axis(std::size_t extent, std::size_t stride, double sigma);
   static void spread_along(const Axis& axis, std::span<double> values, Workspace& workspace);
 
   std::size_t places_ = 1;
