@@ -97,12 +97,13 @@ class Coefficients {
 
 class InnerProductTrainer {
  public:
-  InnerProductTrainer(const SomParameters& parameters, const Samples& samples, std::size_t threads)
+  InnerProductTrainer(const SomParameters& parameters, const Samples& samples,
+                      const StoredElements& elements, std::size_t threads)
       : parameters_(parameters),
         samples_(samples),
         threads_(threads),
         grid_(parameters.grid()),
-        source_(parameters, samples),
+        source_(parameters, samples, elements),
         sample_products_(samples.count(), samples.count()),
         products_(grid_.size(), samples.count()),
         squared_lengths_(grid_.size()),
@@ -240,8 +241,9 @@ class InnerProductTrainer {
 }  // namespace
 
 Result<Som> train_by_inner_products(const SomParameters& parameters, const Samples& samples,
+                                    const StoredElements& elements,
                                     const TrainingOptions& options) {
-  InnerProductTrainer trainer(parameters, samples, options.threads);
+  InnerProductTrainer trainer(parameters, samples, elements, options.threads);
   DrawSequence draws(parameters.draws, samples.count(), parameters.seed);
   const Stop stop(options.progress, *parameters.iterations, kIterationsBetweenReports);
   for (std::uint64_t t = 0; t < *parameters.iterations; ++t) {

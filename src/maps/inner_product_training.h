@@ -7,9 +7,9 @@
 
 namespace somato {
 
-/// Online training on inner products; `parameters` resolved, `samples` prepared. See the source for
-/// the mathematics.
+/// Online training on inner products; `parameters` resolved, `samples` prepared and of the stored
+/// `elements` alone, as the map that is returned. See the source for the mathematics.
 Result<Som> train_by_inner_products(const SomParameters& parameters, const Samples& samples,
-                                    const TrainingOptions& options);
+                                    const StoredElements& elements, const TrainingOptions& options);
 
 }  // namespace somato

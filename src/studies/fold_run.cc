@@ -11,6 +11,7 @@
 #include "somato/maps/labels.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
+#include "somato/maps/stored_elements.h"
 #include "somato/studies/nearest_neighbour.h"
 #include "studies/exploration_samples.h"
 
@@ -70,9 +71,11 @@ void measure_baseline(const Samples& vectors, const Tested& tested, FoldOutcome&
   outcome.raw_baseline = neighbours(vectors);
   outcome.standardized_baseline = outcome.raw_baseline;
   if (tested.training.size() < 2) return;
+  // A column that is 0 in all training samples is 0 once standardized.
+  const Samples narrow = StoredElements::used_by(vectors.subset(tested.training)).gather(vectors);
   const auto standardization =
-      Standardization::fit(vectors.subset(tested.training), {ConstantColumns::kZero});
-  if (standardization) outcome.standardized_baseline = neighbours(standardization->apply(vectors));
+      Standardization::fit(narrow.subset(tested.training), {ConstantColumns::kZero});
+  if (standardization) outcome.standardized_baseline = neighbours(standardization->apply(narrow));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ class Module {
   /// This module as one that has to learn, or nullptr.
   virtual Learner* learner() { return nullptr; }
 
-  /// Bytes of what is kept after learning, once connected.
+  /// Bytes of what is kept after learning, once connected; before it has learned, at most.
   virtual std::size_t memory() const { return 0; }
 };
 

@@ -8,6 +8,7 @@
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
 #include "somato/core/memory.h"
+#include "somato/maps/initial_weights.h"
 #include "somato/maps/som_archive.h"
 #include "somato/maps/t_mpsom.h"
 #include "somato/maps/t_mpsom_archive.h"
@@ -56,7 +57,10 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
     return fail(std::move(grid.error()));
   }
   const std::size_t neurons = parameters_.rows * parameters_.columns;
-  if (auto fits = check_memory(neurons, input_size_, inputs.front().port); !fits) {
+  // How many elements of a sparse input get weights is known when it learns.
+  const bool all_stored =
+      !input.sparse || !InitialWeightsSource::are_zero_without_samples(parameters_);
+  if (auto fits = check_memory(neurons, all_stored ? input_size_ : 1, inputs.front().port); !fits) {
     return fail(std::move(fits.error()));
   }
   if (auto possible = resolve(parameters_, 2, input_size_); !possible) {
@@ -72,7 +76,8 @@ std::unique_ptr<Stepper> SomModule::start() const {
 }
 
 std::size_t SomModule::memory() const {
-  return parameters_.rows * parameters_.columns * input_size_ * sizeof(float);
+  const std::size_t elements = som_.neurons() > 0 ? som_.elements().count() : input_size_;
+  return parameters_.rows * parameters_.columns * elements * sizeof(float);
 }
 
 SomParameters SomModule::parameters_for(const Lesson& lesson) const {
