@@ -5,16 +5,11 @@
 #include <utility>
 
 #include "core/lanes.h"
+#include "maps/activity.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
-
-double softmax_term(Softmax softmax, double exponent, double similarity) {
-  return softmax == Softmax::kPower ? power(similarity, exponent)
-                                    : exponential(exponent * similarity);
-}
 
 // 1 for zeros, which have no direction.
 double factor_to_length_one(std::span<const float> values) {
@@ -137,27 +132,13 @@ void Som::similarities(const SignalView& input, SomWorkspace& workspace,
     return;
   }
   for (std::size_t neuron = 0; neuron < all.size(); ++neuron) {
-    const double squared = double{all[neuron]} + workspace.left_out_;
-    out[neuron] = static_cast<float>(1.0 / (1.0 + std::sqrt(squared)));
+    out[neuron] = similarity_at(double{all[neuron]} + workspace.left_out_);
   }
 }
 
 void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const {
   similarities(input, workspace, out);
-  for (float& similarity : out) similarity = std::max(similarity, 0.0F);
-  const double largest = *std::max_element(out.begin(), out.end());
-  const bool power_form = parameters_.softmax == Softmax::kPower;
-  if (power_form && largest == 0.0) return;
-  // Relative to the largest one, so that nothing overflows; the quotient below is the same.
-  double sum = 0.0;
-  for (float& value : out) {
-    const double relative = power_form ? value / largest : value - largest;
-    const double term = softmax_term(parameters_.softmax, parameters_.softmax_exponent, relative);
-    value = static_cast<float>(term);
-    sum += term;
-  }
-  if (parameters_.activity_norm == ActivityNorm::kMaximum) return;
-  for (float& value : out) value = static_cast<float>(value / sum);
+  activity_of_similarities(parameters_, out);
 }
 
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {

@@ -1,7 +1,5 @@
 #include "somato/maps/som_training.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,9 +7,9 @@
 
 #include "core/lanes.h"
 #include "maps/inner_product_training.h"
+#include "maps/som_preparation.h"
 #include "maps/stop.h"
 #include "somato/core/check.h"
-#include "somato/core/memory.h"
 #include "somato/core/threads.h"
 #include "somato/maps/initial_weights.h"
 
@@ -27,34 +25,12 @@ std::uint64_t iterations_between_reports(const Som& som) {
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, 1, kIterationsBetweenReports);
 }
 
-// Refused before it is asked for: a system that promises more memory than it has would end the
-// program later, without a word.
-Result<void> check_memory(const SomParameters& parameters, std::size_t elements) {
-  const double gibibytes = static_cast<double>(parameters.grid().size()) *
-                           static_cast<double>(elements) * sizeof(float) / (1 << 30);
-  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
-  if (gibibytes <= there) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("{} x {} neurons of {} features need {:.1f} GiB of memory, and this "
-                          "machine has {:.1f}",
-                          parameters.rows, parameters.columns, elements, gibibytes, there),
-              {}, "choose fewer rows or columns");
-}
-
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
 constexpr std::uint64_t kIterationsBetweenClearings = 64;
 
-// What a map is trained on: parameters all decided; of the samples as the map sees them, the
-// elements for which it has weights.
-struct Prepared {
-  SomParameters parameters;
-  const Samples* samples;
-  StoredElements elements;
-};
-
 // Of the stored elements alone: everything else is 0 and stays 0.
-Som initial_som(const Prepared& prepared) {
+Som initial_som(const PreparedTraining& prepared) {
   const InitialWeightsSource source(prepared.parameters, *prepared.samples, prepared.elements);
   LaneMatrix<float> weights(prepared.parameters.grid().size(), prepared.samples->size());
   std::vector<float> row(prepared.samples->size());
@@ -105,51 +81,6 @@ Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOpt
   return som.parameters().training == Training::kBatch
              ? train_batch(som, prepared, options)
              : train_online(som, prepared, options.progress);
-}
-
-Result<void> check_samples(const Samples& samples) {
-  if (samples.count() > 0 && samples.size() > 0) return {};
-  return fail(ErrorKind::kData, "there are no samples to train on", {},
-              "give at least one sample of at least one element");
-}
-
-// Distances are summed in single precision: beyond its range every winner would be the first.
-Result<void> check_range(const Samples& prepared) {
-  constexpr double kLongest = 1e18;
-  constexpr double kShortest = 1e-15;
-  double longest = 0.0;
-  for (std::size_t i = 0; i < prepared.count(); ++i) {
-    longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
-  }
-  if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
-  return fail(ErrorKind::kData,
-              longest > kLongest ? "the samples are too large to be told apart in single precision"
-                                 : "the samples are too small to be told apart in single precision",
-              {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
-}
-
-StoredElements worth_storing(const SomParameters& parameters, const Samples& samples) {
-  return InitialWeightsSource::are_zero_without_samples(parameters)
-             ? StoredElements::used_by(samples)
-             : StoredElements(samples.size());
-}
-
-Result<Prepared> prepare(const SomParameters& parameters, const Samples& samples,
-                         Samples& storage) {
-  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
-  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
-  if (!resolved) return fail(std::move(resolved.error()));
-  StoredElements elements = worth_storing(*resolved, samples);
-  if (auto fits = check_memory(*resolved, elements.count()); !fits) {
-    return fail(std::move(fits.error()));
-  }
-  const Samples* prepared = &prepared_samples(*resolved, samples, storage);
-  if (auto fit = check_range(*prepared); !fit) return fail(std::move(fit.error()));
-  if (!elements.all()) {
-    storage = elements.gather(*prepared);
-    prepared = &storage;
-  }
-  return Prepared{std::move(*resolved), prepared, std::move(elements)};
 }
 
 bool has_weights_for(const Som& som, const Samples& samples) {
@@ -259,7 +190,7 @@ std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double ra
 
 Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
   Samples storage;
-  auto ready = prepare(parameters, samples, storage);
+  auto ready = prepare_training(parameters, samples, storage);
   if (!ready) return fail(std::move(ready.error()));
   return of_whole_inputs(initial_som(*ready), ready->elements);
 }
@@ -267,11 +198,10 @@ Result<Som> untrained_som(const SomParameters& parameters, const Samples& sample
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
   Samples storage;
-  auto ready = prepare(parameters, samples, storage);
+  auto ready = prepare_training(parameters, samples, storage);
   if (!ready) return fail(std::move(ready.error()));
   if (ready->parameters.arithmetic == Arithmetic::kInnerProducts) {
-    auto som =
-        train_by_inner_products(ready->parameters, *ready->samples, ready->elements, options);
+    auto som = train_by_inner_products(*ready, options);
     if (!som) return som;
     return of_whole_inputs(std::move(*som), ready->elements);
   }
@@ -313,26 +243,6 @@ std::size_t DrawSequence::next() {
   const std::size_t drawn = left_.back();
   left_.pop_back();
   return drawn;
-}
-
-const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
-                                Samples& storage) {
-  // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the caller keeps both alive
-  if (!parameters.normalize_input.value_or(false)) return samples;
-  std::vector<Signal> normalized;
-  normalized.reserve(samples.count());
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    const SignalView sample = samples[i];
-    std::vector<float> values(sample.values.begin(), sample.values.end());
-    normalize_length(values);
-    normalized.push_back(sample.sparse
-                             ? Signal::sparse({sample.size},
-                                              {sample.indices.begin(), sample.indices.end()},
-                                              std::move(values))
-                             : Signal::dense(std::move(values)));
-  }
-  storage = Samples::from_signals(normalized);
-  return storage;
 }
 
 }  // namespace somato
