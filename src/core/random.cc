@@ -106,4 +106,16 @@ void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span
   }
 }
 
+void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row,
+                 std::span<const std::uint32_t> columns, std::span<float> out) {
+  require(columns.size() == out.size(), "uniform_row needs room for a number a column");
+  std::array<float, 4> numbers{};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::uint32_t quarter = columns[i] / 4;
+    const bool there = i > 0 && columns[i - 1] / 4 == quarter;
+    if (!there) numbers = four_uniform(seed, stream, row, quarter);
+    out[i] = numbers[columns[i] % 4];
+  }
+}
+
 }  // namespace somato

@@ -31,6 +31,10 @@ Result<void> Learner::step(std::span<const SignalView> /*inputs*/, std::uint64_t
   return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
 }
 
+void Learner::turn_to(std::size_t /*exploration*/) {}
+
+void Learner::finish() {}
+
 const std::vector<ModuleType>& module_types() {
   static const std::vector<ModuleType> all = all_types();
   return all;

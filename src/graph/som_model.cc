@@ -17,8 +17,14 @@ namespace {
 
 const std::string kKind = "som";
 const std::string kPrefix = "som.";
-const std::set<std::string> kKnownParts{kPrefix + "parameters", kPrefix + "weights", "features",
-                                        "standardization",      "classes",           "labels"};
+const std::set<std::string> kKnownParts{kPrefix + "parameters",
+                                        kPrefix + "weights",
+                                        kPrefix + "input_size",
+                                        kPrefix + "elements",
+                                        "features",
+                                        "standardization",
+                                        "classes",
+                                        "labels"};
 
 // A list of names as a line of TOML, so that a name may hold anything.
 std::string names_to_toml(const std::vector<std::string>& names) {

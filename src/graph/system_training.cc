@@ -78,7 +78,8 @@ class Trainer {
     for (std::size_t i = 0; i < module; ++i) {
       index += system_.modules()[i].module->learner() != nullptr ? 1 : 0;
     }
-    return {seed_of(training_.seed, index), phase.draws, phase.order, training_.progress, false};
+    return {
+        seed_of(training_.seed, index), phase.draws, phase.order, training_.progress, false, false};
   }
 
   Result<void> learn_alone(const Phase& phase) {
@@ -105,35 +106,59 @@ class Trainer {
 
   Result<void> learn_together(const Phase& phase, const std::vector<std::size_t>& computed) {
     std::uint64_t draws = 0;
+    turned_.clear();
     for (const std::size_t module : phase.learners) {
-      const auto begun = begin(module, phase);
+      const auto begun = begin(module, phase, computed);
       if (!begun) return fail(place(begun.error(), module));
       draws = *begun;
     }
     const Lesson lesson = lesson_for(phase.learners.front(), phase);
     DrawSequence order(lesson.order.value_or(Draws::kWithReplacement), explorations_.size(),
                        lesson.seed);
-    return phase.of == Rate::kFrame ? learn_frames(phase, computed, draws, order)
-                                    : learn_explorations(phase, computed, draws, order);
+    auto learned = phase.of == Rate::kFrame ? learn_frames(phase, computed, draws, order)
+                                            : learn_explorations(phase, computed, draws, order);
+    if (!learned) return learned;
+    for (const std::size_t module : phase.learners) learner(module).finish();
+    return {};
+  }
+
+  // Whether an exploration brings the module the same one value at each port throughout the phase.
+  bool has_fixed_inputs(std::size_t module, const Phase& phase,
+                        const std::vector<std::size_t>& computed) const {
+    const std::vector<std::size_t>& inputs = system_.modules()[module].inputs;
+    return phase.of == Rate::kExploration &&
+           std::none_of(inputs.begin(), inputs.end(), [&](std::size_t input) {
+             return std::find(computed.begin(), computed.end(), input) != computed.end();
+           });
+  }
+
+  // `number` is that of an exploration among those to learn from.
+  void turn_to(std::size_t number) {
+    for (const std::size_t module : turned_) learner(module).turn_to(number);
   }
 
   // A module meets its inputs as they are before anything is learned; one that hears itself cannot
   // have any yet.
-  Result<std::uint64_t> begin(std::size_t module, const Phase& phase) {
+  Result<std::uint64_t> begin(std::size_t module, const Phase& phase,
+                              const std::vector<std::size_t>& computed) {
     Lesson lesson = lesson_for(module, phase);
     lesson.inputs_unknown = system_.wiring().reaches(module, module);
+    lesson.inputs_fixed = has_fixed_inputs(module, phase, computed);
     if (lesson.inputs_unknown) return learner(module).begin(lesson, {});
     std::vector<bool> wanted(system_.modules().size(), false);
     for (const std::size_t input : system_.modules()[module].inputs) wanted[input] = true;
     std::vector<ExplorationRun> runs;
     runs.reserve(explorations_.size());
     TrainingInputs inputs;
-    for (const std::size_t exploration : explorations_) {
-      runs.push_back(run_on(exploration));
-      if (auto computed = runs.back().compute(wanted); !computed) return fail(computed.error());
+    for (std::size_t number = 0; number < explorations_.size(); ++number) {
+      turn_to(number);
+      runs.push_back(run_on(explorations_[number]));
+      if (auto ran = runs.back().compute(wanted); !ran) return fail(ran.error());
       inputs.push_back(runs.back().inputs_of(module));
     }
-    return learner(module).begin(lesson, inputs);
+    const auto begun = learner(module).begin(lesson, inputs);
+    if (begun && lesson.inputs_fixed) turned_.push_back(module);
+    return begun;
   }
 
   Result<void> learn_frames(const Phase& phase, const std::vector<std::size_t>& computed,
@@ -164,7 +189,9 @@ class Trainer {
                                   std::uint64_t draws, DrawSequence& order) {
     const std::vector<bool> wanted = heard_among(computed);
     for (std::uint64_t draw = 0; draw < draws; ++draw) {
-      ExplorationRun run = run_on(explorations_[order.next()]);
+      const std::size_t number = order.next();
+      turn_to(number);
+      ExplorationRun run = run_on(explorations_[number]);
       if (auto ran = run.compute(wanted); !ran) return ran;
       for (const std::size_t module : phase.learners) {
         std::vector<SignalView> inputs;
@@ -200,6 +227,7 @@ class Trainer {
   std::span<const std::size_t> explorations_;
   const SystemTraining& training_;
   Activations& activations_;
+  std::vector<std::size_t> turned_;  // the phase's learners, as far as begun, with fixed inputs
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
@@ -46,7 +47,12 @@ void find_ranges(const Samples& samples, std::vector<float>& low, std::vector<fl
 }  // namespace
 
 InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)
-    : parameters_(parameters), samples_(samples) {
+    : InitialWeightsSource(parameters, samples, StoredElements(samples.size())) {}
+
+InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+                                           StoredElements elements)
+    : parameters_(parameters), samples_(samples), elements_(std::move(elements)) {
+  require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
   require(samples.count() > 0, "initial weights need at least one sample");
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     sample_of_neuron_ = drawn_samples(parameters_.grid().size(), samples.count(), parameters.seed);
@@ -60,12 +66,21 @@ void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     write_dense(samples_[sample_of_neuron_[neuron]], out);
   } else {
-    uniform_row(parameters_.seed, Stream::kInitialWeights, static_cast<std::uint32_t>(neuron), out);
+    write_uniform(static_cast<std::uint32_t>(neuron), out);
   }
   if (parameters_.initial_weights == InitialWeights::kRange) {
     for (std::size_t d = 0; d < out.size(); ++d) out[d] = low_[d] + (high_[d] - low_[d]) * out[d];
   }
   if (parameters_.similarity == Similarity::kDotProduct) normalize_length(out);
+}
+
+// The numbers belong to the places of the elements in the input.
+void InitialWeightsSource::write_uniform(std::uint32_t neuron, std::span<float> out) const {
+  if (elements_.all()) {
+    uniform_row(parameters_.seed, Stream::kInitialWeights, neuron, out);
+  } else {
+    uniform_row(parameters_.seed, Stream::kInitialWeights, neuron, elements_.listed(), out);
+  }
 }
 
 }  // namespace somato

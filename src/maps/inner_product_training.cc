@@ -14,13 +14,16 @@
 // and a normalization divides all of them by sqrt(n_j). It costs neurons x samples whatever the
 // number of elements. Weights are formed once, at the end. Everything is in double precision.
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/lanes.h"
+#include "maps/activity.h"
 #include "maps/stop.h"
+#include "somato/core/check.h"
 #include "somato/core/lane_matrix.h"
 #include "somato/core/threads.h"
 #include "somato/maps/initial_weights.h"
@@ -95,26 +98,30 @@ class Coefficients {
   Matrix<double> values_;
 };
 
+}  // namespace
+
 class InnerProductTrainer {
  public:
-  InnerProductTrainer(const SomParameters& parameters, const Samples& samples, std::size_t threads)
-      : parameters_(parameters),
-        samples_(samples),
+  // Refers to what is prepared.
+  InnerProductTrainer(const PreparedTraining& prepared, std::size_t threads)
+      : parameters_(prepared.parameters),
+        samples_(*prepared.samples),
         threads_(threads),
-        grid_(parameters.grid()),
-        source_(parameters, samples),
-        sample_products_(samples.count(), samples.count()),
-        products_(grid_.size(), samples.count()),
+        grid_(parameters_.grid()),
+        source_(parameters_, samples_, prepared.elements),
+        sample_products_(samples_.count(), samples_.count()),
+        products_(grid_.size(), samples_.count()),
         squared_lengths_(grid_.size()),
-        coefficients_(grid_.size(), samples.count()),
-        neighbourhood_(grid_, parameters.neighbourhood),
+        coefficients_(grid_.size(), samples_.count()),
+        neighbourhood_(grid_, parameters_.neighbourhood),
         gains_(products_.padded_rows()),
         factors_(products_.padded_rows(), 1.0) {
     compute_products();
   }
 
-  void learn(std::size_t sample, double learning_rate, double radius) {
-    neighbourhood_.around(winner(sample), radius, gains_);
+  std::size_t learn(std::size_t sample, double learning_rate, double radius) {
+    const std::size_t nearest = winner(sample);
+    neighbourhood_.around(nearest, radius, gains_);
     for (double& gain : gains_) gain *= learning_rate;
     for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
       factors_[neuron] = 1.0;
@@ -126,10 +133,19 @@ class InnerProductTrainer {
     if (dot_product()) {
       kernels.scale_rows(kernels::lanes(products_), factors_.data());
     }
+    // Products with samples that are orthogonal decay until they are slow to compute with.
+    if (++learned_ % kIterationsBetweenClearings == 0) {
+      kernels.clear_negligible(kernels::lanes(products_));
+    }
+    return nearest;
   }
 
-  // Products with samples that are orthogonal decay until they are slow to compute with.
-  void clear_negligible() { kernels::table<double>().clear_negligible(kernels::lanes(products_)); }
+  void similarities(std::size_t sample, std::span<float> out) const {
+    for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
+      out[neuron] = dot_product() ? static_cast<float>(products_(neuron, sample))
+                                  : similarity_at(squared_distance(neuron, sample));
+    }
+  }
 
   Som form_som() const {
     LaneMatrix<float> weights(grid_.size(), samples_.size());
@@ -190,6 +206,11 @@ class InnerProductTrainer {
     return dot_product() ? -product : squared_lengths_[neuron] - 2.0 * product;
   }
 
+  // Rounding may leave a difference of equals below 0.
+  double squared_distance(std::size_t neuron, std::size_t sample) const {
+    return std::max(0.0, sample_products_(sample, sample) + score(neuron, sample));
+  }
+
   void move_coefficients(std::size_t neuron, double gain, std::size_t sample) {
     coefficients_.shrink_and_add(neuron, gain, sample);
     const double kept = 1.0 - gain;
@@ -235,21 +256,51 @@ class InnerProductTrainer {
   Neighbourhood neighbourhood_;
   AlignedVector<double> gains_;
   AlignedVector<double> factors_;
+  std::uint64_t learned_ = 0;
 };
 
-}  // namespace
-
-Result<Som> train_by_inner_products(const SomParameters& parameters, const Samples& samples,
+Result<Som> train_by_inner_products(const PreparedTraining& prepared,
                                     const TrainingOptions& options) {
-  InnerProductTrainer trainer(parameters, samples, options.threads);
-  DrawSequence draws(parameters.draws, samples.count(), parameters.seed);
-  const Stop stop(options.progress, *parameters.iterations, kIterationsBetweenReports);
-  for (std::uint64_t t = 0; t < *parameters.iterations; ++t) {
-    trainer.learn(draws.next(), parameters.learning_rate().at(t), parameters.radius().at(t));
-    if ((t + 1) % kIterationsBetweenClearings == 0) trainer.clear_negligible();
+  const SomParameters& p = prepared.parameters;
+  InnerProductTrainer trainer(prepared, options.threads);
+  DrawSequence draws(p.draws, prepared.samples->count(), p.seed);
+  const Stop stop(options.progress, *p.iterations, kIterationsBetweenReports);
+  for (std::uint64_t t = 0; t < *p.iterations; ++t) {
+    trainer.learn(draws.next(), p.learning_rate().at(t), p.radius().at(t));
     if (stop.after(t + 1)) return Stop::error();
   }
   return trainer.form_som();
+}
+
+InnerProductLearner::~InnerProductLearner() = default;
+
+Result<std::unique_ptr<InnerProductLearner>> InnerProductLearner::start(
+    const SomParameters& parameters, Samples samples) {
+  std::unique_ptr<InnerProductLearner> learner(new InnerProductLearner());
+  learner->samples_ = std::move(samples);
+  auto prepared = prepare_training(parameters, learner->samples_, learner->storage_);
+  if (!prepared) return fail(std::move(prepared.error()));
+  if (prepared->parameters.arithmetic != Arithmetic::kInnerProducts) return nullptr;
+  learner->prepared_ = std::move(*prepared);
+  learner->trainer_ = std::make_unique<InnerProductTrainer>(learner->prepared_, 1);
+  return learner;
+}
+
+std::size_t InnerProductLearner::learn(std::size_t sample, double learning_rate, double radius) {
+  require(sample < samples_.count(), "there is no such sample to learn");
+  return trainer_->learn(sample, learning_rate, radius);
+}
+
+void InnerProductLearner::activity(std::size_t sample, std::span<float> out) const {
+  require(sample < samples_.count() && out.size() == parameters().grid().size(),
+          "an activity needs one of the samples, and room for a value a neuron");
+  trainer_->similarities(sample, out);
+  activity_of_similarities(parameters(), out);
+}
+
+Som InnerProductLearner::form_som() const {
+  Som som = trainer_->form_som();
+  return Som(som.parameters(), std::move(som.weights()), prepared_.elements);
 }
 
 }  // namespace somato

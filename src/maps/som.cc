@@ -5,15 +5,17 @@
 #include <utility>
 
 #include "core/lanes.h"
+#include "maps/activity.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
 
-double softmax_term(Softmax softmax, double exponent, double similarity) {
-  return softmax == Softmax::kPower ? power(similarity, exponent)
-                                    : exponential(exponent * similarity);
+// 1 for zeros, which have no direction.
+double factor_to_length_one(std::span<const float> values) {
+  double sum = 0.0;
+  for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
+  return sum == 0.0 ? 1.0 : 1.0 / std::sqrt(sum);
 }
 
 }  // namespace
@@ -22,23 +24,54 @@ Som::Som(SomParameters parameters, const Matrix<float>& weights)
     : Som(std::move(parameters), LaneMatrix<float>(weights)) {}
 
 Som::Som(SomParameters parameters, LaneMatrix<float> weights)
-    : parameters_(std::move(parameters)), grid_(parameters_.grid()), weights_(std::move(weights)) {
+    : parameters_(std::move(parameters)),
+      grid_(parameters_.grid()),
+      weights_(std::move(weights)),
+      elements_(weights_.columns()) {
   require(weights_.rows() == grid_.size(), "a map needs one row of weights a neuron");
+}
+
+Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements elements)
+    : Som(std::move(parameters), std::move(weights)) {
+  elements_ = std::move(elements);
+  require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
+}
+
+float Som::weight(std::size_t neuron, std::size_t element) const {
+  const auto place = elements_.place_of(element);
+  return place ? weights_(neuron, *place) : 0.0F;
+}
+
+void Som::store_all() {
+  if (elements_.all()) return;
+  LaneMatrix<float> weights(neurons(), input_size());
+  for (std::size_t place = 0; place < elements_.count(); ++place) {
+    const std::size_t element = elements_.listed()[place];
+    for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+      weights(neuron, element) = weights_(neuron, place);
+    }
+  }
+  weights_ = std::move(weights);
+  elements_ = StoredElements(elements_.size());
 }
 
 std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& workspace) const {
   require(input.size == input_size(), "the input's size differs from the map's input size");
   const bool normalize = parameters_.normalize_input.value_or(false);
-  if (!input.sparse && !normalize) return input.values;
-  workspace.input_.resize(input.size);
-  write_dense(input, workspace.input_);
-  if (normalize) normalize_length(workspace.input_);
+  workspace.left_out_ = 0.0;
+  if (!input.sparse && !normalize && elements_.all()) return input.values;
+  workspace.input_.resize(elements_.count());
+  const double factor = normalize ? factor_to_length_one(input.values) : 1.0;
+  workspace.left_out_ = elements_.gather(input, workspace.input_, factor);
   return workspace.input_;
 }
 
 // Squared distances or inner products: what decides the winner.
 std::span<const float> Som::scores(const SignalView& input, SomWorkspace& workspace) const {
-  const std::span<const float> x = prepare(input, workspace);
+  return scores_of(prepare(input, workspace), workspace);
+}
+
+std::span<const float> Som::scores_of(std::span<const float> x, SomWorkspace& workspace) const {
   workspace.scores_.resize(weights_.padded_rows());
   const auto& kernels = kernels::table<float>();
   const auto compute = parameters_.similarity == Similarity::kEuclidean ? kernels.squared_distances
@@ -52,7 +85,11 @@ bool Som::prefers(float score, float other) const {
 }
 
 std::size_t Som::winner(const SignalView& input, SomWorkspace& workspace) const {
-  const std::span<const float> all = scores(input, workspace);
+  return winner_of(prepare(input, workspace), workspace);
+}
+
+std::size_t Som::winner_of(std::span<const float> prepared, SomWorkspace& workspace) const {
+  const std::span<const float> all = scores_of(prepared, workspace);
   const auto best = parameters_.similarity == Similarity::kEuclidean
                         ? std::min_element(all.begin(), all.end())
                         : std::max_element(all.begin(), all.end());
@@ -95,31 +132,18 @@ void Som::similarities(const SignalView& input, SomWorkspace& workspace,
     return;
   }
   for (std::size_t neuron = 0; neuron < all.size(); ++neuron) {
-    out[neuron] = static_cast<float>(1.0 / (1.0 + std::sqrt(double{all[neuron]})));
+    out[neuron] = similarity_at(double{all[neuron]} + workspace.left_out_);
   }
 }
 
 void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const {
   similarities(input, workspace, out);
-  for (float& similarity : out) similarity = std::max(similarity, 0.0F);
-  const double largest = *std::max_element(out.begin(), out.end());
-  const bool power_form = parameters_.softmax == Softmax::kPower;
-  if (power_form && largest == 0.0) return;
-  // Relative to the largest one, so that nothing overflows; the quotient below is the same.
-  double sum = 0.0;
-  for (float& value : out) {
-    const double relative = power_form ? value / largest : value - largest;
-    const double term = softmax_term(parameters_.softmax, parameters_.softmax_exponent, relative);
-    value = static_cast<float>(term);
-    sum += term;
-  }
-  if (parameters_.activity_norm == ActivityNorm::kMaximum) return;
-  for (float& value : out) value = static_cast<float>(value / sum);
+  activity_of_similarities(parameters_, out);
 }
 
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {
   const std::span<const float> x = prepare(input, workspace);
-  double sum = 0.0;
+  double sum = workspace.left_out_;
   for (std::size_t d = 0; d < x.size(); ++d) {
     const double difference = double{x[d]} - double{weights_(neuron, d)};
     sum = std::fma(difference, difference, sum);
@@ -128,10 +152,7 @@ double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& 
 }
 
 void normalize_length(std::span<float> values) {
-  double sum = 0.0;
-  for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
-  if (sum == 0.0) return;
-  const double factor = 1.0 / std::sqrt(sum);
+  const double factor = factor_to_length_one(values);
   for (float& value : values) value = static_cast<float>(value * factor);
 }
 

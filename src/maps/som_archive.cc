@@ -1,6 +1,8 @@
 #include "somato/maps/som_archive.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "maps/map_parts.h"
 
@@ -22,11 +24,67 @@ Result<SomParameters> read_decided(const Archive& archive, const std::string& na
   return resolved;
 }
 
+void add_elements(Archive& archive, const std::string& prefix, const StoredElements& elements) {
+  archive.add(prefix + "input_size",
+              Array<std::int64_t>{{1}, {static_cast<std::int64_t>(elements.size())}});
+  archive.add(prefix + "elements",
+              Array<std::int64_t>{{elements.count()},
+                                  {elements.listed().begin(), elements.listed().end()}});
+}
+
+// Elements are numbered by 32 bits.
+Result<std::size_t> read_input_size(const Archive& archive, const std::string& name,
+                                    const std::string& where) {
+  constexpr std::int64_t kLargest = std::int64_t{1} << 32U;
+  const auto found = archive.get<Array<std::int64_t>>(name, where);
+  if (!found) return fail(found.error());
+  const Array<std::int64_t>& array = **found;
+  if (array.shape != std::vector<std::uint64_t>{1} || array.values[0] < 1 ||
+      array.values[0] > kLargest) {
+    return damaged_model("'" + name + "' is not a size that an input can have", where);
+  }
+  return static_cast<std::size_t>(array.values[0]);
+}
+
+Result<std::vector<std::uint32_t>> read_list(const Archive& archive, const std::string& name,
+                                             std::size_t size, const std::string& where) {
+  const auto found = archive.get<Array<std::int64_t>>(name, where);
+  if (!found) return fail(found.error());
+  const Array<std::int64_t>& array = **found;
+  std::vector<std::uint32_t> listed;
+  listed.reserve(array.values.size());
+  for (const std::int64_t element : array.values) {
+    if (element < 0 || element >= static_cast<std::int64_t>(size)) {
+      return damaged_model("'" + name + "' holds an element that the input has not", where);
+    }
+    listed.push_back(static_cast<std::uint32_t>(element));
+  }
+  if (array.shape.size() == 1 && StoredElements::possible_list(size, listed)) return listed;
+  return damaged_model("'" + name + "' is not an ascending list", where);
+}
+
+// All of `columns` elements where nothing else is said.
+Result<StoredElements> read_elements(const Archive& archive, const std::string& prefix,
+                                     std::size_t columns, const std::string& where) {
+  if (!archive.find(prefix + "elements") && !archive.find(prefix + "input_size")) {
+    return StoredElements(columns);
+  }
+  const auto size = read_input_size(archive, prefix + "input_size", where);
+  if (!size) return fail(size.error());
+  auto listed = read_list(archive, prefix + "elements", *size, where);
+  if (!listed) return fail(std::move(listed.error()));
+  if (listed->size() != columns) {
+    return damaged_model("'" + prefix + "elements' does not fit the map's weights", where);
+  }
+  return StoredElements(*size, std::move(*listed));
+}
+
 }  // namespace
 
 void add_som(Archive& archive, const std::string& prefix, const Som& som) {
   archive.add(prefix + "parameters", parameters_to_toml(som.parameters()));
   add_matrix(archive, prefix + "weights", som.weights().to_matrix());
+  if (!som.elements().all()) add_elements(archive, prefix, som.elements());
 }
 
 Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where) {
@@ -37,7 +95,9 @@ Result<Som> som_from(const Archive& archive, const std::string& prefix, const st
   if (weights->rows() != parameters->grid().size()) {
     return damaged_model("the map's weights do not fit its grid", where);
   }
-  return Som(*parameters, *weights);
+  auto elements = read_elements(archive, prefix, weights->columns(), where);
+  if (!elements) return fail(std::move(elements.error()));
+  return Som(*parameters, LaneMatrix<float>(*weights), std::move(*elements));
 }
 
 }  // namespace somato

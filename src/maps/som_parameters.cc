@@ -148,7 +148,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "arithmetic", [](P& p) -> auto& { return p.arithmetic; }, "", Range::any(),
               "How online training computes; the map is the same up to rounding. Automatic: inner "
               "products when there are at least twice as many features, and iterations, as "
-              "samples.")
+              "samples; in a system, where the samples are whole explorations that nothing changes "
+              "meanwhile.")
           .add(
               "softmax", [](P& p) -> auto& { return p.softmax; }, "", Range::any(),
               "Form of the map's activity from its similarities s: s^m or exp(m s).")

@@ -10,7 +10,7 @@ namespace {
 
 double weight_distance(const Som& som, std::size_t a, std::size_t b) {
   double sum = 0.0;
-  for (std::size_t d = 0; d < som.input_size(); ++d) {
+  for (std::size_t d = 0; d < som.weights().columns(); ++d) {
     const double difference = double{som.weights()(a, d)} - double{som.weights()(b, d)};
     sum = std::fma(difference, difference, sum);
   }
@@ -61,7 +61,7 @@ std::vector<double> component_plane(const Som& som, std::size_t element) {
   require(element < som.input_size(), "component_plane: the map has no such input element");
   std::vector<double> plane(som.neurons());
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
-    plane[neuron] = double{som.weights()(neuron, element)};
+    plane[neuron] = double{som.weight(neuron, element)};
   }
   return plane;
 }

@@ -1,7 +1,5 @@
 #include "somato/maps/som_training.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,9 +7,9 @@
 
 #include "core/lanes.h"
 #include "maps/inner_product_training.h"
+#include "maps/som_preparation.h"
 #include "maps/stop.h"
 #include "somato/core/check.h"
-#include "somato/core/memory.h"
 #include "somato/core/threads.h"
 #include "somato/maps/initial_weights.h"
 
@@ -23,36 +21,29 @@ constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 26;
 
 // Fewer on a large map: whoever asks it to stop does not want to wait.
 std::uint64_t iterations_between_reports(const Som& som) {
-  const std::uint64_t weights = std::uint64_t{som.neurons()} * som.input_size();
+  const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, 1, kIterationsBetweenReports);
 }
 
-// Refused before it is asked for: a system that promises more memory than it has would end the
-// program later, without a word.
-Result<void> check_memory(const SomParameters& parameters, const Samples& samples) {
-  const double gibibytes = static_cast<double>(parameters.grid().size()) *
-                           static_cast<double>(samples.size()) * sizeof(float) / (1 << 30);
-  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
-  if (gibibytes <= there) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("{} x {} neurons of {} features need {:.1f} GiB of memory, and this "
-                          "machine has {:.1f}",
-                          parameters.rows, parameters.columns, samples.size(), gibibytes, there),
-              {}, "choose fewer rows or columns");
-}
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
 constexpr std::uint64_t kIterationsBetweenClearings = 64;
 
-Som initial_som(const SomParameters& parameters, const Samples& prepared) {
-  const InitialWeightsSource source(parameters, prepared);
-  LaneMatrix<float> weights(parameters.grid().size(), prepared.size());
-  std::vector<float> row(prepared.size());
+// Of the stored elements alone: everything else is 0 and stays 0.
+Som initial_som(const PreparedTraining& prepared) {
+  const InitialWeightsSource source(prepared.parameters, *prepared.samples, prepared.elements);
+  LaneMatrix<float> weights(prepared.parameters.grid().size(), prepared.samples->size());
+  std::vector<float> row(prepared.samples->size());
   for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
     source.write(neuron, row);
     weights.set_row(neuron, row);
   }
-  return Som(parameters, std::move(weights));
+  return Som(prepared.parameters, std::move(weights));
+}
+
+// A map of stored elements as one of whole inputs.
+Som of_whole_inputs(Som som, const StoredElements& elements) {
+  return Som(som.parameters(), std::move(som.weights()), elements);
 }
 
 // Scales every row to length 1; rows of zeros stay.
@@ -92,42 +83,13 @@ Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOpt
              : train_online(som, prepared, options.progress);
 }
 
-Result<void> check_samples(const Samples& samples) {
-  if (samples.count() > 0 && samples.size() > 0) return {};
-  return fail(ErrorKind::kData, "there are no samples to train on", {},
-              "give at least one sample of at least one element");
-}
-
-// Distances are summed in single precision: beyond its range every winner would be the first.
-Result<void> check_range(const Samples& prepared) {
-  constexpr double kLongest = 1e18;
-  constexpr double kShortest = 1e-15;
-  double longest = 0.0;
-  for (std::size_t i = 0; i < prepared.count(); ++i) {
-    longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
+bool has_weights_for(const Som& som, const Samples& samples) {
+  if (som.elements().all()) return true;
+  std::vector<float> stored(som.elements().count());
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    if (som.elements().gather(samples[i], stored) > 0.0) return false;
   }
-  if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
-  return fail(ErrorKind::kData,
-              longest > kLongest ? "the samples are too large to be told apart in single precision"
-                                 : "the samples are too small to be told apart in single precision",
-              {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
-}
-
-// Parameters all decided, and the samples as the map sees them.
-struct Prepared {
-  SomParameters parameters;
-  const Samples* samples;
-};
-
-Result<Prepared> prepare(const SomParameters& parameters, const Samples& samples,
-                         Samples& storage) {
-  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
-  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
-  if (!resolved) return fail(std::move(resolved.error()));
-  if (auto fits = check_memory(*resolved, samples); !fits) return fail(std::move(fits.error()));
-  const Samples& prepared = prepared_samples(*resolved, samples, storage);
-  if (auto fit = check_range(prepared); !fit) return fail(std::move(fit.error()));
-  return Prepared{std::move(*resolved), &prepared};
+  return true;
 }
 
 // Sums of the samples by winner, and how many there are: double precision, in the samples' order.
@@ -138,11 +100,11 @@ struct WinnerSums {
 
 WinnerSums sum_by_winner(const Som& som, const Samples& samples,
                          const std::vector<std::size_t>& winners) {
-  WinnerSums result{Matrix<double>(som.neurons(), som.input_size()),
+  WinnerSums result{Matrix<double>(som.neurons(), som.elements().count()),
                     std::vector<double>(som.neurons())};
-  std::vector<float> input(som.input_size());
+  std::vector<float> input(som.elements().count());
   for (std::size_t i = 0; i < samples.count(); ++i) {
-    write_dense(samples[i], input);
+    som.elements().gather(samples[i], input);
     const auto sum = result.sums.row(winners[i]);
     for (std::size_t d = 0; d < input.size(); ++d) sum[d] += double{input[d]};
     result.counts[winners[i]] += 1.0;
@@ -175,15 +137,16 @@ SomLearner::SomLearner(Som& som)
       gains_(som.weights().padded_rows()) {}
 
 std::size_t SomLearner::learn(const SignalView& input, double learning_rate, double radius) {
-  const std::size_t winner = som_.winner(input, workspace_);
+  std::span<const float> seen = som_.prepare(input, workspace_);
+  if (workspace_.left_out_ > 0.0) {
+    som_.store_all();
+    seen = som_.prepare(input, workspace_);
+  }
+  const std::size_t winner = som_.winner_of(seen, workspace_);
   neighbourhood_.around(winner, radius, gains_);
   const auto rate = static_cast<float>(learning_rate);
   for (float& gain : gains_) gain *= rate;
-  input_.resize(input.size);
-  write_dense(input, input_);
-  if (*som_.parameters().normalize_input) normalize_length(input_);
-  kernels::table<float>().move_towards(kernels::lanes(som_.weights()), input_.data(),
-                                       gains_.data());
+  kernels::table<float>().move_towards(kernels::lanes(som_.weights()), seen.data(), gains_.data());
   if (som_.parameters().similarity == Similarity::kDotProduct) {
     normalize_rows(som_.weights(), factors_);
   }
@@ -204,6 +167,7 @@ std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std:
 
 std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
                                      std::size_t threads) {
+  if (!has_weights_for(som, samples)) som.store_all();
   Samples storage;
   const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
   std::vector<std::size_t> winners = winners_of(som, prepared, threads);
@@ -211,7 +175,7 @@ std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double ra
   for_each_range(som.neurons(), threads, [&](std::size_t begin, std::size_t end) {
     Neighbourhood neighbourhood(som.grid(), som.parameters().neighbourhood);
     std::vector<double> gains(som.neurons());
-    std::vector<double> mean(som.input_size());
+    std::vector<double> mean(som.elements().count());
     for (std::size_t neuron = begin; neuron < end; ++neuron) {
       neighbourhood.around(neuron, radius, gains);
       move_to_mean(som, neuron, sums, gains, mean);
@@ -226,24 +190,26 @@ std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double ra
 
 Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
   Samples storage;
-  auto ready = prepare(parameters, samples, storage);
+  auto ready = prepare_training(parameters, samples, storage);
   if (!ready) return fail(std::move(ready.error()));
-  return initial_som(ready->parameters, *ready->samples);
+  return of_whole_inputs(initial_som(*ready), ready->elements);
 }
 
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
   Samples storage;
-  auto ready = prepare(parameters, samples, storage);
+  auto ready = prepare_training(parameters, samples, storage);
   if (!ready) return fail(std::move(ready.error()));
   if (ready->parameters.arithmetic == Arithmetic::kInnerProducts) {
-    return train_by_inner_products(ready->parameters, *ready->samples, options);
+    auto som = train_by_inner_products(*ready, options);
+    if (!som) return som;
+    return of_whole_inputs(std::move(*som), ready->elements);
   }
-  Som som = initial_som(ready->parameters, *ready->samples);
+  Som som = initial_som(*ready);
   if (auto trained = train_in_place(som, *ready->samples, options); !trained) {
     return fail(std::move(trained.error()));
   }
-  return som;
+  return of_whole_inputs(std::move(som), ready->elements);
 }
 
 Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options) {
@@ -251,6 +217,11 @@ Result<void> continue_som(Som& som, const Samples& samples, const TrainingOption
   require(samples.size() == som.input_size(),
           "the samples' size differs from the map's input size");
   Som trained = som;
+  if (!has_weights_for(som, samples)) {
+    auto fits = check_memory(som.parameters(), som.input_size());
+    if (!fits) return fits;
+    trained.store_all();
+  }
   Samples storage;
   const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
   if (auto fit = check_range(prepared); !fit) return fit;
@@ -272,26 +243,6 @@ std::size_t DrawSequence::next() {
   const std::size_t drawn = left_.back();
   left_.pop_back();
   return drawn;
-}
-
-const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
-                                Samples& storage) {
-  // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the caller keeps both alive
-  if (!parameters.normalize_input.value_or(false)) return samples;
-  std::vector<Signal> normalized;
-  normalized.reserve(samples.count());
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    const SignalView sample = samples[i];
-    std::vector<float> values(sample.values.begin(), sample.values.end());
-    normalize_length(values);
-    normalized.push_back(sample.sparse
-                             ? Signal::sparse({sample.size},
-                                              {sample.indices.begin(), sample.indices.end()},
-                                              std::move(values))
-                             : Signal::dense(std::move(values)));
-  }
-  storage = Samples::from_signals(normalized);
-  return storage;
 }
 
 }  // namespace somato

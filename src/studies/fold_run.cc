@@ -10,6 +10,7 @@
 #include "somato/graph/system_training.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
+#include "somato/maps/stored_elements.h"
 #include "somato/studies/nearest_neighbour.h"
 #include "studies/exploration_samples.h"
 
@@ -70,11 +71,14 @@ Neighbours nearest_neighbours(const TrainedFold& trained, const Fold& fold) {
   nearest.raw = neighbours_among(trained.vectors, training, test, trained.samples);
   nearest.standardized = nearest.raw;
   if (training.size() < 2) return nearest;
+  // A column that is 0 in all training samples is 0 once standardized.
+  const Samples narrow =
+      StoredElements::used_by(trained.vectors.subset(training)).gather(trained.vectors);
   const auto standardization =
-      Standardization::fit(trained.vectors.subset(training), {ConstantColumns::kZero});
+      Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
   if (!standardization) return nearest;
   nearest.standardized =
-      neighbours_among(standardization->apply(trained.vectors), training, test, trained.samples);
+      neighbours_among(standardization->apply(narrow), training, test, trained.samples);
   return nearest;
 }
 

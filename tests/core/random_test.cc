@@ -168,5 +168,15 @@ TEST(UniformRow, HoldsTheNumbersOfUniformAt) {
   }
 }
 
+TEST(UniformRow, HoldsTheNumbersOfTheColumnsAskedFor) {
+  const std::vector<std::uint32_t> columns{0, 2, 3, 4, 9, 13, 400, 401, 4'000'000'003U};
+  std::vector<float> row(columns.size());
+  uniform_row(5, Stream::kInitialWeights, 7, columns, row);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    EXPECT_EQ(row[i], uniform_at(5, Stream::kInitialWeights, 7, columns[i])) << columns[i];
+  }
+  EXPECT_THROW(uniform_row(5, Stream::kUser, 7, columns, std::span(row).first(3)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace somato

@@ -168,7 +168,9 @@ TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {
                                "input = \"wide\"\nlow = 0\nhigh = 1\n"
                                "elements = 1000"),
                  "system.toml:21, module 'm', port 'input'", "would have more than");
-  expect_refused(wide + module("m", "som", "input = \"wide\"\nrows = 4096\ncolumns = 4096"),
+  expect_refused(wide + module("m", "som",
+                               "input = \"wide\"\nrows = 4096\ncolumns = 4096\n"
+                               "initial_weights = \"uniform\""),
                  "system.toml:21, module 'm', port 'input'", "of memory, and this machine has");
   expect_refused(module("m", "som", "input = \"joints\"\nrows = 16777216\ncolumns = 16777216"),
                  "system.toml:13, module 'm'", "has more than 16777216 neurons");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "somato/graph/system_model.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/t_mpsom_training.h"
@@ -219,6 +221,72 @@ TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
   }
   EXPECT_EQ(map_of(system, "a").weights(), a.weights());
   EXPECT_EQ(map_of(system, "b").weights(), b.weights());
+}
+
+// Two maps in one phase, of which the first hears the same explorations throughout.
+std::string heard_map(const std::string& more) {
+  return channels() +
+         module("code", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 7") +
+         module("stm", "accumulate", "input = \"code\"") +
+         module("a", "som", "input = \"stm\"\nrows = 5\ncolumns = 4\n" + more) +
+         module("b", "som", "input = \"a\"" + kSmall) +
+         "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = 300\n";
+}
+
+std::size_t place_of_greatest(std::span<const float> values) {
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+void expect_alike(const System& one, const System& other, const Recording& recording,
+                  const std::string& map) {
+  for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
+    const Matrix<float> a = dense(output_of(one, recording, map, i));
+    const Matrix<float> b = dense(output_of(other, recording, map, i));
+    EXPECT_EQ(place_of_greatest(a.row(0)), place_of_greatest(b.row(0))) << map << " " << i;
+    for (std::size_t n = 0; n < a.columns(); ++n) EXPECT_NEAR(a(0, n), b(0, n), 1e-4) << map;
+  }
+}
+
+TEST(SystemTraining, MapsLearnTogetherByInnerProductsAsByPlainArithmetic) {
+  const Recording recording = hand_recording(8, 5);
+  for (const std::string& more :
+       {std::string(), std::string("similarity = \"dot_product\"\n"),
+        std::string("normalize_input = true\ninitial_weights = \"samples\"\n"),
+        std::string("similarity = \"dot_product\"\ninitial_weights = \"uniform\"\n")}) {
+    const System plain =
+        trained(build(heard_map(more + "arithmetic = \"plain\"\n"), recording), recording, 6, 9);
+    EXPECT_EQ(map_of(plain, "a").parameters().arithmetic, Arithmetic::kPlain);
+    for (const std::string& arithmetic :
+         {std::string(), std::string("arithmetic = \"inner_products\"")}) {
+      const System fast = trained(build(heard_map(more + arithmetic), recording), recording, 6, 9);
+      EXPECT_EQ(map_of(fast, "a").parameters().arithmetic, Arithmetic::kInnerProducts);
+      EXPECT_EQ(map_of(fast, "b").parameters().arithmetic, Arithmetic::kPlain);
+      EXPECT_EQ(map_of(fast, "a").elements(), map_of(plain, "a").elements());
+      expect_alike(fast, plain, recording, "a");
+      expect_alike(fast, plain, recording, "b");
+    }
+  }
+}
+
+TEST(SystemTraining, InnerProductsNeedTheSameInputsThroughout) {
+  const Recording recording = hand_recording(6, 5);
+  const auto refused = [&](const std::string& modules, const std::string& where) {
+    System system = build(channels() + modules, recording);
+    const auto trained = try_train(system, recording, 4);
+    ASSERT_FALSE(trained);
+    EXPECT_EQ(trained.error().kind, ErrorKind::kUsage);
+    EXPECT_NE(trained.error().where.find(where), std::string::npos) << to_string(trained.error());
+    EXPECT_NE(trained.error().what.find("inner products need the same inputs"), std::string::npos);
+  };
+  const std::string by_products = "\narithmetic = \"inner_products\"";
+  refused(module("a", "som", "input = \"joints\"" + kSmall + by_products) +
+              "[[phase]]\nlearn = \"a\"\ndraws = 9\n",
+          "module 'a'");
+  refused(module("closed", "last", "input = \"joints\"") +
+              module("a", "som", "input = \"closed\"" + kSmall) +
+              module("b", "som", "input = \"a\"" + kSmall + by_products) +
+              "[[phase]]\nlearn = [\"a\", \"b\"]\ndraws = 9\n",
+          "module 'b'");
 }
 
 // A map that hears its own activity for the frame before.

@@ -84,6 +84,58 @@ void expect_refused(const Archive& archive, const std::string& because) {
   EXPECT_NE(som.error().what.find(because), std::string::npos) << to_string(som.error());
 }
 
+Som som_of_some_elements() {
+  return {small_som().parameters(), small_som().weights(), StoredElements(300000, {7, 8, 299999})};
+}
+
+TEST(SomArchive, KeepsWhichElementsHaveWeights) {
+  const Som again = som_from(archive_of(som_of_some_elements()), "map.", "here").value();
+  EXPECT_EQ(again.elements(), som_of_some_elements().elements());
+  EXPECT_EQ(again.weights(), small_som().weights());
+  EXPECT_EQ(archive_of(again), archive_of(som_of_some_elements()));
+  EXPECT_FALSE(archive_of(small_som()).find("map.elements"));
+  EXPECT_FALSE(archive_of(small_som()).find("map.input_size"));
+}
+
+TEST(SomArchive, RefusesElementsThatCannotBe) {
+  const Archive archive = archive_of(som_of_some_elements());
+  const auto with_elements = [&](std::vector<std::uint64_t> shape,
+                                 std::vector<std::int64_t> elements) {
+    return with_part(archive, "map.elements",
+                     Array<std::int64_t>{std::move(shape), std::move(elements)});
+  };
+  EXPECT_TRUE(som_from(with_elements({3}, {0, 1, 2}), "map.", ""));
+  expect_refused(with_elements({3}, {7, 9, 8}), "'map.elements' is not an ascending list");
+  expect_refused(with_elements({3}, {7, 7, 8}), "'map.elements' is not an ascending list");
+  expect_refused(with_elements({1, 3}, {7, 8, 9}), "'map.elements' is not an ascending list");
+  expect_refused(with_elements({3}, {7, 8, 300000}), "an element that the input has not");
+  expect_refused(with_elements({3}, {-1, 8, 9}), "an element that the input has not");
+  // As a number of 32 bits it would be 9.
+  expect_refused(with_elements({3}, {7, 8, (std::int64_t{1} << 32) + 9}), "the input has not");
+  expect_refused(with_elements({2}, {7, 8}), "'map.elements' does not fit the map's weights");
+  expect_refused(with_elements({4}, {7, 8, 9, 10}), "'map.elements' does not fit");
+  expect_refused(with_part(archive, "map.elements", Array<float>{{3}, {7, 8, 9}}), "another type");
+  expect_refused(without_part(archive, "map.elements"), "'map.elements' is missing");
+}
+
+TEST(SomArchive, RefusesInputSizesThatCannotBe) {
+  const Archive archive = archive_of(som_of_some_elements());
+  const auto with_size = [&](std::vector<std::uint64_t> shape, std::vector<std::int64_t> size) {
+    return with_part(archive, "map.input_size",
+                     Array<std::int64_t>{std::move(shape), std::move(size)});
+  };
+  EXPECT_TRUE(som_from(with_size({1}, {std::int64_t{1} << 32}), "map.", ""));
+  for (const std::int64_t size :
+       {std::int64_t{0}, std::int64_t{-1}, (std::int64_t{1} << 32) + 1,
+        std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+    expect_refused(with_size({1}, {size}), "'map.input_size' is not a size that an input can have");
+  }
+  expect_refused(with_size({2}, {300000, 300000}), "'map.input_size' is not a size");
+  expect_refused(with_size({1, 1}, {300000}), "'map.input_size' is not a size");
+  expect_refused(with_size({1}, {299999}), "an element that the input has not");
+  expect_refused(without_part(archive, "map.input_size"), "'map.input_size' is missing");
+}
+
 void expect_line_refused(const std::string& key, const std::string& line,
                          const std::string& because) {
   expect_refused(

@@ -25,7 +25,7 @@ void expect_row(const Som& som, const ReferenceSom& reference, std::size_t neuro
   const auto expected = reference.weights().row(neuron);
   std::vector<double> difference(expected.begin(), expected.end());
   for (std::size_t d = 0; d < expected.size(); ++d) {
-    difference[d] -= double{som.weights()(neuron, d)};
+    difference[d] -= double{som.weight(neuron, d)};
   }
   EXPECT_LE(length(difference), tolerance * (length(expected) + 1e-30)) << "neuron " << neuron;
 }
@@ -50,7 +50,8 @@ bool ambiguous(const ReferenceSom& reference, std::span<const double> input, std
   return std::fabs(next - best) < 1e-5 * (1.0 + std::fabs(best));
 }
 
-Matrix<double> widened(const Som& som) {
+Matrix<double> widened(Som som) {
+  som.store_all();
   const Matrix<float> weights = som.weights().to_matrix();
   return {weights.rows(), weights.columns(), {weights.values().begin(), weights.values().end()}};
 }

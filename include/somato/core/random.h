@@ -61,4 +61,9 @@ float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint
 /// The numbers of uniform_at() for one row and columns 0 .. out.size()-1, faster.
 void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span<float> out);
 
+/// The numbers of uniform_at() for one row and these columns, one a column; faster where
+/// neighbouring columns follow each other. Throws InvalidArgument when the sizes differ.
+void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row,
+                 std::span<const std::uint32_t> columns, std::span<float> out);
+
 }  // namespace somato

@@ -76,7 +76,7 @@ class Module {
   /// This module as one that has to learn, or nullptr.
   virtual Learner* learner() { return nullptr; }
 
-  /// Bytes of what is kept after learning, once connected.
+  /// Bytes of what is kept after learning, once connected; before it has learned, at most.
   virtual std::size_t memory() const { return 0; }
 };
 
@@ -99,13 +99,16 @@ struct Lesson {
   std::optional<Draws> order;          ///< Nothing: the module's own.
   Progress progress;
   bool inputs_unknown = false;  ///< The module hears itself: what comes in depends on it.
+  /// Each exploration brings one value at each port, the same throughout: Learner::turn_to() tells
+  /// which exploration comes next.
+  bool inputs_fixed = false;
 };
 
 /// Of each exploration to learn from, what comes in at each port.
 using TrainingInputs = std::vector<std::vector<const Sequence*>>;
 
-/// What a learning module does besides running. Either learn() is called, or begin() and then
-/// step() for every draw.
+/// What a learning module does besides running. Either learn() is called, or begin(), then step()
+/// for every draw, and finish().
 class Learner {
  public:
   Learner() = default;
@@ -131,6 +134,13 @@ class Learner {
 
   /// Learns one draw: a frame, or the value of an exploration. Errors: kData.
   virtual Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw);
+
+  /// Tells which of the explorations given to begin(), counted from 0, the module runs on and
+  /// learns from next; only where its inputs are fixed, after begin().
+  virtual void turn_to(std::size_t exploration);
+
+  /// After the last draw.
+  virtual void finish();
 
   /// Puts what was learned into an archive under names that begin with `prefix`, and takes it from
   /// there, bit by bit. Errors (kData): parts missing, damaged or of another size.

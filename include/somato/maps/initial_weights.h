@@ -7,6 +7,7 @@
 
 #include "somato/core/samples.h"
 #include "somato/maps/som_parameters.h"
+#include "somato/maps/stored_elements.h"
 
 namespace somato {
 
@@ -18,6 +19,17 @@ class InitialWeightsSource {
   /// must outlive this object; at least one.
   InitialWeightsSource(const SomParameters& parameters, const Samples& samples);
 
+  /// The same for samples of which only the stored `elements` are left, without values anywhere
+  /// else: the weights of those elements, bit by bit, which makes sense where all others are 0 (see
+  /// are_zero_without_samples()). Throws InvalidArgument unless the samples have a value for each.
+  InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+                       StoredElements elements);
+
+  /// Whether an element that is 0 in all samples starts with the weight 0.
+  static bool are_zero_without_samples(const SomParameters& parameters) {
+    return parameters.initial_weights != InitialWeights::kUniform;
+  }
+
   /// Writes the weights of `neuron`, samples.size() values, to `out`; of length 1 for a dot-product
   /// map.
   void write(std::size_t neuron, std::span<float> out) const;
@@ -26,8 +38,11 @@ class InitialWeightsSource {
   std::size_t sample_of(std::size_t neuron) const { return sample_of_neuron_[neuron]; }
 
  private:
+  void write_uniform(std::uint32_t neuron, std::span<float> out) const;
+
   SomParameters parameters_;
   const Samples& samples_;
+  StoredElements elements_;
   std::vector<float> low_;
   std::vector<float> high_;
   std::vector<std::size_t> sample_of_neuron_;

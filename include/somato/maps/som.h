@@ -8,6 +8,7 @@
 #include "somato/core/matrix.h"
 #include "somato/core/signal.h"
 #include "somato/maps/som_parameters.h"
+#include "somato/maps/stored_elements.h"
 
 namespace somato {
 
@@ -15,7 +16,9 @@ namespace somato {
 class SomWorkspace {
  private:
   friend class Som;
+  friend class SomLearner;
   AlignedVector<float> input_;
+  double left_out_ = 0.0;  // squared length of the input's elements without weights
   AlignedVector<float> scores_;
 };
 
@@ -30,6 +33,9 @@ struct Winners {
 ///
 /// An input is a flat signal of input_size() elements; with `normalize_input` it is scaled to
 /// Euclidean length 1 first (a zero input stays zero). Sizes that differ throw InvalidArgument.
+///
+/// A map may keep the weights of some elements only, where all others are 0: elements() tells
+/// which. It answers as if it had all of them.
 class Som {
  public:
   Som() = default;
@@ -39,14 +45,27 @@ class Som {
   Som(SomParameters parameters, const Matrix<float>& weights);
   Som(SomParameters parameters, LaneMatrix<float> weights);
 
+  /// A map with weights for `elements` of its inputs; throws InvalidArgument also when there is not
+  /// one column of `weights` for each.
+  Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements elements);
+
   const SomParameters& parameters() const { return parameters_; }
   const Grid& grid() const { return grid_; }
   std::size_t neurons() const { return grid_.size(); }
-  std::size_t input_size() const { return weights_.columns(); }
+  std::size_t input_size() const { return elements_.size(); }
 
-  /// Neurons x input_size().
+  /// The elements of an input that have weights.
+  const StoredElements& elements() const { return elements_; }
+
+  /// Neurons x elements().count().
   const LaneMatrix<float>& weights() const { return weights_; }
   LaneMatrix<float>& weights() { return weights_; }
+
+  /// The weight of `neuron` for `element` of an input, stored or not.
+  float weight(std::size_t neuron, std::size_t element) const;
+
+  /// Gives all elements of an input weights, those that had none the weight 0.
+  void store_all();
 
   /// The neuron most similar to `input`; the first one in the order of neurons in a tie.
   std::size_t winner(const SignalView& input, SomWorkspace& workspace) const;
@@ -73,13 +92,17 @@ class Som {
   double distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const;
 
  private:
+  friend class SomLearner;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
+  std::span<const float> scores_of(std::span<const float> prepared, SomWorkspace& workspace) const;
+  std::size_t winner_of(std::span<const float> prepared, SomWorkspace& workspace) const;
   bool prefers(float score, float other) const;
 
   SomParameters parameters_;
   Grid grid_;
   LaneMatrix<float> weights_;
+  StoredElements elements_;
 };
 
 /// Scales `values` to Euclidean length 1, by a sum of squares in double precision; zeros stay.

@@ -20,8 +20,10 @@ struct TrainingOptions {
   Progress progress;  ///< Told iterations or epochs.
 };
 
-/// Trains a map on `samples`. The same parameters and samples give the same bits for every number
-/// of threads, instruction set and compiler.
+/// Trains a map on `samples`. Where they are sparse and use fewer than half of the elements, and
+/// weights do not start uniform, the map keeps weights for the elements they use: all others would
+/// be exactly 0, and the ones it keeps are the same bits. The same parameters and samples give the
+/// same bits for every number of threads, instruction set and compiler.
 ///
 /// Fails with kUsage when the parameters contradict each other, with kData when there are no
 /// samples, they have no elements or a length outside 1e-15 .. 1e18, with kInterrupted when the
@@ -37,7 +39,8 @@ Result<Som> untrained_som(const SomParameters& parameters, const Samples& sample
 /// training on the weights themselves or batch training; `som` keeps its weights when it fails.
 Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options = {});
 
-/// One sample at a time, for training while samples come in. Refers to the map it trains.
+/// One sample at a time, for training while samples come in. Refers to the map it trains, which
+/// gets weights for all elements as soon as an input needs one that it has not.
 class SomLearner {
  public:
   explicit SomLearner(Som& som);
@@ -53,12 +56,12 @@ class SomLearner {
   Neighbourhood neighbourhood_;
   AlignedVector<float> gains_;
   AlignedVector<float> factors_;
-  AlignedVector<float> input_;
   std::uint64_t learned_ = 0;
 };
 
 /// One epoch of batch training: every weight becomes the mean of all samples, each weighted by the
-/// neighbourhood function around its winner; a neuron that no winner reaches keeps its weights.
+/// neighbourhood function around its winner; a neuron that no winner reaches keeps its weights. The
+/// map gets weights for all elements when the samples have one that it has not.
 /// Returns the samples' winners before the epoch.
 std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
                                      std::size_t threads);

@@ -8,6 +8,7 @@
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
 #include "somato/core/memory.h"
+#include "somato/maps/initial_weights.h"
 #include "somato/maps/som_archive.h"
 #include "somato/maps/t_mpsom.h"
 #include "somato/maps/t_mpsom_archive.h"
@@ -44,6 +45,24 @@ class SomStepper : public Stepper {
   SomWorkspace workspace_;
 };
 
+// Answers for the exploration that the phase has turned to.
+class KnownStepper : public Stepper {
+ public:
+  KnownStepper(const InnerProductLearner& learner, std::size_t exploration)
+      : learner_(learner), exploration_(exploration) {}
+
+  Result<Signal> step(std::span<const SignalView> /*inputs*/) override {
+    const SomParameters& p = learner_.parameters();
+    std::vector<float> activity(p.rows * p.columns);
+    learner_.activity(exploration_, activity);
+    return Signal::dense({p.rows, p.columns}, std::move(activity));
+  }
+
+ private:
+  const InnerProductLearner& learner_;
+  std::size_t exploration_;
+};
+
 }  // namespace
 
 Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
@@ -56,7 +75,10 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
     return fail(std::move(grid.error()));
   }
   const std::size_t neurons = parameters_.rows * parameters_.columns;
-  if (auto fits = check_memory(neurons, input_size_, inputs.front().port); !fits) {
+  // How many elements of a sparse input get weights is known when it learns.
+  const bool all_stored =
+      !input.sparse || !InitialWeightsSource::are_zero_without_samples(parameters_);
+  if (auto fits = check_memory(neurons, all_stored ? input_size_ : 1, inputs.front().port); !fits) {
     return fail(std::move(fits.error()));
   }
   if (auto possible = resolve(parameters_, 2, input_size_); !possible) {
@@ -67,12 +89,14 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
 }
 
 std::unique_ptr<Stepper> SomModule::start() const {
+  if (known_) return std::make_unique<KnownStepper>(*known_, exploration_);
   require(som_.neurons() > 0, "a map that has learned nothing cannot be used");
   return std::make_unique<SomStepper>(som_);
 }
 
 std::size_t SomModule::memory() const {
-  return parameters_.rows * parameters_.columns * input_size_ * sizeof(float);
+  const std::size_t elements = som_.neurons() > 0 ? som_.elements().count() : input_size_;
+  return parameters_.rows * parameters_.columns * elements * sizeof(float);
 }
 
 SomParameters SomModule::parameters_for(const Lesson& lesson) const {
@@ -92,25 +116,61 @@ Result<void> SomModule::learn(const Lesson& lesson, const TrainingInputs& explor
 
 Result<std::uint64_t> SomModule::begin(const Lesson& lesson, const TrainingInputs& explorations) {
   SomParameters parameters = parameters_for(lesson);
-  parameters.arithmetic = Arithmetic::kPlain;
+  known_.reset();
+  if (lesson.inputs_fixed) {
+    auto known = InnerProductLearner::start(parameters, all_values(explorations));
+    if (!known) return fail(std::move(known.error()));
+    known_ = std::move(*known);
+    if (known_) return *known_->parameters().iterations;
+  }
+  if (!lesson.inputs_fixed && parameters.arithmetic == Arithmetic::kInnerProducts) {
+    return fail(ErrorKind::kUsage,
+                "inner products need the same inputs throughout, one an exploration, and here they "
+                "are frames or change while others learn",
+                {}, "leave 'arithmetic' out");
+  }
   if (lesson.inputs_unknown && parameters.initial_weights != InitialWeights::kUniform) {
     return fail(ErrorKind::kUsage,
                 "it hears itself, so its weights cannot start from what it will hear", {},
                 "write initial_weights = \"uniform\"");
   }
-  auto som =
-      untrained_som(parameters, lesson.inputs_unknown ? Samples(Matrix<float>(1, input_size_))
-                                                      : all_values(explorations));
-  if (!som) return fail(std::move(som.error()));
-  som_ = std::move(*som);
-  learner_.emplace(som_);
+  // What others learn may bring any element later.
+  if (auto fits = check_memory(parameters.rows * parameters.columns,
+                               lesson.inputs_fixed ? 1 : input_size_, {});
+      !fits) {
+    return fail(std::move(fits.error()));
+  }
+  const Samples samples =
+      lesson.inputs_unknown ? Samples(Matrix<float>(1, input_size_)) : all_values(explorations);
+  if (auto begun = begin_plain(std::move(parameters), samples); !begun) return fail(begun.error());
   return *som_.parameters().iterations;
 }
 
-Result<void> SomModule::step(std::span<const SignalView> inputs, std::uint64_t draw) {
-  const SomParameters& p = som_.parameters();
-  learner_->learn(inputs.front(), p.learning_rate().at(draw), p.radius().at(draw));
+Result<void> SomModule::begin_plain(SomParameters parameters, const Samples& samples) {
+  parameters.arithmetic = Arithmetic::kPlain;
+  auto som = untrained_som(parameters, samples);
+  if (!som) return fail(std::move(som.error()));
+  som_ = std::move(*som);
+  learner_.emplace(som_);
   return {};
+}
+
+Result<void> SomModule::step(std::span<const SignalView> inputs, std::uint64_t draw) {
+  const SomParameters& p = known_ ? known_->parameters() : som_.parameters();
+  const double rate = p.learning_rate().at(draw);
+  const double radius = p.radius().at(draw);
+  if (known_) {
+    known_->learn(exploration_, rate, radius);
+  } else {
+    learner_->learn(inputs.front(), rate, radius);
+  }
+  return {};
+}
+
+void SomModule::finish() {
+  if (!known_) return;
+  som_ = known_->form_som();
+  known_.reset();
 }
 
 void SomModule::save(Archive& archive, const std::string& prefix) const {

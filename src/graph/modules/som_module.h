@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "graph/modules/support.h"
+#include "maps/inner_product_training.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
 
@@ -30,18 +32,24 @@ class SomModule : public SteppedModule, public Learner {
   Result<void> learn(const Lesson& lesson, const TrainingInputs& explorations) override;
   Result<std::uint64_t> begin(const Lesson& lesson, const TrainingInputs& explorations) override;
   Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override;
+  void turn_to(std::size_t exploration) override { exploration_ = exploration; }
+  void finish() override;
   void save(Archive& archive, const std::string& prefix) const override;
   Result<void> load(const Archive& archive, const std::string& prefix,
                     const std::string& where) override;
 
  private:
   SomParameters parameters_for(const Lesson& lesson) const;
+  Result<void> begin_plain(SomParameters parameters, const Samples& samples);
 
   SomParameters parameters_;
   std::size_t input_size_ = 0;
   Rate rate_ = Rate::kExploration;
   Som som_;
   std::optional<SomLearner> learner_;
+  // In a phase whose explorations bring the same throughout; there is no map until its end.
+  std::unique_ptr<InnerProductLearner> known_;
+  std::size_t exploration_ = 0;
 };
 
 }  // namespace somato::modules
