@@ -8,8 +8,25 @@
 namespace somato {
 namespace {
 
+// By squaring: a few products, each rounded once, where power() takes a logarithm.
+double whole_power(double base, unsigned exponent) {
+  double result = 1.0;
+  for (; exponent > 0; exponent >>= 1U) {
+    if ((exponent & 1U) != 0) result *= base;
+    base *= base;
+  }
+  return result;
+}
+
+double power_term(double similarity, double exponent) {
+  constexpr double kMost = 64.0;
+  const bool whole = exponent >= 1.0 && exponent <= kMost && exponent == std::floor(exponent);
+  return whole ? whole_power(similarity, static_cast<unsigned>(exponent))
+               : power(similarity, exponent);
+}
+
 double softmax_term(Softmax softmax, double exponent, double similarity) {
-  return softmax == Softmax::kPower ? power(similarity, exponent)
+  return softmax == Softmax::kPower ? power_term(similarity, exponent)
                                     : exponential(exponent * similarity);
 }
 
