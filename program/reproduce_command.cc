@@ -15,6 +15,7 @@
 #include "somato/files/whole_file.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
+#include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study.h"
 #include "study_data.h"
 #include "terminal.h"

@@ -15,7 +15,7 @@
 #include "somato/graph/system_model.h"
 #include "somato/recording/format.h"
 #include "somato/recording/layout.h"
-#include "somato/studies/reproduction.h"
+#include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study.h"
 #include "study_data.h"
 #include "terminal.h"

@@ -1,7 +1,7 @@
+#include "somato/studies/reproduction_plan.h"
+
 #include <algorithm>
 #include <utility>
-
-#include "somato/studies/reproduction.h"
 
 namespace somato {
 namespace {

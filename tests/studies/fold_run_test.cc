@@ -10,6 +10,7 @@
 #include "somato/maps/areas.h"
 #include "somato/maps/som_training.h"
 #include "somato/studies/wrong_groupings.h"
+#include "studies/metrics.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 #include "support/temporary_folder.h"
@@ -23,6 +24,7 @@ using testing::small_study;
 
 constexpr std::size_t kSamples = 12;
 constexpr std::uint64_t kSeed = 9;
+constexpr std::size_t kGroupings = 25;
 
 // Classes that overlap, so that maps make mistakes and areas tear.
 Recording recording() {
@@ -39,7 +41,8 @@ TrainedFold trained_on(const Question& question, const Fold& fold,
 }
 
 std::vector<Fold> folds_of(const Question& question, Protocol protocol) {
-  return folds(protocol, question.samples);
+  const bool groups = protocol == Protocol::kLeaveGroupOut;
+  return folds(protocol, question.divided_by(groups ? question.groups.begin()->first : ""));
 }
 
 // What the map is to see, put together by hand: joints of the last frame, standardized.
@@ -117,21 +120,58 @@ class Recomputed {
   std::map<std::size_t, std::map<std::size_t, std::size_t>> votes_;
 };
 
+// What is tested of a training, as test_fold() and nearest_neighbours() give it together.
+FoldOutcome outcome_of(const TrainedFold& trained, const Question& question, const Fold& fold) {
+  return test_fold(trained, question, fold, nearest_neighbours(trained, fold));
+}
+
+std::map<std::string, double> metrics_by_name(const Question& question, const Fold& fold,
+                                              const FoldOutcome& outcome) {
+  StudyParameters study = small_study().study;
+  study.wrong_groupings = kGroupings;
+  const std::vector<Fold> folds{fold};
+  // Of one fold of one seed: what the whole protocol averages.
+  const Asked asked{study, question, Protocol::kLeaveOneOut, folds};
+  std::map<std::string, double> found;
+  for (const Metric& metric : metrics_of(asked, {{kSeed, {&outcome}}})) {
+    found[metric.name] = metric.values.at(0);
+  }
+  return found;
+}
+
+void compare_areas(const std::map<std::string, double>& metrics, const Question& question,
+                   const WinnerAreas& areas, const Numbers& winners) {
+  const Numbers& classes = question.classes().of_sample;
+  const auto wrong =
+      wrong_groupings(classes, question.labels.front().individuals, kGroupings, kSeed);
+  EXPECT_EQ(metrics.at("individuals_apart"), individuals_apart(winners, classes) ? 1.0 : 0.0);
+  EXPECT_EQ(metrics.at("areas_connected"), areas.connected(classes) ? 1.0 : 0.0);
+  double connected = 0.0;
+  double apart = 0.0;
+  for (const Numbers& grouping : wrong) {
+    connected += areas.connected(grouping) ? 1.0 : 0.0;
+    apart += individuals_apart(winners, grouping) ? 1.0 : 0.0;
+  }
+  EXPECT_NEAR(metrics.at("areas_connected_by_luck"), connected / kGroupings, 1e-12);
+  EXPECT_NEAR(metrics.at("individuals_apart_by_luck"), apart / kGroupings, 1e-12);
+}
+
 void compare(const Fold& fold, const Question& question) {
-  const Numbers& classes = question.classes.of_sample;
-  const auto wrong = wrong_groupings(classes, question.individuals, 25, 1);
+  const Numbers& classes = question.classes().of_sample;
   const TrainedFold trained = trained_on(question, fold);
-  const FoldOutcome outcome = test_fold(trained, question, fold, wrong);
+  const FoldOutcome outcome = outcome_of(trained, question, fold);
   const Som& som = *som_of(trained.system, question.map);
   Recomputed expected(fold, classes, som.parameters().seed);
   EXPECT_EQ(som.weights(), expected.som().weights());
+  const Numbers named = predictions(question.classes(), fold, outcome);
   double distance = 0.0;
   double torn = 0.0;
   ASSERT_EQ(outcome.winners.size(), fold.test.size());
+  ASSERT_EQ(named.size(), fold.test.size());
   for (std::size_t i = 0; i < fold.test.size(); ++i) {
     const std::size_t sample = fold.test[i];
     EXPECT_EQ(outcome.winners[i], expected.winner(sample));
-    EXPECT_EQ(outcome.predictions[i], expected.prediction(sample));
+    EXPECT_EQ(named[i], expected.prediction(sample));
     distance += expected.distance(sample);
     torn += expected.torn(sample) ? 1.0 : 0.0;
   }
@@ -141,12 +181,12 @@ void compare(const Fold& fold, const Question& question) {
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     winners.push_back(expected.winner(sample));
   }
-  const WinnerAreas areas(expected.som().grid(), winners);
-  EXPECT_EQ(outcome.apart, individuals_apart(winners, classes));
-  EXPECT_EQ(outcome.connected, areas.connected(classes));
-  const auto connected = std::count_if(wrong.begin(), wrong.end(),
-                                       [&](const Numbers& w) { return areas.connected(w); });
-  EXPECT_NEAR(outcome.connected_wrong, static_cast<double>(connected) / 25.0, 1e-12);
+  ASSERT_EQ(outcome.training_winners.size(), fold.training.size());
+  for (std::size_t i = 0; i < fold.training.size(); ++i) {
+    EXPECT_EQ(outcome.training_winners[i], winners[fold.training[i]]);
+  }
+  compare_areas(metrics_by_name(question, fold, outcome), question,
+                WinnerAreas(expected.som().grid(), winners), winners);
 }
 
 TEST(FoldRun, GivesWhatFollowsFromItsMap) {
@@ -156,10 +196,20 @@ TEST(FoldRun, GivesWhatFollowsFromItsMap) {
   }
 }
 
-TEST(FoldRun, WithoutWrongGroupingsHasNoneConnected) {
+// 0 would say that luck never does it.
+TEST(FoldRun, WithoutWrongGroupingsSaysNothingOfLuck) {
   const Question question = question_of(recording());
-  const Fold all = folds_of(question, Protocol::kTrainIsTest)[0];
-  EXPECT_EQ(test_fold(trained_on(question, all), question, all, {}).connected_wrong, 0.0);
+  const std::vector<Fold> all = folds_of(question, Protocol::kTrainIsTest);
+  const FoldOutcome outcome = outcome_of(trained_on(question, all[0]), question, all[0]);
+  StudyParameters study = small_study().study;
+  study.wrong_groupings = 0;
+  const Asked asked{study, question, Protocol::kTrainIsTest, all};
+  const std::vector<Metric> metrics = metrics_of(asked, {{kSeed, {&outcome}}});
+  ASSERT_FALSE(metrics.empty());
+  for (const Metric& metric : metrics) {
+    if (metric.name == "on_border_by_luck") continue;  // of neurons, not of groupings
+    EXPECT_EQ(metric.name.find("_by_luck"), std::string::npos) << metric.name;
+  }
 }
 
 Recording with_extreme(Recording changed, const Numbers& samples) {
@@ -180,10 +230,10 @@ std::string saved_bits(const TrainedFold& trained) {
 
 // All but the areas, which look at what was tested as well.
 void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
+  EXPECT_EQ(a.training_winners, b.training_winners);
   EXPECT_EQ(a.winners, b.winners);
-  EXPECT_EQ(a.predictions, b.predictions);
-  EXPECT_EQ(a.raw_baseline, b.raw_baseline);
-  EXPECT_EQ(a.standardized_baseline, b.standardized_baseline);
+  EXPECT_EQ(a.named_by, b.named_by);
+  EXPECT_EQ(a.nearest, b.nearest);
   EXPECT_EQ(a.summed_distance, b.summed_distance);
   EXPECT_EQ(a.torn, b.torn);
 }
@@ -200,8 +250,7 @@ void expect_nothing_leaks(const StudyDescription& description, const Recording& 
     const TrainedFold after = trained_on(other, fold, description);
     EXPECT_TRUE(saved_bits(after) == saved_bits(before));
     const Fold learned{fold.training, fold.training};
-    expect_same_answers(test_fold(after, other, learned, {}),
-                        test_fold(before, question, learned, {}));
+    expect_same_answers(outcome_of(after, other, learned), outcome_of(before, question, learned));
     const auto changed = static_cast<std::size_t>(
         std::lower_bound(before.samples.begin(), before.samples.end(), fold.test.front()) -
         before.samples.begin());
@@ -241,7 +290,8 @@ TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
   const Question question = question_of(asked, small_study("none"));
   const Fold first = folds_of(question, Protocol::kLeaveOneOut)[0];
   const TrainedFold trained = trained_on(question, first, small_study("none"));
-  EXPECT_EQ(test_fold(trained, question, first, {}).standardized_baseline, Numbers{0});
+  const Neighbours nearest = nearest_neighbours(trained, first);
+  EXPECT_EQ(question.classes().of_sample.at(nearest.standardized.at(0)), 0U);
 }
 
 // The same change does reach the folds that train on the sample: the tests above can fail.
@@ -263,15 +313,15 @@ TEST(HeldOut, NothingIsLearnedFromTheLabelOfTheTestedSample) {
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     if (sample % 4 == 0) continue;
     const TrainedFold trained = trained_on(question, folds[sample]);
-    const FoldOutcome before = test_fold(trained, question, folds[sample], {});
+    const FoldOutcome before = outcome_of(trained, question, folds[sample]);
     for (std::size_t wrong_class = 0; wrong_class < 3; ++wrong_class) {
       Question relabelled = question;
-      relabelled.classes.of_sample[sample] = wrong_class;
+      relabelled.labels.front().classes.of_sample[sample] = wrong_class;
       const FoldOutcome after =
-          test_fold(trained_on(relabelled, folds[sample]), relabelled, folds[sample], {});
-      EXPECT_EQ(after.raw_baseline, before.raw_baseline);
-      EXPECT_EQ(after.standardized_baseline, before.standardized_baseline);
-      EXPECT_EQ(after.predictions, before.predictions);
+          outcome_of(trained_on(relabelled, folds[sample]), relabelled, folds[sample]);
+      EXPECT_EQ(after.nearest, before.nearest);
+      EXPECT_EQ(predictions(relabelled.classes(), folds[sample], after),
+                predictions(question.classes(), folds[sample], before));
     }
   }
 }

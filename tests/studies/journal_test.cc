@@ -15,15 +15,13 @@ const std::string kStudy = "a study\nof this data\n";
 
 FoldOutcome outcome_number(std::size_t number) {
   FoldOutcome outcome;
+  outcome.training_winners = {3, number, 2};
   outcome.winners = {number, 7};
-  outcome.predictions = {1, number};
-  outcome.raw_baseline = {0, 0};
-  outcome.standardized_baseline = {number, 1};
+  outcome.named_by = {1, number};
+  outcome.nearest.raw = {0, 0};
+  outcome.nearest.standardized = {number, 1};
   outcome.summed_distance = 0.1 + static_cast<double>(number) / 3.0;
   outcome.torn = 1.0 / 7.0;
-  outcome.apart = number % 2 == 0;
-  outcome.connected = number % 3 == 0;
-  outcome.connected_wrong = 1.0 / 3.0;
   return outcome;
 }
 

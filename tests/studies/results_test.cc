@@ -20,17 +20,18 @@ StudyResults small_results() {
   results.data_hash = "fnv1a64:00";
   results.systems = {{"shapes",
                       "leave_one_out",
+                      "",
                       "object",
                       2,
                       {{"accuracy", {0.5, 1.0}}, {"areas_connected", {0.25, 0.25}}},
-                      {{7, {3, 4}, {"ball", "cube"}, {"ball", "ball"}},
-                       {8, {3, 5}, {"ball", "cube"}, {"ball", "cube"}}}}};
+                      {{7, {3, 4}, {"ball", "cube"}, {"ball", "ball"}, {}},
+                       {8, {3, 5}, {"ball", "cube"}, {"ball", "cube"}, {}}}}};
   return results;
 }
 
-// The document as version 2 of the format has it, written out.
+// The document as version 3 of the format has it, written out.
 const char* const kExpected = R"({
-  "version": 2,
+  "version": 3,
   "study": "shapes",
   "seeds": 2,
   "settings": {
@@ -54,8 +55,22 @@ const char* const kExpected = R"({
   }]
 })";
 
-TEST(Results, HaveTheShapeOfVersion2) {
+TEST(Results, HaveTheShapeOfVersion3) {
   EXPECT_EQ(Json::parse(to_json(small_results())), Json::parse(kExpected));
+}
+
+TEST(Results, NameTheLabelOfTheGroupsAndFurtherPredictions) {
+  StudyResults results = small_results();
+  results.systems[0].protocol = "leave_group_out";
+  results.systems[0].group = "trial";
+  results.systems[0].runs[1].other_predictions = {{"shape", {"round", "flat"}},
+                                                  {"colour", {"red", "red"}}};
+  Json expected = Json::parse(kExpected);
+  expected["systems"][0]["protocol"] = "leave_group_out";
+  expected["systems"][0]["group"] = "trial";
+  expected["systems"][0]["runs"][1]["other_predictions"] = {{"shape", {"round", "flat"}},
+                                                            {"colour", {"red", "red"}}};
+  EXPECT_EQ(Json::parse(to_json(results)), expected);
 }
 
 TEST(Results, NameTheTestDataWhereThereAreSome) {

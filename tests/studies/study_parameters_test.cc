@@ -10,7 +10,12 @@ namespace {
 const std::string kGood = R"([study]
 name = "shapes"
 label = "shape"
+only = ["cube", "ball"]
+labels = ["object", "side"]
 individual = "object"
+order = "girth"
+within = "side"
+mapped_with = ["cube ball", "ball cube"]
 map = "first_map"
 protocols = ["leave_group_out", "k_folds"]
 groups = ["session"]
@@ -54,7 +59,12 @@ TEST(ReadStudy, ReadsEveryPart) {
   const StudyParameters& study = description.study;
   EXPECT_EQ(study.name, "shapes");
   EXPECT_EQ(study.label, "shape");
+  EXPECT_EQ(study.only, (std::vector<std::string>{"cube", "ball"}));
+  EXPECT_EQ(study.labels, (std::vector<std::string>{"object", "side"}));
   EXPECT_EQ(study.individual, "object");
+  EXPECT_EQ(study.order, "girth");
+  EXPECT_EQ(study.within, "side");
+  EXPECT_EQ(study.mapped_with, (std::vector<std::string>{"cube ball", "ball cube"}));
   EXPECT_EQ(study.map, "first_map");
   EXPECT_EQ(study.protocols, (std::vector<Protocol>{Protocol::kLeaveGroupOut, Protocol::kFolds}));
   EXPECT_EQ(study.groups, std::vector<std::string>{"session"});
@@ -109,7 +119,7 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
 TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
   expect_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
                  "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
-                 "study, recording");
+                 "study, recording, explore, variation, claim");
 }
 
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {
@@ -130,14 +140,34 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
                  "study.toml:3: 'test_data' is no protocol to name; run the study with --test-data "
                  "instead");
   expect_refused(study + "protocols = [\"leave_group_out\"]\n" + module,
-                 "study.toml:3: leave_group_out needs the label whose groups are left out; add "
-                 "group = \"...\" to [study]");
-  expect_refused(study + "group = \"trial\"\n" + module,
-                 "study.toml:3: 'group' has no effect without the protocol leave_group_out; leave "
+                 "study.toml:3: leave_group_out needs the labels whose groups are left out; add "
+                 "groups = [\"...\"] to [study]");
+  expect_refused(study + "groups = [\"trial\"]\n" + module,
+                 "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
                  "it out, or add the protocol");
   expect_refused(study + "folds = 4\n" + module,
                  "study.toml:3: 'folds' has no effect without the protocol k_folds; leave it out, "
                  "or add the protocol");
+}
+
+TEST(ReadStudy, RefusesQuestionsThatAskForNothing) {
+  const std::string study = "[study]\nname = \"n\"\n";
+  const std::string module = "[module.a]\ntype = \"channel\"\n";
+  expect_refused(
+      study + "groups = [\"a\", \"b\", \"a\"]\nprotocols = [\"leave_group_out\"]\n" + module,
+      "study.toml:3: a label is named twice; name each of groups in [study] once");
+  expect_refused(study + "order = \"girth\"\n" + module,
+                 "study.toml:3: an order is one of individuals, and none are named; add individual "
+                 "= \"...\" to [study]");
+  expect_refused(study + "individual = \"object\"\nwithin = \"shape\"\n" + module,
+                 "study.toml:4: 'within' has no effect without 'order'; leave it out, or add the "
+                 "order");
+  for (const std::string pair : {"sphere", "a b c"}) {
+    expect_refused(study + "mapped_with = [\"x y\", \"" + pair + "\"]\n" + module,
+                   "study.toml:3: '" + pair +
+                       "' does not name two classes; write two names with a space between them: "
+                       "those mapped, and those they are with");
+  }
 }
 
 // A value that no parameter of that type takes.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
-#include "somato/studies/reproduction.h"
+#include "somato/studies/reproduction_plan.h"
 
 namespace somato {
 

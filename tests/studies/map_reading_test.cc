@@ -1,0 +1,270 @@
+#include "studies/map_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "somato/maps/size_order.h"
+#include "support/made_study.h"
+
+namespace somato {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+using ByName = std::map<std::string, double>;
+
+constexpr std::uint64_t kSeed = 3;
+
+// Asked of samples that are individuals of their own; names are one letter a sample.
+AskedLabel label(const std::string& name, const std::string& letters) {
+  AskedLabel asked{name, {}, {}};
+  std::vector<std::string> names;
+  for (const char letter : letters) {
+    asked.individuals.push_back(names.size());
+    names.emplace_back(1, letter);
+  }
+  asked.classes = Classes::from_names(names);
+  return asked;
+}
+
+Question question_on(const Grid& grid, const std::vector<AskedLabel>& labels) {
+  Question question;
+  question.grid = grid;
+  question.labels = labels;
+  question.samples.samples = labels.front().classes.of_sample.size();
+  return question;
+}
+
+StudyParameters study_with(const std::vector<std::string>& mapped_with,
+                           std::size_t wrong_groupings = 50) {
+  StudyParameters study;
+  study.mapped_with = mapped_with;
+  study.wrong_groupings = wrong_groupings;
+  return study;
+}
+
+ByName read(const StudyParameters& study, const Question& question, const Numbers& winners) {
+  const NamedValues values = read_map(study, question, winners, kSeed);
+  return {values.begin(), values.end()};
+}
+
+const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
+
+// C alone at 8; A and B share 4; the nearest to the first A is the B beside it.
+//   neuron  0 1 . . 4 . . . 8
+//   sample  A B     AB      CC
+TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
+  const Question question = question_on(kRow, {label("object", "ABABCC")});
+  const ByName values =
+      read(study_with({"A B", "B A", "A C", "C C"}), question, {0, 1, 4, 4, 8, 8});
+  EXPECT_EQ(values.at("told_exactly"), 1.0);
+  EXPECT_EQ(values.at("undetermined"), 2.0);
+  EXPECT_EQ(values.at("with_own"), 2.0);
+  EXPECT_EQ(values.at("mapped_with A B"), 2.0);
+  EXPECT_EQ(values.at("mapped_with B A"), 2.0);
+  EXPECT_EQ(values.at("mapped_with A C"), 0.0);
+  EXPECT_EQ(values.at("mapped_with C C"), 2.0);
+}
+
+// Only A's first sample is mapped with B: its nearest is the B at 1, while that B's nearest is 0.
+TEST(ReadMap, TellsWhichIsMappedWithWhich) {
+  const Question question = question_on(kRow, {label("object", "ABBAA")});
+  const ByName values = read(study_with({"A B", "B A"}), question, {1, 2, 2, 7, 8});
+  EXPECT_EQ(values.at("mapped_with A B"), 1.0);
+  EXPECT_EQ(values.at("mapped_with B A"), 0.0);
+}
+
+// Two neurons with two samples each, a class a neuron: every other dealing mixes both.
+TEST(ReadMap, SaysWhatLuckWouldGive) {
+  const Question question = question_on(kRow, {label("object", "AABB")});
+  const ByName together = read(study_with({}), question, {0, 0, 8, 8});
+  EXPECT_EQ(together.at("told_exactly"), 2.0);
+  EXPECT_EQ(together.at("told_exactly_by_luck"), 0.0);
+  EXPECT_EQ(together.at("undetermined"), 0.0);
+  EXPECT_EQ(together.at("undetermined_by_luck"), 4.0);
+  EXPECT_EQ(together.at("with_own"), 4.0);
+  EXPECT_EQ(together.at("with_own_by_luck"), 0.0);
+  // At neurons of their own all are told, however they are dealt.
+  const ByName apart = read(study_with({}), question, {0, 2, 4, 6});
+  EXPECT_EQ(apart.at("told_exactly_by_luck"), 2.0);
+  EXPECT_EQ(apart.at("undetermined_by_luck"), 0.0);
+}
+
+TEST(ReadMap, SaysNothingOfLuckWithoutWrongGroupings) {
+  const Question question = question_on(kRow, {label("object", "AABB")});
+  const ByName values = read(study_with({}, 0), question, {0, 0, 8, 8});
+  EXPECT_TRUE(values.contains("told_exactly"));
+  for (const char* name : {"told_exactly_by_luck", "undetermined_by_luck", "with_own_by_luck"}) {
+    EXPECT_FALSE(values.contains(name)) << name;
+  }
+}
+
+TEST(ReadMap, AsksEveryLabel) {
+  const Question question = question_on(kRow, {label("object", "ABCD"), label("shape", "rrss")});
+  const ByName values = read(study_with({"A B"}), question, {0, 0, 4, 8});
+  EXPECT_EQ(values.at("told_exactly"), 2.0);
+  EXPECT_EQ(values.at("shape.told_exactly"), 2.0);
+  EXPECT_EQ(values.at("undetermined"), 2.0);
+  EXPECT_EQ(values.at("shape.undetermined"), 0.0);
+  EXPECT_FALSE(values.contains("shape.mapped_with A B"));
+  EXPECT_FALSE(values.contains("order_around"));
+}
+
+// 4 x 4 neurons, 12 of them on the border; three of five winners.
+TEST(ReadMap, SeesTheBorder) {
+  const Grid square(4, 4, Lattice::kRectangular, Topology::kPlane);
+  const Question question = question_on(square, {label("object", "AABBC")});
+  const ByName values = read(study_with({}), question, {0, 5, 7, 10, 14});
+  EXPECT_EQ(values.at("on_border"), 0.6);
+  EXPECT_EQ(values.at("on_border_by_luck"), 0.75);
+}
+
+// Explorations of what is tested with stand after those that were learned from.
+TEST(ReadMap, LooksAtWhatWasLearnedFromAlone) {
+  Question question = question_on(kRow, {label("object", "AABBAB")});
+  question.samples.samples = 4;
+  question.samples.test_samples = 2;
+  question.order = AskedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
+  const ByName values = read(study_with({}), question, {0, 0, 8, 8});
+  EXPECT_EQ(values.at("with_own"), 4.0);
+  EXPECT_EQ(values.at("with_own_by_luck"), 0.0);
+  EXPECT_TRUE(values.contains("order_around"));
+}
+
+// Four individuals at the corners of a 3 x 3 grid, two samples each.
+//   0 1 2
+//   3 4 5
+//   6 7 8
+class ReadOrder : public ::testing::Test {
+ protected:
+  static ByName read_numbers(const std::vector<double>& numbers,
+                             const Numbers& groups = {0, 0, 0, 0}) {
+    const Grid square(3, 3, Lattice::kRectangular, Topology::kPlane);
+    Question question = question_on(square, {label("object", "AABBCCDD")});
+    question.order = AskedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
+    return read(study_with({}), question, {0, 0, 2, 2, 8, 8, 6, 6});
+  }
+};
+
+TEST_F(ReadOrder, IsWholeAroundTheMapInEitherDirection) {
+  EXPECT_DOUBLE_EQ(read_numbers({10, 20, 30, 40}).at("order_around"), 1.0);
+  EXPECT_DOUBLE_EQ(read_numbers({30, 20, 10, 40}).at("order_around"), 1.0);
+  EXPECT_DOUBLE_EQ(read_numbers({10, 20, 30, 40}).at("order_within"), 1.0);
+}
+
+// Around it 1 3 2 4, or from another corner 3 2 4 1, 2 4 1 3, 4 1 3 2, and back. Against places 1
+// to 4 the squared differences are at least 1 + 1 = 2: 1 - 6 * 2 / (4 * 15) = 0.8.
+TEST_F(ReadOrder, HasARankCorrelation) {
+  EXPECT_DOUBLE_EQ(read_numbers({1, 3, 2, 4}).at("order_around"), 0.8);
+}
+
+// There are three ways around of four numbers, up to start and direction: 1 2 3 4 with 1,
+// 1 3 2 4 and 1 2 4 3 with 0.8 each.
+TEST_F(ReadOrder, ByLuckLiesBetweenTheWorstAndTheBest) {
+  const ByName values = read_numbers({1, 3, 2, 4});
+  EXPECT_GT(values.at("order_around_by_luck"), 0.8);
+  EXPECT_LT(values.at("order_around_by_luck"), 0.95);
+  EXPECT_GT(values.at("order_within_by_luck"), 0.8);
+}
+
+// Two of a group are always in order, so they count for nothing.
+TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
+  EXPECT_EQ(read_numbers({1, 2, 3, 4}, {0, 0, 1, 1}).at("order_within"), 0.0);
+}
+
+// Known: individuals 0 (1.0, group 0), 1 (2.0, group 0), 2 (1.2, group 1), at neurons 0, 3, 6; then
+// three new ones. The most similar to 1.4 in group 0 is 0, to 1.5 both 0 and 1, to 9 in group 1 is
+// 2; of group 2 there is none.
+class ReadPlaced : public ::testing::Test {
+ protected:
+  ReadPlaced() {
+    question_.samples.samples = 4;
+    question_.samples.test_samples = 4;
+    question_.order = AskedOrder{
+        {0, 1, 2, 2, 3, 4, 5, 6}, {1.0, 2.0, 1.2, 1.4, 1.5, 9.0, 1.0}, {0, 0, 1, 0, 0, 1, 2}};
+    outcome_.training_winners = {0, 3, 6, 6};
+    outcome_.winners = {1, 2, 5, 8};
+  }
+
+  ByName placed(const Numbers& named_by, const Neighbours& nearest) {
+    outcome_.named_by = named_by;
+    outcome_.nearest = nearest;
+    const NamedValues values = read_placed(question_, outcome_);
+    return {values.begin(), values.end()};
+  }
+
+  Question question_;
+  FoldOutcome outcome_;
+};
+
+TEST_F(ReadPlaced, IsTheShareWithOneOfTheMostSimilar) {
+  const Neighbours none{{2, 2, 0, 0}, {2, 2, 0, 0}};
+  EXPECT_EQ(placed({0, 0, 6, 0}, none).at("placed_with_most_similar"), 0.75);
+  EXPECT_EQ(placed({0, 3, 6, 6}, none).at("placed_with_most_similar"), 0.75);
+  EXPECT_EQ(placed({3, 6, 6, 0}, none).at("placed_with_most_similar"), 0.25);
+  EXPECT_EQ(placed({3, 6, 0, 0}, none).at("placed_with_most_similar"), 0.0);
+  EXPECT_EQ(placed({0, 0, 6, 0}, none).at("baseline_placed_with_most_similar"), 0.0);
+}
+
+// Nearest samples, 3 being the other one of individual 2.
+TEST_F(ReadPlaced, StandsBesideTheBetterBaseline) {
+  EXPECT_EQ(
+      placed({0, 0, 0, 0}, {{0, 2, 3, 0}, {1, 2, 3, 0}}).at("baseline_placed_with_most_similar"),
+      0.5);
+  EXPECT_EQ(
+      placed({0, 0, 0, 0}, {{1, 2, 2, 0}, {0, 1, 2, 3}}).at("baseline_placed_with_most_similar"),
+      0.75);
+}
+
+TEST_F(ReadPlaced, IsNothingWithoutAnOrder) {
+  question_.order.reset();
+  EXPECT_TRUE(placed({0, 0, 0, 0}, {{0, 0, 0, 0}, {0, 0, 0, 0}}).empty());
+}
+
+// Explorations of things with a size, each once.
+Recording sized(const std::vector<std::pair<std::string, std::string>>& things) {
+  Recording recording;
+  for (const auto& [name, size] : things) {
+    const auto number = static_cast<float>(recording.explorations.size());
+    recording.explorations.push_back(
+        {{{"object", name}, {"size", size}, {"shape", "round"}},
+         {},
+         {{"joints", "deg", {}, Matrix<float>(1, 3, {number, 1.0F + number, 2.0F * number}), {}}}});
+  }
+  return recording;
+}
+
+std::map<std::string, std::string> size_groups(const Question& question) {
+  const AskedLabel& groups = question.labels.back();
+  EXPECT_EQ(groups.name, "size_group");
+  std::map<std::string, std::string> found;
+  for (std::size_t i = 0; i < question.recording.explorations.size(); ++i) {
+    found[question.recording.explorations[i].labels[0].value] =
+        groups.classes.names[groups.classes.of_sample[i]];
+  }
+  return found;
+}
+
+// Of five two are small and three large. Many new large ones would shift the median, and must not.
+TEST(SizeGroups, OfTheKnownStayWhateverIsTestedWith) {
+  const StudyDescription description = testing::study_from(
+      "[study]\nname = 'sizes'\nindividual = 'object'\norder = 'size'\nwithin = 'shape'\n" +
+      testing::joints_system());
+  const Recording known = sized({{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}, {"e", "5"}});
+  const Recording fresh =
+      sized({{"p", "2.9"}, {"q", "3"}, {"r", "30"}, {"s", "31"}, {"t", "32"}, {"u", "33"}});
+  const auto alone = size_groups(make_question(description, known, nullptr, 1).value());
+  EXPECT_EQ(alone, (std::map<std::string, std::string>{{"a", "small round"},
+                                                       {"b", "small round"},
+                                                       {"c", "large round"},
+                                                       {"d", "large round"},
+                                                       {"e", "large round"}}));
+  auto with_new = size_groups(make_question(description, known, &fresh, 1).value());
+  for (const auto& [name, group] : alone) EXPECT_EQ(with_new.at(name), group) << name;
+  EXPECT_EQ(with_new.at("p"), "small round");
+  for (const char* name : {"q", "r", "u"}) EXPECT_EQ(with_new.at(name), "large round") << name;
+}
+
+}  // namespace
+}  // namespace somato
