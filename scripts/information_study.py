@@ -47,14 +47,14 @@ class Condition:
 
 HAND_2 = Hand(
     "lucs2",
-    {"chain, force": ("lucs2_tensor.toml", "touch"),
-     "product, force": ("lucs2_product.toml", "touch"),
-     "chain, change": ("lucs2_tensor.toml", "touch_change"),
-     "product, change": ("lucs2_product.toml", "touch_change")},
+    {"chain, force": ("tensor_chain.toml", "touch"),
+     "product, force": ("single_tensor_product.toml", "touch"),
+     "chain, change": ("tensor_chain.toml", "touch_change"),
+     "product, change": ("single_tensor_product.toml", "touch_change")},
     (0, 1, 2, 4),
     ("--labels", "object,shape", "--individual", "object"))
 HAND_3 = Hand(
-    "lucs3", {"joints": ("lucs3_joints.toml", None)}, (0, 0.5, 1, 2, 4),
+    "lucs3", {"joints": ("shape_and_size.toml", None)}, (0, 0.5, 1, 2, 4),
     ("--labels", "object,shape", "--individual", "object", "--order", "girth", "--within", "shape"))
 HANDS = (HAND_2, HAND_3)
 CONDITIONS = [Condition(hand, noise, free)
@@ -68,7 +68,7 @@ def read_options():
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--seeds", default="101-106", help="FIRST-LAST")
     parser.add_argument("--program", default="build/release/somato")
-    parser.add_argument("--studies", type=Path, default=Path("studies"))
+    parser.add_argument("--studies", type=Path, default=Path("systems"))
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--keep-recordings", action="store_true")
     options = parser.parse_args()
