@@ -225,7 +225,7 @@ class Reproduction {
     auto outcome = run_study(description, recording.recording, options);
     if (!outcome) return fail(std::move(outcome.error()));
     if (auto drawn = draw(part, index, description, *outcome); !drawn) return drawn;
-    add_results(outcome->results, index, found);
+    if (auto added = add_results(outcome->results, index, found); !added) return added;
     found.recordings.push_back(recording.info.name);
     remember(recording.info);
     return {};
