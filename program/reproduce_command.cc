@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -74,6 +75,24 @@ Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names
   return files;
 }
 
+std::string title_of(const ReproductionPart& part) {
+  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
+  if (!part.variation.empty()) title += ", " + part.variation;
+  return title;
+}
+
+// Claims and what is kept of an interrupted run go by names. A system for data sets may be called
+// like the one that explores: it is run on other recordings.
+Result<void> check_names(const ReproductionPlan& plan) {
+  std::set<std::pair<std::string, RecordingFormat>> names;
+  for (const ReproductionPart& part : plan.parts) {
+    if (names.emplace(title_of(part), part.description.recording.format).second) continue;
+    return fail(ErrorKind::kUsage, "'" + title_of(part) + "' is asked for twice",
+                part.description.where, "ask for it once, or give one another name");
+  }
+  return {};
+}
+
 // Explored anew unless given, so it must say how.
 Result<void> check_explorable(const Request& request) {
   for (const ReproductionPart& part : request.plan.parts) {
@@ -97,7 +116,7 @@ Result<void> read_plan(const Arguments& arguments, Request& request) {
   for (const NamedFile& file : *files) {
     if (auto added = add_to_plan(file, own->systems, request.plan); !added) return added;
   }
-  return check_explorable(request);
+  return check_names(request.plan).and_then([&] { return check_explorable(request); });
 }
 
 Result<void> read_numbers(const Arguments& arguments, Request& request) {
@@ -136,12 +155,6 @@ Result<Request> read_request(const Arguments& arguments) {
                   .and_then([&] { return read_plan(arguments, request); });
   if (!read) return fail(std::move(read.error()));
   return request;
-}
-
-std::string title_of(const ReproductionPart& part) {
-  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
-  if (!part.variation.empty()) title += ", " + part.variation;
-  return title;
 }
 
 std::string file_name_of(const ReproductionPart& part) {
