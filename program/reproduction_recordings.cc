@@ -121,21 +121,26 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
     return fail(ErrorKind::kSystem, "there is no such file or folder", path.string(),
                 "give --data a recording, a folder of recordings, or data sets");
   }
-  const auto add = [&](const std::filesystem::path& place) {
-    if (std::filesystem::is_regular_file(place)) {
-      if (is_mcap_file(place.string()))
-        given.places_.push_back({place, RecordingFormat::kAutomatic});
-      return;
-    }
-    if (auto format = recognize_format(place)) given.places_.push_back({place, *format});
-  };
-  add(path);
-  if (given.places_.empty()) {
-    for (const auto& entry : sorted_entries(path)) add(entry);
+  given.add(path);
+  // A folder of data sets of one kind looks like one of them, but cannot be read as such.
+  const bool whole = std::filesystem::is_regular_file(path) ||
+                     (!given.places_.empty() && load_recording(given.places_[0].format, path));
+  GivenRecordings within;
+  if (!whole) {
+    for (const auto& entry : sorted_entries(path)) within.add(entry);
   }
+  if (!within.places_.empty()) return within;
   if (!given.places_.empty()) return given;
   return fail(ErrorKind::kData, "there are no recordings and no known data sets", path.string(),
               "'somato inspect' tells what a file is; 'somato import' makes recordings of others");
+}
+
+void GivenRecordings::add(const std::filesystem::path& place) {
+  if (std::filesystem::is_regular_file(place)) {
+    if (is_mcap_file(place.string())) places_.push_back({place, RecordingFormat::kAutomatic});
+    return;
+  }
+  if (auto format = recognize_format(place)) places_.push_back({place, *format});
 }
 
 std::vector<std::size_t> GivenRecordings::of_format(RecordingFormat format) const {

@@ -240,8 +240,8 @@ TEST_F(ReproduceGiven, ThatCannotBeMeasuredAlikeIsAnError) {
   write("once.toml", once);
   output_of({"reproduce", "once.toml", "--out", "once", "--pairs", "1"});
   fs::copy(path("once/recordings"), path("explored/recordings"));
-  const ProgramRun done =
-      run(reproduce("press.toml", "given", {"--data", "explored/recordings", "--pairs", "5"}));
+  const ProgramRun done = run({"reproduce", "press.toml", "--data", "explored/recordings", "--out",
+                               "given", "--pairs", "5"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_NE(done.err.find("do not let the same things be measured"), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(path("given/results.json")));
