@@ -195,8 +195,7 @@ class Reproduction {
     const std::vector<std::size_t> given =
         request_.given ? request_.given->of_format(part.description.recording.format)
                        : std::vector<std::size_t>{};
-    if (request_.given && given.empty())
-      return pass_over(part, "no recording of that kind is given");
+    if (request_.given && given.empty()) return pass_over(part, nothing_to_run_on(part));
     const std::size_t pairs = std::min(request_.pairs, part.pairs.value_or(request_.pairs));
     const std::size_t recordings =
         std::min(request_.given ? given.size() : request_.recordings, pairs);
@@ -269,8 +268,13 @@ class Reproduction {
     return {};
   }
 
-  Result<void> pass_over(const ReproductionPart& part, const std::string& reason) {
-    return pass_over(part, Error{ErrorKind::kUsage, reason, part.description.where, {}});
+  static Error nothing_to_run_on(const ReproductionPart& part) {
+    const RecordingFormat format = part.description.recording.format;
+    const bool files = format == RecordingFormat::kAutomatic;
+    const std::string wanted = files ? "recordings" : "the data set " + choice_name(format);
+    return {ErrorKind::kUsage, "this is run on " + wanted + ", and --data holds none",
+            part.description.where,
+            files ? "give --data a file or a folder of files" : "give --data its folder"};
   }
 
   const Request& request_;

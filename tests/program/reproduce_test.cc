@@ -283,7 +283,9 @@ TEST_F(ReproduceDataSets, MayBeOneOrAFolderOfThem) {
 TEST_F(ReproduceDataSets, AreNotForSystemsOfBodies) {
   const ProgramRun done = run(reproduce("hardness", "out", {"--data", "sets"}));
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_NE(done.err.find("no recording of that kind is given"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("this is run on recordings, and --data holds none; give --data a file"),
+            std::string::npos)
+      << done.err;
   write("press.toml", press());
   // Nor can a system for data sets do without them.
   expect_refused(2, reproduce("joints.toml", "none"),
