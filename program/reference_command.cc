@@ -101,7 +101,8 @@ void add_reproduction(std::string& page) {
   page +=
       "## What `somato reproduce` reads\n\nTables beside those of a study, and the question of a "
       "file about several systems ([reproduction](reproduction.md)). `[variation.NAME]` has the "
-      "tables and keys that it changes, and `systems`, a list of those it is for. \"automatic\" is none "
+      "tables and keys that it changes, and `systems`, a list of those it is for. \"automatic\" is "
+      "none "
       "here.\n\n";
   add_table<ExploreParameters>(page, "`[explore]`");
   add_table<Claim>(page, "`[[claim]]`");
