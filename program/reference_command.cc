@@ -5,12 +5,15 @@
 #include <iterator>
 
 #include "commands.h"
+#include "explore_table.h"
 #include "parameter_table.h"
 #include "somato/bodies/object_table.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/csv_import.h"
 #include "somato/simulation/exploring_parameters.h"
+#include "somato/studies/claim.h"
 #include "somato/studies/information.h"
+#include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::program {
@@ -94,6 +97,18 @@ void add_exploring(std::string& page) {
   add_table<Material>(page, "`[material.NAME]`");
 }
 
+void add_reproduction(std::string& page) {
+  page +=
+      "## What `somato reproduce` reads\n\nTables beside those of a study, and the question of a "
+      "file about several systems ([reproduction](reproduction.md)). `[variation.NAME]` has the "
+      "tables and keys that it changes, and `systems`, a list of those it is for. \"automatic\" is "
+      "none "
+      "here.\n\n";
+  add_table<ExploreParameters>(page, "`[explore]`");
+  add_table<Claim>(page, "`[[claim]]`");
+  add_table<QuestionParameters>(page, "`[question]`");
+}
+
 std::string reference_page(const std::vector<Command>& commands) {
   std::string page =
       "# Reference: flags and keys\n\n"
@@ -113,6 +128,7 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
+  add_reproduction(page);
   add_exploring(page);
   page +=
       "## What vectors tell\n\nFlags of `somato information`; they stand in no file. "

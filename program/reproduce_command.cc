@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -74,6 +75,24 @@ Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names
   return files;
 }
 
+std::string title_of(const ReproductionPart& part) {
+  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
+  if (!part.variation.empty()) title += ", " + part.variation;
+  return title;
+}
+
+// Claims and what is kept of an interrupted run go by names. A system for data sets may be called
+// like the one that explores: it is run on other recordings.
+Result<void> check_names(const ReproductionPlan& plan) {
+  std::set<std::pair<std::string, RecordingFormat>> names;
+  for (const ReproductionPart& part : plan.parts) {
+    if (names.emplace(title_of(part), part.description.recording.format).second) continue;
+    return fail(ErrorKind::kUsage, "'" + title_of(part) + "' is asked for twice",
+                part.description.where, "ask for it once, or give one another name");
+  }
+  return {};
+}
+
 // Explored anew unless given, so it must say how.
 Result<void> check_explorable(const Request& request) {
   for (const ReproductionPart& part : request.plan.parts) {
@@ -97,7 +116,7 @@ Result<void> read_plan(const Arguments& arguments, Request& request) {
   for (const NamedFile& file : *files) {
     if (auto added = add_to_plan(file, own->systems, request.plan); !added) return added;
   }
-  return check_explorable(request);
+  return check_names(request.plan).and_then([&] { return check_explorable(request); });
 }
 
 Result<void> read_numbers(const Arguments& arguments, Request& request) {
@@ -138,12 +157,6 @@ Result<Request> read_request(const Arguments& arguments) {
   return request;
 }
 
-std::string title_of(const ReproductionPart& part) {
-  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
-  if (!part.variation.empty()) title += ", " + part.variation;
-  return title;
-}
-
 std::string file_name_of(const ReproductionPart& part) {
   std::string name = part.question.empty() ? part.system : part.question + "-" + part.system;
   if (!part.variation.empty()) name += "-" + part.variation;
@@ -182,8 +195,7 @@ class Reproduction {
     const std::vector<std::size_t> given =
         request_.given ? request_.given->of_format(part.description.recording.format)
                        : std::vector<std::size_t>{};
-    if (request_.given && given.empty())
-      return pass_over(part, "no recording of that kind is given");
+    if (request_.given && given.empty()) return pass_over(part, nothing_to_run_on(part));
     const std::size_t pairs = std::min(request_.pairs, part.pairs.value_or(request_.pairs));
     const std::size_t recordings =
         std::min(request_.given ? given.size() : request_.recordings, pairs);
@@ -225,7 +237,7 @@ class Reproduction {
     auto outcome = run_study(description, recording.recording, options);
     if (!outcome) return fail(std::move(outcome.error()));
     if (auto drawn = draw(part, index, description, *outcome); !drawn) return drawn;
-    add_results(outcome->results, index, found);
+    if (auto added = add_results(outcome->results, index, found); !added) return added;
     found.recordings.push_back(recording.info.name);
     remember(recording.info);
     return {};
@@ -256,8 +268,13 @@ class Reproduction {
     return {};
   }
 
-  Result<void> pass_over(const ReproductionPart& part, const std::string& reason) {
-    return pass_over(part, Error{ErrorKind::kUsage, reason, part.description.where, {}});
+  static Error nothing_to_run_on(const ReproductionPart& part) {
+    const RecordingFormat format = part.description.recording.format;
+    const bool files = format == RecordingFormat::kAutomatic;
+    const std::string wanted = files ? "recordings" : "the data set " + choice_name(format);
+    return {ErrorKind::kUsage, "this is run on " + wanted + ", and --data holds none",
+            part.description.where,
+            files ? "give --data a file or a folder of files" : "give --data its folder"};
   }
 
   const Request& request_;

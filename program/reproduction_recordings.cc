@@ -8,6 +8,7 @@
 
 #include "somato/bodies/exploring.h"
 #include "somato/files/checksum.h"
+#include "somato/files/whole_file.h"
 #include "somato/recording/content_hash.h"
 #include "somato/recording/recording_file.h"
 #include "somato/simulation/engine.h"
@@ -43,9 +44,15 @@ Result<void> explore_into(const std::string& path, const Explorer& explorer,
   return file->finish();
 }
 
-std::string file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
-  // Another engine or version may move things otherwise, and must not find these.
-  const std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
+// Other things under the same path must not find these, nor another engine or version, which may
+// move them otherwise. Errors: kSystem.
+Result<std::string> file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
+  std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
+  if (!table.explore.objects.empty()) {
+    const auto objects = read_whole(table.explore.objects);
+    if (!objects) return fail(objects.error());
+    what += *objects;
+  }
   return fmt::format("{}{}-{:08x}-{}.mcap", choice_name(table.explore.body),
                      new_objects ? "-new" : "", crc32c(what), seed);
 }
@@ -55,6 +62,12 @@ PairedRecording paired(std::string name, std::string source, std::uint64_t seed,
   RecordingInfo info{std::move(name), std::move(source), seed, content_hash(recording),
                      recording.explorations.size()};
   return {std::move(info), std::move(recording), {}};
+}
+
+// The last part of a path, whether it ends with a slash or not.
+std::string last_part(const std::filesystem::path& path) {
+  const auto whole = std::filesystem::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
 std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& folder) {
@@ -71,7 +84,9 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 
 Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
                                                std::uint64_t seed, std::string& name) const {
-  name = file_name(table, new_objects, seed);
+  const auto named = file_name(table, new_objects, seed);
+  if (!named) return fail(named.error());
+  name = *named;
   const std::string path = (folder_ / name).string();
   std::error_code missing;
   if (std::filesystem::exists(path, missing)) return read_recording(path);
@@ -108,21 +123,26 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
     return fail(ErrorKind::kSystem, "there is no such file or folder", path.string(),
                 "give --data a recording, a folder of recordings, or data sets");
   }
-  const auto add = [&](const std::filesystem::path& place) {
-    if (std::filesystem::is_regular_file(place)) {
-      if (is_mcap_file(place.string()))
-        given.places_.push_back({place, RecordingFormat::kAutomatic});
-      return;
-    }
-    if (auto format = recognize_format(place)) given.places_.push_back({place, *format});
-  };
-  add(path);
-  if (given.places_.empty()) {
-    for (const auto& entry : sorted_entries(path)) add(entry);
+  given.add(path);
+  // A folder of data sets of one kind looks like one of them, but cannot be read as such.
+  const bool whole = std::filesystem::is_regular_file(path) ||
+                     (!given.places_.empty() && load_recording(given.places_[0].format, path));
+  GivenRecordings within;
+  if (!whole) {
+    for (const auto& entry : sorted_entries(path)) within.add(entry);
   }
+  if (!within.places_.empty()) return within;
   if (!given.places_.empty()) return given;
   return fail(ErrorKind::kData, "there are no recordings and no known data sets", path.string(),
               "'somato inspect' tells what a file is; 'somato import' makes recordings of others");
+}
+
+void GivenRecordings::add(const std::filesystem::path& place) {
+  if (std::filesystem::is_regular_file(place)) {
+    if (is_mcap_file(place.string())) places_.push_back({place, RecordingFormat::kAutomatic});
+    return;
+  }
+  if (auto format = recognize_format(place)) places_.push_back({place, *format});
 }
 
 std::vector<std::size_t> GivenRecordings::of_format(RecordingFormat format) const {
@@ -137,8 +157,7 @@ Result<PairedRecording> GivenRecordings::get(std::size_t number) const {
   const Place& place = places_[number];
   auto recording = read_study_data(place.format, place.path.string());
   if (!recording) return fail(std::move(recording.error()));
-  const std::string name = std::filesystem::absolute(place.path).lexically_normal().filename();
-  return paired(name, "given", 0, std::move(*recording));
+  return paired(last_part(place.path), "given", 0, std::move(*recording));
 }
 
 }  // namespace somato::program

@@ -58,6 +58,10 @@ class GivenRecordings {
     std::filesystem::path path;
     RecordingFormat format;  ///< kAutomatic for a recording's file.
   };
+
+  /// If it is a recording or a known data set.
+  void add(const std::filesystem::path& place);
+
   std::vector<Place> places_;
 };
 

@@ -53,6 +53,11 @@ struct Table {
   void (*move_and_measure)(Lanes<Real> w, const Real* x, const Real* gains, Real* squared_norms);
   /// sums += factor * x, element by element in double precision; no alignment needed.
   void (*add_scaled)(const Real* x, double factor, std::size_t count, double* sums);
+  /// The sum of a * b in double precision, one element after the other; no alignment needed.
+  double (*product)(const Real* a, const Real* b, std::size_t count);
+  /// The same of values at `places` of b.
+  double (*sparse_product)(const std::uint32_t* places, const Real* values, std::size_t count,
+                           const Real* b);
   /// w *= factor in each row.
   void (*scale_rows)(Lanes<Real> w, const Real* factors);
   /// w = 0 where its magnitude is below kNegligible. Weights of elements that are always zero decay

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -43,19 +44,12 @@ double sparse_by_sparse(const SignalView& a, const SignalView& b) {
 }
 
 double sparse_by_dense(const SignalView& sparse, const SignalView& dense) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < sparse.indices.size(); ++i) {
-    sum = std::fma(double{sparse.values[i]}, double{dense.values[sparse.indices[i]]}, sum);
-  }
-  return sum;
+  return kernels::table<float>().sparse_product(sparse.indices.data(), sparse.values.data(),
+                                                sparse.indices.size(), dense.values.data());
 }
 
 double dense_by_dense(const SignalView& a, const SignalView& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size; ++i) {
-    sum = std::fma(double{a.values[i]}, double{b.values[i]}, sum);
-  }
-  return sum;
+  return kernels::table<float>().product(a.values.data(), b.values.data(), a.size);
 }
 
 }  // namespace

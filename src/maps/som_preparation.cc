@@ -69,7 +69,7 @@ Result<PreparedTraining> prepare_training(const SomParameters& parameters, const
   }
   const Samples* prepared = &prepared_samples(*resolved, samples, storage);
   if (auto fit = check_range(*prepared); !fit) return fail(std::move(fit.error()));
-  if (!elements.all()) {
+  if (prepared->is_sparse()) {
     storage = elements.gather(*prepared);
     prepared = &storage;
   }

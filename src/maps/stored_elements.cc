@@ -99,7 +99,9 @@ Samples StoredElements::gather(const Samples& samples) const {
   constexpr std::size_t kEmptyEnough = 16;  // what a sparse value costs more than a dense one
   std::vector<Signal> gathered;
   gathered.reserve(samples.count());
-  const bool sparse = !all() && values_of(samples) * kEmptyEnough < samples.count() * count();
+  const bool sparse =
+      samples.is_sparse() && values_of(samples) * kEmptyEnough < samples.count() * count();
+  if (sparse && all()) return samples;
   for (std::size_t i = 0; i < samples.count(); ++i) {
     gathered.push_back(sparse ? sparse_of(samples[i]) : dense_of(samples[i]));
   }

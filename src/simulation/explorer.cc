@@ -13,12 +13,9 @@ namespace somato {
 
 const std::vector<std::pair<ExploringBody, std::string>>& Choices<ExploringBody>::all() {
   static const std::vector<std::pair<ExploringBody, std::string>> choices = {
-      {ExploringBody::kLucs2, "lucs2"},
-      {ExploringBody::kLucs3, "lucs3"},
-      {ExploringBody::kTexture, "texture"},
-      {ExploringBody::kHardness, "hardness"},
-      {ExploringBody::kProbes, "probes"},
-      {ExploringBody::kAllSenses, "all_senses"}};
+      {ExploringBody::kLucs2, "lucs2"},     {ExploringBody::kLucs3, "lucs3"},
+      {ExploringBody::kTexture, "texture"}, {ExploringBody::kHardness, "hardness"},
+      {ExploringBody::kProbes, "probes"},   {ExploringBody::kAllSenses, "all_senses"}};
   return choices;
 }
 

@@ -59,7 +59,8 @@ class ProbeExplorer : public ThingExplorer {
     const Material& material = materials_[thing];
     Result<Exploration> exploration;
     if (probe_ != Probe::kHardness) {
-      exploration = stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)});
+      exploration =
+          stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)});
       if (!exploration) return exploration;
     }
     if (probe_ != Probe::kTexture) {

@@ -14,10 +14,15 @@ namespace somato {
 namespace {
 
 // As P06 and P11 present them.
-constexpr std::array<std::string_view, 9> kOrder = {
-    "single_tensor_product", "tensor_chain", "t_mpsom_multiplied", "t_mpsom_added",
-    "shape_and_size",        "texture",      "hardness",           "combined",
-    "bimodal"};
+constexpr std::array<std::string_view, 9> kOrder = {"single_tensor_product",
+                                                    "tensor_chain",
+                                                    "t_mpsom_multiplied",
+                                                    "t_mpsom_added",
+                                                    "shape_and_size",
+                                                    "texture",
+                                                    "hardness",
+                                                    "combined",
+                                                    "bimodal"};
 
 Result<std::vector<NamedFile>> files_in(std::string_view folder) {
   std::vector<NamedFile> files;

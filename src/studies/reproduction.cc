@@ -15,13 +15,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 
+// What was measured, as one text.
+std::string measured(const std::vector<SystemResults>& protocols) {
+  std::string text;
+  for (const SystemResults& protocol : protocols) {
+    text += protocol.protocol + " " + protocol.group + "\n";
+    for (const Metric& metric : protocol.metrics) text += metric.name + "\n";
+  }
+  return text;
+}
+
 void append(const SystemResults& found, SystemResults& all) {
-  require(found.protocol == all.protocol && found.group == all.group &&
-              found.metrics.size() == all.metrics.size(),
-          "recordings of one part must be asked the same");
   for (std::size_t i = 0; i < all.metrics.size(); ++i) {
-    require(found.metrics[i].name == all.metrics[i].name,
-            "recordings of one part must be measured alike");
     const std::vector<double>& values = found.metrics[i].values;
     all.metrics[i].values.insert(all.metrics[i].values.end(), values.begin(), values.end());
   }
@@ -133,19 +138,24 @@ std::size_t pairs_of(std::size_t recording, std::size_t recordings, std::size_t 
   return pairs / recordings + (recording < pairs % recordings ? 1 : 0);
 }
 
-void add_results(const StudyResults& found, std::size_t recording, PartResults& part) {
+Result<void> add_results(const StudyResults& found, std::size_t recording, PartResults& part) {
   require(!found.systems.empty(), "a study finds something under each of its protocols");
+  const bool first = part.protocols.empty();
+  if (!first && measured(found.systems) != measured(part.protocols)) {
+    return fail(ErrorKind::kData,
+                "the recordings of '" + part.system + "' do not let the same things be measured",
+                {}, "give recordings with the same labels, or each in a run of its own");
+  }
   for (const Run& run : found.systems.front().runs) part.pairs.push_back({recording, run.seed});
-  if (part.protocols.empty()) {
+  if (first) {
     part.protocols = found.systems;
     part.settings = found.settings;
-    return;
+    return {};
   }
-  require(part.protocols.size() == found.systems.size(),
-          "recordings of one part must have the same protocols");
   for (std::size_t i = 0; i < found.systems.size(); ++i) {
     append(found.systems[i], part.protocols[i]);
   }
+  return {};
 }
 
 std::vector<ClaimOutcome> judge(const std::vector<Claim>& claims,

@@ -28,7 +28,7 @@ Result<QuestionParameters> read_question(const Table& file) {
   if (!question) return question;
   if (question->name.empty() || question->systems.empty()) {
     return fail(ErrorKind::kUsage, "a question needs a name and systems", table->where,
-                "add name = \"...\" and systems = [\"...\"] to [question]");
+                R"(add name = "..." and systems = ["..."] to [question])");
   }
   return question;
 }

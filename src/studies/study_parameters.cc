@@ -93,7 +93,9 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
         "mapped_with", "'" + pair + "' does not name two classes",
         "write two names with a space between them: those mapped, and those they are with");
   }
-  return check_effect(file, "groups", "leave_group_out", has(Protocol::kLeaveGroupOut))
+  // An empty list is how a variation takes the groups away.
+  return check_effect(file, "groups", "leave_group_out",
+                      study.groups.empty() || has(Protocol::kLeaveGroupOut))
       .and_then([&] { return check_effect(file, "folds", "k_folds", has(Protocol::kFolds)); });
 }
 

@@ -81,6 +81,7 @@ TEST(Explorer, EveryBodyHasTheThingsOfItsOwnTable) {
   EXPECT_EQ(names(ExploringBody::kAllSenses).size(), 10U);
   EXPECT_EQ(names(ExploringBody::kTexture).size(), 8U);
   EXPECT_EQ(names(ExploringBody::kHardness), names(ExploringBody::kTexture));
+  EXPECT_EQ(names(ExploringBody::kProbes), names(ExploringBody::kTexture));
 }
 
 TEST(Explorer, HandTwoFeelsWithThePapersChannels) {
@@ -143,6 +144,19 @@ TEST(Explorer, ProbesTryMaterialsOrThoseOfObjects) {
   EXPECT_EQ(pressed.channels.front().name, "potentiometer");
   EXPECT_EQ(pressed.channels.front().frames.rows(), 1U);
   EXPECT_EQ(label(pressed, "hardness"), choice_name(declared_materials()[5].hardness));
+}
+
+// One exploration by both is the two explorations that each makes alone.
+TEST(Explorer, ProbesTogetherFeelWhatEachFeels) {
+  const ObjectTable own{{}, {declared_materials()[2], declared_materials()[5]}};
+  const Exploration both = explored(built(ExploringBody::kProbes, own), 1, 3);
+  const Exploration sound = explored(built(ExploringBody::kTexture, own), 1, 3);
+  const Exploration pressed = explored(built(ExploringBody::kHardness, own), 1, 3);
+  ASSERT_EQ(both.channels.size(), 2U);
+  EXPECT_EQ(both.channels[0], sound.channels.at(0));
+  EXPECT_EQ(both.channels[1], pressed.channels.at(0));
+  EXPECT_EQ(both.labels, sound.labels);
+  EXPECT_EQ(both.labels, pressed.labels);
 }
 
 TEST(Explorer, AllSensesTellOfOneThing) {

@@ -145,6 +145,7 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   expect_refused(study + "groups = [\"trial\"]\n" + module,
                  "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
                  "it out, or add the protocol");
+  EXPECT_TRUE(read(study + "groups = []\n" + module));  // as a variation takes them away
   expect_refused(study + "folds = 4\n" + module,
                  "study.toml:3: 'folds' has no effect without the protocol k_folds; leave it out, "
                  "or add the protocol");

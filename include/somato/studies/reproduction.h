@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "somato/core/result.h"
 #include "somato/studies/claim.h"
 #include "somato/studies/results.h"
 
@@ -32,8 +33,10 @@ struct PartResults {
 };
 
 /// Adds what a study found on recording number `recording` of the part, whose seeds follow those of
-/// the recording before. Throws InvalidArgument when protocols or metrics differ from those before.
-void add_results(const StudyResults& found, std::size_t recording, PartResults& part);
+/// the recording before. Errors (kData, the part as it was): protocols or metrics that differ from
+/// those before, as where one recording leaves nothing to tell apart. Throws InvalidArgument for
+/// results without a protocol.
+Result<void> add_results(const StudyResults& found, std::size_t recording, PartResults& part);
 
 /// A recording that was explored or given.
 struct RecordingInfo {

@@ -1,0 +1,72 @@
+#include "somato/studies/own_systems.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "somato/graph/system.h"
+#include "somato/studies/study_parameters.h"
+
+namespace somato {
+namespace {
+
+using Names = std::vector<std::string>;
+
+OwnSystems own() {
+  return own_systems().value();
+}
+
+// Without a recording, from the shapes that the modules of type channel state.
+void expect_builds(const NamedFile& file) {
+  SCOPED_TRACE(file.name);
+  const auto description = read_study(file.content);
+  ASSERT_TRUE(description) << to_string(description.error());
+  EXPECT_EQ(description->study.name, file.name);
+  const auto system = System::build(description->system, RecordingLayout{});
+  EXPECT_TRUE(system) << to_string(system.error());
+}
+
+// As P06 and P11 present them.
+TEST(OwnSystems, AreTheNineInTheOrderOfThePapers) {
+  Names names;
+  for (const NamedFile& file : own().systems) names.push_back(file.name);
+  EXPECT_EQ(names,
+            (Names{"single_tensor_product", "tensor_chain", "t_mpsom_multiplied", "t_mpsom_added",
+                   "shape_and_size", "texture", "hardness", "combined", "bimodal"}));
+}
+
+TEST(OwnSystems, CanAllBeBuilt) {
+  for (const NamedFile& file : own().systems) expect_builds(file);
+}
+
+TEST(OwnSystems, ForDataSetsCanBeReadAndSayWhatTheyRead) {
+  for (const NamedFile& file : own().recorded) {
+    const auto description = read_study(file.content);
+    ASSERT_TRUE(description) << file.name << ": " << to_string(description.error());
+    EXPECT_NE(description->recording.format, RecordingFormat::kAutomatic) << file.name;
+  }
+}
+
+// With all their variations and claims; a name stands for one file.
+TEST(OwnSystems, MakeAPlan) {
+  const OwnSystems all = own();
+  ReproductionPlan plan;
+  std::set<std::string> names;
+  for (const auto* files : {&all.systems, &all.recorded, &all.questions}) {
+    for (const NamedFile& file : *files) {
+      const auto added = add_to_plan(file, all.systems, plan);
+      EXPECT_TRUE(added) << file.name << ": " << to_string(added.error());
+      EXPECT_TRUE(names.insert(file.name).second) << file.name;
+    }
+  }
+  for (const ReproductionPart& part : plan.parts) {
+    const auto system = System::build(part.description.system, RecordingLayout{});
+    EXPECT_TRUE(system || part.description.recording.format != RecordingFormat::kAutomatic)
+        << part.question << " " << part.system << " " << part.variation;
+  }
+  EXPECT_GE(plan.parts.size(), 9U);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,222 @@
+#include "somato/studies/reproduction_plan.h"
+
+#include <gtest/gtest.h>
+
+#include "somato/files/toml_file.h"
+
+namespace somato {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string system_text(const std::string& name) {
+  return "[study]\nname = '" + name +
+         "'\n[module.joints]\ntype = 'channel'\nchannel = 'joints'\n[module.closed]\n"
+         "type = 'last'\ninput = 'joints'\n[module.map]\ntype = 'som'\ninput = 'closed'\n"
+         "rows = 5\n[explore]\nbody = 'lucs2'\n";
+}
+
+constexpr int kLines = 14;  // of system_text()
+
+NamedFile file(const std::string& name, const std::string& toml) {
+  return {name, parse_toml(toml, name + ".toml").value()};
+}
+
+std::vector<NamedFile> systems() {
+  return {file("small", system_text("small")), file("large", system_text("large"))};
+}
+
+class Plan : public ::testing::Test {
+ protected:
+  Result<void> add(const std::string& name, const std::string& toml) {
+    return add_to_plan(file(name, toml), systems(), plan_);
+  }
+
+  void expect_refused(const std::string& toml, const std::string& message) {
+    const auto added = add("asked", toml);
+    ASSERT_FALSE(added) << message;
+    EXPECT_EQ(added.error().kind, ErrorKind::kUsage);
+    EXPECT_EQ(to_string(added.error()), message);
+  }
+
+  // "question/system/variation" of each part.
+  Names parts() const {
+    Names names;
+    for (const ReproductionPart& part : plan_.parts) {
+      names.push_back(part.question + "/" + part.system + "/" + part.variation);
+    }
+    return names;
+  }
+
+  // What a module of a part says of a key.
+  std::string setting(std::size_t part, const std::string& module, const std::string& key) const {
+    for (const ModuleDescription& one : plan_.parts.at(part).description.system.modules) {
+      if (one.name != module) continue;
+      const Table::Entry* entry = one.settings.find(key);
+      return entry ? to_toml(std::get<Value>(entry->content)) : "";
+    }
+    return "no module";
+  }
+
+  ReproductionPlan plan_;
+};
+
+TEST_F(Plan, OfASystemIsItselfThenItsVariations) {
+  ASSERT_TRUE(add("small", system_text("small") +
+                               "[variation.wide]\nmodule.map.columns = 9\n[variation.raw]\n"
+                               "study.label = 'shape'\nexplore.explorations = 2\n"));
+  EXPECT_EQ(parts(), (Names{"/small/", "/small/wide", "/small/raw"}));
+  EXPECT_EQ(setting(0, "map", "columns"), "");
+  EXPECT_EQ(setting(1, "map", "columns"), "9");
+  EXPECT_EQ(setting(1, "map", "rows"), "5");
+  EXPECT_EQ(setting(2, "map", "columns"), "");
+  EXPECT_EQ(plan_.parts[0].description.study.label, "object");
+  EXPECT_EQ(plan_.parts[2].description.study.label, "shape");
+  EXPECT_EQ(plan_.parts[1].explore.entries.size(), 1U);
+  EXPECT_EQ(plan_.parts[2].explore.entries.size(), 2U);
+  for (const ReproductionPart& part : plan_.parts) EXPECT_FALSE(part.pairs);
+}
+
+// A variation that is for another system is not run.
+TEST_F(Plan, OfAQuestionIsEverySystemWithItsVariations) {
+  ASSERT_TRUE(add("why", R"([question]
+name = "how_wide"
+systems = ["small", "large"]
+pairs = 12
+[module.map]
+columns = 3
+[variation.wide]
+module.map.columns = 9
+[variation.high]
+systems = ["large"]
+module.map.rows = 20
+)"));
+  EXPECT_EQ(parts(), (Names{"how_wide/small/", "how_wide/small/wide", "how_wide/large/",
+                            "how_wide/large/wide", "how_wide/large/high"}));
+  // What the question changes for all, and what a variation changes on top.
+  EXPECT_EQ(setting(0, "map", "columns"), "3");
+  EXPECT_EQ(setting(1, "map", "columns"), "9");
+  EXPECT_EQ(setting(2, "map", "columns"), "3");
+  EXPECT_EQ(setting(4, "map", "columns"), "3");
+  EXPECT_EQ(setting(4, "map", "rows"), "20");
+  EXPECT_EQ(setting(3, "map", "rows"), "5");
+  for (const ReproductionPart& part : plan_.parts) EXPECT_EQ(part.pairs, 12U);
+}
+
+TEST_F(Plan, KeepsWhatOtherFilesAskFor) {
+  ASSERT_TRUE(add("small", system_text("small")));
+  ASSERT_TRUE(add("why", "[question]\nname = 'q'\nsystems = ['large']\n"));
+  EXPECT_EQ(parts(), (Names{"/small/", "q/large/"}));
+  EXPECT_EQ(plan_.parts[1].pairs, 24U);
+}
+
+TEST_F(Plan, ClaimsAreAboutTheSystemOfTheirFile) {
+  ASSERT_TRUE(add("small", system_text("small") + R"([variation.wide]
+module.map.columns = 9
+[[claim]]
+text = "a"
+metric = "accuracy"
+at_least = 0
+[[claim]]
+text = "b"
+variation = "wide"
+metric = "accuracy"
+at_least = 0
+[[claim]]
+text = "c"
+than_variation = "wide"
+metric = "accuracy"
+at_least = 0
+[[claim]]
+text = "d"
+than_system = "another"
+metric = "accuracy"
+at_least = 0
+)"));
+  ASSERT_EQ(plan_.claims.size(), 4U);
+  for (const Claim& claim : plan_.claims) {
+    EXPECT_EQ(claim.system, "small");
+    EXPECT_EQ(claim.question, "");
+  }
+  EXPECT_EQ(plan_.claims[0].than_system, "");
+  EXPECT_EQ(plan_.claims[1].variation, "wide");
+  EXPECT_EQ(plan_.claims[2].than_system, "small");
+  EXPECT_EQ(plan_.claims[2].than_variation, "wide");
+  EXPECT_EQ(plan_.claims[3].than_system, "another");
+}
+
+TEST_F(Plan, ClaimsOfAQuestionBelongToIt) {
+  ASSERT_TRUE(add("why", R"([question]
+name = "q"
+systems = ["small", "large"]
+[[claim]]
+text = "a"
+system = "large"
+than_system = "small"
+metric = "accuracy"
+at_least = 0
+)"));
+  ASSERT_EQ(plan_.claims.size(), 1U);
+  EXPECT_EQ(plan_.claims[0].question, "q");
+  EXPECT_EQ(plan_.claims[0].system, "large");
+  EXPECT_EQ(plan_.claims[0].than_system, "small");
+}
+
+TEST_F(Plan, RefusesClaimsAboutWhatIsNotRun) {
+  const auto place = [](int line) {
+    return "asked.toml:" + std::to_string(line) +
+           ": the claim is about something that is not run; name systems and variations of this "
+           "file";
+  };
+  const std::string rest = "text = 't'\nmetric = 'accuracy'\nat_least = 0\n";
+  const std::string claim = system_text("small") + "[variation.wide]\n[[claim]]\n" + rest;
+  for (const std::string about :
+       {"variation = 'wid'", "than_variation = 'wid'", "system = 'large'"}) {
+    expect_refused(claim + about + "\n", place(kLines + 2));
+  }
+  const std::string question = "[question]\nname = 'q'\nsystems = ['small']\n[[claim]]\n" + rest;
+  for (const std::string about :
+       {"system = 'large'", "than_system = 'large'", "variation = 'wide'"}) {
+    expect_refused(question + about + "\n", place(4));
+  }
+}
+
+TEST_F(Plan, RefusesQuestionsAboutNothing) {
+  expect_refused("[question]\nname = 'q'\nsystems = ['small', 'lagre']\n",
+                 "asked.toml:1: unknown system 'lagre'; did you mean 'large'?");
+  expect_refused(
+      "[question]\nsystems = ['small']\n",
+      "asked.toml:1: a question needs a name and systems; add name = \"...\" and systems "
+      "= [\"...\"] to [question]");
+  expect_refused(
+      "[question]\nname = 'q'\n",
+      "asked.toml:1: a question needs a name and systems; add name = \"...\" and systems "
+      "= [\"...\"] to [question]");
+  expect_refused("question = 'why'\n",
+                 "asked.toml:1: 'question' must be a table; write [question] on a line of its own, "
+                 "its keys below");
+  expect_refused("[question]\nname = 'q'\nsystem = ['small']\n",
+                 "asked.toml:3: unknown key 'system'; did you mean 'systems'?");
+  expect_refused(
+      "[question]\nname = 'q'\nsystems = ['small']\n[variation.v]\nsystems = ['large']\n",
+      "asked.toml:4: unknown system of the question 'large'; known are: small");
+}
+
+// Wherever a change leads astray, its own line is named.
+TEST_F(Plan, RefusesChangesThatDoNotFit) {
+  const std::string question = "[question]\nname = 'q'\nsystems = ['small']\n";
+  expect_refused(question + "[module.mpa]\nrows = 3\n",
+                 "asked.toml:4: unknown module 'mpa'; did you mean 'map'?");
+  expect_refused(question + "[variation.v]\nmodule.mpa.rows = 3\n",
+                 "asked.toml:5: unknown module 'mpa'; did you mean 'map'?");
+  expect_refused(question + "[studdy]\nlabel = 'x'\n",
+                 "asked.toml:4: unknown table 'studdy'; did you mean 'study'?");
+  expect_refused(question + "[variation.v]\nstudy.lable = 'x'\n",
+                 "asked.toml:5: unknown key 'lable'; did you mean 'label'?");
+  expect_refused(system_text("small") + "[variation.v]\nstudy.seeds = 0\n",
+                 "asked.toml:" + std::to_string(kLines + 2) +
+                     ": 'seeds' must be a whole number, 1 to 1000000, not 0");
+}
+
+}  // namespace
+}  // namespace somato
