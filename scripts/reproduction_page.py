@@ -3,12 +3,14 @@
 
     scripts/reproduction_page.py out/reproduction/results.json > docs/reproduction.md
 
-What stands in scripts/reproduction_page.md.in is put around the tables that are made here.
+Around the tables made here stand the texts of scripts/reproduction_page.md.in, and the remarks of
+scripts/reproduction_remarks.md.in, which name no figures: those come from the results.
 """
 
 import argparse
 import json
 import pathlib
+import re
 import statistics
 
 TEMPLATE = pathlib.Path(__file__).parent / "reproduction_page.md.in"
@@ -176,11 +178,15 @@ def fill(template, results):
 
 
 def remarks(page, file):
-    """Remarks on single questions: `## name` and what follows, in a file beside the template."""
+    """What is said about questions and tables: `## name` and what follows, in a file of its own."""
     sections = file.read_text(encoding="utf-8").split("\n## ")[1:] if file.exists() else []
     known = dict(section.split("\n", 1) for section in sections)
-    for name in list(known):
-        page = page.replace("{{question " + name + "}}", known[name].strip())
+    for kind in ("question ", "remarks "):
+        for name, text in known.items():
+            page = page.replace("{{" + kind + name + "}}", text.strip())
+    left = re.findall(r"\{\{.*?\}\}", page)
+    if left:
+        raise SystemExit(f"{file}: nothing is said about {', '.join(left)}")
     return page
 
 
@@ -190,7 +196,7 @@ def main():
     arguments = parser.parse_args()
     results = json.loads(arguments.results.read_text(encoding="utf-8"))
     page = fill(TEMPLATE.read_text(encoding="utf-8"), results)
-    print(remarks(page, TEMPLATE.with_name("reproduction_questions.md.in")), end="")
+    print(remarks(page, TEMPLATE.with_name("reproduction_remarks.md.in")), end="")
 
 
 if __name__ == "__main__":
