@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "somato/graph/system.h"
+
 namespace somato {
 namespace {
 
@@ -33,10 +35,30 @@ Result<QuestionParameters> read_question(const Table& file) {
   return question;
 }
 
+bool is_channel(const ModuleDescription& module) {
+  const Table::Entry* type = module.settings.find("type");
+  const Value* value = type ? std::get_if<Value>(&type->content) : nullptr;
+  return value && *value == Value{"channel"};
+}
+
+bool states_shapes(const SystemDescription& system) {
+  return std::all_of(system.modules.begin(), system.modules.end(), [](const auto& module) {
+    return !is_channel(module) || module.settings.find("shape");
+  });
+}
+
+// What is wrong in a module is told before anything is explored, if it can be known by then.
+Result<void> check_modules(const SystemDescription& system) {
+  if (!states_shapes(system)) return {};
+  const auto built = System::build(system, RecordingLayout{});
+  return built ? Result<void>() : fail(built.error());
+}
+
 Result<ReproductionPart> part_of(const Table& file, const std::string& question,
                                  const std::string& variation, std::optional<std::size_t> pairs) {
   auto description = read_study(file);
   if (!description) return fail(std::move(description.error()));
+  if (auto right = check_modules(description->system); !right) return fail(right.error());
   ReproductionPart part{question, description->study.name, variation, {}, {}, pairs};
   part.description = std::move(*description);
   if (const Table* explore = table_named(file, "explore")) part.explore = *explore;

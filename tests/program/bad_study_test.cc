@@ -40,6 +40,23 @@ class BadStudy : public ProgramTest {
   }
 };
 
+// Tables that 'reproduce' reads are not wrong unnoticed.
+TEST_F(BadStudy, WhatBelongsToReproduceIsRefusedToo) {
+  const std::vector<std::pair<std::string, Words>> cases{
+      {kStudy + "[explore]\nobjects = 'x.toml'\n", {"study.toml:19", "[explore] needs a body"}},
+      {kStudy + "[explore]\nbody = 'lucs5'\n", {"study.toml:20", "lucs2"}},
+      {kStudy + "[variation.wide]\nmodule.mpa.rows = 3\n",
+       {"study.toml:20", "unknown module 'mpa'", "did you mean 'map'?"}},
+      {kStudy + "[[claim]]\ntext = 't'\nmetric = 'accuracy'\n",
+       {"study.toml:19", "a claim needs a bound"}},
+      {kStudy + "[[claim]]\ntext = 't'\nmetric = 'accuracy'\nat_least = 0\nvariation = 'w'\n",
+       {"study.toml:19", "about something that is not run"}},
+      {kStudy + "[question]\nname = 'q'\n",
+       {"study.toml", "asks a question about several systems", "somato reproduce"}},
+  };
+  for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
+}
+
 TEST_F(BadStudy, PlaceAndRemedyAreNamed) {
   const std::vector<std::pair<std::string, Words>> cases{
       {with("rows = 4", "rows = = 4"), {"study.toml:16:8", "correct the TOML"}},

@@ -218,5 +218,17 @@ TEST_F(Plan, RefusesChangesThatDoNotFit) {
                      ": 'seeds' must be a whole number, 1 to 1000000, not 0");
 }
 
+// What is wrong in a module can be known without a recording where the channels state their shapes.
+TEST_F(Plan, BuildsWhatStatesItsShapes) {
+  std::string shaped = system_text("small");
+  shaped.insert(shaped.find("[module.closed]"), "shape = [3]\n");
+  const std::string line = std::to_string(kLines + 3);
+  const std::string none = "'rows' must be a whole number, 1 to 16777216, not 0";
+  expect_refused(shaped + "[variation.v]\nmodule.map.rows = 0\n",
+                 "asked.toml:" + line + ", module 'map': " + none);
+  EXPECT_TRUE(add("asked", shaped));
+  EXPECT_TRUE(add("asked", system_text("other") + "[variation.v]\nmodule.map.rows = 0\n"));
+}
+
 }  // namespace
 }  // namespace somato

@@ -48,7 +48,8 @@ struct NamedFile {
 
 /// Adds what a file asks for to the plan: a system as it stands, then its variations; or those of a
 /// question (a file with a table [question]). `systems` are the files that a question may name.
-/// Errors (kUsage) with their place: those of the descriptions; a question about a system that is
+/// Errors (kUsage) with their place: those of the descriptions, and of
+/// building systems whose channels state their shapes; a question about a system that is
 /// not among them; a claim about something that is not run.
 Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
                          ReproductionPlan& plan);
