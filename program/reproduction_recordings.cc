@@ -48,7 +48,7 @@ Result<void> explore_into(const std::string& path, const Explorer& explorer,
 // move them otherwise. Errors: kSystem.
 Result<std::string> file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
   std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
-  if (!table.explore.objects.empty()) {
+  if (table.explore.objects.ends_with(".toml")) {
     const auto objects = read_whole(table.explore.objects);
     if (!objects) return fail(objects.error());
     what += *objects;
