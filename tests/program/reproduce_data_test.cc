@@ -47,9 +47,9 @@ TEST_F(ReproduceGiven, MayBeAFolderOfFiles) {
 TEST_F(ReproduceGiven, ThatDoesNotFitIsPassedOverForAllAndAnErrorWhenNamed) {
   const std::string data = "explored/recordings/" + recordings_[0];
   const Json json = given("all", data);
-  ASSERT_EQ(json["systems"].size(), 1U);
-  EXPECT_EQ(json["systems"][0]["system"], "hardness");
-  EXPECT_EQ(json["not_applicable"].size(), 8U);
+  ASSERT_FALSE(json["systems"].empty());
+  for (const Json& one : json["systems"]) EXPECT_EQ(one["system"], "hardness");
+  EXPECT_GE(json["not_applicable"].size(), 8U);
   bool texture = false;
   for (const Json& one : json["not_applicable"]) {
     const std::string reason = one["reason"];
