@@ -39,8 +39,8 @@ Result<Numbers> individuals_of(const Classes& classes, const Numbers& individual
     const std::size_t its_class = classes.of_sample[i];
     if (class_of.emplace(individuals[i], its_class).first->second == its_class) continue;
     return fail(ErrorKind::kData,
-                "explorations with the same '" + individual + "' differ in '" + label + "'", {},
-                "name another label as 'individual', or leave it empty");
+                fmt::format("explorations with the same '{}' differ in '{}'", individual, label),
+                {}, "name another label as 'individual', or leave it empty");
   }
   return class_of.size() == classes.names.size() ? each_alone(individuals.size()) : individuals;
 }
@@ -75,6 +75,7 @@ AskedLabel ask_size_groups(const AskedOrder& order, const std::vector<std::strin
   const auto last = order.individuals.begin() + static_cast<std::ptrdiff_t>(learned);
   const std::size_t known = *std::max_element(order.individuals.begin(), last) + 1;
   std::vector<SizedThing> things;
+  things.reserve(known);
   for (std::size_t i = 0; i < known; ++i) things.push_back({order.numbers[i], order.groups[i]});
   const std::vector<bool> large = is_large(things);
   const auto is_as_large = [&](std::size_t individual) {
