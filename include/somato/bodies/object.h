@@ -50,8 +50,8 @@ double girth(const Object& object);
 bool is_radially_symmetric(const Object& object);
 
 /// What is known about an exploration of the object: object, shape, symmetry (radial or none, P06
-/// section 2.3), girth, width and depth (mm, with one decimal), material, hardness, and trial, which
-/// is written counting from 1 and given from 0.
+/// section 2.3), girth, width and depth (mm, with one decimal), material, hardness, and trial,
+/// which is written counting from 1 and given from 0.
 std::vector<Label> labels_of(const Object& object, std::size_t trial);
 
 }  // namespace somato

@@ -49,9 +49,8 @@ class StoredElements {
   /// them is not 0. Throws InvalidArgument when a size differs.
   double gather(const SignalView& signal, std::span<float> out, double factor = 1.0) const;
 
-  /// Samples of size() elements as samples of the stored ones, without the others; sparse ones become
-  /// dense unless
-  /// they are nearly empty. Throws InvalidArgument when the size differs.
+  /// Samples of size() elements as samples of the stored ones, without the others; sparse ones
+  /// become dense unless they are nearly empty. Throws InvalidArgument when the size differs.
   Samples gather(const Samples& samples) const;
 
   bool operator==(const StoredElements&) const = default;
