@@ -62,7 +62,7 @@ void print_table(const StudyResults& results) {
     fmt::print("\n{}: {}{} by {}, {} samples, {} seeds\n", system.name, system.protocol, group,
                system.label, system.samples, results.seeds);
     for (const Metric& metric : system.metrics) {
-      fmt::print("  {:<34}{}\n", metric.name, summary(metric));
+      fmt::print("  {:<33} {}\n", metric.name, summary(metric));
     }
   }
 }
