@@ -147,7 +147,7 @@ def questions(results):
         claims = [c for c in results["claims"] if c["question"] == name]
         texts.append(f"### {name.replace('_', ' ')}\n\n{{{{question {name}}}}}\n")
         texts.append(f"{len(parts[0]['pairs'])} pairs each.\n")
-        texts.append(accuracy_rows(parts, None if name != "sensitivity" else ("train = test", "5 folds")))
+        texts.append(accuracy_rows(parts, ("5 folds",) if name == "sensitivity" else None))
         if claims:
             texts.append("\n" + claim_rows(claims))
         texts.append("")
