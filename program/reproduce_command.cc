@@ -26,6 +26,7 @@ namespace somato::program {
 namespace {
 
 constexpr const char* kAll = "all";
+constexpr const char* kQuestions = "questions";
 
 // What was asked for on the command line.
 struct Request {
@@ -40,19 +41,11 @@ struct Request {
   std::optional<Recording> test_data;
 };
 
-// The papers' systems and questions explore; those for data sets need data.
-std::vector<NamedFile> files_of_everything(const OwnSystems& own, bool data_given) {
-  std::vector<NamedFile> files = own.systems;
-  const auto& more = data_given ? own.recorded : own.questions;
-  files.insert(files.end(), more.begin(), more.end());
-  return files;
-}
-
 Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
   if (name.ends_with(".toml")) {
     return read_toml(name).map([&](Table content) { return NamedFile{name, std::move(content)}; });
   }
-  std::vector<std::string> known{kAll};
+  std::vector<std::string> known{kAll, kQuestions};
   for (const auto* files : {&own.systems, &own.recorded, &own.questions}) {
     for (const NamedFile& file : *files) {
       if (file.name == name) return file;
@@ -62,15 +55,26 @@ Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
   return fail(unknown_name("system", name, "reproduce", known));
 }
 
+void append(const std::vector<NamedFile>& more, std::vector<NamedFile>& files) {
+  files.insert(files.end(), more.begin(), more.end());
+}
+
+// With data, all are the systems for data sets, too: these explore nothing.
 Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names,
                                            const OwnSystems& own, Request& request) {
-  request.everything = names.empty() || std::count(names.begin(), names.end(), kAll) > 0;
-  if (request.everything) return files_of_everything(own, request.given.has_value());
   std::vector<NamedFile> files;
   for (const std::string& name : names) {
-    auto file = find_file(name, own);
-    if (!file) return fail(std::move(file.error()));
-    files.push_back(std::move(*file));
+    request.everything = request.everything || name == kAll || name == kQuestions;
+    if (name == kAll) {
+      append(own.systems, files);
+      if (request.given) append(own.recorded, files);
+    } else if (name == kQuestions) {
+      append(own.questions, files);
+    } else {
+      auto file = find_file(name, own);
+      if (!file) return fail(std::move(file.error()));
+      files.push_back(std::move(*file));
+    }
   }
   return files;
 }
@@ -110,7 +114,8 @@ Result<void> read_plan(const Arguments& arguments, Request& request) {
   const auto own = own_systems();
   if (!own) return fail(own.error());
   const auto found = arguments.lists.find("SYSTEM");
-  const auto names = found == arguments.lists.end() ? std::vector<std::string>{} : found->second;
+  const auto names =
+      found == arguments.lists.end() ? std::vector<std::string>{kAll} : found->second;
   const auto files = asked_files(names, *own, request);
   if (!files) return fail(files.error());
   for (const NamedFile& file : *files) {
@@ -323,8 +328,8 @@ Command reproduce_command() {
       "reproduce",
       "Run the papers' systems on recordings of simulated bodies, beside what was published",
       {{"SYSTEM",
-        "Systems and questions by name, or TOML files; all, or none named: the nine systems and "
-        "the questions, with --data also the systems for data sets",
+        "Systems and questions by name, or TOML files; all, or none named: the nine systems, with "
+        "--data also those for data sets; questions: all questions about them",
         false, true}},
       {{"--pairs", "Pairs of recording and seed for each system; 100 unless given"},
        {"--recordings", "Independent recordings they are spread over; 6 unless given"},
