@@ -299,13 +299,6 @@ Result<void> make_folders(const std::filesystem::path& out) {
   return check_output((out / "results.json").string());
 }
 
-Error how_to_go_on(Error error) {
-  if (error.kind == ErrorKind::kInterrupted) {
-    error.advice = "what is done is kept; the same command goes on from there";
-  }
-  return error;
-}
-
 Result<void> run(const Arguments& arguments) {
   const auto request = read_request(arguments);
   if (!request) return fail(request.error());

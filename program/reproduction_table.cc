@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace somato::program {
 namespace {
 
 std::string cell(const SystemResults& results, const std::string& name) {
-  const auto found = std::find_if(results.metrics.begin(), results.metrics.end(),
-                                  [&](const Metric& metric) { return metric.name == name; });
-  if (found == results.metrics.end()) return "-";
-  return fmt::format("{:.3f} +- {:.3f}", found->mean(), found->standard_deviation());
+  const Metric* metric = results.find_metric(name);
+  if (!metric) return "-";
+  return fmt::format("{:.3f} +- {:.3f}", metric->mean(), metric->standard_deviation());
 }
 
 // Of the system's own label, or where that cannot be named, of the first that can.

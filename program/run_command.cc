@@ -105,13 +105,6 @@ Result<std::optional<Recording>> read_test_data(const Arguments& arguments,
   });
 }
 
-Error how_to_go_on(Error error) {
-  if (error.kind == ErrorKind::kInterrupted) {
-    error.advice = "what is done is kept; the same command goes on from there";
-  }
-  return error;
-}
-
 Result<void> run_whole(const Arguments& arguments, const StudyDescription& description,
                        std::size_t threads) {
   const RecordingFormat format = description.recording.format;

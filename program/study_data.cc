@@ -9,6 +9,13 @@ Error with_place(Error error, const std::string& path) {
   return error;
 }
 
+Error how_to_go_on(Error error) {
+  if (error.kind == ErrorKind::kInterrupted) {
+    error.advice = "what is done is kept; the same command goes on from there";
+  }
+  return error;
+}
+
 Result<Recording> read_study_data(RecordingFormat format, const std::string& path) {
   auto recording = load_recording(format, path);
   if (!recording) return fail(with_place(std::move(recording.error()), path));

@@ -15,4 +15,8 @@ Result<Recording> read_study_data(RecordingFormat format, const std::string& pat
 /// What a recording as a whole lacks is told with its path.
 Error with_place(Error error, const std::string& path);
 
+/// An interruption with what to do next, where what is done is kept in a journal; other errors as
+/// they are.
+Error how_to_go_on(Error error);
+
 }  // namespace somato::program

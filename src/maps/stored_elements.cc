@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "somato/core/check.h"
@@ -13,12 +14,13 @@ namespace {
 // Or at least half of all.
 std::vector<std::uint32_t> elements_in(const Samples& samples) {
   std::vector<std::uint32_t> elements;
+  std::vector<std::uint32_t> joined;
   for (std::size_t i = 0; i < samples.count(); ++i) {
     const auto indices = samples[i].indices;
-    const auto middle = static_cast<std::ptrdiff_t>(elements.size());
-    elements.insert(elements.end(), indices.begin(), indices.end());
-    std::inplace_merge(elements.begin(), elements.begin() + middle, elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    joined.clear();
+    std::set_union(elements.begin(), elements.end(), indices.begin(), indices.end(),
+                   std::back_inserter(joined));
+    elements.swap(joined);
     if (2 * elements.size() >= samples.size()) break;  // too many already
   }
   return elements;

@@ -136,17 +136,14 @@ Result<void> keep_only(const StudyParameters& study, Recording& recording) {
 }
 
 // The two must be alike, and not only each in itself.
-Result<Recording> join(const Recording& recording, const Recording* test) {
-  Recording all = recording;
-  if (test) {
-    all.explorations.insert(all.explorations.end(), test->explorations.begin(),
-                            test->explorations.end());
-  }
-  for (const Recording* part : {&recording, test, static_cast<const Recording*>(&all)}) {
-    if (!part) continue;
-    if (auto valid = validate(*part); !valid) return fail(std::move(valid.error()));
-  }
-  return all;
+Result<Recording> join(Recording recording, const Recording* test) {
+  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
+  if (!test) return recording;
+  if (auto valid = validate(*test); !valid) return fail(std::move(valid.error()));
+  recording.explorations.insert(recording.explorations.end(), test->explorations.begin(),
+                                test->explorations.end());
+  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
+  return recording;
 }
 
 // There must be something to tell apart in what is learned from.
@@ -267,7 +264,8 @@ Result<Question> make_question(const StudyDescription& description, const Record
   if (auto kept = keep_only(description.study, recording); !kept) {
     return fail(std::move(kept.error()));
   }
-  auto all = join(recording, test);
+  const std::size_t learned = recording.explorations.size();
+  auto all = join(std::move(recording), test);
   if (!all) return fail(std::move(all.error()));
   question.recording = std::move(*all);
   question.layout = layout_of(question.recording);
@@ -276,7 +274,6 @@ Result<Question> make_question(const StudyDescription& description, const Record
   const StudyParameters& study = description.study;
   const auto individuals = numbers_of(question.recording, study.individual);
   if (!individuals) return fail(individuals.error());
-  const std::size_t learned = recording.explorations.size();
   Result<void> ready =
       ask_labels(study, *individuals, question)
           .and_then([&] { return check_classes(question, study.label, learned); })

@@ -36,9 +36,7 @@ void append(const SystemResults& found, SystemResults& all) {
 const Metric* find_metric(const PartResults& part, const Claim& claim, const std::string& name) {
   for (const SystemResults& protocol : part.protocols) {
     if (protocol.protocol != claim.protocol || protocol.group != claim.group) continue;
-    const auto found = std::find_if(protocol.metrics.begin(), protocol.metrics.end(),
-                                    [&](const Metric& metric) { return metric.name == name; });
-    if (found != protocol.metrics.end()) return &*found;
+    if (const Metric* metric = protocol.find_metric(name)) return metric;
   }
   return nullptr;
 }

@@ -1,5 +1,6 @@
 #include "somato/studies/results.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "studies/results_json.h"
@@ -75,6 +76,12 @@ double Metric::standard_deviation() const {
   double sum = 0.0;
   for (const double value : values) sum += (value - center) * (value - center);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+const Metric* SystemResults::find_metric(std::string_view metric) const {
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const Metric& one) { return one.name == metric; });
+  return found == metrics.end() ? nullptr : &*found;
 }
 
 std::string to_json(const StudyResults& results) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct SystemResults {
   std::size_t samples = 0;
   std::vector<Metric> metrics;
   std::vector<Run> runs;
+
+  /// The metric of that name, or nullptr.
+  const Metric* find_metric(std::string_view metric) const;
 };
 
 /// A parameter with its value as TOML writes it.
