@@ -10,6 +10,7 @@
 #include "somato/core/instruction_set.h"
 #include "somato/core/random.h"
 #include "somato/core/threads.h"
+#include "somato/maps/batch_training.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {

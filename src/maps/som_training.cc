@@ -1,17 +1,17 @@
 #include "somato/maps/som_training.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "core/lanes.h"
 #include "maps/inner_product_training.h"
+#include "maps/map_rows.h"
 #include "maps/som_preparation.h"
 #include "maps/stop.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
+#include "somato/maps/batch_training.h"
 #include "somato/maps/initial_weights.h"
+#include "somato/maps/som_learner.h"
 
 namespace somato {
 namespace {
@@ -24,10 +24,6 @@ std::uint64_t iterations_between_reports(const Som& som) {
   const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, 1, kIterationsBetweenReports);
 }
-
-// Weights of elements that are mostly zero decay until they are slow to compute with; their squares
-// have left the range of single precision long before.
-constexpr std::uint64_t kIterationsBetweenClearings = 64;
 
 // Of the stored elements alone: everything else is 0 and stays 0.
 Som initial_som(const PreparedTraining& prepared) {
@@ -44,15 +40,6 @@ Som initial_som(const PreparedTraining& prepared) {
 // A map of stored elements as one of whole inputs.
 Som of_whole_inputs(Som som, const StoredElements& elements) {
   return Som(som.parameters(), std::move(som.weights()), elements);
-}
-
-// Scales every row to length 1; rows of zeros stay.
-void normalize_rows(LaneMatrix<float>& weights, AlignedVector<float>& factors) {
-  factors.resize(weights.padded_rows());
-  const auto& kernels = kernels::table<float>();
-  kernels.squared_norms(kernels::lanes(std::as_const(weights)), factors.data());
-  for (float& factor : factors) factor = factor > 0.0F ? 1.0F / std::sqrt(factor) : 1.0F;
-  kernels.scale_rows(kernels::lanes(weights), factors.data());
 }
 
 Result<void> train_online(Som& som, const Samples& prepared, const Progress& progress) {
@@ -83,110 +70,7 @@ Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOpt
              : train_online(som, prepared, options.progress);
 }
 
-bool has_weights_for(const Som& som, const Samples& samples) {
-  if (som.elements().all()) return true;
-  std::vector<float> stored(som.elements().count());
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    if (som.elements().gather(samples[i], stored) > 0.0) return false;
-  }
-  return true;
-}
-
-// Sums of the samples by winner, and how many there are: double precision, in the samples' order.
-struct WinnerSums {
-  Matrix<double> sums;
-  std::vector<double> counts;
-};
-
-WinnerSums sum_by_winner(const Som& som, const Samples& samples,
-                         const std::vector<std::size_t>& winners) {
-  WinnerSums result{Matrix<double>(som.neurons(), som.elements().count()),
-                    std::vector<double>(som.neurons())};
-  std::vector<float> input(som.elements().count());
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    som.elements().gather(samples[i], input);
-    const auto sum = result.sums.row(winners[i]);
-    for (std::size_t d = 0; d < input.size(); ++d) sum[d] += double{input[d]};
-    result.counts[winners[i]] += 1.0;
-  }
-  return result;
-}
-
-// The weighted mean for one neuron; the neighbourhood is symmetric, so it is taken around it.
-void move_to_mean(Som& som, std::size_t neuron, const WinnerSums& sums,
-                  std::span<const double> gains, std::vector<double>& mean) {
-  double total = 0.0;
-  std::fill(mean.begin(), mean.end(), 0.0);
-  for (std::size_t winner = 0; winner < gains.size(); ++winner) {
-    if (sums.counts[winner] == 0.0 || gains[winner] == 0.0) continue;
-    total = std::fma(gains[winner], sums.counts[winner], total);
-    kernels::table<double>().add_scaled(sums.sums.row(winner).data(), gains[winner], mean.size(),
-                                        mean.data());
-  }
-  if (total == 0.0) return;
-  for (std::size_t d = 0; d < mean.size(); ++d) {
-    som.weights()(neuron, d) = static_cast<float>(mean[d] / total);
-  }
-}
-
 }  // namespace
-
-SomLearner::SomLearner(Som& som)
-    : som_(som),
-      neighbourhood_(som.grid(), som.parameters().neighbourhood),
-      gains_(som.weights().padded_rows()) {}
-
-std::size_t SomLearner::learn(const SignalView& input, double learning_rate, double radius) {
-  std::span<const float> seen = som_.prepare(input, workspace_);
-  if (workspace_.left_out_ > 0.0) {
-    som_.store_all();
-    seen = som_.prepare(input, workspace_);
-  }
-  const std::size_t winner = som_.winner_of(seen, workspace_);
-  neighbourhood_.around(winner, radius, gains_);
-  const auto rate = static_cast<float>(learning_rate);
-  for (float& gain : gains_) gain *= rate;
-  kernels::table<float>().move_towards(kernels::lanes(som_.weights()), seen.data(), gains_.data());
-  if (som_.parameters().similarity == Similarity::kDotProduct) {
-    normalize_rows(som_.weights(), factors_);
-  }
-  if (++learned_ % kIterationsBetweenClearings == 0) {
-    kernels::table<float>().clear_negligible(kernels::lanes(som_.weights()));
-  }
-  return winner;
-}
-
-std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std::size_t threads) {
-  std::vector<std::size_t> winners(samples.count());
-  for_each_range(samples.count(), threads, [&](std::size_t begin, std::size_t end) {
-    SomWorkspace workspace;
-    for (std::size_t i = begin; i < end; ++i) winners[i] = som.winner(samples[i], workspace);
-  });
-  return winners;
-}
-
-std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
-                                     std::size_t threads) {
-  if (!has_weights_for(som, samples)) som.store_all();
-  Samples storage;
-  const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
-  std::vector<std::size_t> winners = winners_of(som, prepared, threads);
-  const WinnerSums sums = sum_by_winner(som, prepared, winners);
-  for_each_range(som.neurons(), threads, [&](std::size_t begin, std::size_t end) {
-    Neighbourhood neighbourhood(som.grid(), som.parameters().neighbourhood);
-    std::vector<double> gains(som.neurons());
-    std::vector<double> mean(som.elements().count());
-    for (std::size_t neuron = begin; neuron < end; ++neuron) {
-      neighbourhood.around(neuron, radius, gains);
-      move_to_mean(som, neuron, sums, gains, mean);
-    }
-  });
-  if (som.parameters().similarity == Similarity::kDotProduct) {
-    AlignedVector<float> factors;
-    normalize_rows(som.weights(), factors);
-  }
-  return winners;
-}
 
 Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
   Samples storage;

@@ -9,6 +9,7 @@
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
 #include "somato/maps/som_quality.h"
+#include "somato/maps/batch_training.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/stored_elements.h"
 #include "somato/studies/nearest_neighbour.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "somato/core/threads.h"
+#include "somato/maps/batch_training.h"
 #include "somato/maps/som_training.h"
 #include "somato/recording/content_hash.h"
 #include "studies/question.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "somato/graph/system_model.h"
+#include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/t_mpsom_training.h"
 #include "support/systems.h"

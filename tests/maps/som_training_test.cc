@@ -1,3 +1,5 @@
+#include "somato/maps/batch_training.h"
+#include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 
 #include <gtest/gtest.h>

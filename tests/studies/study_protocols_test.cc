@@ -3,6 +3,7 @@
 #include <set>
 
 #include "somato/maps/areas.h"
+#include "somato/maps/batch_training.h"
 #include "somato/maps/som_training.h"
 #include "somato/recording/content_hash.h"
 #include "somato/studies/wrong_groupings.h"

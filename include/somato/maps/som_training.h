@@ -8,7 +8,6 @@
 #include "somato/core/random.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
-#include "somato/maps/neighbourhood.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
 
@@ -38,36 +37,6 @@ Result<Som> untrained_som(const SomParameters& parameters, const Samples& sample
 /// Goes on training `som` on `samples` by its own parameters, from its weights as they are. Online
 /// training on the weights themselves or batch training; `som` keeps its weights when it fails.
 Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options = {});
-
-/// One sample at a time, for training while samples come in. Refers to the map it trains, which
-/// gets weights for all elements as soon as an input needs one that it has not.
-class SomLearner {
- public:
-  explicit SomLearner(Som& som);
-
-  /// Finds the winner of `input` and moves the weights towards it:
-  /// w += learning_rate h (input - w), with h the neighbourhood function around the winner, then
-  /// scaled to length 1 for a dot-product map (P11 III). Returns the winner.
-  std::size_t learn(const SignalView& input, double learning_rate, double radius);
-
- private:
-  Som& som_;
-  SomWorkspace workspace_;
-  Neighbourhood neighbourhood_;
-  AlignedVector<float> gains_;
-  AlignedVector<float> factors_;
-  std::uint64_t learned_ = 0;
-};
-
-/// One epoch of batch training: every weight becomes the mean of all samples, each weighted by the
-/// neighbourhood function around its winner; a neuron that no winner reaches keeps its weights. The
-/// map gets weights for all elements when the samples have one that it has not.
-/// Returns the samples' winners before the epoch.
-std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
-                                     std::size_t threads);
-
-/// The winner of each sample, computed on `threads` threads.
-std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std::size_t threads);
 
 /// The order in which online training draws samples: a function of the seed.
 class DrawSequence {

@@ -9,7 +9,7 @@
 #include "graph/modules/support.h"
 #include "maps/inner_product_training.h"
 #include "somato/maps/som.h"
-#include "somato/maps/som_training.h"
+#include "somato/maps/som_learner.h"
 
 namespace somato::modules {
 
