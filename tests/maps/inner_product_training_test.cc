@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "somato/core/check.h"
+#include "somato/maps/som_learner.h"
 #include "support/random_maps.h"
 
 namespace somato {

@@ -1,0 +1,1 @@
+#include "somato/maps/batch_training.h"
