@@ -16,6 +16,7 @@ SOURCES_WITHOUT_HEADER = {
     "core/kernels_portable.cc": "core/kernels.h for any processor",
     "core/kernels_avx2.cc": "core/kernels.h for AVX2",
     "core/kernels_avx512.cc": "core/kernels.h for AVX-512",
+    "core/kernels_avx512_vnni.cc": "core/batch_kernels.h for AVX-512 with integer products",
     "graph/module_types.cc": "graph/module.h: the list of all types",
     "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
     "graph/modules/features.cc": "graph/modules/support.h: types of modules",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/batch_kernels.h"
 #include "core/kernels.h"
 #include "somato/core/check.h"
 
@@ -13,11 +14,15 @@ namespace kernels {
   namespace set {                          \
   extern const Table<float> kFloatTable;   \
   extern const Table<double> kDoubleTable; \
+  extern const BatchTable kBatchTable;     \
   }
 SOMATO_DECLARE_TABLES(portable)
 SOMATO_DECLARE_TABLES(avx2)
 SOMATO_DECLARE_TABLES(avx512)
 #undef SOMATO_DECLARE_TABLES
+namespace avx512_vnni {
+extern const BatchTable kBatchTable;
+}
 
 }  // namespace kernels
 
@@ -34,7 +39,8 @@ const std::vector<std::pair<InstructionSet, std::string>>& Choices<InstructionSe
   static const std::vector<std::pair<InstructionSet, std::string>> choices{
       {InstructionSet::kPortable, "portable"},
       {InstructionSet::kAvx2, "avx2"},
-      {InstructionSet::kAvx512, "avx512"}};
+      {InstructionSet::kAvx512, "avx512"},
+      {InstructionSet::kAvx512Vnni, "avx512_vnni"}};
   return choices;
 }
 
@@ -43,7 +49,10 @@ std::vector<InstructionSet> available_instruction_sets() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     sets.push_back(InstructionSet::kAvx2);
-    if (__builtin_cpu_supports("avx512f")) sets.push_back(InstructionSet::kAvx512);
+  }
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw")) {
+    sets.push_back(InstructionSet::kAvx512);
+    if (__builtin_cpu_supports("avx512vnni")) sets.push_back(InstructionSet::kAvx512Vnni);
   }
 #endif
   return sets;
@@ -65,7 +74,7 @@ namespace kernels {
 template <>
 const Table<float>& table<float>() {
 #if defined(__x86_64__)
-  if (instruction_set() == InstructionSet::kAvx512) return avx512::kFloatTable;
+  if (instruction_set() >= InstructionSet::kAvx512) return avx512::kFloatTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kFloatTable;
 #endif
   return portable::kFloatTable;
@@ -74,10 +83,19 @@ const Table<float>& table<float>() {
 template <>
 const Table<double>& table<double>() {
 #if defined(__x86_64__)
-  if (instruction_set() == InstructionSet::kAvx512) return avx512::kDoubleTable;
+  if (instruction_set() >= InstructionSet::kAvx512) return avx512::kDoubleTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kDoubleTable;
 #endif
   return portable::kDoubleTable;
+}
+
+const BatchTable& batch_table() {
+#if defined(__x86_64__)
+  if (instruction_set() == InstructionSet::kAvx512Vnni) return avx512_vnni::kBatchTable;
+  if (instruction_set() == InstructionSet::kAvx512) return avx512::kBatchTable;
+  if (instruction_set() == InstructionSet::kAvx2) return avx2::kBatchTable;
+#endif
+  return portable::kBatchTable;
 }
 
 }  // namespace kernels

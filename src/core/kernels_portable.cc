@@ -1,2 +1,3 @@
 #define SOMATO_KERNELS portable
+#include "core/batch_kernels_body.h"
 #include "core/kernels_body.h"

@@ -1,61 +1,120 @@
 #include "somato/maps/batch_training.h"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 
-#include "core/kernels.h"
 #include "maps/map_rows.h"
+#include "maps/neighbourhood_mixing.h"
+#include "maps/winner_search.h"
 #include "somato/core/threads.h"
-#include "somato/maps/neighbourhood.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {
+namespace {
+
+constexpr std::size_t kLanes = LaneMatrix<double>::kLanes;
+constexpr double kLeastReach = 0x1p-1000;
+
+// Adds the elements first .. first + count - 1 of a dense sample to eight sums.
+void add_elements(const SignalView& sample, std::size_t first, std::size_t count, double* sums) {
+  const float* values = sample.values.data() + first;
+  if (count == kLanes) {
+    for (std::size_t i = 0; i < kLanes; ++i) sums[i] += double{values[i]};
+  } else {
+    for (std::size_t i = 0; i < count; ++i) sums[i] += double{values[i]};
+  }
+}
+
+}  // namespace
 
 BatchEpoch::BatchEpoch(Som& som, std::size_t threads)
-    : som_(som),
-      threads_(threads),
-      sums_(som.neurons(), som.elements().count()),
-      counts_(som.neurons()) {}
+    : som_(som), threads_(threads), sums_(som.elements().count() + 1, som.neurons()) {}
 
 std::vector<std::size_t> BatchEpoch::add(const Samples& samples) {
   Samples storage;
-  const Samples& prepared = prepared_samples(som_.parameters(), samples, storage);
-  std::vector<std::size_t> winners = winners_of(som_, prepared, threads_);
-  std::vector<float> input(som_.elements().count());
-  for (std::size_t i = 0; i < prepared.count(); ++i) {
-    som_.elements().gather(prepared[i], input);
-    const auto sum = sums_.row(winners[i]);
-    for (std::size_t d = 0; d < input.size(); ++d) sum[d] += double{input[d]};
-    counts_[winners[i]] += 1.0;
+  return add_seen(seen_samples(som_, samples, storage));
+}
+
+std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
+  std::vector<std::size_t> winners = winners_of_seen(som_, seen, threads_);
+  for (const std::size_t winner : winners) sums_(som_.elements().count(), winner) += 1.0;
+  if (seen.is_sparse()) {
+    for (std::size_t i = 0; i < seen.count(); ++i) {
+      const SignalView sample = seen[i];
+      for (std::size_t k = 0; k < sample.values.size(); ++k) {
+        sums_(sample.indices[k], winners[i]) += double{sample.values[k]};
+      }
+    }
+    return winners;
   }
+  // Two rows of blocks at a time, which are one cache line of a sample.
+  for_each_range((sums_.blocks() + 1) / 2, threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      add_columns(seen, winners, 2 * block, std::min(2 * block + 2, sums_.blocks()));
+    }
+  });
   return winners;
 }
 
-// The neighbourhood is symmetric, so it is taken around the neuron that moves.
-void BatchEpoch::move_to_mean(std::size_t neuron, std::span<const double> gains,
-                              std::vector<double>& mean) {
-  double total = 0.0;
-  std::fill(mean.begin(), mean.end(), 0.0);
-  for (std::size_t winner = 0; winner < gains.size(); ++winner) {
-    if (counts_[winner] == 0.0 || gains[winner] == 0.0) continue;
-    total = std::fma(gains[winner], counts_[winner], total);
-    kernels::table<double>().add_scaled(sums_.row(winner).data(), gains[winner], mean.size(),
-                                        mean.data());
+void BatchEpoch::add_columns(const Samples& samples, const std::vector<std::size_t>& winners,
+                             std::size_t begin, std::size_t end) {
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    for (std::size_t block = begin; block < end; ++block) {
+      if (block * kLanes >= samples.size()) break;
+      const std::size_t count = std::min(kLanes, samples.size() - block * kLanes);
+      add_elements(samples[i], block * kLanes, count,
+                   sums_.data() + (block * som_.neurons() + winners[i]) * kLanes);
+    }
   }
-  if (total == 0.0) return;
-  for (std::size_t d = 0; d < mean.size(); ++d) {
-    som_.weights()(neuron, d) = static_cast<float>(mean[d] / total);
+}
+
+// The sums over each neuron's neighbourhood, eight elements at a time.
+class BatchEpoch::Means {
+ public:
+  Means(const BatchEpoch& epoch, const NeighbourhoodMixing& mixing)
+      : sums_(epoch.sums_), mixing_(mixing), mixed_(sums_.columns() * kLanes) {}
+
+  std::span<const double> of_block(std::size_t block) {
+    const std::span all(sums_.data(), sums_.blocks() * sums_.columns() * kLanes);
+    mixing_.apply(all.subspan(block * mixed_.size(), mixed_.size()), mixed_, workspace_);
+    return mixed_;
+  }
+
+ private:
+  const LaneMatrix<double>& sums_;
+  const NeighbourhoodMixing& mixing_;
+  AlignedVector<double> mixed_;
+  NeighbourhoodMixing::Workspace workspace_;
+};
+
+// Weights of eight elements become their means.
+void BatchEpoch::move_block(std::size_t block, std::span<const double> sums,
+                            std::span<const double> totals) {
+  const std::size_t first = block * kLanes;
+  const std::size_t count = std::min(kLanes, som_.elements().count() - first);
+  for (std::size_t neuron = 0; neuron < totals.size(); ++neuron) {
+    if (totals[neuron] < kLeastReach) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      som_.weights()(neuron, first + i) =
+          static_cast<float>(sums[neuron * kLanes + i] / totals[neuron]);
+    }
   }
 }
 
 void BatchEpoch::finish(double radius) {
-  for_each_range(som_.neurons(), threads_, [&](std::size_t begin, std::size_t end) {
-    Neighbourhood neighbourhood(som_.grid(), som_.parameters().neighbourhood);
-    std::vector<double> gains(som_.neurons());
-    std::vector<double> mean(som_.elements().count());
-    for (std::size_t neuron = begin; neuron < end; ++neuron) {
-      neighbourhood.around(neuron, radius, gains);
-      move_to_mean(neuron, gains, mean);
+  const NeighbourhoodMixing mixing(som_.grid(), som_.parameters().neighbourhood, radius);
+  const std::size_t elements = som_.elements().count();
+  std::vector<double> totals(som_.neurons());
+  Means counts(*this, mixing);
+  const std::span<const double> last = counts.of_block(elements / kLanes);
+  for (std::size_t neuron = 0; neuron < totals.size(); ++neuron) {
+    totals[neuron] = last[neuron * kLanes + elements % kLanes];
+  }
+  const std::size_t blocks = (elements + kLanes - 1) / kLanes;
+  for_each_range(blocks, threads_, [&](std::size_t begin, std::size_t end) {
+    Means means(*this, mixing);
+    for (std::size_t block = begin; block < end; ++block) {
+      move_block(block, means.of_block(block), totals);
     }
   });
   if (som_.parameters().similarity == Similarity::kDotProduct) {
@@ -74,12 +133,8 @@ std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double ra
 }
 
 std::vector<std::size_t> winners_of(const Som& som, const Samples& samples, std::size_t threads) {
-  std::vector<std::size_t> winners(samples.count());
-  for_each_range(samples.count(), threads, [&](std::size_t begin, std::size_t end) {
-    SomWorkspace workspace;
-    for (std::size_t i = begin; i < end; ++i) winners[i] = som.winner(samples[i], workspace);
-  });
-  return winners;
+  Samples storage;
+  return winners_of_seen(som, seen_samples(som, samples, storage), threads);
 }
 
 }  // namespace somato

@@ -15,14 +15,15 @@ constexpr double kBubbleTolerance = 1e-9;
 template <typename Real>
 constexpr double kSmallestFactor = sizeof(Real) == sizeof(float) ? 0x1p-100 : 0x1p-1000;
 
-double gaussian(double difference, double radius) {
+}  // namespace
+
+double gaussian_factor(double difference, double radius) {
   if (difference == 0.0) return 1.0;
   if (radius == 0.0) return 0.0;
   const double ratio = difference / radius;
-  return exponential(-0.5 * ratio * ratio);
+  const double factor = exponential(-0.5 * ratio * ratio);
+  return factor < kSmallestFactor<double> ? 0.0 : factor;
 }
-
-}  // namespace
 
 const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<NeighbourhoodShape>::all() {
   static const std::vector<std::pair<NeighbourhoodShape, std::string>> choices{
@@ -45,14 +46,14 @@ void Neighbourhood::prepare_factors(std::size_t winner, double radius) {
   const std::size_t row = grid_.row_of(winner);
   const std::size_t column = grid_.column_of(winner);
   for (std::size_t r = 0; r < grid_.rows(); ++r) {
-    row_factors_[r] = gaussian(grid_.vertical_difference(r, row), radius);
+    row_factors_[r] = gaussian_factor(grid_.vertical_difference(r, row), radius);
   }
   // On a rectangular grid rows of both parities have the same factors.
   const std::size_t parities = grid_.lattice() == Lattice::kHexagonal ? 2 : 1;
   for (std::size_t parity = 0; parity < parities; ++parity) {
     for (std::size_t c = 0; c < grid_.columns(); ++c) {
       column_factors_[parity * grid_.columns() + c] =
-          gaussian(grid_.horizontal_difference(c, parity, column, row % 2), radius);
+          gaussian_factor(grid_.horizontal_difference(c, parity, column, row % 2), radius);
     }
   }
 }

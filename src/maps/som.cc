@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "core/batch_kernels.h"
 #include "core/lanes.h"
 #include "maps/activity.h"
 #include "somato/core/check.h"
@@ -17,6 +19,43 @@ double factor_to_length_one(std::span<const float> values) {
   for (const float value : values) sum = std::fma(double{value}, double{value}, sum);
   return sum == 0.0 ? 1.0 : 1.0 / std::sqrt(sum);
 }
+
+// The second least of the scores, `least` being one of them.
+float second_least(std::span<const float> scores, float least) {
+  float second = std::numeric_limits<float>::infinity();
+  bool met = false;
+  for (const float score : scores) {
+    if (score == least && !met) {
+      met = true;
+    } else {
+      second = std::min(second, score);
+    }
+  }
+  return second;
+}
+
+// The two least scores, the earlier neuron first in a tie.
+class BestTwo {
+ public:
+  void meet(double score, std::size_t neuron) {
+    if (met_ == 0 || score < first_) {
+      second_ = first_;
+      winners_ = {neuron, met_ == 0 ? neuron : winners_.first};
+      first_ = score;
+    } else if (met_ == 1 || score < second_) {
+      second_ = score;
+      winners_.second = neuron;
+    }
+    ++met_;
+  }
+  const Winners& winners() const { return winners_; }
+
+ private:
+  std::size_t met_ = 0;
+  double first_ = 0.0;
+  double second_ = 0.0;
+  Winners winners_;
+};
 
 }  // namespace
 
@@ -80,47 +119,84 @@ std::span<const float> Som::scores_of(std::span<const float> x, SomWorkspace& wo
   return {workspace.scores_.data(), neurons()};
 }
 
-bool Som::prefers(float score, float other) const {
-  return parameters_.similarity == Similarity::kEuclidean ? score < other : score > other;
-}
-
 std::size_t Som::winner(const SignalView& input, SomWorkspace& workspace) const {
   return winner_of(prepare(input, workspace), workspace);
 }
 
 std::size_t Som::winner_of(std::span<const float> prepared, SomWorkspace& workspace) const {
-  const std::span<const float> all = scores_of(prepared, workspace);
-  const auto best = parameters_.similarity == Similarity::kEuclidean
-                        ? std::min_element(all.begin(), all.end())
-                        : std::max_element(all.begin(), all.end());
-  return static_cast<std::size_t>(best - all.begin());
+  return best_of(prepared, false, workspace).first;
 }
 
 Winners Som::winners(const SignalView& input, SomWorkspace& workspace) const {
-  const std::span<const float> all = scores(input, workspace);
-  if (all.size() == 1) return {};
-  Winners winners{0, 1};
-  if (prefers(all[1], all[0])) std::swap(winners.first, winners.second);
-  for (std::size_t neuron = 2; neuron < all.size(); ++neuron) {
-    if (prefers(all[neuron], all[winners.first])) {
-      winners = {neuron, winners.first};
-    } else if (prefers(all[neuron], all[winners.second])) {
-      winners.second = neuron;
-    }
+  return best_of(prepare(input, workspace), true, workspace);
+}
+
+// Scores of which the least wins, filled up to whole blocks with infinite ones.
+std::span<const float> Som::ascending_scores_of(std::span<const float> prepared,
+                                                SomWorkspace& workspace) const {
+  scores_of(prepared, workspace);
+  if (parameters_.similarity == Similarity::kDotProduct) {
+    for (float& score : workspace.scores_) score = -score;
   }
-  return winners;
+  std::fill(workspace.scores_.begin() + static_cast<std::ptrdiff_t>(neurons()),
+            workspace.scores_.end(), std::numeric_limits<float>::infinity());
+  return workspace.scores_;
+}
+
+// How far above the least score in single precision the least one in double precision may be: each
+// is off by at most `rounding` of the squared distance, which is a sum of positive terms, or of
+// |x| |w|, with |w| = 1 in a dot-product map.
+float Som::score_margin(float least, std::span<const float> prepared) const {
+  const auto columns = static_cast<double>(weights_.columns());
+  constexpr auto kChunk = static_cast<double>(kernels::kChunk);
+  const double rounding = (std::min(columns, kChunk) + columns / kChunk + 4.0) * 0x1p-24;
+  double scale = double{least};
+  if (parameters_.similarity == Similarity::kDotProduct) {
+    scale = 2.0 * std::sqrt(kernels::batch_table().inner_product(prepared.data(), prepared.data(),
+                                                                 prepared.size()));
+  }
+  return static_cast<float>(2.5 * rounding * scale);
+}
+
+// Scores in single precision tell who may be the best, scores in double precision who is.
+Winners Som::best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const {
+  const std::span<const float> scores = ascending_scores_of(prepared, workspace);
+  const std::size_t blocks = weights_.blocks();
+  const auto& kernels = kernels::batch_table();
+  float last = kernels.least(scores.data(), blocks);
+  if (two) last = second_least(scores, last);
+  workspace.candidates_.resize(scores.size());
+  const std::size_t count = kernels.places_up_to(
+      scores.data(), blocks, last + score_margin(last, prepared), workspace.candidates_.data());
+  const auto candidates = std::span(workspace.candidates_).first(count);
+  if (count == 1) return {candidates[0], candidates[0]};
+  BestTwo best;
+  for (const std::uint32_t neuron : candidates) {
+    if (neuron < neurons()) best.meet(exact_score(prepared, neuron, workspace), neuron);
+  }
+  return best.winners();
+}
+
+double Som::exact_score(std::span<const float> prepared, std::size_t neuron,
+                        SomWorkspace& workspace) const {
+  workspace.row_.resize(weights_.columns());
+  weights_.copy_row(neuron, workspace.row_);
+  const auto& kernels = kernels::batch_table();
+  return parameters_.similarity == Similarity::kEuclidean
+             ? kernels.squared_distance(workspace.row_.data(), prepared.data(), prepared.size())
+             : -kernels.inner_product(workspace.row_.data(), prepared.data(), prepared.size());
 }
 
 std::size_t Som::winner_among(std::span<const std::size_t> candidates, const SignalView& input,
                               SomWorkspace& workspace) const {
   require(!candidates.empty(), "winner_among needs at least one candidate");
-  const std::span<const float> all = scores(input, workspace);
-  std::size_t best = candidates.front();
+  const std::span<const float> prepared = prepare(input, workspace);
+  BestTwo best;
   for (const std::size_t neuron : candidates) {
-    require(neuron < all.size(), "winner_among: no such neuron");
-    if (prefers(all[neuron], all[best])) best = neuron;
+    require(neuron < neurons(), "winner_among: no such neuron");
+    best.meet(exact_score(prepared, neuron, workspace), neuron);
   }
-  return best;
+  return best.winners().first;
 }
 
 void Som::similarities(const SignalView& input, SomWorkspace& workspace,

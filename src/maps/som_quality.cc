@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "maps/winner_search.h"
 #include "somato/core/check.h"
 #include "somato/core/threads.h"
 
@@ -20,12 +21,13 @@ double weight_distance(const Som& som, std::size_t a, std::size_t b) {
 }  // namespace
 
 SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads) {
-  std::vector<Winners> winners(samples.count());
+  Samples storage;
+  const std::vector<Winners> winners =
+      WinnerSearch::find_all(som, seen_samples(som, samples, storage), true, threads);
   std::vector<double> distances(samples.count());
   for_each_range(samples.count(), threads, [&](std::size_t begin, std::size_t end) {
     SomWorkspace workspace;
     for (std::size_t i = begin; i < end; ++i) {
-      winners[i] = som.winners(samples[i], workspace);
       distances[i] = som.distance(samples[i], winners[i].first, workspace);
     }
   });

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "somato/core/matrix.h"
+#include "somato/core/lane_matrix.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 
@@ -12,8 +12,9 @@ namespace somato {
 
 /// One epoch of batch training, whose samples may come in parts: every weight becomes the mean of
 /// all samples, each weighted by the neighbourhood function around its winner; a neuron that no
-/// winner reaches keeps its weights. However the samples are parted, and whatever the number of
-/// threads, the map becomes the same bits. Refers to the map, which changes when it is finished.
+/// winner reaches (by a weight of 2^-1000 or more) keeps its weights. However the samples are
+/// parted, and whatever the number of threads, the map becomes the same bits. Refers to the map,
+/// which changes when it is finished.
 class BatchEpoch {
  public:
   BatchEpoch(Som& som, std::size_t threads);
@@ -22,17 +23,24 @@ class BatchEpoch {
   /// Som::store_all()), and takes them into the means. Returns the winners.
   std::vector<std::size_t> add(const Samples& samples);
 
+  /// The same for samples as the map sees them: of length 1 where it normalizes its input, and of
+  /// its stored elements alone.
+  std::vector<std::size_t> add_seen(const Samples& seen);
+
   /// Moves the weights to the means, with this neighbourhood radius. Nothing comes after it.
   void finish(double radius);
 
  private:
-  void move_to_mean(std::size_t neuron, std::span<const double> gains, std::vector<double>& mean);
+  class Means;
+
+  void add_columns(const Samples& samples, const std::vector<std::size_t>& winners,
+                   std::size_t begin, std::size_t end);
+  void move_block(std::size_t block, std::span<const double> sums, std::span<const double> totals);
 
   Som& som_;
   std::size_t threads_;
-  // By winner: the sum of its samples, in their order, and how many there are.
-  Matrix<double> sums_;
-  std::vector<double> counts_;
+  // Elements and a last row of counts by winner: the sums of its samples, in their order.
+  LaneMatrix<double> sums_;
 };
 
 /// A whole epoch on `samples`. The map gets weights for all elements when the samples have one that

@@ -22,6 +22,10 @@ struct Choices<NeighbourhoodShape> {
   static const std::vector<std::pair<NeighbourhoodShape, std::string>>& all();
 };
 
+/// exp(-d^2 / (2 radius^2)) of a difference d in one direction; 0 below 2^-1000, and with radius 0
+/// anywhere but at d = 0. A Gaussian is the product of this for rows and for columns.
+double gaussian_factor(double difference, double radius);
+
 /// The neighbourhood function on one grid, with its scratch memory: one object a thread.
 class Neighbourhood {
  public:

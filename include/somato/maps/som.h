@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ class SomWorkspace {
   AlignedVector<float> input_;
   double left_out_ = 0.0;  // squared length of the input's elements without weights
   AlignedVector<float> scores_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<float> row_;
 };
 
 /// The two neurons most similar to an input.
@@ -67,7 +70,8 @@ class Som {
   /// Gives all elements of an input weights, those that had none the weight 0.
   void store_all();
 
-  /// The neuron most similar to `input`; the first one in the order of neurons in a tie.
+  /// The neuron most similar to `input`, by distances or inner products in double precision; the
+  /// first one in the order of neurons in a tie.
   std::size_t winner(const SignalView& input, SomWorkspace& workspace) const;
 
   /// The most similar neuron and the next.
@@ -93,11 +97,17 @@ class Som {
 
  private:
   friend class SomLearner;
+  friend class WinnerSearch;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores_of(std::span<const float> prepared, SomWorkspace& workspace) const;
   std::size_t winner_of(std::span<const float> prepared, SomWorkspace& workspace) const;
-  bool prefers(float score, float other) const;
+  Winners best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const;
+  double exact_score(std::span<const float> prepared, std::size_t neuron,
+                     SomWorkspace& workspace) const;
+  float score_margin(float best, std::span<const float> prepared) const;
+  std::span<const float> ascending_scores_of(std::span<const float> prepared,
+                                             SomWorkspace& workspace) const;
 
   SomParameters parameters_;
   Grid grid_;

@@ -1,0 +1,187 @@
+#include "maps/screened_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "somato/core/threads.h"
+
+namespace somato {
+namespace {
+
+using kernels::kBlockNeurons;
+using kernels::kGreatestInteger;
+
+constexpr std::size_t kStripRows = 4;  // so that a block is about a square
+
+// Neuron numbers along strips of rows, forth and back: neighbours in the order lie close together.
+std::vector<std::size_t> order_in_strips(const Grid& grid) {
+  std::vector<std::size_t> order;
+  order.reserve(grid.size());
+  bool forth = true;
+  for (std::size_t top = 0; top < grid.rows(); top += kStripRows, forth = !forth) {
+    const std::size_t bottom = std::min(top + kStripRows, grid.rows());
+    for (std::size_t i = 0; i < grid.columns(); ++i) {
+      const std::size_t column = forth ? i : grid.columns() - 1 - i;
+      for (std::size_t row = top; row < bottom; ++row) {
+        order.push_back(row * grid.columns() + column);
+      }
+    }
+  }
+  return order;
+}
+
+std::size_t blocks_for(std::size_t count) {
+  return (count + kBlockNeurons - 1) / kBlockNeurons;
+}
+
+// Writes one row of integers to its lane of a block.
+void interleave(std::span<const std::int16_t> integers, std::size_t lane, std::int16_t* block) {
+  for (std::size_t pair = 0; pair < integers.size() / 2; ++pair) {
+    std::memcpy(block + 2 * (pair * kBlockNeurons + lane), integers.data() + 2 * pair,
+                2 * sizeof(std::int16_t));
+  }
+}
+
+AlignedVector<float> infinite(std::size_t count) {
+  return AlignedVector<float>(count, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+ScreenedMap::ScreenedMap(const Som& som, std::size_t threads)
+    : euclidean_(som.parameters().similarity == Similarity::kEuclidean),
+      order_(order_in_strips(som.grid())),
+      centre_(som.weights().columns()),
+      rows_(som.neurons(), som.weights().columns()),
+      radii_(blocks_for(som.neurons())) {
+  find_centre(som);
+  for_each_range(som.weights().blocks(), threads,
+                 [&](std::size_t begin, std::size_t end) { write_rows(som, begin, end); });
+  find_unit(threads);
+  if (all_alike()) return;
+  const std::size_t block_size = 2 * pairs() * kBlockNeurons;
+  values_.resize(blocks() * block_size);
+  offsets_ = infinite(blocks() * kBlockNeurons);
+  mean_values_.resize(mean_blocks() * block_size);
+  mean_offsets_ = infinite(mean_blocks() * kBlockNeurons);
+  for_each_range(blocks(), threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int16_t> integers(2 * pairs());
+    for (std::size_t block = begin; block < end; ++block) {
+      write_block(block, integers);
+      if (euclidean_) write_mean(block, integers);
+    }
+  });
+}
+
+void ScreenedMap::find_centre(const Som& som) {
+  const LaneMatrix<float>& weights = som.weights();
+  constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+  AlignedVector<float> sums(columns() * kLanes);
+  for (std::size_t block = 0; block < weights.blocks(); ++block) {
+    const float* values = weights.data() + block * sums.size();
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
+  }
+  const auto count = static_cast<float>(weights.rows());
+  for (std::size_t d = 0; d < columns(); ++d) {
+    float sum = 0.0F;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) sum += sums[d * kLanes + lane];
+    centre_[d] = sum / count;
+  }
+  squared_centre_ = kernels::batch_table().inner_product(centre_.data(), centre_.data(), columns());
+}
+
+// From blocks of lanes to rows: each cache line of the former is read once.
+void ScreenedMap::write_rows(const Som& som, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+  std::vector<std::size_t> place_of(order_.size());
+  for (std::size_t place = 0; place < order_.size(); ++place) place_of[order_[place]] = place;
+  for (std::size_t block = begin; block < end; ++block) {
+    const float* values = som.weights().data() + block * columns() * kLanes;
+    const std::size_t lanes = std::min(kLanes, som.neurons() - block * kLanes);
+    float* rows[kLanes] = {};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      rows[lane] = rows_.row(place_of[block * kLanes + lane]).data();
+    }
+    for (std::size_t d = 0; d < columns(); ++d) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) rows[lane][d] = values[d * kLanes + lane];
+    }
+  }
+}
+
+void ScreenedMap::find_unit(std::size_t threads) {
+  std::vector<double> squares(order_.size());
+  for_each_range(order_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      squares[place] = kernels::batch_table().squared_distance(rows_.row(place).data(),
+                                                               centre_.data(), columns());
+    }
+  });
+  unit_ = std::sqrt(*std::max_element(squares.begin(), squares.end()));
+}
+
+float ScreenedMap::offset_of(std::span<const float> weights) const {
+  const auto& kernels = kernels::batch_table();
+  const double score =
+      euclidean_
+          ? 0.5 * kernels.squared_distance(weights.data(), centre_.data(), columns())
+          : squared_centre_ - kernels.inner_product(weights.data(), centre_.data(), columns());
+  return static_cast<float>(score / (unit_ * unit_));
+}
+
+void ScreenedMap::write_block(std::size_t block, std::vector<std::int16_t>& integers) {
+  const std::size_t first = block * kBlockNeurons;
+  const std::size_t count = std::min(kBlockNeurons, order_.size() - first);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const auto row = rows_.row(first + lane);
+    kernels::batch_table().to_integers(row.data(), centre_.data(), integer_factor(unit_), columns(),
+                                       integers.data());
+    interleave(integers, lane, values_.data() + block * 2 * pairs() * kBlockNeurons);
+    offsets_[first + lane] = offset_of(row);
+  }
+}
+
+void ScreenedMap::write_mean(std::size_t block, std::vector<std::int16_t>& integers) {
+  const std::size_t first = block * kBlockNeurons;
+  const std::size_t count = std::min(kBlockNeurons, order_.size() - first);
+  std::vector<float> mean(columns());
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const auto row = rows_.row(first + lane);
+    for (std::size_t d = 0; d < mean.size(); ++d) mean[d] += row[d];
+  }
+  for (float& value : mean) value /= static_cast<float>(count);
+  double radius = 0.0;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    radius = std::max(radius, kernels::batch_table().squared_distance(
+                                  rows_.row(first + lane).data(), mean.data(), columns()));
+  }
+  radii_[block] = std::sqrt(radius) / unit_;
+  kernels::batch_table().to_integers(mean.data(), centre_.data(), integer_factor(unit_), columns(),
+                                     integers.data());
+  interleave(integers, block % kBlockNeurons,
+             mean_values_.data() + block / kBlockNeurons * 2 * pairs() * kBlockNeurons);
+  mean_offsets_[block] = offset_of(mean);
+}
+
+float ScreenedMap::integer_factor(double length) {
+  return length > 0.0 ? static_cast<float>(double{kGreatestInteger} / length) : 0.0F;
+}
+
+float ScreenedMap::score_factor(double length) const {
+  return static_cast<float>(length / unit_ / double{kGreatestInteger} / double{kGreatestInteger});
+}
+
+// An integer is off by at most 1/2 and the rounding of what it is made of; by Cauchy and Schwarz
+// |x . w - x' . w'| <= |x - x'| |w| + |x'| |w - w'|. Then what single precision rounds, and double
+// precision where the score is decided.
+double ScreenedMap::score_error(double distance) const {
+  const double off =
+      0.5 * std::sqrt(static_cast<double>(columns())) / double{kGreatestInteger} + 0x1p-21;
+  const double greatest_offset = euclidean_ ? 0.5 : std::sqrt(squared_centre_) / unit_;
+  const double greatest_score = greatest_offset + 2.0 * distance;
+  return distance * off * (2.0 + off) + 0x1p-21 * greatest_score +
+         0x1p-40 * (1.0 + distance) * (1.0 + distance);
+}
+
+}  // namespace somato
