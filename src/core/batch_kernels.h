@@ -67,9 +67,10 @@ struct BatchTable {
   /// Writes where values are not above `limit` to `places`, in order; returns how many there are.
   std::size_t (*places_up_to)(const float* values, std::size_t blocks, float limit,
                               std::uint32_t* places);
-  /// out = (x - centre) * factor, rounded to the nearest integers; they must be within 16 bits.
-  void (*to_integers)(const float* x, const float* centre, float factor, std::size_t count,
-                      std::int16_t* out);
+  /// out = (x - centre) * factor, rounded to the nearest integers, which must be within 16 bits.
+  /// Returns the sum of the squares of what was rounded off.
+  float (*to_integers)(const float* x, const float* centre, float factor, std::size_t count,
+                       std::int16_t* out);
   /// The sum of (a - b)^2 in double precision, in one fixed order.
   double (*squared_distance)(const float* a, const float* b, std::size_t count);
   /// The sum of a * b in double precision, in one fixed order.

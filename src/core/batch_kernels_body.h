@@ -52,9 +52,10 @@ inline Vector<float> unaligned(const float* from) {
 inline Vector<double> widened(const float* from) {
   return {_mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(from))};
 }
-inline void to_sixteen(Vector<float> a, std::int16_t* out) {
+inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
   const __m512i wide = _mm512_maskz_cvtps_epi32(0xFFFF, a.lanes);
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm512_maskz_cvtepi32_epi16(0xFFFF, wide));
+  return {_mm512_maskz_cvtepi32_ps(0xFFFF, wide)};
 }
 #elif defined(__AVX2__) && defined(__FMA__)
 constexpr std::size_t kBlocksAtOnce = 1;
@@ -96,9 +97,12 @@ inline Vector<float> unaligned(const float* from) {
 inline Vector<double> widened(const float* from) {
   return {_mm256_cvtps_pd(_mm_loadu_ps(from)), _mm256_cvtps_pd(_mm_loadu_ps(from + 4))};
 }
-inline void to_sixteen(Vector<float> a, std::int16_t* out) {
-  const __m256i mixed = _mm256_packs_epi32(_mm256_cvtps_epi32(a.low), _mm256_cvtps_epi32(a.high));
+inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
+  const __m256i low = _mm256_cvtps_epi32(a.low);
+  const __m256i high = _mm256_cvtps_epi32(a.high);
+  const __m256i mixed = _mm256_packs_epi32(low, high);
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permute4x64_epi64(mixed, 0xD8));
+  return {_mm256_cvtepi32_ps(low), _mm256_cvtepi32_ps(high)};
 }
 #else
 constexpr std::size_t kBlocksAtOnce = 1;
@@ -167,8 +171,12 @@ inline std::int16_t rounded(float value) {
   constexpr float kDigits = 12582912.0F;
   return static_cast<std::int16_t>((value + kDigits) - kDigits);
 }
-inline void to_sixteen(const Vector<float>& a, std::int16_t* out) {
-  for (std::size_t i = 0; i < kBlockNeurons; ++i) out[i] = rounded(a.lanes[i]);
+inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
+  for (std::size_t i = 0; i < kBlockNeurons; ++i) {
+    out[i] = rounded(a.lanes[i]);
+    a.lanes[i] = static_cast<float>(out[i]);
+  }
+  return a;
 }
 #endif
 
@@ -306,25 +314,35 @@ std::size_t places_up_to(const float* values, std::size_t blocks, float limit,
   return count;
 }
 
-inline void sixteen_to_integers(const float* x, const float* centre, float factor,
-                                std::int16_t* out) {
-  to_sixteen((unaligned(x) - unaligned(centre)) * Vector<float>::all(factor), out);
+// Writes sixteen integers and adds the squares of what was rounded off.
+inline Vector<float> sixteen_to_integers(const float* x, const float* centre, float factor,
+                                         std::int16_t* out, Vector<float> squares) {
+  const auto exact = (unaligned(x) - unaligned(centre)) * Vector<float>::all(factor);
+  const auto rest = exact - to_sixteen(exact, out);
+  return multiply_add(rest, rest, squares);
 }
 
-void to_integers(const float* x, const float* centre, float factor, std::size_t count,
-                 std::int16_t* out) {
+float to_integers(const float* x, const float* centre, float factor, std::size_t count,
+                  std::int16_t* out) {
+  auto squares = Vector<float>::all(0);
   std::size_t i = 0;
   for (; i + kBlockNeurons <= count; i += kBlockNeurons) {
-    sixteen_to_integers(x + i, centre + i, factor, out + i);
+    squares = sixteen_to_integers(x + i, centre + i, factor, out + i, squares);
   }
-  if (i == count) return;
-  float rest[kBlockNeurons] = {};
-  float centre_of_rest[kBlockNeurons] = {};
-  std::int16_t integers[kBlockNeurons];
-  std::memcpy(rest, x + i, (count - i) * sizeof(float));
-  std::memcpy(centre_of_rest, centre + i, (count - i) * sizeof(float));
-  sixteen_to_integers(rest, centre_of_rest, factor, integers);
-  std::memcpy(out + i, integers, (count - i) * sizeof(std::int16_t));
+  if (i < count) {
+    float rest[kBlockNeurons] = {};
+    float centre_of_rest[kBlockNeurons] = {};
+    std::int16_t integers[kBlockNeurons];
+    std::memcpy(rest, x + i, (count - i) * sizeof(float));
+    std::memcpy(centre_of_rest, centre + i, (count - i) * sizeof(float));
+    squares = sixteen_to_integers(rest, centre_of_rest, factor, integers, squares);
+    std::memcpy(out + i, integers, (count - i) * sizeof(std::int16_t));
+  }
+  alignas(64) float sums[kBlockNeurons];
+  squares.store(sums);
+  float total = 0.0F;
+  for (const float sum : sums) total += sum;
+  return total;
 }
 
 // Sixteen sums of every sixteenth term, then their sum.

@@ -66,6 +66,7 @@ ScreenedMap::ScreenedMap(const Som& som, std::size_t threads)
   offsets_ = infinite(blocks() * kBlockNeurons);
   mean_values_.resize(mean_blocks() * block_size);
   mean_offsets_ = infinite(mean_blocks() * kBlockNeurons);
+  rounded_off_.resize(order_.size() + blocks());
   for_each_range(blocks(), threads, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int16_t> integers(2 * pairs());
     for (std::size_t block = begin; block < end; ++block) {
@@ -73,6 +74,7 @@ ScreenedMap::ScreenedMap(const Som& som, std::size_t threads)
       if (euclidean_) write_mean(block, integers);
     }
   });
+  greatest_rounded_off_ = *std::max_element(rounded_off_.begin(), rounded_off_.end());
 }
 
 void ScreenedMap::find_centre(const Som& som) {
@@ -135,8 +137,8 @@ void ScreenedMap::write_block(std::size_t block, std::vector<std::int16_t>& inte
   const std::size_t count = std::min(kBlockNeurons, order_.size() - first);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const auto row = rows_.row(first + lane);
-    kernels::batch_table().to_integers(row.data(), centre_.data(), integer_factor(unit_), columns(),
-                                       integers.data());
+    rounded_off_[first + lane] = kernels::batch_table().to_integers(
+        row.data(), centre_.data(), integer_factor(unit_), columns(), integers.data());
     interleave(integers, lane, values_.data() + block * 2 * pairs() * kBlockNeurons);
     offsets_[first + lane] = offset_of(row);
   }
@@ -157,8 +159,8 @@ void ScreenedMap::write_mean(std::size_t block, std::vector<std::int16_t>& integ
                                   rows_.row(first + lane).data(), mean.data(), columns()));
   }
   radii_[block] = std::sqrt(radius) / unit_;
-  kernels::batch_table().to_integers(mean.data(), centre_.data(), integer_factor(unit_), columns(),
-                                     integers.data());
+  rounded_off_[order_.size() + block] = kernels::batch_table().to_integers(
+      mean.data(), centre_.data(), integer_factor(unit_), columns(), integers.data());
   interleave(integers, block % kBlockNeurons,
              mean_values_.data() + block / kBlockNeurons * 2 * pairs() * kBlockNeurons);
   mean_offsets_[block] = offset_of(mean);
@@ -172,15 +174,20 @@ float ScreenedMap::score_factor(double length) const {
   return static_cast<float>(length / unit_ / double{kGreatestInteger} / double{kGreatestInteger});
 }
 
-// An integer is off by at most 1/2 and the rounding of what it is made of; by Cauchy and Schwarz
-// |x . w - x' . w'| <= |x - x'| |w| + |x'| |w - w'|. Then what single precision rounds, and double
-// precision where the score is decided.
-double ScreenedMap::score_error(double distance) const {
-  const double off =
-      0.5 * std::sqrt(static_cast<double>(columns())) / double{kGreatestInteger} + 0x1p-21;
+// How far a vector of integers is from what it stands for, relative to kGreatestInteger: by what
+// was rounded off, and by the rounding on the way there.
+double ScreenedMap::relative_error(float rounded_off) const {
+  return std::sqrt(double{rounded_off}) * (1.0 + 1e-3) / double{kGreatestInteger} + 0x1p-21;
+}
+
+// By Cauchy and Schwarz |x . w - x' . w'| <= |x - x'| |w| + |x'| |w - w'|. Then what single
+// precision rounds, and double precision where the score is decided.
+double ScreenedMap::score_error(double distance, float rounded_off) const {
+  const double of_sample = relative_error(rounded_off);
+  const double of_weights = relative_error(greatest_rounded_off_);
   const double greatest_offset = euclidean_ ? 0.5 : std::sqrt(squared_centre_) / unit_;
   const double greatest_score = greatest_offset + 2.0 * distance;
-  return distance * off * (2.0 + off) + 0x1p-21 * greatest_score +
+  return distance * (of_sample + (1.0 + of_sample) * of_weights) + 0x1p-21 * greatest_score +
          0x1p-40 * (1.0 + distance) * (1.0 + distance);
 }
 

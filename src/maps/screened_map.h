@@ -50,8 +50,9 @@ class ScreenedMap {
   }
   std::span<const double> radii() const { return radii_; }
 
-  /// A bound on the error of the score of a sample at `distance` (in units) from the centre.
-  double score_error(double distance) const;
+  /// A bound on the error of the score of a sample at `distance` (in units) from the centre, of
+  /// whose integers squares adding up to `rounded_off` were rounded off.
+  double score_error(double distance, float rounded_off) const;
 
   /// What turns x - c of a sample at distance `length` from the centre into integers, and products
   /// of these with a neuron's into scores (ScreenedTile::factors).
@@ -65,6 +66,7 @@ class ScreenedMap {
   void write_block(std::size_t block, std::vector<std::int16_t>& integers);
   void write_mean(std::size_t block, std::vector<std::int16_t>& integers);
   float offset_of(std::span<const float> weights) const;
+  double relative_error(float rounded_off) const;
 
   bool euclidean_;
   std::vector<std::size_t> order_;
@@ -77,6 +79,8 @@ class ScreenedMap {
   AlignedVector<std::int16_t> mean_values_;
   AlignedVector<float> mean_offsets_;
   std::vector<double> radii_;
+  std::vector<float> rounded_off_;  // by place, then by block for the means
+  float greatest_rounded_off_ = 0.0F;
 };
 
 }  // namespace somato

@@ -22,6 +22,18 @@ constexpr std::size_t kRunTiles = 40;
 constexpr std::size_t kRunSamples = kRunTiles * kTileSamples;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
+// All blocks, neighbours far apart from each other: so a good score is soon met, and few after it
+// are better still.
+void scatter(std::vector<std::uint32_t>& blocks) {
+  constexpr double kGoldenSection = 0.618;
+  std::size_t step =
+      1 + static_cast<std::size_t>(kGoldenSection * static_cast<double>(blocks.size()));
+  while (std::gcd(step, blocks.size()) != 1) ++step;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    blocks[i] = static_cast<std::uint32_t>(i * step % blocks.size());
+  }
+}
+
 // A sample as integers, and what is known of it.
 struct Known {
   double distance = 0.0;  // from the centre, in units
@@ -44,7 +56,7 @@ class WinnerSearch::Run {
         factors_(kRunSamples),
         known_(kRunSamples),
         candidates_(kRunSamples) {
-    std::iota(all_blocks_.begin(), all_blocks_.end(), 0U);
+    scatter(all_blocks_);
   }
 
   // At most kRunSamples of them.
@@ -64,11 +76,12 @@ class WinnerSearch::Run {
     const auto& kernels = kernels::batch_table();
     const double length =
         std::sqrt(kernels.squared_distance(x, map_.centre().data(), map_.columns()));
-    kernels.to_integers(x, map_.centre().data(), ScreenedMap::integer_factor(length),
-                        map_.columns(), integers_of(i));
+    const float rounded_off =
+        kernels.to_integers(x, map_.centre().data(), ScreenedMap::integer_factor(length),
+                            map_.columns(), integers_of(i));
     factors_[i] = map_.score_factor(length);
     known_[i].distance = length / map_.unit();
-    known_[i].error = map_.score_error(known_[i].distance);
+    known_[i].error = map_.score_error(known_[i].distance, rounded_off);
     const auto margin = static_cast<float>(2.0 * known_[i].error * (1.0 + 0x1p-20));
     start(candidates_[i], kInfinite, margin);
   }
