@@ -62,6 +62,9 @@ struct BatchTable {
   /// thresholds, and lowers those.
   void (*screen)(const ScreenedNeurons& neurons, const std::uint32_t* blocks, std::size_t count,
                  const ScreenedTile& tile);
+  /// out = the scores of all `blocks` blocks, blocks after blocks for each sample of the tile.
+  void (*score)(const ScreenedNeurons& neurons, std::size_t blocks, const ScreenedTile& tile,
+                float* out);
   /// The least of `blocks` cache lines of values.
   float (*least)(const float* values, std::size_t blocks);
   /// Writes where values are not above `limit` to `places`, in order; returns how many there are.

@@ -261,9 +261,10 @@ inline void multiply(const ScreenedNeurons& neurons, const std::uint32_t* blocks
   for (std::size_t i = 0; i < Count * kSamplesAtOnce; ++i) out[i] = sums[i];
 }
 
-template <std::size_t Count>
-inline void screen_blocks(const ScreenedNeurons& neurons, const std::uint32_t* blocks,
-                          const ScreenedTile& tile) {
+// Calls take(b, s, scores) for each of Count blocks and sample s of the tile.
+template <std::size_t Count, typename Take>
+inline void score_blocks(const ScreenedNeurons& neurons, const std::uint32_t* blocks,
+                         const ScreenedTile& tile, const Take& take) {
   Sums sums[Count * kTileSamples];
   for (std::size_t s = 0; s < kTileSamples; s += kSamplesAtOnce) {
     multiply<Count>(neurons, blocks, tile.rows + s * 2 * neurons.pairs, sums + s * Count);
@@ -272,20 +273,42 @@ inline void screen_blocks(const ScreenedNeurons& neurons, const std::uint32_t* b
     const auto offsets = Vector<float>::load(neurons.offsets + blocks[b] * kBlockNeurons);
     for (std::size_t s = 0; s < kTileSamples; ++s) {
       const auto factor = Vector<float>::all(tile.factors[s]);
-      const auto scores = offsets - sums[s * Count + b].to_floats() * factor;
-      const unsigned mask = below(scores, Vector<float>::all(tile.candidates[s].threshold));
-      if (mask != 0) keep_candidates(scores, mask, blocks[b], tile.two, tile.candidates[s]);
+      take(blocks[b], s, offsets - sums[s * Count + b].to_floats() * factor);
     }
   }
 }
 
-void screen(const ScreenedNeurons& neurons, const std::uint32_t* blocks, std::size_t count,
-            const ScreenedTile& tile) {
+template <typename Take>
+inline void score_list(const ScreenedNeurons& neurons, const std::uint32_t* blocks,
+                       std::size_t count, const ScreenedTile& tile, const Take& take) {
   std::size_t i = 0;
   for (; i + kBlocksAtOnce <= count; i += kBlocksAtOnce) {
-    screen_blocks<kBlocksAtOnce>(neurons, blocks + i, tile);
+    score_blocks<kBlocksAtOnce>(neurons, blocks + i, tile, take);
   }
-  for (; i < count; ++i) screen_blocks<1>(neurons, blocks + i, tile);
+  for (; i < count; ++i) score_blocks<1>(neurons, blocks + i, tile, take);
+}
+
+void screen(const ScreenedNeurons& neurons, const std::uint32_t* blocks, std::size_t count,
+            const ScreenedTile& tile) {
+  score_list(neurons, blocks, count, tile,
+             [&](std::size_t block, std::size_t s, const Vector<float>& scores) {
+               Candidates& candidates = tile.candidates[s];
+               const unsigned mask = below(scores, Vector<float>::all(candidates.threshold));
+               if (mask != 0) keep_candidates(scores, mask, block, tile.two, candidates);
+             });
+}
+
+void score(const ScreenedNeurons& neurons, std::size_t blocks, const ScreenedTile& tile,
+           float* out) {
+  std::uint32_t list[kBlocksAtOnce];
+  for (std::size_t first = 0; first < blocks; first += kBlocksAtOnce) {
+    const std::size_t count = blocks - first < kBlocksAtOnce ? blocks - first : kBlocksAtOnce;
+    for (std::size_t i = 0; i < count; ++i) list[i] = static_cast<std::uint32_t>(first + i);
+    score_list(neurons, list, count, tile,
+               [&](std::size_t block, std::size_t s, const Vector<float>& scores) {
+                 scores.store(out + (s * blocks + block) * kBlockNeurons);
+               });
+  }
 }
 
 float least(const float* values, std::size_t blocks) {
@@ -427,9 +450,14 @@ void mix(const double* factors, const double* in, std::size_t places, double* ou
 }  // namespace
 
 // NOLINTBEGIN(misc-definitions-in-headers): each source that includes this has its own namespace
-extern const BatchTable kBatchTable = {
-    screen, least, places_up_to, to_integers, squared_distance_in_double, inner_product_in_double,
-    mix};
+extern const BatchTable kBatchTable = {screen,
+                                       score,
+                                       least,
+                                       places_up_to,
+                                       to_integers,
+                                       squared_distance_in_double,
+                                       inner_product_in_double,
+                                       mix};
 // NOLINTEND(misc-definitions-in-headers)
 
 }  // namespace somato::kernels::SOMATO_KERNELS

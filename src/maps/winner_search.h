@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,8 +21,6 @@ class WinnerSearch {
                                        std::size_t threads);
 
  private:
-  class Run;
-
   WinnerSearch(const Som& som, std::size_t threads);
 
   // Whether preparing a map pays for so many samples.
