@@ -74,10 +74,16 @@ struct BatchTable {
   /// Returns the sum of the squares of what was rounded off.
   float (*to_integers)(const float* x, const float* centre, float factor, std::size_t count,
                        std::int16_t* out);
+  /// The sum of (a - b)^2 in single precision, off by at most (count / 16 + 20) 2^-24 of itself.
+  float (*squared_length)(const float* a, const float* b, std::size_t count);
   /// The sum of (a - b)^2 in double precision, in one fixed order.
   double (*squared_distance)(const float* a, const float* b, std::size_t count);
   /// The sum of a * b in double precision, in one fixed order.
   double (*inner_product)(const float* a, const float* b, std::size_t count);
+  /// sums(winner) += the eight values at `values`, in double precision, for each of `count`
+  /// winners; those of the next are `stride` further on. `sums` holds eight for each neuron.
+  void (*add_by_winner)(const float* values, std::size_t stride, const std::size_t* winners,
+                        std::size_t count, double* sums);
   /// out(u) += sum over v of factors[u * places + v] * in(v), where `in` and `out` hold a cache
   /// line of lanes for each of `places` and `outputs` places.
   void (*mix)(const double* factors, const double* in, std::size_t places, double* out,

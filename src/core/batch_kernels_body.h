@@ -368,6 +368,21 @@ float to_integers(const float* x, const float* centre, float factor, std::size_t
   return total;
 }
 
+float squared_length(const float* a, const float* b, std::size_t count) {
+  auto squares = Vector<float>::all(0);
+  std::size_t i = 0;
+  for (; i + kBlockNeurons <= count; i += kBlockNeurons) {
+    const auto difference = unaligned(a + i) - unaligned(b + i);
+    squares = multiply_add(difference, difference, squares);
+  }
+  alignas(64) float sums[kBlockNeurons];
+  squares.store(sums);
+  float total = 0.0F;
+  for (; i < count; ++i) total += (a[i] - b[i]) * (a[i] - b[i]);
+  for (const float sum : sums) total += sum;
+  return total;
+}
+
 // Sixteen sums of every sixteenth term, then their sum.
 template <typename Add>
 inline double sum_in_sixteen(std::size_t count, const Add& add) {
@@ -420,6 +435,14 @@ double inner_product_in_double(const float* a, const float* b, std::size_t count
   return sum_in_sixteen(count, AddProducts{a, b});
 }
 
+void add_by_winner(const float* values, std::size_t stride, const std::size_t* winners,
+                   std::size_t count, double* sums) {
+  for (std::size_t i = 0; i < count; ++i, values += stride) {
+    double* sum = sums + winners[i] * 8;
+    (Vector<double>::load(sum) + widened(values)).store(sum);
+  }
+}
+
 template <std::size_t Count>
 inline void mix_to(const double* factors, const double* in, std::size_t places, double* out) {
   constexpr std::size_t kLanes = 8;
@@ -455,8 +478,10 @@ extern const BatchTable kBatchTable = {screen,
                                        least,
                                        places_up_to,
                                        to_integers,
+                                       squared_length,
                                        squared_distance_in_double,
                                        inner_product_in_double,
+                                       add_by_winner,
                                        mix};
 // NOLINTEND(misc-definitions-in-headers)
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/batch_kernels.h"
 #include "maps/map_rows.h"
 #include "maps/neighbourhood_mixing.h"
 #include "maps/winner_search.h"
@@ -14,16 +15,6 @@ namespace {
 
 constexpr std::size_t kLanes = LaneMatrix<double>::kLanes;
 constexpr double kLeastReach = 0x1p-1000;
-
-// Adds the elements first .. first + count - 1 of a dense sample to eight sums.
-void add_elements(const SignalView& sample, std::size_t first, std::size_t count, double* sums) {
-  const float* values = sample.values.data() + first;
-  if (count == kLanes) {
-    for (std::size_t i = 0; i < kLanes; ++i) sums[i] += double{values[i]};
-  } else {
-    for (std::size_t i = 0; i < count; ++i) sums[i] += double{values[i]};
-  }
-}
 
 }  // namespace
 
@@ -47,23 +38,28 @@ std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
     }
     return winners;
   }
-  // Two rows of blocks at a time, which are one cache line of a sample.
-  for_each_range((sums_.blocks() + 1) / 2, threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
-      add_columns(seen, winners, 2 * block, std::min(2 * block + 2, sums_.blocks()));
-    }
-  });
+  for_each_range((seen.size() + kLanes - 1) / kLanes, threads_,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t block = begin; block < end; ++block) {
+                     add_block(seen, winners, block);
+                   }
+                 });
   return winners;
 }
 
-void BatchEpoch::add_columns(const Samples& samples, const std::vector<std::size_t>& winners,
-                             std::size_t begin, std::size_t end) {
+// Adds eight elements of all samples, or those that the last block has.
+void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t>& winners,
+                           std::size_t block) {
+  const std::size_t first = block * kLanes;
+  double* sums = sums_.data() + first * som_.neurons();
+  if (first + kLanes <= samples.size()) {
+    kernels::batch_table().add_by_winner(samples[0].values.data() + first, samples.size(),
+                                         winners.data(), winners.size(), sums);
+    return;
+  }
   for (std::size_t i = 0; i < samples.count(); ++i) {
-    for (std::size_t block = begin; block < end; ++block) {
-      if (block * kLanes >= samples.size()) break;
-      const std::size_t count = std::min(kLanes, samples.size() - block * kLanes);
-      add_elements(samples[i], block * kLanes, count,
-                   sums_.data() + (block * som_.neurons() + winners[i]) * kLanes);
+    for (std::size_t d = first; d < samples.size(); ++d) {
+      sums[winners[i] * kLanes + d - first] += double{samples[i].values[d]};
     }
   }
 }

@@ -113,22 +113,21 @@ void ScreenedMap::write_rows(const Som& som, std::size_t begin, std::size_t end)
 }
 
 void ScreenedMap::find_unit(std::size_t threads) {
-  std::vector<double> squares(order_.size());
+  squared_lengths_.resize(order_.size());
   for_each_range(order_.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
-      squares[place] = kernels::batch_table().squared_distance(rows_.row(place).data(),
-                                                               centre_.data(), columns());
+      squared_lengths_[place] = kernels::batch_table().squared_distance(rows_.row(place).data(),
+                                                                        centre_.data(), columns());
     }
   });
-  unit_ = std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  unit_ = std::sqrt(*std::max_element(squared_lengths_.begin(), squared_lengths_.end()));
 }
 
-float ScreenedMap::offset_of(std::span<const float> weights) const {
-  const auto& kernels = kernels::batch_table();
-  const double score =
-      euclidean_
-          ? 0.5 * kernels.squared_distance(weights.data(), centre_.data(), columns())
-          : squared_centre_ - kernels.inner_product(weights.data(), centre_.data(), columns());
+float ScreenedMap::offset_of(std::span<const float> weights, double squared_length) const {
+  const double score = euclidean_
+                           ? 0.5 * squared_length
+                           : squared_centre_ - kernels::batch_table().inner_product(
+                                                   weights.data(), centre_.data(), columns());
   return static_cast<float>(score / (unit_ * unit_));
 }
 
@@ -140,7 +139,7 @@ void ScreenedMap::write_block(std::size_t block, std::vector<std::int16_t>& inte
     rounded_off_[first + lane] = kernels::batch_table().to_integers(
         row.data(), centre_.data(), integer_factor(unit_), columns(), integers.data());
     interleave(integers, lane, values_.data() + block * 2 * pairs() * kBlockNeurons);
-    offsets_[first + lane] = offset_of(row);
+    offsets_[first + lane] = offset_of(row, squared_lengths_[first + lane]);
   }
 }
 
@@ -163,7 +162,9 @@ void ScreenedMap::write_mean(std::size_t block, std::vector<std::int16_t>& integ
       mean.data(), centre_.data(), integer_factor(unit_), columns(), integers.data());
   interleave(integers, block % kBlockNeurons,
              mean_values_.data() + block / kBlockNeurons * 2 * pairs() * kBlockNeurons);
-  mean_offsets_[block] = offset_of(mean);
+  const double squared_length =
+      kernels::batch_table().squared_distance(mean.data(), centre_.data(), columns());
+  mean_offsets_[block] = offset_of(mean, squared_length);
 }
 
 float ScreenedMap::integer_factor(double length) {

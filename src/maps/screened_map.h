@@ -65,14 +65,15 @@ class ScreenedMap {
   void find_unit(std::size_t threads);
   void write_block(std::size_t block, std::vector<std::int16_t>& integers);
   void write_mean(std::size_t block, std::vector<std::int16_t>& integers);
-  float offset_of(std::span<const float> weights) const;
+  float offset_of(std::span<const float> weights, double squared_length) const;
   double relative_error(float rounded_off) const;
 
   bool euclidean_;
   std::vector<std::size_t> order_;
   std::vector<float> centre_;
   double squared_centre_ = 0.0;
-  Matrix<float> rows_;  // by place
+  Matrix<float> rows_;                   // by place
+  std::vector<double> squared_lengths_;  // of w - c, by place
   double unit_ = 0.0;
   AlignedVector<std::int16_t> values_;
   AlignedVector<float> offsets_;

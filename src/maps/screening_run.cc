@@ -12,7 +12,7 @@ using kernels::Candidates;
 using kernels::kBlockNeurons;
 using kernels::kTileSamples;
 
-constexpr std::size_t kRunTiles = 40;
+constexpr std::size_t kRunTiles = 120;
 constexpr std::size_t kRunSamples = kRunTiles * kTileSamples;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
@@ -83,11 +83,21 @@ void ScreeningRun::find_some(std::size_t begin, std::span<Winners> found) {
   for (std::size_t i = 0; i < found.size(); ++i) found[known_[i].sample - begin] = decide(i);
 }
 
+// The distance of a sample from the centre.
+double ScreeningRun::length_of(const float* x) const {
+  constexpr float kTooSmall = 1e-30F;  // for squares in single precision
+  const auto& kernels = kernels::batch_table();
+  const float* centre = map_.centre().data();
+  const float squared = kernels.squared_length(x, centre, map_.columns());
+  return std::sqrt(squared < kTooSmall ? kernels.squared_distance(x, centre, map_.columns())
+                                       : double{squared});
+}
+
 void ScreeningRun::take(std::size_t sample, std::size_t i) {
   const float* x = samples_[sample].values.data();
   const auto& kernels = kernels::batch_table();
   const float* centre = map_.centre().data();
-  const double length = std::sqrt(kernels.squared_distance(x, centre, map_.columns()));
+  const double length = length_of(x);
   const float rounded_off = kernels.to_integers(x, centre, ScreenedMap::integer_factor(length),
                                                 map_.columns(), integers_of(i));
   known_[i] = {sample, length / map_.unit(), 0.0, map_.score_factor(length), 0};
@@ -196,7 +206,8 @@ void ScreeningRun::mark_near(std::size_t i) {
   const Known& known = known_[i];
   const Candidates& candidates = candidates_[i];
   const double from_centre = known.distance * known.distance;
-  const double room = 2.0 * known.error + 0x1p-20 * (1.0 + from_centre);
+  const double of_length = static_cast<double>(map_.columns() / kBlockNeurons + 20) * 0x1p-23;
+  const double room = 2.0 * known.error + of_length * (1.0 + from_centre);
   const double best = double{two_ ? candidates.second_least : candidates.least};
   const double farthest = std::sqrt(std::max(0.0, 2.0 * best + from_centre + room));
   const auto reach = static_cast<float>(farthest * (1.0 + 0x1p-20) + 0x1p-20);

@@ -46,6 +46,7 @@ class ScreeningRun {
   };
 
   void find_some(std::size_t begin, std::span<Winners> found);
+  double length_of(const float* x) const;
   void take(std::size_t sample, std::size_t i);
   void fill_up(std::size_t i);
   void start(std::size_t i);

@@ -33,8 +33,8 @@ class BatchEpoch {
  private:
   class Means;
 
-  void add_columns(const Samples& samples, const std::vector<std::size_t>& winners,
-                   std::size_t begin, std::size_t end);
+  void add_block(const Samples& samples, const std::vector<std::size_t>& winners,
+                 std::size_t block);
   void move_block(std::size_t block, std::span<const double> sums, std::span<const double> totals);
 
   Som& som_;
