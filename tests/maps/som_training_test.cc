@@ -1,6 +1,6 @@
+#include "somato/maps/som_training.h"
 #include "somato/maps/batch_training.h"
 #include "somato/maps/som_learner.h"
-#include "somato/maps/som_training.h"
 
 #include <gtest/gtest.h>
 
