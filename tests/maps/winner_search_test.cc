@@ -119,6 +119,21 @@ TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeighboursThatAreNearlyTheSame
   expect_obvious_winners(som, Samples(noise(200, 12, 1.0, random)), "a smooth map");
 }
 
+// All neurons nearly as far from each sample: integers alone cannot tell them apart.
+TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeuronsThatAreNearlyAsFar) {
+  Random random(8);
+  constexpr std::size_t kColumns = 20;
+  Matrix<float> weights(10 * 10, kColumns);
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    for (float& value : weights.row(k)) value = static_cast<float>(random.normal());
+    normalize_length(weights.row(k));
+    for (float& value : weights.row(k))
+      value *= 1.0F + 1e-5F * static_cast<float>(random.uniform());
+  }
+  const Som som(parameters_of(10, 10, Similarity::kEuclidean), weights);
+  expect_obvious_winners(som, Samples(noise(100, kColumns, 1e-4, random)), "a sphere");
+}
+
 TEST(WinnerSearchThreads, FindsTheTrueWinnersOfClustersWhileBlocksAreLeftOut) {
   Random random(3);
   const Samples samples(clusters(700, 9, random));
