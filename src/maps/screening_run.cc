@@ -231,24 +231,21 @@ double ScreeningRun::score(const float* x, std::size_t place) const {
 Winners ScreeningRun::decide(std::size_t i) {
   const Candidates& candidates = candidates_[i];
   const float* x = samples_[known_[i].sample].values.data();
-  if (candidates.overflown || candidates.count == 0) return decide_among_all(x);
-  const std::span kept(candidates.kept, candidates.count);
-  const auto last = static_cast<std::size_t>(std::count_if(
-      kept.begin(), kept.end(),
-      [&](const kernels::Candidate& candidate) { return candidate.score < candidates.threshold; }));
   scored_.clear();
-  for (const kernels::Candidate& candidate : kept) {
+  for (const kernels::Candidate& candidate : std::span(candidates.kept, candidates.count)) {
     if (!(candidate.score < candidates.threshold)) continue;
-    const double exact = last == 1 ? 0.0 : score(x, candidate.place);
-    scored_.push_back({exact, map_.neuron_at(candidate.place)});
+    scored_.push_back({0.0, map_.neuron_at(candidate.place), candidate.place});
   }
+  if (candidates.overflown || scored_.empty()) return decide_among_all(x);
+  if (scored_.size() == 1) return {scored_.front().neuron, scored_.front().neuron};
+  for (Scored& one : scored_) one.score = score(x, one.place);
   return best_of_scored();
 }
 
 Winners ScreeningRun::decide_among_all(const float* x) {
   scored_.clear();
   for (std::size_t place = 0; place < som_.neurons(); ++place) {
-    scored_.push_back({score(x, place), map_.neuron_at(place)});
+    scored_.push_back({score(x, place), map_.neuron_at(place), place});
   }
   return best_of_scored();
 }

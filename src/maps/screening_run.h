@@ -40,6 +40,7 @@ class ScreeningRun {
   struct Scored {
     double score;
     std::size_t neuron;
+    std::size_t place;
     bool operator<(const Scored& other) const {
       return score != other.score ? score < other.score : neuron < other.neuron;
     }
