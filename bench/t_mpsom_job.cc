@@ -56,12 +56,14 @@ class LearnFrames : public Job {
 
 }  // namespace
 
-std::unique_ptr<Job> make_t_mpsom_job(const std::string& name, std::size_t scale) {
-  if (name == "t_mpsom") {
-    return std::make_unique<LearnFrames>(parameters_of(1, std::max<std::size_t>(2000 / scale, 1)));
-  }
-  if (name != "t_mpsom_large") return nullptr;
-  return std::make_unique<LearnFrames>(parameters_of(10, std::max<std::size_t>(40 / scale, 1)));
+std::optional<TMpsomParameters> t_mpsom_parameters(const std::string& name, std::size_t scale) {
+  if (name == "t_mpsom") return parameters_of(1, std::max<std::size_t>(2000 / scale, 1));
+  if (name == "t_mpsom_large") return parameters_of(10, std::max<std::size_t>(40 / scale, 1));
+  return std::nullopt;
+}
+
+std::unique_ptr<Job> make_t_mpsom_job(const TMpsomParameters& parameters) {
+  return std::make_unique<LearnFrames>(parameters);
 }
 
 }  // namespace somato::bench

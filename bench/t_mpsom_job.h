@@ -2,14 +2,19 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "job.h"
+#include "somato/maps/t_mpsom_parameters.h"
 
 namespace somato::bench {
 
-/// Frames to learn: `t_mpsom`, on the map of P06's last system, or `t_mpsom_large`, on one of 100
-/// times its neurons; nothing for another name. `scale` divides the frames.
-std::unique_ptr<Job> make_t_mpsom_job(const std::string& name, std::size_t scale);
+/// The map of P06's last system for `t_mpsom`, one of 100 times its neurons for `t_mpsom_large`;
+/// nothing for another name. `scale` divides the iterations, one a frame.
+std::optional<TMpsomParameters> t_mpsom_parameters(const std::string& name, std::size_t scale);
+
+/// Learns frames, one after the other.
+std::unique_ptr<Job> make_t_mpsom_job(const TMpsomParameters& parameters);
 
 }  // namespace somato::bench

@@ -10,9 +10,9 @@
 // Lines: `run` trains or searches once, `weights FILE` saves the map of the last run, `quit` ends.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -24,6 +24,7 @@
 #include "job.h"
 #include "somato/core/instruction_set.h"
 #include "somato/files/npy.h"
+#include "somato/maps/som_training.h"
 #include "t_mpsom_job.h"
 #include "workload_list.h"
 
@@ -53,10 +54,13 @@ CommandLine read_command_line(std::span<char*> arguments) {
   return line;
 }
 
+// Of this program alone: getrusage() counts the one that started it, too.
 long peak_kib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word == "VmHWM:" && status >> word) return std::stol(word);
+  }
+  return 0;
 }
 
 template <typename T>
@@ -74,18 +78,34 @@ Workload workload_of(const CommandLine& line) {
   std::exit(2);
 }
 
+// How many elements of its inputs the map of a case keeps weights for.
+std::size_t stored_elements(const Workload& workload) {
+  if (workload.kind != DataKind::kSparse) return workload.features;
+  return value_or_end(untrained_som(workload.parameters, make_samples(workload)))
+      .elements()
+      .count();
+}
+
 void print_list(std::size_t scale) {
   std::string separator = "[";
   for (const Workload& w : all_workloads(scale)) {
     const SomParameters p = value_or_end(resolve(w.parameters, w.samples, w.features));
-    fmt::print(R"({}{{"name": "{}", "samples": {}, "features": {}, "rows": {}, "columns": {}, )"
-               R"("hexagonal": {}, "batch": {}, "sparse": {}, "steps": {}, "radius_start": {}, )"
-               R"("radius_end": {}, "learning_rate_start": {}, "learning_rate_end": {}}})",
-               separator, w.name, w.samples, w.features, p.rows, p.columns,
-               p.lattice == Lattice::kHexagonal, w.is_batch(), w.kind == DataKind::kSparse,
-               p.steps(), *p.radius_start, p.radius_end, p.learning_rate_start,
-               p.learning_rate_end);
+    fmt::print(
+        R"({}{{"name": "{}", "samples": {}, "features": {}, "rows": {}, "columns": {}, )"
+        R"("hexagonal": {}, "batch": {}, "sparse": {}, "steps": {}, "stored": {}, "radius_start": {}, )"
+        R"("radius_end": {}, "learning_rate_start": {}, "learning_rate_end": {}}})",
+        separator, w.name, w.samples, w.features, p.rows, p.columns,
+        p.lattice == Lattice::kHexagonal, w.is_batch(), w.kind == DataKind::kSparse, p.steps(),
+        stored_elements(w), *p.radius_start, p.radius_end, p.learning_rate_start,
+        p.learning_rate_end);
     separator = ",\n ";
+  }
+  for (const std::string name : {"t_mpsom", "t_mpsom_large"}) {
+    const TMpsomParameters p = t_mpsom_parameters(name, scale).value();
+    std::size_t elements = 0;
+    for (const std::size_t size : p.input_sizes) elements += size;
+    fmt::print(R"({}{{"name": "{}", "weights": {}, "steps": {}}})", separator, name,
+               p.neurons() * elements, p.iterations);
   }
   fmt::print("]\n");
 }
@@ -125,8 +145,10 @@ void answer_weights(const Job& job, const std::string& path) {
 }
 
 std::unique_ptr<Job> job_of(const CommandLine& line) {
-  auto job = make_t_mpsom_job(line.words.at(1), line.number("scale", 1));
-  return job ? std::move(job) : make_job(workload_of(line), line.number("threads", 1));
+  if (const auto parameters = t_mpsom_parameters(line.words.at(1), line.number("scale", 1))) {
+    return make_t_mpsom_job(*parameters);
+  }
+  return make_job(workload_of(line), line.number("threads", 1));
 }
 
 int serve(const CommandLine& line) {

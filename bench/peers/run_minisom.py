@@ -5,7 +5,7 @@ from minisom import MiniSom
 from serve import Job
 
 PART_OF_SAMPLES = 100  # of batch training, whose time is proportional to the samples
-PART_OF_STEPS = 20
+PART_OF_STEPS = 100
 
 
 def prepare(case, name):
@@ -13,7 +13,7 @@ def prepare(case, name):
     part = 1.0
     steps = case.steps
     if case.batch and name != "winners":
-        data, part = data[:max(10, len(data) // PART_OF_SAMPLES)], 1.0 / PART_OF_SAMPLES
+        data = data[:max(10, len(data) // PART_OF_SAMPLES)]
         part = len(data) / len(case.data)
     elif case.sparse:
         steps = max(2, case.steps // PART_OF_STEPS)

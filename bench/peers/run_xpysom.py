@@ -16,7 +16,7 @@ def prepare(case, name):
     def train():
         som = XPySom(case.rows, case.columns, case.features, sigma=case.radius_start,
                      sigmaN=case.radius_end, learning_rate=1, learning_rateN=1,
-                     decay_function="linear",
+                     decay_function="linear", std_coeff=1.0,
                      topology="hexagonal" if case.hexagonal else "rectangular")
         som._weights = case.initial.reshape(case.rows, case.columns, case.features)
         som.train(case.data, max(epochs - 1, 1), 0, epochs)
