@@ -178,14 +178,15 @@ def measure_command(bench, command):
               "limit": None, "quantization_error": None, "times": [], "peak_kib": 0}
     if command.bytes:
         result["title"] += f", {command.bytes >> 20} MiB"
-    repeats = command.repeats or bench.options.repeats or 5
-    for repeat in range(repeats):
-        bench.say(f"{command.name}: run {repeat + 1} of {repeats}")
+    repeats = 1
+    while len(result["times"]) < repeats:
+        bench.say(f"{command.name}: run {len(result['times']) + 1}")
         done, errors = run_timed([PROGRAMS / "time_program", command.bytes, SOMATO, *command.words])
         if done["status"] != 0:
             return result | {"left_out": last_line(errors)}
         result["times"].append(done["seconds"])
         result["peak_kib"] = max(result["peak_kib"], done["peak_kib"])
+        repeats = command.repeats or bench.repeats(done["seconds"])
     return result | {"seconds": median(result["times"])}
 
 
