@@ -109,7 +109,7 @@ def beside(bench, first, driven, folder):
     own, times, answer = turns(bench, first, driven)
     return {"own": own, "times": times, "seconds": median(times),
             "ratio": median(times) / median(own), "estimated": answer.get("part", 1) < 1,
-            "note": answer.get("note", ""), "peak_kib": answer["peak_kib"],
+            "peak_kib": answer["peak_kib"],
             "quantization_error": quantization_error(bench, driven, folder) if folder else None}
 
 
@@ -120,7 +120,10 @@ def beside_peer(bench, first, peer, settings, name, folder, threads=THREADS):
         command = peer_environments.command_of(peer, settings, bench.say)
         bench.say(f"{name}: {result['name']}, {threads} threads")
         with Driven([*command, name, folder, threads], threads, PATIENCE) as driven:
-            return result | beside(bench, first, driven, folder)
+            result |= beside(bench, first, driven, folder)
+        if threads != THREADS:
+            del result["ratio"]  # ours had another number
+        return result
     except Failure as failure:
         return result | {"left_out": str(failure)}
 

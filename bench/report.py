@@ -31,11 +31,6 @@ def time_text(entry):
     return seconds_text(entry["seconds"]) + (" est" if entry.get("estimated") else "") + few
 
 
-def remarks(entry):
-    both = [entry.get("instead", ""), entry.get("note", "")]
-    return "; ".join(dict.fromkeys(text for text in both if text))
-
-
 OURS_HEAD = ["workload", "threads", "time", "of the limit", "memory", "quantization error"]
 OTHERS_HEAD = ["workload", "beside", "threads", "time", "ours is faster", "quantization error", "memory",
                "computes instead"]
@@ -56,7 +51,7 @@ def other_lines(results):
                 continue
             ratio = f"{entry['ratio']:.3g} x" if "ratio" in entry else "–"
             yield [row["name"], entry["name"], entry["threads"], time_text(entry), ratio,
-                   error_text(entry), memory_text(entry), remarks(entry) or "–"]
+                   error_text(entry), memory_text(entry), entry["instead"] or "–"]
 
 
 def markdown_table(head, lines):

@@ -67,6 +67,6 @@ while (length(line <- readLines(input, 1)) > 0 && line != "quit") {
     next
   }
   took <- system.time(run())[["elapsed"]]
-  cat(sprintf("{\"seconds\": %.9f, \"took\": %.9f, \"part\": %.9f, \"note\": \"\", \"peak_kib\": %d}\n",
+  cat(sprintf("{\"seconds\": %.9f, \"took\": %.9f, \"part\": %.9f, \"peak_kib\": %d}\n",
               took / part, took, part, peak_kib()))
 }

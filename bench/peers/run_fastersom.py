@@ -22,5 +22,4 @@ def prepare(case, name):
     if name == "winners":
         som = fastersom.SOM.from_weights(initial, case.rows, case.columns, device="cpu")
         return Job(lambda: som.predict(data))
-    return Job(train, lambda: state["som"].weights_, 1.0,
-               f"{'' if case.batch else f'batch, {epochs} epochs; '}exponential radius")
+    return Job(train, lambda: state["som"].weights_)

@@ -25,4 +25,4 @@ def prepare(case, name):
         part = min(SEARCHES, case.samples)
         project_on_lattice(data[:10], lattice)  # compiles
         return Job(lambda: project_on_lattice(data[:part], lattice), None, part / case.samples)
-    return Job(train, lambda: state["weights"], steps / all_steps, "online, its own neighbourhood")
+    return Job(train, lambda: state["weights"], steps / all_steps)

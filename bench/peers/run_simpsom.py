@@ -21,5 +21,4 @@ def prepare(case, name):
 
     if name == "winners":
         return Job(lambda: state["som"].find_bmu_ix(case.data))
-    return Job(train, lambda: [node.weights for node in state["som"].node_list], 1.0,
-               "hexagonal grid, exponential radius")
+    return Job(train, lambda: [node.weights for node in state["som"].node_list])

@@ -30,5 +30,4 @@ def prepare(case, name):
         som.update_data(case.data)
         som.codebook.shape = (case.rows, case.columns, case.features)
         return Job(lambda: som.get_bmus(som.get_surface_state(case.data)))
-    return Job(train, lambda: state["som"].codebook, part,
-               "" if case.batch else f"batch, {epochs} epochs")
+    return Job(train, lambda: state["som"].codebook, part)

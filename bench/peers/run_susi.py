@@ -27,5 +27,4 @@ def prepare(case, name):
         som.unsuper_som_ = case.initial.reshape(case.rows, case.columns, case.features)
         part = min(SEARCHES, case.samples)
         return Job(lambda: som.get_bmus(case.data[:part]), None, part / case.samples)
-    return Job(train, lambda: state["som"].unsuper_som_, min(1.0, steps / all_steps),
-               "online, its own neighbourhood")
+    return Job(train, lambda: state["som"].unsuper_som_, min(1.0, steps / all_steps))

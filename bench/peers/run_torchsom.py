@@ -32,5 +32,4 @@ def prepare(case, name):
     if name == "winners":
         som = make()
         return Job(lambda: som.identify_bmus(data))
-    return Job(train, lambda: state["som"].weights.detach().numpy(), 1.0,
-               f"batches of {BATCH}, learning rate")
+    return Job(train, lambda: state["som"].weights.detach().numpy())

@@ -29,4 +29,4 @@ def prepare(case, name):
         som = XPySom(case.rows, case.columns, case.features)
         som._weights = case.initial.reshape(case.rows, case.columns, case.features)
         return Job(search)
-    return Job(train, lambda: state["weights"], part, "" if case.batch else f"batch, {epochs} epochs")
+    return Job(train, lambda: state["weights"], part)

@@ -25,7 +25,6 @@ class Job:
     run: object
     weights: object = None  # of no arguments: neurons x features, in the order of the grid's rows
     part: float = 1.0
-    note: str = ""  # what differs from the case, for the table
 
 
 def load_case(folder, threads):
@@ -55,7 +54,7 @@ def answer(job, line):
     begin = time.perf_counter()
     job.run()
     seconds = time.perf_counter() - begin
-    return {"seconds": seconds / job.part, "took": seconds, "part": job.part, "note": job.note,
+    return {"seconds": seconds / job.part, "took": seconds, "part": job.part,
             "peak_kib": peak_kib()}
 
 
