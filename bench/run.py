@@ -106,7 +106,7 @@ def measurements(bench, rows, commands, live):
     for command in commands:
         yield measure_command(bench, command)
     if live:
-        yield measure_live(bench, PROGRAMS / "live_bench")
+        yield from measure_live(bench, PROGRAMS / "live_bench")
 
 
 def measure(options, say):

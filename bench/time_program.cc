@@ -4,7 +4,7 @@
 //
 //     time_program BYTES COMMAND...
 //
-// BYTES limits the memory that the program can write to (RLIMIT_DATA); 0 does not.
+// BYTES limits the memory that the program may map, as `ulimit -v` does; 0 does not.
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -21,7 +21,7 @@ namespace {
 void become(rlim_t bytes, char** command) {
   if (bytes != 0) {
     const rlimit limit{bytes, bytes};
-    setrlimit(RLIMIT_DATA, &limit);
+    setrlimit(RLIMIT_AS, &limit);
   }
   const int nowhere = open("/dev/null", O_WRONLY);  // NOLINT: the system's own interface
   dup2(nowhere, STDOUT_FILENO);
