@@ -19,7 +19,7 @@ def prepare(case, name):
                      decay_function="linear", std_coeff=1.0,
                      topology="hexagonal" if case.hexagonal else "rectangular")
         som._weights = case.initial.reshape(case.rows, case.columns, case.features)
-        som.train(case.data, max(epochs - 1, 1), 0, epochs)
+        som.train(case.data, epochs)
         state["weights"] = som.get_weights()
 
     def search():
