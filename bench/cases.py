@@ -83,8 +83,10 @@ def commands(data, out, quick):
                 "--seeds", seeds]
 
     return [
-        Command("tensor_chain", f"tensor chain, {seeds} seeds", chain("tensor_chain")),
-        Command("t_mpsom_chain", f"T-MPSOM chain, {seeds} seeds", chain("t_mpsom_multiplied")),
+        Command("tensor_chain", f"tensor chain, {seeds} seeds", chain("tensor_chain"),
+                minutes=1),
+        Command("t_mpsom_chain", f"T-MPSOM chain, {seeds} seeds", chain("t_mpsom_multiplied"),
+                minutes=1),
         Command("large_file", f"map {side} x {side} on a file larger than its memory, 1 epoch",
                 ["som", "train", str(data / "large.npy"), "--output", str(out / "large.map"),
                  "--rows", side, "--columns", side, "--training", "batch", "--epochs", "1",

@@ -15,6 +15,7 @@ PROGRAMS = TREE / "build/bench/bench"
 SOMATO = TREE / "build/bench/somato"
 PATIENCE = 900  # seconds for an answer
 SLOW = 20.0  # seconds from which on three repeats do
+VERY_SLOW = 60.0  # seconds from which on a whole run of the program is done once
 WARM_UP = 3.0  # seconds below which the first run does not count
 REST = 0.3  # seconds in which waiting threads of others fall asleep
 
@@ -189,7 +190,8 @@ def measure_command(bench, command):
             return result | {"left_out": last_line(errors)}
         result["times"].append(done["seconds"])
         result["peak_kib"] = max(result["peak_kib"], done["peak_kib"])
-        repeats = command.repeats or bench.repeats(done["seconds"])
+        if done["seconds"] < VERY_SLOW:
+            repeats = command.repeats or bench.repeats(done["seconds"])
     return result | {"seconds": median(result["times"])}
 
 

@@ -87,12 +87,17 @@ def prepare_files(bench, chosen):
              cases.LARGE_COLUMNS])
 
 
+def refuse_unknown(what, names, known):
+    for name in names:
+        if name not in known:
+            print(f"bench: no {what} '{name}'; known are: {' '.join(known)}", file=sys.stderr)
+            sys.exit(2)
+
+
 def choose(options, rows, commands):
     """The rows and commands to measure; ends the program for a name that there is not."""
     known = [row.name for row in rows] + [command.name for command in commands] + ["live_frame"]
-    for name in options.names:
-        if name not in known:
-            sys.exit(f"bench: no row '{name}'; known are: {' '.join(known)}")
+    refuse_unknown("row", options.names, known)
     wanted = options.names or [name for name in known if options.long or name != "reproduce_all"]
     return ([row for row in rows if row.name in wanted],
             [command for command in commands if command.name in wanted], "live_frame" in wanted)
@@ -113,8 +118,9 @@ def measure(options, say):
     bench = Bench(options, say)
     rows, commands, live = choose(options, cases.rows(bench.sets),
                                   cases.commands(bench.data, OUT, options.quick))
+    refuse_unknown("other program", options.peers or [], bench.peers)
     minutes = sum(item.minutes for item in [*rows, *commands])
-    say(f"about {max(1, round(minutes / bench.scale))} minutes on an idle machine\n")
+    say(f"about {max(1, round(minutes / bench.scale))} min on an idle machine\n")
     results = {"date": datetime.date.today().isoformat(), "version": version(), "quick": options.quick,
                "processor": processor(), "cores": os.cpu_count(), "warnings": warnings(options),
                "complete": False, "machine": bench.machines, "rows": []}
