@@ -1,0 +1,97 @@
+"""What is measured: the cases, in which ways ours runs them, and what else runs beside it."""
+
+from dataclasses import dataclass, field
+
+THREADS = 2
+BYTES_FOR_LARGE_FILE = 256 << 20
+LARGE_ROWS, LARGE_COLUMNS, LARGE_SIDE = 1_000_000, 128, 200
+CHAIN_SEEDS = 100
+
+
+@dataclass
+class Variant:
+    """Another way in which ours runs a case, measured in turns with the first one."""
+
+    name: str
+    case: str = ""  # of workloads.cc; the row's own by default
+    threads: int = THREADS
+    set: str = ""  # of instructions; the fastest by default
+
+
+@dataclass
+class Row:
+    """A case of workloads.cc; `half` marks those of which half of the epochs count."""
+
+    name: str
+    title: str
+    variants: list = field(default_factory=list)
+    half: bool = False
+    minutes: float = 0.1  # that it takes with all peers, about
+
+
+@dataclass
+class Command:
+    """A whole run of the program; `words` follow its name."""
+
+    name: str
+    title: str
+    words: list
+    bytes: int = 0  # of memory that it may have; 0: any
+    repeats: int = 0  # when not all
+    only_long: bool = False
+    minutes: float = 0.5
+
+
+ONE_THREAD = Variant("1 thread", threads=1)
+
+
+def slower_set(sets):
+    """The set before the fastest one: without the screen by whole numbers, where there is one."""
+    return [Variant(f"with {sets[-2]}", set=sets[-2])] if len(sets) > 1 else []
+
+
+def rows(sets):
+    """`sets`: what this machine offers, slowest first."""
+    return [
+        Row("dense_batch", "batch: 20000 x 256, map 50 x 50, 10 epochs",
+            [ONE_THREAD, *slower_set(sets)], minutes=4),
+        Row("hexagonal_batch", "hexagonal batch: 20000 x 256, map 50 x 50, 10 epochs", [ONE_THREAD], minutes=3),
+        Row("few_samples", "online: 40 x 2049, map 15 x 15, 2000 iterations", minutes=0.7),
+        Row("few_samples_streaming", "the few, a sample at a time", [ONE_THREAD]),
+        Row("sparse_uniform_start",
+            "sparse: 30 x 270000, 1 % not zero, map 15 x 15, 1000 iterations", minutes=1),
+        Row("sparse_sample_start", "sparse, starting at samples", minutes=0.5),
+        Row("sparse_streaming", "sparse, a sample at a time", minutes=0.5),
+        Row("sparse_batch", "sparse, in batch, 33 epochs", minutes=0.7),
+        Row("winners", "winners of 100000 x 64 on 50 x 50", [ONE_THREAD, *slower_set(sets)],
+            minutes=2),
+        Row("clustered_batch", "batch: 50 clusters, second half of the epochs",
+            [Variant("each epoch alone", case="clustered_epochs")], half=True, minutes=0.3),
+        Row("t_mpsom", "T-MPSOM: 46 x 23 neurons, 2000 frames learned"),
+        Row("t_mpsom_large", "T-MPSOM: 460 x 230 neurons, 40 frames learned"),
+    ]
+
+
+def commands(data, out, quick):
+    """`data` holds lucs2.mcap and large.npy; `out` takes what is of no more use."""
+    seeds = str(max(1, CHAIN_SEEDS // (20 if quick else 1)))
+    side = str(LARGE_SIDE // (4 if quick else 1))
+    recording = str(data / "lucs2.mcap")
+
+    def chain(name):
+        return ["run", f"systems/{name}.toml", "--data", recording, "--out", str(out / name),
+                "--seeds", seeds]
+
+    return [
+        Command("tensor_chain", f"tensor chain, {seeds} seeds", chain("tensor_chain"),
+                minutes=1),
+        Command("t_mpsom_chain", f"T-MPSOM chain, {seeds} seeds", chain("t_mpsom_multiplied"),
+                minutes=1),
+        Command("large_file", f"map {side} x {side} on a file larger than its memory, 1 epoch",
+                ["som", "train", str(data / "large.npy"), "--output", str(out / "large.map"),
+                 "--rows", side, "--columns", side, "--training", "batch", "--epochs", "1",
+                 "--threads", str(THREADS)], BYTES_FOR_LARGE_FILE, repeats=1, minutes=1),
+        Command("reproduce_all", "all systems of the papers, reproduced",
+                ["reproduce", "all", "--out", str(out / "reproduction")], repeats=1,
+                only_long=True, minutes=60),
+    ]

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Measures Somato beside the machine's limits and beside other programs; see docs/performance.md.
+
+Writes out/bench/results.json after each row, so that nothing measured is lost, and prints a table.
+"""
+
+import argparse
+import datetime
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import cases
+import report
+from driven import Failure
+from live import measure_live
+from measuring import PROGRAMS, SOMATO, TREE, Bench, measure_command, measure_row, run
+
+OUT = TREE / "out/bench"
+BUSY = 0.3  # load average from which on somebody else is at work
+
+
+def say_to(stream):
+    """Progress on one line of a terminal; nothing where nobody looks."""
+    if not stream.isatty():
+        return lambda _: None
+    return lambda text: print(f"\r\033[K{text}", end="", file=stream, flush=True)
+
+
+def read_options():
+    parser = argparse.ArgumentParser(prog="./dev bench", description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", metavar="NAME", help="rows to measure; default: all")
+    parser.add_argument("--quick", action="store_true", help="sizes divided by 20: tries the way, tells no times")
+    parser.add_argument("--long", action="store_true", help="what takes minutes and hours, too")
+    parser.add_argument("--no-peers", action="store_true", help="ours alone")
+    parser.add_argument("--peers", type=lambda text: text.split(","), help="only these others, with commas")
+    parser.add_argument("--repeats", type=int, help="of everything; default: 5, of slow ones 3")
+    parser.add_argument("--markdown", action="store_true", help="tables for a page")
+    parser.add_argument("--show", action="store_true", help="the table of the last results, measuring nothing")
+    return parser.parse_args()
+
+
+def save(results):
+    """Wholly or not at all."""
+    OUT.mkdir(parents=True, exist_ok=True)
+    part = OUT / "results.json.part"
+    part.write_text(json.dumps(results, indent=1), encoding="utf-8")
+    os.replace(part, OUT / "results.json")
+
+
+def processor():
+    for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return "unknown processor"
+
+
+def warnings(options):
+    found = []
+    if os.getloadavg()[0] > BUSY:
+        found.append(f"the machine was busy at the start: load average {os.getloadavg()[0]:.1f}")
+    if options.quick:
+        found.append("quick: sizes are divided by 20, so these times tell nothing")
+    return found
+
+
+def version():
+    described = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=TREE, check=False,
+                               capture_output=True, text=True).stdout.strip()
+    return described or run([SOMATO, "--version"]).strip()
+
+
+def prepare_files(bench, chosen):
+    """What the commands read; made once."""
+    bench.data.mkdir(parents=True, exist_ok=True)
+    recording, large = bench.data / "lucs2.mcap", bench.data / "large.npy"
+    if any("chain" in command.name for command in chosen) and not recording.exists():
+        bench.say("exploring for the chains")
+        run([SOMATO, "explore", "--body", "lucs2", "--explorations", 30 // (10 if bench.scale > 1 else 1),
+             "--seed", 7, "--output", recording])
+    if any(command.name == "large_file" for command in chosen) and not large.exists():
+        bench.say("writing a large file")
+        run([PROGRAMS / "workloads", "write-large", large, cases.LARGE_ROWS // bench.scale,
+             cases.LARGE_COLUMNS])
+
+
+def refuse_unknown(what, names, known):
+    for name in names:
+        if name not in known:
+            print(f"bench: no {what} '{name}'; known are: {' '.join(known)}", file=sys.stderr)
+            sys.exit(2)
+
+
+def choose(options, rows, commands):
+    """The rows and commands to measure; ends the program for a name that there is not."""
+    known = [row.name for row in rows] + [command.name for command in commands] + ["live_frame"]
+    refuse_unknown("row", options.names, known)
+    wanted = options.names or [name for name in known if options.long or name != "reproduce_all"]
+    return ([row for row in rows if row.name in wanted],
+            [command for command in commands if command.name in wanted], "live_frame" in wanted)
+
+
+def measurements(bench, rows, commands, live):
+    """One result after the other."""
+    for row in rows:
+        yield measure_row(bench, row)
+    prepare_files(bench, commands)
+    for command in commands:
+        yield measure_command(bench, command)
+    if live:
+        yield from measure_live(bench, PROGRAMS / "live_bench")
+
+
+def measure(options, say):
+    bench = Bench(options, say)
+    rows, commands, live = choose(options, cases.rows(bench.sets),
+                                  cases.commands(bench.data, OUT, options.quick))
+    refuse_unknown("other program", options.peers or [], bench.peers)
+    minutes = sum(item.minutes for item in [*rows, *commands])
+    say(f"about {max(1, round(minutes / bench.scale))} min on an idle machine\n")
+    results = {"date": datetime.date.today().isoformat(), "version": version(), "quick": options.quick,
+               "processor": processor(), "cores": os.cpu_count(), "warnings": warnings(options),
+               "complete": False, "machine": bench.machines, "rows": []}
+    for result in measurements(bench, rows, commands, live):
+        results["rows"].append(result)
+        save(results)
+    results["complete"] = True
+    save(results)
+    return results
+
+
+def main():
+    options = read_options()
+    say = say_to(sys.stderr)
+    try:
+        if options.show:
+            results = json.loads((OUT / "results.json").read_text(encoding="utf-8"))
+        else:
+            results = measure(options, say)
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
+    except (Failure, FileNotFoundError) as failure:
+        sys.exit(f"bench: {failure}")
+    say("")
+    print(report.as_text(results, options.markdown))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
