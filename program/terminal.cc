@@ -69,6 +69,10 @@ void report_file_size_limits() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+bool stop_requested() {
+  return interrupted != 0;
+}
+
 Progress terminal_progress(std::string what) {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
