@@ -50,8 +50,9 @@ Result<bool> CsvRecords::read_on(const Position& from) {
   window_->drop(from.line_start);
   position_.offset -= from.line_start;
   position_.line_start = 0;
-  const Result<bool> more = window_->extend();
+  Result<bool> more = window_->extend();
   text_ = window_->text();
+  if (!more) failure_ = more.error();
   return more;
 }
 
@@ -127,6 +128,7 @@ Result<CsvField> CsvRecords::field(char separator) {
 
 // What ends where the text in memory ends may go on behind it, even a line end of two characters.
 Result<void> CsvRecords::next(char separator, std::vector<CsvField>& fields) {
+  if (failure_) return fail(*failure_);
   for (;;) {
     const Position start = position_;
     Result<void> read = record(separator, fields);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,6 +67,7 @@ class CsvRecords {
   std::string_view text_;
   std::string where_;
   Position position_;
+  std::optional<Error> failure_;  // Of the window; nothing is read after it.
 };
 
 }  // namespace somato

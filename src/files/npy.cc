@@ -58,6 +58,10 @@ std::string npy_start(std::size_t rows, std::size_t columns) {
   return file_start("<f4", fmt::format("({}, {})", rows, columns));
 }
 
+std::string npy_numbers(std::span<const float> numbers) {
+  return with_numbers({}, numbers);
+}
+
 std::string encode_npy(const Matrix<float>& matrix) {
   return with_numbers(npy_start(matrix.rows(), matrix.columns()), matrix.values());
 }

@@ -31,6 +31,9 @@ std::string encode_npy(const Matrix<float>& matrix);
 /// How such a file begins: what stands before the first number, for whoever writes rows one by one.
 std::string npy_start(std::size_t rows, std::size_t columns);
 
+/// Numbers as they stand in such a file.
+std::string npy_numbers(std::span<const float> numbers);
+
 /// A file of integers: `<i8` of one dimension.
 std::string encode_npy(std::span<const std::int64_t> numbers);
 
