@@ -10,9 +10,14 @@
 namespace somato::program {
 namespace {
 
-constexpr std::pair<std::string_view, double> kUnits[] = {
-    {"B", 1.0},   {"kB", 1e3},    {"MB", 1e6},          {"GB", 1e9},
-    {"", 1.0},    {"KiB", 1024.0}, {"MiB", 1024.0 * 1024}, {"GiB", 1024.0 * 1024 * 1024}};
+constexpr std::pair<std::string_view, double> kUnits[] = {{"B", 1.0},
+                                                          {"kB", 1e3},
+                                                          {"MB", 1e6},
+                                                          {"GB", 1e9},
+                                                          {"", 1.0},
+                                                          {"KiB", 1024.0},
+                                                          {"MiB", 1024.0 * 1024},
+                                                          {"GiB", 1024.0 * 1024 * 1024}};
 
 Error no_amount(const std::string& text) {
   return {ErrorKind::kUsage, fmt::format("must be an amount of memory, not '{}'", text), "--memory",

@@ -161,8 +161,7 @@ Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
 }
 
 PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
-    : standardized_(rows.samples(),
-                    [&model](const Samples& part) { return model.prepare(part); }),
+    : standardized_(rows.samples(), [&model](const Samples& part) { return model.prepare(part); }),
       ahead_(model.standardization ? static_cast<SampleSource&>(standardized_) : rows.samples()) {}
 
 Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads) {

@@ -44,7 +44,6 @@ class RowData {
 /// are not as many labels as rows, kInterrupted.
 Result<RowData> read_rows(const Arguments& arguments);
 
-
 /// Fails (kData) when a column has the same value in every row.
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path);
 

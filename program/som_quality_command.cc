@@ -57,8 +57,8 @@ Result<void> quality(const Arguments& arguments) {
                                  [](std::size_t hits) { return hits > 0; });
   fmt::print("samples {}\nneurons {}\nneurons_hit {}\n", both->rows.count,
              both->model.som.neurons(), hit);
-  fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n{}",
-             quality->quantization_error, quality->topographic_error, *of_labels);
+  fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n{}", quality->quantization_error,
+             quality->topographic_error, *of_labels);
   return {};
 }
 

@@ -59,11 +59,12 @@ Result<SomParameters> read_som_parameters(const Arguments& arguments) {
 Result<void> check_training(const SomParameters& parameters, const RowData& rows,
                             const std::string& path) {
   if (rows.in_memory() || parameters.training == Training::kBatch) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("online training draws from all rows, and these {} x {} numbers take more "
-                          "memory than they may",
-                          rows.count, rows.size()),
-              path, "use --training batch, or allow them more with --memory");
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("online training draws from all rows, and these {} x {} numbers take more "
+                  "memory than they may",
+                  rows.count, rows.size()),
+      path, "use --training batch, or allow them more with --memory");
 }
 
 Result<Som> train_map(const SomParameters& parameters, const SomModel& model, const RowData& rows,

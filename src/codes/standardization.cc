@@ -52,11 +52,10 @@ Result<std::size_t> for_each_value(SampleSource& samples, const Take& take) {
 }
 
 Error too_few(std::size_t samples) {
-  return {
-      ErrorKind::kData,
-      fmt::format("a standardization needs at least 2 training samples, not {}", samples),
-      {},
-      "record more, or train without standardization"};
+  return {ErrorKind::kData,
+          fmt::format("a standardization needs at least 2 training samples, not {}", samples),
+          {},
+          "record more, or train without standardization"};
 }
 
 Error not_finite(const Column& column, const std::string& name) {
@@ -118,8 +117,9 @@ Result<Standardization> Standardization::fit(SampleSource& samples,
   require(column_names.empty() || column_names.size() == samples.size(),
           "a standardization needs one name for each column, or none");
   std::vector<Column> columns(samples.size());
-  const auto counted = for_each_value(
-      samples, [&](std::size_t d, std::size_t sample, float value) { columns[d].take(sample, value); });
+  const auto counted = for_each_value(samples, [&](std::size_t d, std::size_t sample, float value) {
+    columns[d].take(sample, value);
+  });
   if (!counted) return fail(counted.error());
   auto usable = check_columns(columns, *counted, parameters.constant_columns, column_names);
   if (!usable) return fail(std::move(usable.error()));

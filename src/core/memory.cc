@@ -84,7 +84,7 @@ std::size_t memory_of_machine() {
 }
 
 std::size_t memory_limit() {
-  return std::min({memory_of_machine(), of_control_groups(false), address_space_limit()});
+  return std::min({memory_of_machine(), of_control_groups(false), free_address_space()});
 }
 
 std::size_t free_memory() {

@@ -22,7 +22,8 @@ bool CsvRecords::at_separator(char separator) const {
 }
 
 void CsvRecords::skip_blanks(char separator) {
-  while (!at_end() && is_blank(here()) && (separator == ' ' || here() != separator)) ++position_.offset;
+  while (!at_end() && is_blank(here()) && (separator == ' ' || here() != separator))
+    ++position_.offset;
 }
 
 void CsvRecords::skip_line_end() {

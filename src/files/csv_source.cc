@@ -25,8 +25,8 @@ double CsvSource::share_read() const {
 Result<void> CsvSource::rewind() {
   if (auto same = file_.check(); !same) return same;
   auto window = std::make_unique<TextWindow>(file_.file(), file_.path());
-  auto reader = std::make_unique<CsvTableReader>(CsvRecords(*window, file_.path()), file_.path(),
-                                                 options_);
+  auto reader =
+      std::make_unique<CsvTableReader>(CsvRecords(*window, file_.path()), file_.path(), options_);
   if (auto begun = reader->begin(); !begun) return begun;
   reader_ = std::move(reader);
   window_ = std::move(window);

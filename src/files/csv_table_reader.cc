@@ -77,9 +77,8 @@ Result<void> CsvTableReader::find_label_column() {
   } else if (is_number) {
     label_ = number;
   } else {
-    return fail(
-        ErrorKind::kUsage, fmt::format("there is no column {}", shown(wanted)), where_,
-        number ? fmt::format("there are {} columns", width_) : name_advice(wanted, names));
+    return fail(ErrorKind::kUsage, fmt::format("there is no column {}", shown(wanted)), where_,
+                number ? fmt::format("there are {} columns", width_) : name_advice(wanted, names));
   }
   return {};
 }
@@ -103,14 +102,13 @@ Result<void> CsvTableReader::read_first_record() {
 Result<void> CsvTableReader::read_row(std::vector<float>& values,
                                       std::vector<std::string>& labels) {
   if (fields_.size() != width_) {
-    return fail(ErrorKind::kData,
-                fmt::format("expected {} fields, found {}", width_, fields_.size()),
-                fmt::format("{}:{}", where_, fields_[0].line),
-                "give every row the same number of fields");
+    return fail(
+        ErrorKind::kData, fmt::format("expected {} fields, found {}", width_, fields_.size()),
+        fmt::format("{}:{}", where_, fields_[0].line), "give every row the same number of fields");
   }
   for (std::size_t i = 0; i < width_; ++i) {
-    Result<void> read = is_label(i) ? read_label(fields_[i], labels)
-                                     : read_value(fields_[i], values);
+    Result<void> read =
+        is_label(i) ? read_label(fields_[i], labels) : read_value(fields_[i], values);
     if (!read) return read;
   }
   return {};
@@ -126,11 +124,8 @@ Result<void> CsvTableReader::read_label(const CsvField& field,
   return {};
 }
 
-Result<void> CsvTableReader::read_value(const CsvField& field,
-                                        std::vector<float>& values) const {
-  return number_in(field, records_.place(field)).map([&](float value) {
-    values.push_back(value);
-  });
+Result<void> CsvTableReader::read_value(const CsvField& field, std::vector<float>& values) const {
+  return number_in(field, records_.place(field)).map([&](float value) { values.push_back(value); });
 }
 
 Result<void> CsvTableReader::no_rows() const {

@@ -18,7 +18,7 @@ struct FileStatus {
   Kind kind = Kind::kRegular;
   std::size_t size = 0;
   std::int64_t modified = 0;  ///< When the content was last changed: nanoseconds of some clock.
-  unsigned permissions = 0;  ///< The nine permission bits.
+  unsigned permissions = 0;   ///< The nine permission bits.
   unsigned owner = 0;
   unsigned group = 0;
 };

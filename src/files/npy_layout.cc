@@ -156,8 +156,7 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
   if (!start) return fail(start.error());
   if (*start > bytes.size()) return cut_within_header(where);
   const std::size_t before = bytes[6] == 1 ? 10 : 12;
-  const Result<NpyHeader> header =
-      parse_npy_header(bytes.substr(before, *start - before), where);
+  const Result<NpyHeader> header = parse_npy_header(bytes.substr(before, *start - before), where);
   if (!header) return fail(header.error());
   const NpyType* type = find_type(header->type);
   if (!type) {
@@ -178,8 +177,7 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std:
   const std::size_t rows = out.size() / columns;
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
-      const std::size_t place =
-          layout.fortran_order ? column * rows + row : row * columns + column;
+      const std::size_t place = layout.fortran_order ? column * rows + row : row * columns + column;
       const double value = layout.type->read(bytes.data() + place * layout.type->size);
       const auto rounded = static_cast<float>(value);
       if (!std::isfinite(rounded)) return not_a_float(value, first + row, column, where);

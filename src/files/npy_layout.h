@@ -38,8 +38,8 @@ Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_siz
 Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size, std::string_view where);
 
 /// Writes the numbers of `bytes`, rows of layout.columns numbers beginning with row `first`, to
-/// `out`, row by row. In Fortran order `bytes` hold these rows column by column. Errors: kData, with
-/// row and column, for a value that is no finite float32.
+/// `out`, row by row. In Fortran order `bytes` hold these rows column by column. Errors: kData,
+/// with row and column, for a value that is no finite float32.
 Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
                            std::span<float> out, std::string_view where);
 

@@ -18,8 +18,7 @@ Result<std::string> header_of(const UnchangedFile& file) {
 
 }  // namespace
 
-Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file,
-                                                       std::size_t part_bytes) {
+Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file, std::size_t part_bytes) {
   const Result<std::string> header = header_of(file);
   if (!header) return fail(header.error());
   const Result<NpyLayout> layout = npy_layout(*header, file.size(), file.path());

@@ -39,7 +39,8 @@ Result<void> TextWindow::check(bool ended) {
   return {};
 }
 
-// Twice as much each time, so that reading a long record again and again takes no longer than it is.
+// Twice as much each time, so that reading a long record again and again takes no longer than it
+// is.
 Result<bool> TextWindow::extend() {
   const std::size_t old = text_.size();
   const std::size_t room = std::max(kBlock, old);

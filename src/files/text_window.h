@@ -39,10 +39,10 @@ class TextWindow {
 
   const OpenFile& file_;
   std::string where_;
-  std::string text_;          // text() and perhaps the beginning of a character.
-  std::size_t checked_ = 0;   // Bytes of it that are text.
-  std::size_t place_ = 0;     // In the file, behind text_.
-  std::size_t lines_ = 0;     // Ends of lines in what was read and is text.
+  std::string text_;         // text() and perhaps the beginning of a character.
+  std::size_t checked_ = 0;  // Bytes of it that are text.
+  std::size_t place_ = 0;    // In the file, behind text_.
+  std::size_t lines_ = 0;    // Ends of lines in what was read and is text.
 };
 
 }  // namespace somato

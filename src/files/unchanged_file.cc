@@ -13,8 +13,8 @@ Result<UnchangedFile> UnchangedFile::open(FileSystem& files, const std::string& 
     return system_failure("cannot read", path, EISDIR);
   }
   if (status->kind != FileStatus::Kind::kRegular) {
-    return fail(ErrorKind::kSystem, "what is no file on a disk cannot be read again and again", path,
-                "save it as a file first");
+    return fail(ErrorKind::kSystem, "what is no file on a disk cannot be read again and again",
+                path, "save it as a file first");
   }
   return UnchangedFile(std::move(*file), path, *status);
 }

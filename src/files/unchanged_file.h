@@ -21,8 +21,8 @@ class UnchangedFile {
   /// Fails (kData) when it has another length or date by now.
   Result<void> check() const;
 
-  /// Reads `count` bytes from `place`. Errors: kSystem with the system's reason; kData when they are
-  /// no longer there.
+  /// Reads `count` bytes from `place`. Errors: kSystem with the system's reason; kData when they
+  /// are no longer there.
   Result<void> read(std::size_t place, char* bytes, std::size_t count) const;
 
  private:

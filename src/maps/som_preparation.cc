@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,10 +31,17 @@ Samples normalized_dense(const Samples& samples) {
   return Samples(std::move(rows));
 }
 
+std::string amount(double bytes) {
+  constexpr double kMebibyte = 1 << 20;
+  constexpr double kGibibyte = 1 << 30;
+  return bytes < kGibibyte ? fmt::format("{:.0f} MiB", bytes / kMebibyte)
+                           : fmt::format("{:.1f} GiB", bytes / kGibibyte);
+}
+
 }  // namespace
 
-// Batch training adds the sums of samples a neuron and their means over the neighbourhood, in double
-// precision, and arranges the weights anew for the search.
+// Batch training adds the sums of samples a neuron and their means over the neighbourhood, in
+// double precision, and arranges the weights anew for the search.
 double training_memory(const SomParameters& parameters, std::size_t elements) {
   const bool batch = parameters.training == Training::kBatch;
   const double of_weight = batch ? 2 * sizeof(float) + 2 * sizeof(double) : sizeof(float);
@@ -44,14 +52,15 @@ double training_memory(const SomParameters& parameters, std::size_t elements) {
 // program later, without a word.
 Result<void> check_memory(const SomParameters& parameters, std::size_t elements) {
   const double needed = training_memory(parameters, elements);
-  const auto there = static_cast<double>(memory_limit());
-  if (needed <= there) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("{} x {} neurons of {} features need {:.2f} GiB of memory, and this "
-                          "machine has {:.2f}",
-                          parameters.rows, parameters.columns, elements, needed / (1 << 30),
-                          there / (1 << 30)),
-              {}, "choose fewer rows or columns");
+  const std::size_t limit = memory_limit();
+  if (needed <= static_cast<double>(limit)) return {};
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("{} x {} neurons of {} features need {} of memory, and {} {}", parameters.rows,
+                  parameters.columns, elements, amount(needed),
+                  limit < memory_of_machine() ? "limits leave this process" : "this machine has",
+                  amount(static_cast<double>(limit))),
+      {}, "choose fewer rows or columns");
 }
 
 Result<void> check_samples(const Samples& samples) {

@@ -89,7 +89,8 @@ TEST(Standardization, IsTheSameFromSamplesInParts) {
     ASSERT_TRUE(parts);
     EXPECT_EQ(parts->means, whole->means);
     EXPECT_EQ(parts->deviations, whole->deviations);
-    EXPECT_EQ(Standardization::fit(source).error().what, Standardization::fit(samples).error().what);
+    EXPECT_EQ(Standardization::fit(source).error().what,
+              Standardization::fit(samples).error().what);
   }
 }
 

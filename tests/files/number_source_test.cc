@@ -39,7 +39,8 @@ Result<Read> read_all(NumberSource& source) {
 }
 
 // Opens and reads twice, in parts of so many bytes.
-Result<Read> read_parts(const std::string& path, std::size_t bytes, const CsvOptions& options = {}) {
+Result<Read> read_parts(const std::string& path, std::size_t bytes,
+                        const CsvOptions& options = {}) {
   auto source = open_numbers(path, options, bytes);
   if (!source) return fail(source.error());
   auto once = read_all(**source);
@@ -119,11 +120,14 @@ TEST(NumberSource, ReadsTextWhereverItsWindowEnds) {
   const TemporaryFolder folder;
   Random random(3);
   for (const char* end : {"\n", "\r\n", "\r"}) {
-    std::string text = "\xEF\xBB\xBF" "a,\"b\nb\",kind\r\n";
+    std::string text =
+        "\xEF\xBB\xBF"
+        "a,\"b\nb\",kind\r\n";
     while (text.size() < 1200000) {
       if (random.below(20) == 0) text += "# a r\xC3\xB6w\xE2\x82\xAC" + std::string(end);
       if (random.below(20) == 0) text += end;
-      text += field_of(random) + "," + field_of(random) + ",\"gr\xC3\xBCn\ntwo \"\"lines\"\"\"" + end;
+      text +=
+          field_of(random) + "," + field_of(random) + ",\"gr\xC3\xBCn\ntwo \"\"lines\"\"\"" + end;
     }
     const std::string path = folder.with("x", text);
     CsvOptions options;
@@ -173,8 +177,7 @@ TEST(NumberSource, ReadsFortranOrderAndOtherNumbersInParts) {
   }
   const std::string path = folder.with("x", bytes);
   expect_as_whole(path);
-  EXPECT_EQ(read_parts(path, 16)->values,
-            (std::vector<float>{1, 11, 2, 12, 3, 13, 4, 14, 5, 15}));
+  EXPECT_EQ(read_parts(path, 16)->values, (std::vector<float>{1, 11, 2, 12, 3, 13, 4, 14, 5, 15}));
 }
 
 TEST(NumberSource, AFaultInTheLastPartHasItsPlace) {
@@ -197,8 +200,8 @@ TEST(NumberSource, AFileThatChangesIsRefused) {
     for (const std::string& now : {bytes.substr(0, bytes.size() / 2), bytes + bytes, other}) {
       for (const bool within : {false, true}) {
         const std::string path = folder.with("x", bytes);
-        std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() -
-                                                   std::chrono::hours(1));
+        std::filesystem::last_write_time(
+            path, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
         auto source = open_numbers(path, {}, 5000);
         ASSERT_TRUE(source);
         ASSERT_TRUE((*source)->rewind());

@@ -9,8 +9,8 @@ namespace somato {
 /// number where that is not known.
 std::size_t memory_of_machine();
 
-/// The most memory this process may ever have, in bytes: the machine's, or what its control groups
-/// (Linux) or its own limit (ulimit -v) leave it of that.
+/// The most memory there can be for this process, in bytes: the machine's, or less where its
+/// control groups (Linux) have a limit or its own (ulimit -v) leaves it less.
 std::size_t memory_limit();
 
 /// The memory this process could still take, in bytes: what is free on the machine, counting what

@@ -10,9 +10,9 @@ namespace somato {
 
 class Replacement;
 
-/// New content for a file, written piece by piece, that takes the file's place wholly or not at all,
-/// as save_whole() does: for more than fits into memory. Without commit() everything stays as it
-/// was, except that what is not a regular file (`/dev/stdout`, a pipe) is written to directly.
+/// New content for a file, written piece by piece, that takes the file's place wholly or not at
+/// all, as save_whole() does: for more than fits into memory. Without commit() everything stays as
+/// it was, except that what is not a regular file (`/dev/stdout`, a pipe) is written to directly.
 class FileWriter {
  public:
   /// Errors: kSystem with the system's reason.

@@ -25,8 +25,8 @@ struct SomQuality {
   std::vector<std::size_t> winners;
 };
 
-/// Measures a map on samples that come in parts: the same figures however they are parted. Refers to
-/// the map, which is not to change meanwhile.
+/// Measures a map on samples that come in parts: the same figures however they are parted. Refers
+/// to the map, which is not to change meanwhile.
 class SomQualityMeasurement {
  public:
   explicit SomQualityMeasurement(const Som& som, std::size_t threads = 1);
