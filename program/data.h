@@ -5,7 +5,7 @@
 
 #include "command_line.h"
 #include "somato/core/samples.h"
-#include "somato/graph/som_model.h"
+#include "somato/files/csv.h"
 
 namespace somato::program {
 
@@ -23,18 +23,16 @@ std::vector<Flag> data_flags();
 /// kData when there are not as many labels as rows.
 Result<Data> read_data(const Arguments& arguments);
 
-/// Fails (kData) when a column has the same value in every row.
-Result<void> refuse_constant_columns(const Data& data, const std::string& path);
+/// The parts of it: how the flags say a text file is to be read; the labels of a file of their own,
+/// which has to have `rows`, or none; that labels are not given in two ways (kUsage).
+Result<CsvOptions> read_csv_options(const Arguments& arguments);
+Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std::size_t rows);
+Result<void> check_labels_given_once(const Arguments& arguments);
 
-/// A map and data that fit each other.
-struct MapAndData {
-  SomModel model;
-  Data data;
-  Samples samples;  ///< As the map takes them.
-};
-
-/// Reads the positionals `MAP` and `DATA`; kData when the map takes another number of columns.
-Result<MapAndData> read_map_and_data(const Arguments& arguments);
+/// Fails (kData) when the columns of the data at `path` have other names than those of the map, if
+/// both have names: in another order they would give answers that look right.
+Result<void> check_names(const std::vector<std::string>& of_map,
+                         const std::vector<std::string>& of_data, const std::string& path);
 
 /// The flag `--threads`, or all cores.
 Result<std::size_t> read_threads(const Arguments& arguments);

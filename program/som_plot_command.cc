@@ -6,7 +6,9 @@
 
 #include "commands.h"
 #include "data.h"
+#include "memory_flag.h"
 #include "output.h"
+#include "row_data.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/whole_file.h"
 #include "somato/maps/som_quality.h"
@@ -62,20 +64,21 @@ ValuePanel value_panel(std::string title, const Som& som, std::vector<double> va
   return panel;
 }
 
-void add_data_panels(const MapAndData& both, const std::vector<std::string>& chosen,
-                     std::vector<Panel>& panels) {
+Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::string>& chosen,
+                             std::vector<Panel>& panels) {
   const Som& som = both.model.som;
-  const SomQuality quality = measure_quality(som, both.samples);
-  if (wants(chosen, "hits")) panels.emplace_back(hits_panel(som.grid(), quality.hits));
-  if (!wants(chosen, "labels") || both.data.labels.empty()) return;
-  Classes classes = Classes::from_names(both.data.labels);
+  auto quality = measure_rows(both.model, both.rows, 1);
+  if (!quality) return fail(std::move(quality.error()));
+  if (wants(chosen, "hits")) panels.emplace_back(hits_panel(som.grid(), quality->hits));
+  if (!wants(chosen, "labels") || !both.rows.labelled()) return {};
   LabelPanel panel;
   panel.title = "Labels";
   panel.grid = som.grid();
-  panel.class_names = std::move(classes.names);
-  panel.winners = quality.winners;
-  panel.classes = std::move(classes.of_sample);
+  panel.class_names = both.rows.classes.names;
+  panel.winners = std::move(quality->winners);
+  panel.classes = both.rows.classes.of_sample;
   panels.emplace_back(std::move(panel));
+  return {};
 }
 
 void add_components(const SomModel& model, std::size_t most, std::vector<Panel>& panels) {
@@ -86,11 +89,11 @@ void add_components(const SomModel& model, std::size_t most, std::vector<Panel>&
   }
 }
 
-Result<MapAndData> read_map_and_perhaps_data(const Arguments& arguments) {
-  if (arguments.has("DATA")) return read_map_and_data(arguments);
+Result<MapAndRows> read_map_and_perhaps_rows(const Arguments& arguments) {
+  if (arguments.has("DATA")) return read_map_and_rows(arguments);
   auto model = load_som_model(arguments.text("MAP"));
   if (!model) return fail(std::move(model.error()));
-  return MapAndData{std::move(*model), {}, {}};
+  return MapAndRows{std::move(*model), {}};
 }
 
 Result<void> plot(const Arguments& arguments) {
@@ -100,14 +103,16 @@ Result<void> plot(const Arguments& arguments) {
   if (!most) return fail(std::move(most.error()));
   if (auto usable = check_panels(arguments, *chosen); !usable) return usable;
   if (auto savable = check_output(arguments, "output"); !savable) return savable;
-  auto both = read_map_and_perhaps_data(arguments);
+  auto both = read_map_and_perhaps_rows(arguments);
   if (!both) return fail(std::move(both.error()));
   const Som& som = both->model.som;
   std::vector<Panel> panels;
   if (wants(*chosen, "u_matrix")) {
     panels.emplace_back(value_panel("U-matrix", som, u_matrix(som)));
   }
-  if (arguments.has("DATA")) add_data_panels(*both, *chosen, panels);
+  if (arguments.has("DATA")) {
+    if (auto added = add_data_panels(*both, *chosen, panels); !added) return added;
+  }
   if (wants(*chosen, "components")) add_components(both->model, most->value_or(12), panels);
   if (panels.empty()) {
     return fail(ErrorKind::kUsage, "there is nothing to draw", "--panels",
@@ -130,6 +135,7 @@ Command som_plot_command() {
        fmt::format("What to draw, with commas between: {}; default: all that the data allow",
                    fmt::join(kPanels, ", "))});
   flags.push_back({"--components", "The most component planes to draw; default: 12"});
+  flags.push_back(memory_flag());
   return {"som plot",
           "Draw a map: U-matrix, hits, labels, component planes",
           {{"MAP", "A trained map", true},

@@ -4,42 +4,45 @@
 
 #include "commands.h"
 #include "data.h"
+#include "memory_flag.h"
 #include "output.h"
-#include "somato/maps/som_quality.h"
+#include "row_data.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
 
 namespace somato::program {
 namespace {
 
-Result<Data> read_training_data(const Arguments& arguments) {
-  auto data = read_data(arguments);
-  if (!data) return data;
+Result<RowData> read_training_rows(const Arguments& arguments) {
+  auto rows = read_rows(arguments);
+  if (!rows) return rows;
   const std::string path = arguments.text("DATA");
-  if (data->samples.count() < 2) {
+  if (rows->count < 2) {
     return fail(ErrorKind::kData, "there is only one sample", path,
                 "a map needs at least two rows to learn from");
   }
   if (!arguments.has("keep-constant-columns")) {
-    if (auto varied = refuse_constant_columns(*data, path); !varied) return fail(varied.error());
+    if (auto varied = refuse_constant_columns(*rows, path); !varied) return fail(varied.error());
   }
-  return data;
+  return rows;
 }
 
-Result<std::optional<Standardization>> fit_standardization(const Arguments& arguments,
-                                                           const Data& data) {
-  if (!arguments.has("standardize")) return std::optional<Standardization>{};
-  return Standardization::fit(data.samples, {ConstantColumns::kZero}, data.features)
-      .map(
-          [](Standardization fitted) { return std::optional<Standardization>(std::move(fitted)); });
+// A model without its map.
+Result<SomModel> start_model(const Arguments& arguments, const RowData& rows) {
+  SomModel model;
+  model.features = rows.features;
+  if (!arguments.has("standardize")) return model;
+  return Standardization::fit(rows.samples(), {ConstantColumns::kZero}, rows.features)
+      .map([&](Standardization&& fitted) {
+        model.standardization = std::move(fitted);
+        return std::move(model);
+      });
 }
 
-void add_labels(SomModel& model, const std::vector<std::string>& names,
-                const std::vector<std::size_t>& winners) {
-  if (names.empty()) return;
-  Classes classes = Classes::from_names(names);
+void add_labels(SomModel& model, const Classes& classes, const std::vector<std::size_t>& winners) {
+  if (classes.of_sample.empty()) return;
   model.labels = NeuronLabels::by_majority(winners, classes.of_sample, model.som.neurons());
-  model.classes = std::move(classes.names);
+  model.classes = classes.names;
 }
 
 Result<SomParameters> read_som_parameters(const Arguments& arguments) {
@@ -53,31 +56,53 @@ Result<SomParameters> read_som_parameters(const Arguments& arguments) {
   return parameters;
 }
 
-Result<void> train(const Arguments& arguments) {
-  auto parameters = read_som_parameters(arguments);
-  if (!parameters) return fail(std::move(parameters.error()));
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
-  auto data = read_training_data(arguments);
-  if (!data) return fail(std::move(data.error()));
-  SomModel model;
-  model.features = data->features;
-  auto standardization = fit_standardization(arguments, *data);
-  if (!standardization) return fail(std::move(standardization.error()));
-  model.standardization = std::move(*standardization);
-  const Samples samples = model.prepare(data->samples);
-  auto som = train_som(*parameters, samples, {*threads, terminal_progress("training")});
-  if (!som) return fail(std::move(som.error()));
-  model.som = std::move(*som);
-  const SomQuality quality = measure_quality(model.som, samples, *threads);
-  add_labels(model, data->labels, quality.winners);
-  const std::string path = arguments.text("output");
-  if (auto saved = save_som_model(path, model); !saved) return saved;
-  fmt::print("{}: {} x {} neurons trained on {} samples of {} features\n", path,
-             model.som.grid().rows(), model.som.grid().columns(), samples.count(), samples.size());
+Result<void> check_training(const SomParameters& parameters, const RowData& rows,
+                            const std::string& path) {
+  if (rows.in_memory() || parameters.training == Training::kBatch) return {};
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("online training draws from all rows, and these {} x {} numbers take more "
+                  "memory than they may",
+                  rows.count, rows.size()),
+      path, "use --training batch, or allow them more with --memory");
+}
+
+Result<Som> train_map(const SomParameters& parameters, const SomModel& model, const RowData& rows,
+                      std::size_t threads) {
+  const TrainingOptions options{threads, terminal_progress("training")};
+  if (rows.in_memory()) return train_som(parameters, model.prepare(*rows.in_memory()), options);
+  PreparedRows prepared(model, rows);
+  return train_som(parameters, prepared.samples(), options);
+}
+
+void print_trained(const std::string& path, const Som& som, const RowData& rows,
+                   const SomQuality& quality) {
+  fmt::print("{}: {} x {} neurons trained on {} samples of {} features\n", path, som.grid().rows(),
+             som.grid().columns(), rows.count, rows.size());
   fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n", quality.quantization_error,
              quality.topographic_error);
+}
+
+Result<void> train(const Arguments& arguments) {
+  const auto parameters = read_som_parameters(arguments);
+  if (!parameters) return fail(parameters.error());
+  const auto threads = read_threads(arguments);
+  if (!threads) return fail(threads.error());
+  if (auto savable = check_output(arguments, "output"); !savable) return savable;
+  const auto rows = read_training_rows(arguments);
+  if (!rows) return fail(rows.error());
+  if (auto fits = check_training(*parameters, *rows, arguments.text("DATA")); !fits) return fits;
+  auto model = start_model(arguments, *rows);
+  if (!model) return fail(std::move(model.error()));
+  auto som = train_map(*parameters, *model, *rows, *threads);
+  if (!som) return fail(std::move(som.error()));
+  model->som = std::move(*som);
+  const auto quality = measure_rows(*model, *rows, *threads);
+  if (!quality) return fail(quality.error());
+  add_labels(*model, rows->classes, quality->winners);
+  const std::string path = arguments.text("output");
+  if (auto saved = save_som_model(path, *model); !saved) return saved;
+  print_trained(path, model->som, *rows, *quality);
   return {};
 }
 
@@ -92,6 +117,7 @@ Command som_train_command() {
   flags.push_back({"--keep-constant-columns",
                    "Accept columns that have the same value in every row", false, false});
   flags.push_back(threads_flag());
+  flags.push_back(memory_flag());
   return {"som train",
           "Train a map on rows of numbers",
           {{"DATA",

@@ -31,6 +31,16 @@ std::string duration(double seconds) {
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what) : what_(std::move(what)) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine(ProgressLine&&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ProgressLine& operator=(ProgressLine&&) = delete;
+  ~ProgressLine() { end(); }
+
+  // What comes next stands on a line of its own.
+  void end() {
+    if (std::exchange(begun_, false)) std::fputs("\n", stderr);
+  }
 
   void show(std::uint64_t done, std::uint64_t total) {
     const auto now = Clock::now();
@@ -43,6 +53,7 @@ class ProgressLine {
         "\r{}: {:3.0f} %{}\033[K{}", what_, 100.0 * share,
         finished ? ", took " + duration(elapsed) : time_left(elapsed, share), finished ? "\n" : "");
     std::fputs(line.c_str(), stderr);
+    begun_ = !finished;
   }
 
  private:
@@ -54,6 +65,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
+  bool begun_ = false;
   Clock::time_point started_ = Clock::now();
   Clock::time_point shown_{};
 };
@@ -69,6 +81,10 @@ void report_file_size_limits() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+bool stop_requested() {
+  return interrupted != 0;
+}
+
 Progress terminal_progress(std::string what) {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
@@ -76,7 +92,7 @@ Progress terminal_progress(std::string what) {
   if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
   return [line](std::uint64_t done, std::uint64_t total) {
     if (line) line->show(done, total);
-    if (interrupted && line) std::fputs("\n", stderr);
+    if (interrupted && line) line->end();
     return interrupted == 0;
   };
 }

@@ -10,58 +10,80 @@
 namespace somato {
 namespace {
 
-Matrix<float> dense_rows(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
-  return rows;
-}
-
 std::string column_text(std::size_t column, const std::vector<std::string>& names) {
   if (names.empty()) return fmt::format("column {}", column + 1);
   return fmt::format("column {} ('{}')", column + 1, names[column]);
 }
 
-double column_mean(const Matrix<float>& rows, std::size_t column) {
+// What one pass tells of a column.
+struct Column {
+  float first = 0.0F;
+  bool constant = true;
   double sum = 0.0;
-  for (std::size_t i = 0; i < rows.rows(); ++i) sum += double{rows(i, column)};
-  return sum / static_cast<double>(rows.rows());
-}
+  std::size_t bad_sample = 0;  // The first that is not finite there, from 1; 0: none.
+  float bad_value = 0.0F;
 
-double column_deviation(const Matrix<float>& rows, std::size_t column, double mean) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < rows.rows(); ++i) {
-    const double difference = double{rows(i, column)} - mean;
-    sum = std::fma(difference, difference, sum);
+  void take(std::size_t sample, float value) {
+    if (sample == 1) first = value;
+    constant = constant && value == first;
+    sum += double{value};
+    if (bad_sample > 0 || std::isfinite(value)) return;
+    bad_sample = sample;
+    bad_value = value;
   }
-  return std::sqrt(sum / static_cast<double>(rows.rows()));
+};
+
+// Calls `take(column, sample, value)` for all values, samples counted from 1; returns how many
+// samples there are.
+template <typename Take>
+Result<std::size_t> for_each_value(SampleSource& samples, const Take& take) {
+  std::vector<float> row(samples.size());
+  std::size_t sample = 0;
+  return for_each_part(samples,
+                       [&](const Samples& part) -> Result<void> {
+                         for (std::size_t i = 0; i < part.count(); ++i) {
+                           write_dense(part[i], row);
+                           ++sample;
+                           for (std::size_t d = 0; d < row.size(); ++d) take(d, sample, row[d]);
+                         }
+                         return {};
+                       })
+      .map([&] { return sample; });
 }
 
-Result<void> check_finite(const Matrix<float>& rows, std::size_t column,
-                          const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < rows.rows(); ++i) {
-    if (std::isfinite(rows(i, column))) continue;
-    return fail(
-        ErrorKind::kData,
-        fmt::format("sample {} holds {} in {}", i + 1, rows(i, column), column_text(column, names)),
-        {}, "leave the sample out, or repair it");
-  }
-  return {};
-}
-
-bool is_constant(const Matrix<float>& rows, std::size_t column) {
-  for (std::size_t i = 1; i < rows.rows(); ++i) {
-    if (rows(i, column) != rows(0, column)) return false;
-  }
-  return true;
-}
-
-Error constant_column(const Matrix<float>& rows, std::size_t column,
-                      const std::vector<std::string>& names) {
+Error too_few(std::size_t samples) {
   return {ErrorKind::kData,
-          fmt::format("{} is {} in all {} training samples, so it cannot be standardized",
-                      column_text(column, names), rows(0, column), rows.rows()),
+          fmt::format("a standardization needs at least 2 training samples, not {}", samples),
+          {},
+          "record more, or train without standardization"};
+}
+
+Error not_finite(const Column& column, const std::string& name) {
+  return {ErrorKind::kData,
+          fmt::format("sample {} holds {} in {}", column.bad_sample, column.bad_value, name),
+          {},
+          "leave the sample out, or repair it"};
+}
+
+Error constant_column(const Column& column, std::size_t samples, const std::string& name) {
+  return {ErrorKind::kData,
+          fmt::format("{} is {} in all {} training samples, so it cannot be standardized", name,
+                      column.first, samples),
           {},
           "leave the column out, or set constant_columns = \"zero\""};
+}
+
+Result<void> check_columns(const std::vector<Column>& columns, std::size_t samples,
+                           ConstantColumns constant, const std::vector<std::string>& names) {
+  if (samples < 2) return fail(too_few(samples));
+  for (std::size_t d = 0; d < columns.size(); ++d) {
+    const std::string name = column_text(d, names);
+    if (columns[d].bad_sample > 0) return fail(not_finite(columns[d], name));
+    if (columns[d].constant && constant == ConstantColumns::kRefuse) {
+      return fail(constant_column(columns[d], samples, name));
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -85,26 +107,34 @@ const Declarations<StandardizationParameters>& StandardizationParameters::declar
 Result<Standardization> Standardization::fit(const Samples& samples,
                                              const StandardizationParameters& parameters,
                                              const std::vector<std::string>& column_names) {
+  SamplesInMemory source(samples);
+  return fit(source, parameters, column_names);
+}
+
+Result<Standardization> Standardization::fit(SampleSource& samples,
+                                             const StandardizationParameters& parameters,
+                                             const std::vector<std::string>& column_names) {
   require(column_names.empty() || column_names.size() == samples.size(),
           "a standardization needs one name for each column, or none");
-  if (samples.count() < 2) {
-    return fail(
-        ErrorKind::kData,
-        fmt::format("a standardization needs at least 2 training samples, not {}", samples.count()),
-        {}, "record more, or train without standardization");
-  }
-  const Matrix<float> rows = dense_rows(samples);
+  std::vector<Column> columns(samples.size());
+  const auto counted = for_each_value(samples, [&](std::size_t d, std::size_t sample, float value) {
+    columns[d].take(sample, value);
+  });
+  if (!counted) return fail(counted.error());
+  auto usable = check_columns(columns, *counted, parameters.constant_columns, column_names);
+  if (!usable) return fail(std::move(usable.error()));
+  const auto count = static_cast<double>(*counted);
   Standardization fitted;
-  for (std::size_t column = 0; column < rows.columns(); ++column) {
-    Result<void> finite = check_finite(rows, column, column_names);
-    if (!finite) return fail(std::move(finite.error()));
-    const bool constant = is_constant(rows, column);
-    if (constant && parameters.constant_columns == ConstantColumns::kRefuse) {
-      return fail(constant_column(rows, column, column_names));
-    }
-    fitted.means.push_back(column_mean(rows, column));
-    fitted.deviations.push_back(constant ? 0.0
-                                         : column_deviation(rows, column, fitted.means.back()));
+  fitted.means.reserve(columns.size());
+  for (const Column& column : columns) fitted.means.push_back(column.sum / count);
+  fitted.deviations.resize(columns.size());
+  const auto again = for_each_value(samples, [&](std::size_t d, std::size_t, float value) {
+    const double difference = double{value} - fitted.means[d];
+    fitted.deviations[d] = std::fma(difference, difference, fitted.deviations[d]);
+  });
+  if (!again) return fail(again.error());
+  for (std::size_t d = 0; d < columns.size(); ++d) {
+    fitted.deviations[d] = columns[d].constant ? 0.0 : std::sqrt(fitted.deviations[d] / count);
   }
   return fitted;
 }

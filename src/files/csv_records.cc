@@ -22,57 +22,84 @@ bool CsvRecords::at_separator(char separator) const {
 }
 
 void CsvRecords::skip_blanks(char separator) {
-  while (!at_end() && is_blank(here()) && (separator == ' ' || here() != separator)) ++position_;
+  while (!at_end() && is_blank(here()) && (separator == ' ' || here() != separator))
+    ++position_.offset;
 }
 
 void CsvRecords::skip_line_end() {
   if (at_end()) return;
-  position_ += text_.substr(position_).starts_with("\r\n") ? 2 : 1;
-  ++line_;
-  line_start_ = position_;
+  position_.offset += text_.substr(position_.offset).starts_with("\r\n") ? 2 : 1;
+  ++position_.line;
+  position_.line_start = position_.offset;
 }
 
 void CsvRecords::skip_what_is_no_record() {
   while (!at_end()) {
-    const std::size_t length = text_.substr(position_).find_first_of("\r\n");
-    const std::string_view line = text_.substr(position_, length);
+    const std::size_t length = text_.substr(position_.offset).find_first_of("\r\n");
+    const std::string_view line = text_.substr(position_.offset, length);
     if (!line.starts_with('#') && !trimmed(line).empty()) return;
-    position_ += line.size();
+    position_.offset += line.size();
     skip_line_end();
   }
 }
 
+// Moves the window on to text behind what it holds, from where a record begins: it has to be read
+// again. False when there is no more.
+Result<bool> CsvRecords::read_on(const Position& from) {
+  position_ = from;
+  if (!window_) return false;
+  window_->drop(from.line_start);
+  position_.offset -= from.line_start;
+  position_.line_start = 0;
+  Result<bool> more = window_->extend();
+  text_ = window_->text();
+  if (!more) failure_ = more.error();
+  return more;
+}
+
 char CsvRecords::guess_separator() {
+  for (;;) {
+    const Position start = position_;
+    const auto [separator, whole] = guess_from_here();
+    if (whole || !read_on(start).value_or(false)) return separator;
+  }
+}
+
+std::pair<char, bool> CsvRecords::guess_from_here() {
   skip_what_is_no_record();
   std::string outside_quotes;
   bool quoted = false;
-  for (std::size_t i = position_; i < text_.size(); ++i) {
-    if (!quoted && (text_[i] == '\n' || text_[i] == '\r')) break;
+  bool whole = false;
+  for (std::size_t i = position_.offset; i < text_.size(); ++i) {
+    if (!quoted && (text_[i] == '\n' || text_[i] == '\r')) {
+      whole = true;
+      break;
+    }
     if (text_[i] == '"') quoted = !quoted;
     if (!quoted) outside_quotes += text_[i];
   }
   const std::string_view record = trimmed(outside_quotes);
   for (const char separator : {'\t', ';', ',', ' '}) {
-    if (record.find(separator) != std::string_view::npos) return separator;
+    if (record.find(separator) != std::string_view::npos) return {separator, whole};
   }
-  return ',';
+  return {',', whole};
 }
 
 Result<void> CsvRecords::quoted_text(CsvField& field) {
   field.quoted = true;
-  for (++position_; !at_end();) {
-    if (text_.substr(position_).starts_with("\"\"")) {
+  for (++position_.offset; !at_end();) {
+    if (text_.substr(position_.offset).starts_with("\"\"")) {
       field.text += '"';
-      position_ += 2;
+      position_.offset += 2;
     } else if (here() == '"') {
-      ++position_;
+      ++position_.offset;
       return {};
     } else if (at_line_end()) {
-      const std::size_t start = position_;
+      const std::size_t start = position_.offset;
       skip_line_end();
-      field.text += text_.substr(start, position_ - start);
+      field.text += text_.substr(start, position_.offset - start);
     } else {
-      field.text += text_[position_++];
+      field.text += text_[position_.offset++];
     }
   }
   return fail(ErrorKind::kData, "the quotation mark is never closed", place(field),
@@ -82,14 +109,14 @@ Result<void> CsvRecords::quoted_text(CsvField& field) {
 Result<CsvField> CsvRecords::field(char separator) {
   skip_blanks(separator);
   CsvField field;
-  field.line = line_;
-  field.column = position_ - line_start_ + 1;
+  field.line = position_.line;
+  field.column = position_.offset - position_.line_start + 1;
   if (!at_end() && here() == '"') {
     if (Result<void> read = quoted_text(field); !read) return fail(read.error());
   } else {
-    const std::size_t start = position_;
-    while (!at_line_end() && !at_separator(separator)) ++position_;
-    field.text = trimmed(text_.substr(start, position_ - start));
+    const std::size_t start = position_.offset;
+    while (!at_line_end() && !at_separator(separator)) ++position_.offset;
+    field.text = trimmed(text_.substr(start, position_.offset - start));
   }
   const bool separated = !at_line_end() && at_separator(separator);
   skip_blanks(separator);
@@ -100,7 +127,20 @@ Result<CsvField> CsvRecords::field(char separator) {
   return field;
 }
 
+// What ends where the text in memory ends may go on behind it, even a line end of two characters.
 Result<void> CsvRecords::next(char separator, std::vector<CsvField>& fields) {
+  if (failure_) return fail(*failure_);
+  for (;;) {
+    const Position start = position_;
+    Result<void> read = record(separator, fields);
+    if (!window_ || !at_end()) return read;
+    const Result<bool> more = read_on(start);
+    if (!more) return fail(more.error());
+    if (!*more) return record(separator, fields);
+  }
+}
+
+Result<void> CsvRecords::record(char separator, std::vector<CsvField>& fields) {
   fields.clear();
   skip_what_is_no_record();
   if (at_end()) return {};
@@ -109,7 +149,7 @@ Result<void> CsvRecords::next(char separator, std::vector<CsvField>& fields) {
     if (!read) return fail(std::move(read.error()));
     fields.push_back(std::move(*read));
     if (at_line_end()) break;
-    if (separator != ' ') ++position_;
+    if (separator != ' ') ++position_.offset;
   }
   skip_line_end();
   return {};

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "files/text_window.h"
 #include "somato/core/result.h"
 
 namespace somato {
@@ -24,6 +27,11 @@ class CsvRecords {
   /// `text` is `where`; it must outlive this object.
   CsvRecords(std::string_view text, std::string_view where) : text_(text), where_(where) {}
 
+  /// The same for the text of `window`, of which no more than a record needs to be in memory; it
+  /// must outlive this object.
+  CsvRecords(TextWindow& window, std::string_view where)
+      : window_(&window), text_(window.text()), where_(where) {}
+
   /// The separator that the next record seems to use: the first of tab, semicolon, comma and blank
   /// that stands in it outside quotes, otherwise a comma.
   char guess_separator();
@@ -35,8 +43,18 @@ class CsvRecords {
   std::string place(const CsvField& field) const;
 
  private:
-  bool at_end() const { return position_ == text_.size(); }
-  char here() const { return text_[position_]; }
+  // Where reading is.
+  struct Position {
+    std::size_t offset = 0;
+    std::size_t line = 1;
+    std::size_t line_start = 0;
+  };
+
+  Result<void> record(char separator, std::vector<CsvField>& fields);
+  std::pair<char, bool> guess_from_here();  // And whether all of the record was there.
+  Result<bool> read_on(const Position& from);
+  bool at_end() const { return position_.offset == text_.size(); }
+  char here() const { return text_[position_.offset]; }
   bool at_line_end() const { return at_end() || here() == '\n' || here() == '\r'; }
   bool at_separator(char separator) const;
   void skip_blanks(char separator);
@@ -45,11 +63,11 @@ class CsvRecords {
   Result<CsvField> field(char separator);
   Result<void> quoted_text(CsvField& field);
 
+  TextWindow* window_ = nullptr;
   std::string_view text_;
   std::string where_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
-  std::size_t line_start_ = 0;
+  Position position_;
+  std::optional<Error> failure_;  // Of the window; nothing is read after it.
 };
 
 }  // namespace somato

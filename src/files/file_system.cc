@@ -54,8 +54,13 @@ class OperatingSystem final : public FileSystem {
   Outcome<FileStatus> status(int file) override {
     struct stat found{};
     if (::fstat(file, &found) < 0) return tl::unexpected<int>(errno);
-    return FileStatus{kind_of(found.st_mode), static_cast<std::size_t>(found.st_size),
-                      found.st_mode & kPermissionBits, found.st_uid, found.st_gid};
+    constexpr std::int64_t kNanoseconds = 1000000000;
+    return FileStatus{kind_of(found.st_mode),
+                      static_cast<std::size_t>(found.st_size),
+                      found.st_mtim.tv_sec * kNanoseconds + found.st_mtim.tv_nsec,
+                      found.st_mode & kPermissionBits,
+                      found.st_uid,
+                      found.st_gid};
   }
 
   Outcome<std::size_t> read(int file, char* bytes, std::size_t count) override {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -16,7 +17,8 @@ struct FileStatus {
   enum class Kind { kRegular, kDirectory, kOther };
   Kind kind = Kind::kRegular;
   std::size_t size = 0;
-  unsigned permissions = 0;  ///< The nine permission bits.
+  std::int64_t modified = 0;  ///< When the content was last changed: nanoseconds of some clock.
+  unsigned permissions = 0;   ///< The nine permission bits.
   unsigned owner = 0;
   unsigned group = 0;
 };

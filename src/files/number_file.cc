@@ -11,8 +11,7 @@ namespace {
 Result<NumberTable> table_of_npy(const std::string& bytes, const std::string& path,
                                  const CsvOptions& options) {
   if (!options.label_column.empty()) {
-    return fail(ErrorKind::kUsage, "an NPY file has no label column", path,
-                "give the labels in a file of their own, one a line");
+    return fail(no_label_column_in_npy(path));
   }
   return decode_npy(bytes, path).map([](Matrix<float>&& values) {
     return NumberTable{{}, std::move(values), {}};
@@ -20,6 +19,11 @@ Result<NumberTable> table_of_npy(const std::string& bytes, const std::string& pa
 }
 
 }  // namespace
+
+Error no_label_column_in_npy(const std::string& path) {
+  return {ErrorKind::kUsage, "an NPY file has no label column", path,
+          "give the labels in a file of their own, one a line"};
+}
 
 Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options) {
   return read_whole(path).and_then([&](const std::string& bytes) {

@@ -59,16 +59,22 @@ bool is_name(std::string_view text) {
          std::none_of(text.begin(), text.end(), is_control);
 }
 
+std::size_t first_byte_of_no_text(std::string_view bytes) {
+  return std::min(bytes.find('\0'), first_invalid_utf8(bytes));
+}
+
+tl::unexpected<Error> no_text(std::string_view bytes, std::size_t bad, std::size_t lines_before,
+                              std::string_view where) {
+  const auto ends = std::count(bytes.begin(), bytes.begin() + static_cast<long>(bad), '\n');
+  return fail(ErrorKind::kData, fmt::format("byte 0x{:02X} is no UTF-8 text", byte_at(bytes, bad)),
+              fmt::format("{}:{}", where, 1 + lines_before + static_cast<std::size_t>(ends)),
+              "save the file as UTF-8 text, or check that it is the right file");
+}
+
 Result<std::string_view> text_of(std::string_view bytes, std::string_view where) {
-  const std::size_t bad = std::min(bytes.find('\0'), first_invalid_utf8(bytes));
-  if (bad != std::string_view::npos) {
-    const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<long>(bad), '\n');
-    return fail(ErrorKind::kData,
-                fmt::format("byte 0x{:02X} is no UTF-8 text", byte_at(bytes, bad)),
-                fmt::format("{}:{}", where, line),
-                "save the file as UTF-8 text, or check that it is the right file");
-  }
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  const std::size_t bad = first_byte_of_no_text(bytes);
+  if (bad != std::string_view::npos) return no_text(bytes, bad, 0, where);
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   return bytes;
 }
 

@@ -15,12 +15,23 @@ inline bool is_utf8(std::string_view text) {
   return first_invalid_utf8(text) == std::string_view::npos;
 }
 
+/// What some programs begin a UTF-8 file with.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// Whether `text` may name a thing: UTF-8, 1 to 255 bytes, no control characters.
 bool is_name(std::string_view text);
 
 /// The text of a file's `bytes` without its byte order mark. Errors (kData, with `where` and the
 /// line): bytes that are no UTF-8 text, NUL bytes.
 Result<std::string_view> text_of(std::string_view bytes, std::string_view where);
+
+/// The offset of the first byte that no text file holds (NUL, no UTF-8), or npos.
+std::size_t first_byte_of_no_text(std::string_view bytes);
+
+/// The failure (kData, with `where` and the line) at byte `bad` of bytes before which the file has
+/// `lines_before` ends of lines.
+tl::unexpected<Error> no_text(std::string_view bytes, std::size_t bad, std::size_t lines_before,
+                              std::string_view where);
 
 /// `text` without blanks (spaces and tabs) at both ends.
 std::string_view trimmed(std::string_view text);

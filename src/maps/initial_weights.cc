@@ -29,13 +29,21 @@ std::vector<std::size_t> drawn_samples(std::size_t count, std::size_t samples, s
   return drawn;
 }
 
-// The least and the greatest value of each feature; zeros of sparse samples count.
-void find_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high) {
+}  // namespace
+
+std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::size_t samples) {
+  require(samples > 0, "initial weights need at least one sample");
+  return drawn_samples(parameters.grid().size(), samples, parameters.seed);
+}
+
+// Zeros of sparse samples count.
+void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high) {
+  if (samples.count() == 0) return;
   std::vector<float> row(samples.size());
   write_dense(samples[0], row);
-  low = row;
-  high = row;
-  for (std::size_t i = 1; i < samples.count(); ++i) {
+  if (low.empty()) low = row;
+  if (high.empty()) high = row;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
     write_dense(samples[i], row);
     for (std::size_t d = 0; d < row.size(); ++d) {
       low[d] = std::min(low[d], row[d]);
@@ -43,8 +51,6 @@ void find_ranges(const Samples& samples, std::vector<float>& low, std::vector<fl
     }
   }
 }
-
-}  // namespace
 
 InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)
     : InitialWeightsSource(parameters, samples, StoredElements(samples.size())) {}
@@ -55,9 +61,9 @@ InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, cons
   require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
   require(samples.count() > 0, "initial weights need at least one sample");
   if (parameters_.initial_weights == InitialWeights::kSamples) {
-    sample_of_neuron_ = drawn_samples(parameters_.grid().size(), samples.count(), parameters.seed);
+    sample_of_neuron_ = initial_samples(parameters_, samples.count());
   } else if (parameters_.initial_weights == InitialWeights::kRange) {
-    find_ranges(samples, low_, high_);
+    widen_ranges(samples, low_, high_);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,41 +22,78 @@ StoredElements worth_storing(const SomParameters& parameters, const Samples& sam
              : StoredElements(samples.size());
 }
 
+Samples normalized_dense(const Samples& samples) {
+  Matrix<float> rows(samples.count(), samples.size());
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    write_dense(samples[i], rows.row(i));
+    normalize_length(rows.row(i));
+  }
+  return Samples(std::move(rows));
+}
+
+std::string amount(double bytes) {
+  constexpr double kMebibyte = 1 << 20;
+  constexpr double kGibibyte = 1 << 30;
+  return bytes < kGibibyte ? fmt::format("{:.0f} MiB", bytes / kMebibyte)
+                           : fmt::format("{:.1f} GiB", bytes / kGibibyte);
+}
+
 }  // namespace
+
+// Batch training adds the sums of samples a neuron and their means over the neighbourhood, in
+// double precision, and arranges the weights anew for the search.
+double training_memory(const SomParameters& parameters, std::size_t elements) {
+  const bool batch = parameters.training == Training::kBatch;
+  const double of_weight = batch ? 2 * sizeof(float) + 2 * sizeof(double) : sizeof(float);
+  return static_cast<double>(parameters.grid().size()) * static_cast<double>(elements) * of_weight;
+}
 
 // Refused before it is asked for: a system that promises more memory than it has would end the
 // program later, without a word.
 Result<void> check_memory(const SomParameters& parameters, std::size_t elements) {
-  const double gibibytes = static_cast<double>(parameters.grid().size()) *
-                           static_cast<double>(elements) * sizeof(float) / (1 << 30);
-  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
-  if (gibibytes <= there) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("{} x {} neurons of {} features need {:.1f} GiB of memory, and this "
-                          "machine has {:.1f}",
-                          parameters.rows, parameters.columns, elements, gibibytes, there),
-              {}, "choose fewer rows or columns");
+  const double needed = training_memory(parameters, elements);
+  const std::size_t limit = memory_limit();
+  if (needed <= static_cast<double>(limit)) return {};
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("{} x {} neurons of {} features need {} of memory, and {} {}", parameters.rows,
+                  parameters.columns, elements, amount(needed),
+                  limit < memory_of_machine() ? "limits leave this process" : "this machine has",
+                  amount(static_cast<double>(limit))),
+      {}, "choose fewer rows or columns");
 }
 
 Result<void> check_samples(const Samples& samples) {
-  if (samples.count() > 0 && samples.size() > 0) return {};
+  return check_samples(samples.count(), samples.size());
+}
+
+Result<void> check_samples(std::size_t count, std::size_t size) {
+  if (count > 0 && size > 0) return {};
   return fail(ErrorKind::kData, "there are no samples to train on", {},
               "give at least one sample of at least one element");
 }
 
-// Distances are summed in single precision: beyond its range every winner would be the first.
-Result<void> check_range(const Samples& prepared) {
-  constexpr double kLongest = 1e18;
-  constexpr double kShortest = 1e-15;
+double longest_of(const Samples& prepared) {
   double longest = 0.0;
   for (std::size_t i = 0; i < prepared.count(); ++i) {
     longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
   }
+  return longest;
+}
+
+// Distances are summed in single precision: beyond its range every winner would be the first.
+Result<void> check_longest(double longest) {
+  constexpr double kLongest = 1e18;
+  constexpr double kShortest = 1e-15;
   if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
   return fail(ErrorKind::kData,
               longest > kLongest ? "the samples are too large to be told apart in single precision"
                                  : "the samples are too small to be told apart in single precision",
               {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
+}
+
+Result<void> check_range(const Samples& prepared) {
+  return check_longest(longest_of(prepared));
 }
 
 Result<PreparedTraining> prepare_training(const SomParameters& parameters, const Samples& samples,
@@ -80,17 +118,18 @@ const Samples& prepared_samples(const SomParameters& parameters, const Samples& 
                                 Samples& storage) {
   // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the caller keeps both alive
   if (!parameters.normalize_input.value_or(false)) return samples;
+  if (!samples.is_sparse()) {
+    storage = normalized_dense(samples);
+    return storage;
+  }
   std::vector<Signal> normalized;
   normalized.reserve(samples.count());
   for (std::size_t i = 0; i < samples.count(); ++i) {
     const SignalView sample = samples[i];
     std::vector<float> values(sample.values.begin(), sample.values.end());
     normalize_length(values);
-    normalized.push_back(sample.sparse
-                             ? Signal::sparse({sample.size},
-                                              {sample.indices.begin(), sample.indices.end()},
-                                              std::move(values))
-                             : Signal::dense(std::move(values)));
+    normalized.push_back(Signal::sparse(
+        {sample.size}, {sample.indices.begin(), sample.indices.end()}, std::move(values)));
   }
   storage = Samples::from_signals(normalized);
   return storage;

@@ -1,6 +1,7 @@
 #include "somato/maps/som_quality.h"
 
 #include <cmath>
+#include <utility>
 
 #include "maps/winner_search.h"
 #include "somato/core/check.h"
@@ -20,30 +21,47 @@ double weight_distance(const Som& som, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads) {
+SomQualityMeasurement::SomQualityMeasurement(const Som& som, std::size_t threads)
+    : som_(som), threads_(threads), hits_(som.neurons()) {}
+
+std::vector<std::size_t> SomQualityMeasurement::add(const Samples& samples) {
   Samples storage;
   const std::vector<Winners> winners =
-      WinnerSearch::find_all(som, seen_samples(som, samples, storage), true, threads);
+      WinnerSearch::find_all(som_, seen_samples(som_, samples, storage), true, threads_);
   std::vector<double> distances(samples.count());
-  for_each_range(samples.count(), threads, [&](std::size_t begin, std::size_t end) {
+  for_each_range(samples.count(), threads_, [&](std::size_t begin, std::size_t end) {
     SomWorkspace workspace;
     for (std::size_t i = begin; i < end; ++i) {
-      distances[i] = som.distance(samples[i], winners[i].first, workspace);
+      distances[i] = som_.distance(samples[i], winners[i].first, workspace);
     }
   });
-  SomQuality quality;
-  quality.hits.resize(som.neurons());
-  std::size_t torn = 0;
+  std::vector<std::size_t> first;
+  first.reserve(samples.count());
   for (std::size_t i = 0; i < samples.count(); ++i) {
-    quality.quantization_error += distances[i];
-    quality.winners.push_back(winners[i].first);
-    ++quality.hits[winners[i].first];
-    if (som.neurons() > 1 && !som.grid().adjacent(winners[i].first, winners[i].second)) ++torn;
+    distances_ += distances[i];
+    first.push_back(winners[i].first);
+    ++hits_[winners[i].first];
+    if (som_.neurons() > 1 && !som_.grid().adjacent(winners[i].first, winners[i].second)) ++torn_;
   }
-  if (samples.count() == 0) return quality;
-  const auto count = static_cast<double>(samples.count());
-  quality.quantization_error /= count;
-  quality.topographic_error = static_cast<double>(torn) / count;
+  samples_ += samples.count();
+  return first;
+}
+
+SomQuality SomQualityMeasurement::quality() const {
+  SomQuality quality;
+  quality.hits = hits_;
+  if (samples_ == 0) return quality;
+  const auto count = static_cast<double>(samples_);
+  quality.quantization_error = distances_ / count;
+  quality.topographic_error = static_cast<double>(torn_) / count;
+  return quality;
+}
+
+SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads) {
+  SomQualityMeasurement measurement(som, threads);
+  std::vector<std::size_t> winners = measurement.add(samples);
+  SomQuality quality = measurement.quality();
+  quality.winners = std::move(winners);
   return quality;
 }
 

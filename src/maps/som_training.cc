@@ -7,6 +7,7 @@
 #include "maps/inner_product_training.h"
 #include "maps/map_rows.h"
 #include "maps/som_preparation.h"
+#include "maps/source_preparation.h"
 #include "maps/stop.h"
 #include "somato/core/check.h"
 #include "somato/maps/batch_training.h"
@@ -54,14 +55,58 @@ Result<void> train_online(Som& som, const Samples& prepared, const Progress& pro
   return {};
 }
 
-Result<void> train_batch(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  const SomParameters& p = som.parameters();
-  const Stop stop(options.progress, p.epochs, 1);
-  for (std::uint64_t epoch = 0; epoch < p.epochs; ++epoch) {
-    batch_epoch(som, prepared, p.radius().at(epoch), options.threads);
-    if (stop.after(epoch + 1)) return Stop::error();
+// An epoch on samples in `parts` parts; stops after any of them.
+Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch, std::uint64_t parts,
+                         std::size_t threads, const Stop& stop) {
+  BatchEpoch training(som, threads);
+  std::uint64_t done = epoch * parts;
+  auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    if (som.elements().all()) {
+      training.add_seen(part);
+    } else {
+      training.add(part);
+    }
+    if (++done % parts != 0 && stop.after(done)) return Stop::error();
+    return {};
+  });
+  if (!gone_through) return gone_through;
+  training.finish(som.parameters().radius().at(epoch));
+  if (stop.after((epoch + 1) * parts)) return Stop::error();
+  return {};
+}
+
+Result<void> train_batch(Som& som, SampleSource& prepared, std::uint64_t parts,
+                         const TrainingOptions& options) {
+  const std::uint64_t epochs = som.parameters().epochs;
+  const Stop stop(options.progress, epochs * parts, 1);
+  for (std::uint64_t epoch = 0; epoch < epochs; ++epoch) {
+    auto trained = train_epoch(som, prepared, epoch, parts, options.threads, stop);
+    if (!trained) return trained;
   }
   return {};
+}
+
+Result<void> train_batch(Som& som, const Samples& prepared, const TrainingOptions& options) {
+  SamplesInMemory source(prepared);
+  return train_batch(som, source, 1, options);
+}
+
+// The samples as the map sees them.
+Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& prepared,
+                              const TrainingOptions& options) {
+  const Result<SampleSurvey> survey = survey_samples(prepared);
+  if (!survey) return fail(survey.error());
+  if (auto usable = check_samples(survey->count, prepared.size()); !usable) {
+    return fail(std::move(usable.error()));
+  }
+  if (auto fit = check_longest(survey->longest); !fit) return fail(std::move(fit.error()));
+  const auto resolved = resolve(parameters, survey->count, prepared.size());
+  if (!resolved) return fail(resolved.error());
+  auto som = initial_som(*resolved, prepared, *survey);
+  if (!som) return som;
+  auto trained = train_batch(*som, prepared, survey->parts, options);
+  if (!trained) return fail(std::move(trained.error()));
+  return som;
 }
 
 Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOptions& options) {
@@ -94,6 +139,26 @@ Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
     return fail(std::move(trained.error()));
   }
   return of_whole_inputs(std::move(som), ready->elements);
+}
+
+Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
+                      const TrainingOptions& options) {
+  const auto resolved = resolve(parameters, 1, samples.size());
+  if (!resolved) return fail(resolved.error());
+  if (resolved->training != Training::kBatch) {
+    return fail(ErrorKind::kUsage, "online training needs all samples in memory", {},
+                "set 'training' to batch");
+  }
+  if (auto fits = check_memory(*resolved, samples.size()); !fits) {
+    return fail(std::move(fits.error()));
+  }
+  if (!*resolved->normalize_input) return train_on_prepared(parameters, samples, options);
+  ChangedSamples normalized(samples, [&](const Samples& part) {
+    Samples storage;
+    prepared_samples(*resolved, part, storage);
+    return storage;
+  });
+  return train_on_prepared(parameters, normalized, options);
 }
 
 Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options) {

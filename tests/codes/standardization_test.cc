@@ -74,6 +74,26 @@ TEST(Standardization, LeavesItsOwnSamplesWithMeanZeroAndDeviationOne) {
   }
 }
 
+TEST(Standardization, IsTheSameFromSamplesInParts) {
+  Random random(2);
+  Matrix<float> rows(50, 3);
+  for (float& value : rows.values()) value = static_cast<float>(random.normal());
+  for (std::size_t i = 0; i < 50; ++i) rows(i, 1) = 0.1F;
+  const Samples samples(rows);
+  const auto whole = Standardization::fit(samples, kZeroConstants);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->deviations[1], 0.0);
+  for (const std::size_t most : {1U, 7U, 50U}) {
+    SamplesInMemory source(samples, most);
+    const auto parts = Standardization::fit(source, kZeroConstants);
+    ASSERT_TRUE(parts);
+    EXPECT_EQ(parts->means, whole->means);
+    EXPECT_EQ(parts->deviations, whole->deviations);
+    EXPECT_EQ(Standardization::fit(source).error().what,
+              Standardization::fit(samples).error().what);
+  }
+}
+
 TEST(Standardization, RefusesAConstantColumnByNumberAndName) {
   const Samples samples = samples_of(3, {1, 0.1F, 2, 0.1F, 3, 0.1F});
   const auto unnamed = Standardization::fit(samples);

@@ -132,9 +132,13 @@ TEST_F(Output, ShortMemoryIsAnErrorLikeOthers) {
 #endif
   write_data();
   ProgramWorld world;
+  // Weights alone take 192 MiB, and the activity of one row 64.
+  const Words words{"som", "train",  "data.csv", "-o",        "x",   "--iterations",
+                    "1",   "--rows", "4096",     "--columns", "4096"};
   world.memory = std::size_t{100} << 20;
-  expect_refused(1, {"som", "train", "data.csv", "-o", "x", "--rows", "4096", "--columns", "4096"},
-                 {"not enough memory", "smaller map"}, world);
+  expect_refused(1, words, {"need 192 MiB of memory", "limits leave this process"}, world);
+  world.memory = std::size_t{400} << 20;
+  expect_refused(1, words, {"not enough memory", "smaller map"}, world);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
+#include "somato/core/sample_source.h"
 #include "somato/core/samples.h"
 #include "somato/core/signal.h"
 
@@ -43,6 +44,12 @@ struct Standardization {
   /// Errors (kData): fewer than two samples; a value that is not finite; with `refuse` a constant
   /// column. They give sample and column counted from 1.
   static Result<Standardization> fit(const Samples& samples,
+                                     const StandardizationParameters& parameters = {},
+                                     const std::vector<std::string>& column_names = {});
+
+  /// The same from samples that need not fit into memory, which are gone through twice. Fails also
+  /// as the source does.
+  static Result<Standardization> fit(SampleSource& samples,
                                      const StandardizationParameters& parameters = {},
                                      const std::vector<std::string>& column_names = {});
 

@@ -1,11 +1,28 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace somato {
 
 /// The working memory that the machine has, in bytes, however much of it is in use; the largest
 /// number where that is not known.
 std::size_t memory_of_machine();
+
+/// The most memory there can be for this process, in bytes: the machine's, or less where its
+/// control groups (Linux) have a limit or its own (ulimit -v) leaves it less.
+std::size_t memory_limit();
+
+/// The memory this process could still take, in bytes: what is free on the machine, counting what
+/// only serves as a cache of files, within the same limits.
+std::size_t free_memory();
+
+namespace detail {
+
+/// Of a process whose control groups /proc/self/cgroup lists as `groups`, below `root`: the least
+/// limit of its group and those around it, less what they use, or the limits as such.
+std::size_t control_group_memory(const std::string& root, const std::string& groups, bool free);
+
+}  // namespace detail
 
 }  // namespace somato

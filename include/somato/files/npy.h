@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -27,7 +28,13 @@ Result<Matrix<float>> read_npy(const std::string& path);
 /// A file of version 1.0 in C order: `<f4` of two dimensions.
 std::string encode_npy(const Matrix<float>& matrix);
 
-/// The same for integers: `<i8` of one dimension.
+/// How such a file begins: what stands before the first number, for whoever writes rows one by one.
+std::string npy_start(std::size_t rows, std::size_t columns);
+
+/// Numbers as they stand in such a file.
+std::string npy_numbers(std::span<const float> numbers);
+
+/// A file of integers: `<i8` of one dimension.
 std::string encode_npy(std::span<const std::int64_t> numbers);
 
 /// Saves wholly or not at all; see save_whole().

@@ -13,4 +13,7 @@ namespace somato {
 /// file.
 Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {});
 
+/// The failure (kUsage) for a label column of an NPY file.
+Error no_label_column_in_npy(const std::string& path);
+
 }  // namespace somato

@@ -11,6 +11,14 @@
 
 namespace somato {
 
+/// The sample that each neuron starts at with InitialWeights::kSamples, of `samples` in all: in
+/// random order, and in a new order whenever they run out. `samples` must not be 0.
+std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::size_t samples);
+
+/// Widens `low` and `high`, the least and the greatest value of each feature, by the samples. Empty
+/// ones become the samples' own.
+void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high);
+
 /// The weights a map starts from, a function of the seed alone, so that they need not be stored:
 /// any neuron's weights can be asked for at any time.
 class InitialWeightsSource {

@@ -25,6 +25,27 @@ struct SomQuality {
   std::vector<std::size_t> winners;
 };
 
+/// Measures a map on samples that come in parts: the same figures however they are parted. Refers
+/// to the map, which is not to change meanwhile.
+class SomQualityMeasurement {
+ public:
+  explicit SomQualityMeasurement(const Som& som, std::size_t threads = 1);
+
+  /// Takes more samples in; returns their winners.
+  std::vector<std::size_t> add(const Samples& samples);
+
+  /// Of the samples so far, without a list of their winners.
+  SomQuality quality() const;
+
+ private:
+  const Som& som_;
+  std::size_t threads_;
+  std::size_t samples_ = 0;
+  std::size_t torn_ = 0;
+  double distances_ = 0.0;
+  std::vector<std::size_t> hits_;
+};
+
 /// Measures `som` on `samples` (the training samples or others held out): one search a sample, on
 /// `threads` threads, the same result for any number. No samples: both errors are 0.
 SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads = 1);

@@ -7,6 +7,7 @@
 #include "somato/core/progress.h"
 #include "somato/core/random.h"
 #include "somato/core/result.h"
+#include "somato/core/sample_source.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
@@ -16,7 +17,7 @@ namespace somato {
 /// How training runs, as far as the trained map does not depend on it.
 struct TrainingOptions {
   std::size_t threads = 1;
-  Progress progress;  ///< Told iterations or epochs.
+  Progress progress;  ///< Told iterations, or epochs, or parts of samples in all epochs.
 };
 
 /// Trains a map on `samples`. Where they are sparse and use fewer than half of the elements, and
@@ -28,6 +29,15 @@ struct TrainingOptions {
 /// samples, they have no elements or a length outside 1e-15 .. 1e18, with kInterrupted when the
 /// progress says stop.
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
+                      const TrainingOptions& options = {});
+
+/// The same for samples that need not fit into memory, in batch training: the same bits as from
+/// Samples that are dense, however they are parted. They are gone through once before training,
+/// once more where weights start at samples, and once an epoch.
+///
+/// Fails also as the source does, and with kUsage when training is online: that draws from all
+/// samples at any time.
+Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
                       const TrainingOptions& options = {});
 
 /// The map that train_som() starts from, which has learned nothing yet. `samples` decide automatic

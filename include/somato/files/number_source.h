@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "somato/core/result.h"
+#include "somato/core/sample_source.h"
+#include "somato/files/csv.h"
+
+namespace somato {
+
+class FileSystem;
+
+/// Some rows of a file of numbers.
+struct NumberPart {
+  Samples samples;
+  std::vector<std::string> labels;  ///< One a row; empty when there is no label column.
+};
+
+/// The rows of a file of numbers, read in parts whenever they are gone through: for a file that is
+/// larger than memory. It is what read_numbers() reads, errors included, except that of several
+/// faults the first in the file is told.
+///
+/// The file has to stay as it is: one that has got another length or date fails (kData).
+class NumberSource : public SampleSource {
+ public:
+  /// Names of the columns; empty when there are none.
+  virtual const std::vector<std::string>& names() const = 0;
+
+  virtual bool has_labels() const = 0;
+
+  /// The bytes that reading all samples at once, and changing them once, takes at most.
+  virtual double memory_of_all() const = 0;
+
+  /// How much of the file has been read since rewind(), 0 to 1.
+  virtual double share_read() const = 0;
+
+  /// What next() is to give, with labels; nothing when there are no more rows.
+  virtual Result<std::shared_ptr<const NumberPart>> next_part() = 0;
+
+  Result<SamplePart> next() final;
+};
+
+/// Opens the file at `path`, which must be a regular one, NPY when it begins as NPY does, otherwise
+/// CSV; the samples of a part take at most `part_bytes`, but a row is not parted. Errors:
+/// see read_numbers(); kSystem for what is not a regular file.
+Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes);
+
+namespace detail {
+
+/// The same on the given file system, for tests.
+Result<std::unique_ptr<NumberSource>> open_numbers(FileSystem& files, const std::string& path,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes);
+
+}  // namespace detail
+
+}  // namespace somato

@@ -1,0 +1,190 @@
+#include "files/npy_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "files/little_endian.h"
+#include "files/npy_header.h"
+#include "files/text.h"
+#include "somato/files/npy.h"
+
+namespace somato {
+namespace {
+
+tl::unexpected<Error> refuse(std::string_view where, std::string what, std::string advice) {
+  return fail(ErrorKind::kData, std::move(what), std::string(where), std::move(advice));
+}
+
+template <typename T>
+double read_little(const char* bytes) {
+  return static_cast<double>(little_endian<T>(bytes));
+}
+
+template <typename T>
+double read_big(const char* bytes) {
+  return static_cast<double>(big_endian<T>(bytes));
+}
+
+// A byte of a boolean that is neither 0 nor 1 is no number.
+double read_bool(const char* byte) {
+  return *byte == 0 || *byte == 1 ? *byte : std::numeric_limits<double>::quiet_NaN();
+}
+
+constexpr NpyType kTypes[] = {
+    {"<f4", 4, read_little<float>},
+    {">f4", 4, read_big<float>},
+    {"<f8", 8, read_little<double>},
+    {">f8", 8, read_big<double>},
+    {"|i1", 1, read_little<std::int8_t>},
+    {"|u1", 1, read_little<std::uint8_t>},
+    {"<i2", 2, read_little<std::int16_t>},
+    {">i2", 2, read_big<std::int16_t>},
+    {"<u2", 2, read_little<std::uint16_t>},
+    {">u2", 2, read_big<std::uint16_t>},
+    {"<i4", 4, read_little<std::int32_t>},
+    {">i4", 4, read_big<std::int32_t>},
+    {"<u4", 4, read_little<std::uint32_t>},
+    {">u4", 4, read_big<std::uint32_t>},
+    {"<i8", 8, read_little<std::int64_t>},
+    {">i8", 8, read_big<std::int64_t>},
+    {"<u8", 8, read_little<std::uint64_t>},
+    {">u8", 8, read_big<std::uint64_t>},
+    {"|b1", 1, read_bool},
+};
+
+const NpyType* find_type(std::string_view name) {
+  for (const NpyType& type : kTypes) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
+
+tl::unexpected<Error> cut_within_header(std::string_view where) {
+  return refuse(where, "the file ends within its header", "copy or save it again");
+}
+
+struct Size {
+  std::size_t rows;
+  std::size_t columns;
+};
+
+Result<Size> size_of(const NpyHeader& header, std::string_view where) {
+  const std::size_t dimensions = header.shape.size();
+  if (dimensions < 1 || dimensions > 2) {
+    return refuse(where, fmt::format("the array has {} dimensions instead of 1 or 2", dimensions),
+                  "reshape it to one row a sample: array.reshape(samples, -1)");
+  }
+  const Size size{header.shape[0], dimensions == 2 ? header.shape[1] : 1};
+  if (size.rows == 0 || size.columns == 0) {
+    return refuse(where, fmt::format("the array is empty: {} x {}", size.rows, size.columns),
+                  "save an array with at least one row and one column");
+  }
+  return size;
+}
+
+// Compares the shape with the bytes that are there, without multiplying past the largest number.
+Result<void> check_length(const Size& size, std::size_t number_size, std::size_t available,
+                          std::string_view where) {
+  const std::size_t most = available / number_size;
+  if (size.columns > most / size.rows) {
+    return refuse(where,
+                  fmt::format("the file is cut short: {} bytes for {} x {} numbers", available,
+                              size.rows, size.columns),
+                  "copy or save it again");
+  }
+  const std::size_t trailing = available - size.rows * size.columns * number_size;
+  if (trailing > 0) {
+    return refuse(where, fmt::format("{} bytes follow the last number", trailing),
+                  "save the array alone, with numpy.save");
+  }
+  return {};
+}
+
+tl::unexpected<Error> not_a_float(double value, std::size_t row, std::size_t column,
+                                  std::string_view where) {
+  return refuse(where,
+                fmt::format("{} in row {}, column {} (counted from 1) is no finite 32-bit number",
+                            value, row + 1, column + 1),
+                "leave the row out or fill in a number");
+}
+
+// Plain copying is enough for what the machine itself would write.
+bool is_plain(const NpyLayout& layout) {
+  return std::endian::native == std::endian::little && layout.type->name == "<f4" &&
+         !layout.fortran_order;
+}
+
+bool copy_if_finite(std::string_view bytes, std::span<float> out) {
+  std::memcpy(out.data(), bytes.data(), out.size_bytes());
+  bool finite = true;
+  for (const float value : out) finite &= std::isfinite(value);
+  return finite;
+}
+
+}  // namespace
+
+Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_size,
+                                    std::string_view where) {
+  if (!is_npy(bytes)) {
+    return refuse(where, "this is not an NPY file", "save the array with numpy.save");
+  }
+  if (bytes.size() < kNpyStart) return cut_within_header(where);
+  const int version = static_cast<unsigned char>(bytes[6]);
+  if (version < 1 || version > 3 || bytes[7] != 0) {
+    return refuse(where,
+                  fmt::format("NPY version {}.{} is unknown", version,
+                              static_cast<unsigned>(static_cast<unsigned char>(bytes[7]))),
+                  "save the array with numpy.save");
+  }
+  const std::size_t length = version == 1 ? little_endian<std::uint16_t>(bytes.data() + 8)
+                                          : little_endian<std::uint32_t>(bytes.data() + 8);
+  const std::size_t before = version == 1 ? 10 : 12;
+  if (length > file_size - before) return cut_within_header(where);
+  return before + length;
+}
+
+Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
+                             std::string_view where) {
+  const Result<std::size_t> start = npy_header_size(bytes, file_size, where);
+  if (!start) return fail(start.error());
+  if (*start > bytes.size()) return cut_within_header(where);
+  const std::size_t before = bytes[6] == 1 ? 10 : 12;
+  const Result<NpyHeader> header = parse_npy_header(bytes.substr(before, *start - before), where);
+  if (!header) return fail(header.error());
+  const NpyType* type = find_type(header->type);
+  if (!type) {
+    return refuse(where, fmt::format("arrays of type {} are not read", shown(header->type)),
+                  "convert it first: array.astype('float32')");
+  }
+  const Result<Size> size = size_of(*header, where);
+  if (!size) return fail(size.error());
+  const Result<void> fits = check_length(*size, type->size, file_size - *start, where);
+  if (!fits) return fail(fits.error());
+  return NpyLayout{type, size->rows, size->columns, header->fortran_order, *start};
+}
+
+Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
+                           std::span<float> out, std::string_view where) {
+  if (is_plain(layout) && copy_if_finite(bytes, out)) return {};
+  const std::size_t columns = layout.columns;
+  const std::size_t rows = out.size() / columns;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t place = layout.fortran_order ? column * rows + row : row * columns + column;
+      const double value = layout.type->read(bytes.data() + place * layout.type->size);
+      const auto rounded = static_cast<float>(value);
+      if (!std::isfinite(rounded)) return not_a_float(value, first + row, column, where);
+      out[row * columns + column] = rounded;
+    }
+  }
+  return {};
+}
+
+}  // namespace somato

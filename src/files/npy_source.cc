@@ -1,0 +1,80 @@
+#include "files/npy_source.h"
+
+#include <algorithm>
+
+namespace somato {
+namespace {
+
+// All that npy_layout() needs to see.
+Result<std::string> header_of(const UnchangedFile& file) {
+  std::string bytes(std::min(kNpyStart, file.size()), '\0');
+  if (auto read = file.read(0, bytes.data(), bytes.size()); !read) return fail(read.error());
+  const Result<std::size_t> size = npy_header_size(bytes, file.size(), file.path());
+  if (!size) return fail(size.error());
+  bytes.resize(std::max(*size, bytes.size()));
+  if (auto read = file.read(0, bytes.data(), bytes.size()); !read) return fail(read.error());
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file, std::size_t part_bytes) {
+  const Result<std::string> header = header_of(file);
+  if (!header) return fail(header.error());
+  const Result<NpyLayout> layout = npy_layout(*header, file.size(), file.path());
+  if (!layout) return fail(layout.error());
+  const std::size_t rows = part_bytes / sizeof(float) / layout->columns;
+  return std::make_unique<NpySource>(std::move(file), *layout,
+                                     std::clamp<std::size_t>(rows, 1, layout->rows));
+}
+
+double NpySource::memory_of_all() const {
+  const double samples =
+      static_cast<double>(layout_.rows) * static_cast<double>(layout_.columns) * sizeof(float);
+  return static_cast<double>(file_.size()) + 2.0 * samples;
+}
+
+Result<void> NpySource::rewind() {
+  row_ = 0;
+  return file_.check();
+}
+
+// In Fortran order these rows are a piece of every column.
+Result<void> NpySource::fetch(std::size_t count, char* bytes) const {
+  const std::size_t number = layout_.type->size;
+  const std::size_t row_size = layout_.columns * number;
+  if (!layout_.fortran_order) {
+    return file_.read(layout_.start + row_ * row_size, bytes, count * row_size);
+  }
+  for (std::size_t column = 0; column < layout_.columns; ++column) {
+    const std::size_t place = layout_.start + (column * layout_.rows + row_) * number;
+    auto read = file_.read(place, bytes + column * count * number, count * number);
+    if (!read) return read;
+  }
+  return {};
+}
+
+Result<Matrix<float>> NpySource::rows(std::size_t count) {
+  bytes_.resize(count * layout_.columns * layout_.type->size);
+  if (auto fetched = fetch(count, bytes_.data()); !fetched) return fail(fetched.error());
+  Matrix<float> matrix(count, layout_.columns);
+  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path()).map([&] {
+    return std::move(matrix);
+  });
+}
+
+Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
+  const std::size_t count = std::min(part_rows_, layout_.rows - row_);
+  if (count == 0) {
+    return file_.check().map([] { return std::shared_ptr<const NumberPart>(); });
+  }
+  Result<Matrix<float>> values = rows(count);
+  if (!values) {
+    if (auto same = file_.check(); !same) return fail(std::move(same.error()));
+    return fail(std::move(values.error()));
+  }
+  row_ += count;
+  return std::make_shared<const NumberPart>(NumberPart{Samples(std::move(*values)), {}});
+}
+
+}  // namespace somato

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/npy_layout.h"
+#include "files/unchanged_file.h"
+#include "somato/files/number_source.h"
+
+namespace somato {
+
+/// The rows of an NPY file.
+class NpySource final : public NumberSource {
+ public:
+  /// Errors: kData for another or a damaged file.
+  static Result<std::unique_ptr<NumberSource>> begin(UnchangedFile file, std::size_t part_bytes);
+
+  NpySource(UnchangedFile file, const NpyLayout& layout, std::size_t part_rows)
+      : file_(std::move(file)), layout_(layout), part_rows_(part_rows) {}
+
+  std::size_t size() const override { return layout_.columns; }
+  const std::vector<std::string>& names() const override { return no_names_; }
+  bool has_labels() const override { return false; }
+  double memory_of_all() const override;
+  double share_read() const override {
+    return static_cast<double>(row_) / static_cast<double>(layout_.rows);
+  }
+  Result<void> rewind() override;
+  Result<std::shared_ptr<const NumberPart>> next_part() override;
+
+ private:
+  Result<Matrix<float>> rows(std::size_t count);
+  Result<void> fetch(std::size_t count, char* bytes) const;
+
+  UnchangedFile file_;
+  NpyLayout layout_;
+  std::size_t part_rows_;
+  std::size_t row_ = 0;
+  std::string bytes_;
+  std::vector<std::string> no_names_;
+};
+
+}  // namespace somato

@@ -1,0 +1,40 @@
+#include "somato/files/number_source.h"
+
+#include <utility>
+
+#include "files/csv_source.h"
+#include "files/npy_source.h"
+#include "files/unchanged_file.h"
+#include "somato/core/check.h"
+#include "somato/files/npy.h"
+#include "somato/files/number_file.h"
+
+namespace somato {
+
+Result<SamplePart> NumberSource::next() {
+  return next_part().map([](const std::shared_ptr<const NumberPart>& part) {
+    return part ? SamplePart(part, &part->samples) : SamplePart();
+  });
+}
+
+Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes) {
+  return detail::open_numbers(operating_system(), path, options, part_bytes);
+}
+
+Result<std::unique_ptr<NumberSource>> detail::open_numbers(FileSystem& files,
+                                                           const std::string& path,
+                                                           const CsvOptions& options,
+                                                           std::size_t part_bytes) {
+  auto file = UnchangedFile::open(files, path);
+  if (!file) return fail(std::move(file.error()));
+  char start[kNpyStart];
+  const std::size_t size = std::min(sizeof start, file->size());
+  if (auto read = file->read(0, start, size); !read) return fail(std::move(read.error()));
+  if (!is_npy({start, size})) return CsvSource::begin(std::move(*file), options, part_bytes);
+  if (!options.label_column.empty()) return fail(no_label_column_in_npy(path));
+  return NpySource::begin(std::move(*file), part_bytes);
+}
+
+}  // namespace somato

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "somato/core/result.h"
+#include "somato/core/sample_source.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_parameters.h"
+
+namespace somato {
+
+/// What going once through the samples of a map, as it sees them, finds out.
+struct SampleSurvey {
+  std::size_t count = 0;
+  std::size_t parts = 0;
+  double longest = 0.0;     ///< Euclidean length of the longest sample.
+  std::vector<float> low;   ///< The least value of each feature; empty without samples.
+  std::vector<float> high;  ///< The greatest.
+};
+
+/// Fails as the source does.
+Result<SampleSurvey> survey_samples(SampleSource& prepared);
+
+/// The map that batch training starts from, the same as from all samples in memory. `parameters`
+/// are resolved, and `survey` is of the same samples. Fails as the source does.
+Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
+                        const SampleSurvey& survey);
+
+}  // namespace somato

@@ -1,0 +1,274 @@
+#include "somato/files/number_source.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+#include "somato/core/random.h"
+#include "somato/files/npy.h"
+#include "somato/files/number_file.h"
+#include "somato/files/whole_file.h"
+#include "support/failing_file_system.h"
+#include "support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+struct Read {
+  std::vector<float> values;
+  std::vector<std::string> labels;
+  std::vector<std::size_t> counts;
+};
+
+Result<Read> read_all(NumberSource& source) {
+  if (auto rewound = source.rewind(); !rewound) return fail(rewound.error());
+  Read read;
+  for (;;) {
+    const auto part = source.next_part();
+    if (!part) return fail(part.error());
+    if (!*part) return read;
+    const NumberPart& rows = **part;
+    read.counts.push_back(rows.samples.count());
+    for (std::size_t i = 0; i < rows.samples.count(); ++i) {
+      const auto row = rows.samples[i].values;
+      read.values.insert(read.values.end(), row.begin(), row.end());
+    }
+    read.labels.insert(read.labels.end(), rows.labels.begin(), rows.labels.end());
+  }
+}
+
+// Opens and reads twice, in parts of so many bytes.
+Result<Read> read_parts(const std::string& path, std::size_t bytes,
+                        const CsvOptions& options = {}) {
+  auto source = open_numbers(path, options, bytes);
+  if (!source) return fail(source.error());
+  auto once = read_all(**source);
+  auto again = read_all(**source);
+  EXPECT_EQ(once.has_value(), again.has_value());
+  EXPECT_TRUE(!once || !again || once->values == again->values);
+  return again;
+}
+
+// The same numbers, labels, names and failures as when all is read at once.
+void expect_as_whole(const std::string& path, const CsvOptions& options = {}) {
+  const auto whole = read_numbers(path, options);
+  for (const std::size_t bytes : {1U, 50U, 1000000U}) {
+    SCOPED_TRACE(bytes);
+    const auto parts = read_parts(path, bytes, options);
+    if (!whole) {
+      ASSERT_FALSE(parts);
+      EXPECT_EQ(to_string(parts.error()), to_string(whole.error()));
+      EXPECT_EQ(parts.error().kind, whole.error().kind);
+      continue;
+    }
+    ASSERT_TRUE(parts) << to_string(parts.error());
+    const auto values = whole->values.values();
+    EXPECT_EQ(parts->values, std::vector<float>(values.begin(), values.end()));
+    EXPECT_EQ(parts->labels, whole->labels);
+    const auto source = open_numbers(path, options, bytes);
+    EXPECT_EQ((*source)->names(), whole->names);
+    EXPECT_EQ((*source)->size(), whole->values.columns());
+    EXPECT_EQ((*source)->has_labels(), !whole->labels.empty());
+  }
+}
+
+Matrix<float> numbered(std::size_t rows, std::size_t columns) {
+  Matrix<float> matrix(rows, columns);
+  float next = 0.5F;
+  for (float& value : matrix.values()) value = next++;
+  return matrix;
+}
+
+TEST(NumberSource, PartsHoldAsManyRowsAsAreAllowed) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_npy(folder.file("a"), numbered(10, 3)));
+  ASSERT_TRUE(write_csv(folder.file("b"), {{}, numbered(10, 3), {}}));
+  for (const char* name : {"a", "b"}) {
+    EXPECT_EQ(read_parts(folder.file(name), 50)->counts, (std::vector<std::size_t>{4, 4, 2}));
+    EXPECT_EQ(read_parts(folder.file(name), 1)->counts, std::vector<std::size_t>(10, 1));
+    EXPECT_EQ(read_parts(folder.file(name), 120)->counts, (std::vector<std::size_t>{10}));
+  }
+}
+
+// Every seed input of the fuzzers, wrong ones too, and each cut off anywhere.
+TEST(NumberSource, ReadsAndRefusesWhatReadingAllAtOnceDoes) {
+  const TemporaryFolder folder;
+  for (const char* kind : {"npy", "csv"}) {
+    const std::string corpus = SOMATO_SOURCE_DIR "/fuzz/corpus/" + std::string(kind);
+    for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+      const std::string bytes = bytes_of(entry.path().string());
+      for (std::size_t length = 0; length <= bytes.size(); length += 1 + length / 40) {
+        SCOPED_TRACE(entry.path().string() + " " + std::to_string(length));
+        const std::string path = folder.with("x", bytes.substr(0, length));
+        expect_as_whole(path);
+        CsvOptions labelled;
+        labelled.label_column = "kind";
+        expect_as_whole(path, labelled);
+      }
+    }
+  }
+}
+
+std::string field_of(Random& random) {
+  const std::string numbers[] = {"1", "-2.5", "3e2", "\"4\"", "0.1234567890123456", " 7 "};
+  return numbers[random.below(6)];
+}
+
+// Larger than the window through which text is read, with everything that could be cut by its edge.
+TEST(NumberSource, ReadsTextWhereverItsWindowEnds) {
+  const TemporaryFolder folder;
+  Random random(3);
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text =
+        "\xEF\xBB\xBF"
+        "a,\"b\nb\",kind\r\n";
+    while (text.size() < 1200000) {
+      if (random.below(20) == 0) text += "# a r\xC3\xB6w\xE2\x82\xAC" + std::string(end);
+      if (random.below(20) == 0) text += end;
+      text +=
+          field_of(random) + "," + field_of(random) + ",\"gr\xC3\xBCn\ntwo \"\"lines\"\"\"" + end;
+    }
+    const std::string path = folder.with("x", text);
+    CsvOptions options;
+    options.label_column = "kind";
+    const auto whole = read_numbers(path, options);
+    ASSERT_TRUE(whole) << to_string(whole.error());
+    const auto parts = read_parts(path, 1000, options);
+    ASSERT_TRUE(parts) << to_string(parts.error());
+    const auto values = whole->values.values();
+    EXPECT_TRUE(parts->values == std::vector<float>(values.begin(), values.end()));
+    EXPECT_TRUE(parts->labels == whole->labels);
+    // What is wrong at the end is told with its line and column.
+    for (const char* wrong : {"1,nan,x", "1,2", "1,2,\"x", "1,\xFF,3", "1,2,"}) {
+      folder.with("x", text + wrong);
+      const auto expected = read_numbers(path, options);
+      const auto refused = read_parts(path, 1000, options);
+      ASSERT_FALSE(refused);
+      EXPECT_EQ(to_string(refused.error()), to_string(expected.error()));
+    }
+  }
+}
+
+TEST(NumberSource, ARowMayBeLongerThanTheWindowButNotWithoutEnd) {
+  const TemporaryFolder folder;
+  std::string row = "1";
+  for (int i = 0; i < 300000; ++i) row += ",1";
+  const std::string path = folder.with("x", row + "\n" + row);
+  EXPECT_EQ(read_parts(path, 1)->counts, (std::vector<std::size_t>{1, 1}));
+  std::ofstream(path) << std::string(std::size_t{70} << 20, '7');
+  const auto refused = open_numbers(path, {}, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(to_string(refused.error()).find("x:1: a row is longer"), std::string::npos)
+      << to_string(refused.error());
+}
+
+TEST(NumberSource, ReadsFortranOrderAndOtherNumbersInParts) {
+  const TemporaryFolder folder;
+  // 5 rows of 2 columns, column by column, big-endian 16-bit integers.
+  std::string bytes = npy_start(5, 2);
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    bytes.replace(bytes.find(from), from.size(), to);
+  };
+  replace("<f4", ">i2");
+  replace("False", "True ");
+  for (const char value : {'\1', '\2', '\3', '\4', '\5', '\v', '\f', '\r', '\16', '\17'}) {
+    bytes += std::string(1, '\0') + value;
+  }
+  const std::string path = folder.with("x", bytes);
+  expect_as_whole(path);
+  EXPECT_EQ(read_parts(path, 16)->values, (std::vector<float>{1, 11, 2, 12, 3, 13, 4, 14, 5, 15}));
+}
+
+TEST(NumberSource, AFaultInTheLastPartHasItsPlace) {
+  const TemporaryFolder folder;
+  Matrix<float> matrix = numbered(1000, 3);
+  matrix(999, 1) = std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(save_whole(folder.file("x"), encode_npy(matrix)));
+  const auto refused = read_parts(folder.file("x"), 100);
+  EXPECT_NE(to_string(refused.error()).find("row 1000, column 2"), std::string::npos);
+}
+
+// Cut, grown or written over between two passes or within one.
+TEST(NumberSource, AFileThatChangesIsRefused) {
+  const TemporaryFolder folder;
+  const std::string npy = encode_npy(numbered(1000, 30));
+  const std::string csv = format_csv({{}, numbered(100000, 3), {}});
+  for (const std::string& bytes : {npy, csv}) {
+    std::string other = bytes;
+    other.back() = static_cast<char>(other.back() ^ 1);
+    for (const std::string& now : {bytes.substr(0, bytes.size() / 2), bytes + bytes, other}) {
+      for (const bool within : {false, true}) {
+        const std::string path = folder.with("x", bytes);
+        std::filesystem::last_write_time(
+            path, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+        auto source = open_numbers(path, {}, 5000);
+        ASSERT_TRUE(source);
+        ASSERT_TRUE((*source)->rewind());
+        ASSERT_TRUE(!within || (*source)->next_part());
+        folder.with("x", now);
+        Error error;
+        if (within) {
+          for (;;) {
+            const auto part = (*source)->next_part();
+            ASSERT_TRUE(!part || *part) << "it came to an end";
+            if (part) continue;
+            error = part.error();
+            break;
+          }
+        } else {
+          const auto again = read_all(**source);
+          ASSERT_FALSE(again);
+          error = again.error();
+        }
+        EXPECT_EQ(error.kind, ErrorKind::kData);
+        EXPECT_NE(to_string(error).find("x: the file has changed"), std::string::npos)
+            << to_string(error);
+      }
+    }
+  }
+}
+
+TEST(NumberSource, ReplacingTheFileLeavesItAsItIs) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_npy(folder.file("x"), numbered(4, 2)));
+  auto source = open_numbers(folder.file("x"), {}, 8).value();
+  const std::vector<float> before = read_all(*source)->values;
+  ASSERT_TRUE(write_npy(folder.file("x"), numbered(9, 9)));  // a new file of that name
+  EXPECT_EQ(read_all(*source)->values, before);
+}
+
+TEST(NumberSource, TellsWhateverTheSystemRefuses) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_npy(folder.file("npy"), numbered(9, 3)));
+  ASSERT_TRUE(write_csv(folder.file("csv"), {{}, numbered(9, 3), {}}));
+  for (const char* name : {"npy", "csv"}) {
+    for (int failing = 0;; ++failing) {
+      testing::FailingFileSystem files(failing);
+      bool refused = false;
+      {
+        auto source = detail::open_numbers(files, folder.file(name), {}, 30);
+        const auto read = source ? read_all(**source) : fail(source.error());
+        refused = !read;
+        EXPECT_TRUE(read || read.error().kind == ErrorKind::kSystem) << failing;
+      }
+      EXPECT_EQ(files.opened(), 0);
+      if (!files.failed()) break;
+      // Only closing may fail without a word: nothing was written.
+      EXPECT_TRUE(refused || failing + 1 == files.count());
+    }
+    testing::FailingFileSystem slowly(-1, EIO, 3);  // three bytes at a time
+    auto source = detail::open_numbers(slowly, folder.file(name), {}, 30).value();
+    EXPECT_EQ(read_all(*source)->values.size(), 27u);
+  }
+}
+
+TEST(NumberSource, RefusesWhatIsNoFileOrHasNoLabelColumn) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(open_numbers(folder.path(), {}, 8).error().kind, ErrorKind::kSystem);
+  EXPECT_EQ(open_numbers(folder.file("missing"), {}, 8).error().kind, ErrorKind::kSystem);
+  EXPECT_EQ(open_numbers("/dev/null", {}, 8).error().kind, ErrorKind::kSystem);
+}
+
+}  // namespace
+}  // namespace somato
