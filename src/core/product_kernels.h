@@ -53,8 +53,10 @@ struct ProductTable {
   /// neighbouring samples `stride` apart.
   void (*add_products)(const double* w, const double* x, std::size_t elements, std::size_t samples,
                        double* products, std::size_t stride);
-  /// The same for values in lists.
-  void (*add_listed_products)(const double* w, ListedValues x, std::size_t elements,
+  /// The same of values in lists: sample s has x[k] of element elements[k] for k from starts[s] to
+  /// starts[s + 1].
+  void (*add_listed_products)(const double* w, const std::uint32_t* starts,
+                              const std::uint32_t* elements, const float* x, std::size_t samples,
                               double* products, std::size_t stride);
   /// out[places[e]] = of_start * w[e] + sum over s of coefficients[s] * x[e * samples + s]: lines
   /// of kRowLanes.

@@ -186,17 +186,21 @@ void add_products(const double* w, const double* x, std::size_t elements, std::s
   }
 }
 
-void add_listed_products(const double* w, ListedValues x, std::size_t elements, double* products,
-                         std::size_t stride) {
-  for (std::size_t e = 0; e < elements; ++e) {
-    const auto first = Vector<double>::load(w + e * kRowLanes);
-    const auto second = Vector<double>::load(w + e * kRowLanes + kWidth);
-    for (std::uint32_t k = x.begins[e]; k < x.ends[e]; ++k) {
-      const auto value = Vector<double>::all(static_cast<double>(x.values[k]));
-      double* line = products + x.samples[k] * stride;
-      multiply_add(first, value, Vector<double>::load(line)).store(line);
-      multiply_add(second, value, Vector<double>::load(line + kWidth)).store(line + kWidth);
+void add_listed_products(const double* w, const std::uint32_t* starts,
+                         const std::uint32_t* elements, const float* x, std::size_t samples,
+                         double* products, std::size_t stride) {
+  for (std::size_t s = 0; s < samples; ++s) {
+    if (starts[s] == starts[s + 1]) continue;
+    auto low = Vector<double>::load(products + s * stride);
+    auto high = Vector<double>::load(products + s * stride + kWidth);
+    for (std::uint32_t k = starts[s]; k < starts[s + 1]; ++k) {
+      const auto value = Vector<double>::all(static_cast<double>(x[k]));
+      const double* line = w + elements[k] * kRowLanes;
+      low = multiply_add(Vector<double>::load(line), value, low);
+      high = multiply_add(Vector<double>::load(line + kWidth), value, high);
     }
+    low.store(products + s * stride);
+    high.store(products + s * stride + kWidth);
   }
 }
 
@@ -292,9 +296,10 @@ void products_with(const ProductMap& map, const double* of_initial, const double
   for (; at + 8 * kWidth <= map.padded; at += 8 * kWidth) {
     products_with_of<8>(map, at, of_initial, of_samples, out);
   }
-  for (; at < map.padded; at += kRowLanes) {
-    products_with_of<2>(map, at, of_initial, of_samples, out);
-  }
+  const std::size_t left = (map.padded - at) / kWidth;  // an even number
+  if (left == 6) products_with_of<6>(map, at, of_initial, of_samples, out);
+  if (left == 4) products_with_of<4>(map, at, of_initial, of_samples, out);
+  if (left == 2) products_with_of<2>(map, at, of_initial, of_samples, out);
 }
 
 std::size_t least(const double* offsets, const double* products, double scale, std::size_t count,

@@ -47,7 +47,8 @@ Result<std::shared_ptr<const ProductProblem>> ProductProblem::prepare(
   problem->elements_ = StoredElements(known.size());
   const bool zero_without = InitialWeightsSource::are_zero_without_samples(problem->parameters_);
   if (known.samples().is_sparse() && zero_without) {
-    problem->elements_ = StoredElements::worth_storing(known.size(), problem->used_elements());
+    problem->used_ = problem->used_elements();
+    problem->elements_ = StoredElements::worth_storing(known.size(), problem->used_);
   }
   return std::shared_ptr<const ProductProblem>(std::move(problem));
 }
@@ -130,8 +131,7 @@ InitialRanges ProductProblem::sparse_ranges(const std::vector<std::uint32_t>& el
 WeightStrips ProductProblem::strips() const {
   const bool everywhere =
       !known_->samples().is_sparse() || parameters_.initial_weights == InitialWeights::kUniform;
-  std::vector<std::uint32_t> elements =
-      everywhere ? all_below(known_->samples().size()) : used_elements();
+  std::vector<std::uint32_t> elements = everywhere ? all_below(known_->samples().size()) : used_;
   std::vector<std::uint32_t> places = elements_.all() ? elements : all_below(elements.size());
   InitialRanges found = ranges(elements);
   return {parameters_, *known_, std::move(elements), std::move(places), std::move(found)};

@@ -64,7 +64,8 @@ class ProductProblem {
   SomParameters parameters_;
   std::shared_ptr<const SampleProducts> known_;
   std::vector<std::size_t> training_;
-  std::vector<bool> trained_;  // of each known sample, whether it is among them
+  std::vector<bool> trained_;        // of each known sample, whether it is among them
+  std::vector<std::uint32_t> used_;  // elements where sparse samples to train on have values
   StoredElements elements_;
 };
 

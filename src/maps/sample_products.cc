@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/product_kernels.h"
+#include "maps/strip_rows.h"
 #include "somato/core/threads.h"
 
 namespace somato {
@@ -59,6 +60,7 @@ void SampleProducts::multiply_dense(std::size_t first_sample, AlignedVector<doub
 
 void SampleProducts::multiply_sparse(std::size_t first_sample, AlignedVector<double>& out) const {
   AlignedVector<double> w(kStrip * kRowLanes);
+  StripRows rows;
   const auto starts = columns_.starts();
   for (std::size_t first = 0; first < columns_.elements().size(); first += kStrip) {
     const std::size_t count = std::min(kStrip, columns_.elements().size() - first);
@@ -69,8 +71,8 @@ void SampleProducts::multiply_sparse(std::size_t first_sample, AlignedVector<dou
         if (lane < kRowLanes) w[e * kRowLanes + lane] = double{columns_.values()[k]};
       }
     }
-    kernels::product_table().add_listed_products(w.data(), columns_.from(first), count, out.data(),
-                                                 kRowLanes);
+    rows.read(columns_.from(first), count, samples_->count());
+    rows.add_products(w.data(), out.data(), kRowLanes);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/product_kernels.h"
+#include "maps/strip_rows.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -26,14 +27,22 @@ class WeightStrips::Workspace {
   }
 
   void read(const WeightStrips& strips, const Strip& strip) {
-    if (values.empty()) return;
-    strips.samples_.write_elements(strips.elements_[strip.first], strip.count, values);
+    if (!values.empty()) {
+      strips.samples_.write_elements(strips.elements_[strip.first], strip.count, values);
+    }
+  }
+
+  void read_rows(const WeightStrips& strips, const Strip& strip) {
+    if (values.empty()) {
+      rows.read(strips.listed(strip), strip.count, strips.samples_.samples().count());
+    }
   }
 
   AlignedVector<float> numbers;
   AlignedVector<double> weights;  // they stay 0 where they do not start at random
   AlignedVector<double> squares;
   AlignedVector<double> values;  // of dense samples
+  StripRows rows;                // of sparse ones
 };
 
 WeightStrips::WeightStrips(const SomParameters& parameters, const SampleProducts& samples,
@@ -109,6 +118,7 @@ void WeightStrips::add_products(std::size_t begin, std::size_t end, std::span<do
   Workspace workspace(*this);
   for (const Strip& strip : strips_) {
     workspace.read(*this, strip);
+    workspace.read_rows(*this, strip);
     for (std::size_t block = begin; block < end; ++block) {
       const std::size_t first = block * kRowLanes;
       std::copy_n(&squares[first], kRowLanes, workspace.squares.data());
@@ -118,8 +128,7 @@ void WeightStrips::add_products(std::size_t begin, std::size_t end, std::span<do
         kernels.add_products(workspace.weights.data(), workspace.values.data(), strip.count,
                              samples, &products[first], padded);
       } else {
-        kernels.add_listed_products(workspace.weights.data(), listed(strip), strip.count,
-                                    &products[first], padded);
+        workspace.rows.add_products(workspace.weights.data(), &products[first], padded);
       }
     }
   }
@@ -127,30 +136,37 @@ void WeightStrips::add_products(std::size_t begin, std::size_t end, std::span<do
 
 void WeightStrips::form(std::size_t begin, std::size_t end, std::span<const double> of_start,
                         std::span<const double> coefficients, LaneMatrix<float>& weights) const {
-  const auto& kernels = kernels::product_table();
   const std::size_t samples = samples_.samples().count();
-  Workspace workspace(*this);
-  AlignedVector<double> block_coefficients(samples * kRowLanes);
+  AlignedVector<double> lines((end - begin) * samples * kRowLanes);  // block by block
   for (std::size_t block = begin; block < end; ++block) {
-    const std::size_t first = block * kRowLanes;
     for (std::size_t s = 0; s < samples; ++s) {
-      std::copy_n(&coefficients[s * of_start.size() + first], kRowLanes,
-                  &block_coefficients[s * kRowLanes]);
+      std::copy_n(&coefficients[s * of_start.size() + block * kRowLanes], kRowLanes,
+                  &lines[((block - begin) * samples + s) * kRowLanes]);
     }
-    float* out = weights.data() + first * weights.columns();
-    for (const Strip& strip : strips_) {
-      workspace.read(*this, strip);
+  }
+  Workspace workspace(*this);
+  for (const Strip& strip : strips_) {
+    workspace.read(*this, strip);
+    for (std::size_t block = begin; block < end; ++block) {
       if (random()) start(strip, block, workspace);
-      if (begins_.empty()) {
-        kernels.form_weights(workspace.weights.data(), &of_start[first], workspace.values.data(),
-                             block_coefficients.data(), strip.count, samples, &places_[strip.first],
-                             out);
-      } else {
-        kernels.form_listed_weights(workspace.weights.data(), &of_start[first], listed(strip),
-                                    block_coefficients.data(), strip.count, &places_[strip.first],
-                                    out);
-      }
+      form_block(strip, workspace, &of_start[block * kRowLanes],
+                 &lines[(block - begin) * samples * kRowLanes],
+                 weights.data() + block * kRowLanes * weights.columns());
     }
+  }
+}
+
+void WeightStrips::form_block(const Strip& strip, const Workspace& workspace,
+                              const double* of_start, const double* coefficients,
+                              float* out) const {
+  const auto& kernels = kernels::product_table();
+  const std::uint32_t* places = &places_[strip.first];
+  if (begins_.empty()) {
+    kernels.form_weights(workspace.weights.data(), of_start, workspace.values.data(), coefficients,
+                         strip.count, samples_.samples().count(), places, out);
+  } else {
+    kernels.form_listed_weights(workspace.weights.data(), of_start, listed(strip), coefficients,
+                                strip.count, places, out);
   }
 }
 

@@ -53,6 +53,8 @@ class WeightStrips {
   void find_columns();
   kernels::ListedValues listed(const Strip& strip) const;
   void start(const Strip& strip, std::size_t block, Workspace& workspace) const;
+  void form_block(const Strip& strip, const Workspace& workspace, const double* of_start,
+                  const double* coefficients, float* out) const;
 
   SomParameters parameters_;
   const SampleProducts& samples_;
