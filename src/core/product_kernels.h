@@ -45,6 +45,8 @@ struct ProductTable {
   /// line of kRowLanes floats a column.
   void (*uniform_rows)(RandomRows rows, const std::uint32_t* quarters, std::size_t count,
                        float* out);
+  /// The same of row rows.first_row and `count` quarters from first_quarter on: 4 floats a quarter.
+  void (*uniform_row)(RandomRows rows, std::uint32_t first_quarter, std::size_t count, float* out);
   /// out[e] = low[e] + span[e] * uniform[places[e]] in single precision, lines of kRowLanes;
   /// squares += out^2.
   void (*initial_weights)(const float* uniform, const std::uint32_t* places, const float* low,

@@ -30,9 +30,11 @@ class SampleProducts {
   void write_elements(std::size_t first, std::size_t count, std::span<double> out) const;
 
  private:
-  void multiply_dense(std::size_t first_sample, AlignedVector<double>& out) const;
-  void multiply_sparse(std::size_t first_sample, AlignedVector<double>& out) const;
-  void multiply(std::size_t block);
+  void multiply(std::size_t begin, std::size_t end);
+  void multiply_dense(std::size_t begin, std::size_t end, AlignedVector<double>& lines) const;
+  void multiply_sparse(std::size_t begin, std::size_t end, AlignedVector<double>& lines) const;
+  void write_lines(std::size_t first, std::size_t count, std::size_t first_sample,
+                   AlignedVector<double>& lines) const;
 
   std::shared_ptr<const Samples> samples_;
   SampleColumns columns_;

@@ -56,6 +56,23 @@ TEST(ProductKernels, MakeTheNumbersOfAPlace) {
   });
 }
 
+TEST(ProductKernels, MakeTheNumbersOfARow) {
+  on_random_problems(90, [](Random& random) {
+    const std::uint64_t seed = random.next();
+    const kernels::RandomRows rows{{static_cast<std::uint32_t>(seed), 0},
+                                   static_cast<std::uint32_t>(Stream::kNoise),
+                                   random.next()};
+    const std::uint32_t first = random.next() >> 3U;
+    const std::size_t quarters = random.below(50);
+    std::vector<float> out(4 * quarters + 1, 7.0F);
+    product_table().uniform_row(rows, first, quarters, out.data());
+    for (std::uint32_t i = 0; i < 4 * quarters; ++i) {
+      EXPECT_EQ(out[i], uniform_at(seed, Stream::kNoise, rows.first_row, 4 * first + i));
+    }
+    EXPECT_EQ(out.back(), 7.0F);
+  });
+}
+
 TEST(ProductKernels, PutInitialWeightsIntoTheirRanges) {
   on_random_problems(92, [](Random& random) {
     const std::size_t elements = 1 + random.below(50);
