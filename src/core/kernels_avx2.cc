@@ -3,4 +3,5 @@
 #define SOMATO_KERNELS avx2
 #include "core/batch_kernels_body.h"
 #include "core/kernels_body.h"
+#include "core/product_kernels_body.h"
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/product_kernels.h"
 #include "somato/core/check.h"
 #include "somato/core/elementary.h"
 
@@ -99,10 +100,12 @@ float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint
 }
 
 void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span<float> out) {
-  for (std::size_t start = 0; start < out.size(); start += 4) {
-    const auto numbers = four_uniform(seed, stream, row, static_cast<std::uint32_t>(start / 4));
-    const std::size_t count = std::min<std::size_t>(4, out.size() - start);
-    std::copy_n(numbers.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(start));
+  const auto [low, high] = key_of(seed);
+  const std::size_t quarters = out.size() / 4;
+  kernels::product_table().uniform_row({{low, high}, static_cast<std::uint32_t>(stream), row}, 0,
+                                       quarters, out.data());
+  for (std::size_t i = 4 * quarters; i < out.size(); ++i) {
+    out[i] = uniform_at(seed, stream, row, static_cast<std::uint32_t>(i));
   }
 }
 

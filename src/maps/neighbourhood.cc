@@ -1,5 +1,8 @@
 #include "somato/maps/neighbourhood.h"
 
+#include <limits>
+
+#include "core/product_kernels.h"
 #include "somato/core/check.h"
 #include "somato/core/elementary.h"
 
@@ -15,13 +18,18 @@ constexpr double kBubbleTolerance = 1e-9;
 template <typename Real>
 constexpr double kSmallestFactor = sizeof(Real) == sizeof(float) ? 0x1p-100 : 0x1p-1000;
 
+// Of the Gaussian, which is its exponential.
+double exponent(double difference, double radius) {
+  if (difference == 0.0) return 0.0;
+  if (radius == 0.0) return -std::numeric_limits<double>::infinity();
+  const double ratio = difference / radius;
+  return -0.5 * ratio * ratio;
+}
+
 }  // namespace
 
 double gaussian_factor(double difference, double radius) {
-  if (difference == 0.0) return 1.0;
-  if (radius == 0.0) return 0.0;
-  const double ratio = difference / radius;
-  const double factor = exponential(-0.5 * ratio * ratio);
+  const double factor = exponential(exponent(difference, radius));
   return factor < kSmallestFactor<double> ? 0.0 : factor;
 }
 
@@ -32,7 +40,22 @@ const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<Neighbour
 }
 
 Neighbourhood::Neighbourhood(const Grid& grid, NeighbourhoodShape shape)
-    : grid_(grid), shape_(shape), row_factors_(grid.rows()), column_factors_(2 * grid.columns()) {}
+    : grid_(grid), shape_(shape), row_factors_(grid.rows()), column_factors_(2 * grid.columns()) {
+  const std::size_t columns = grid.columns();
+  vertical_.reserve(grid.rows());
+  horizontal_.reserve(3 * (2 * columns - 1));
+  for (std::size_t r = 0; r < grid.rows(); ++r) {
+    vertical_.push_back(grid.vertical_difference(r, 0));
+  }
+  for (const auto& [parity, other] : {std::pair{0U, 1U}, {0U, 0U}, {1U, 0U}}) {
+    for (std::size_t left = columns - 1; left > 0; --left) {
+      horizontal_.push_back(grid.horizontal_difference(0, parity, left, other));
+    }
+    for (std::size_t right = 0; right < columns; ++right) {
+      horizontal_.push_back(grid.horizontal_difference(right, parity, 0, other));
+    }
+  }
+}
 
 void Neighbourhood::around(std::size_t winner, double radius, std::span<float> out) {
   write_around(winner, radius, out);
@@ -45,17 +68,23 @@ void Neighbourhood::around(std::size_t winner, double radius, std::span<double> 
 void Neighbourhood::prepare_factors(std::size_t winner, double radius) {
   const std::size_t row = grid_.row_of(winner);
   const std::size_t column = grid_.column_of(winner);
+  const std::size_t columns = grid_.columns();
   for (std::size_t r = 0; r < grid_.rows(); ++r) {
-    row_factors_[r] = gaussian_factor(grid_.vertical_difference(r, row), radius);
+    row_factors_[r] = exponent(vertical_[r > row ? r - row : row - r], radius);
   }
   // On a rectangular grid rows of both parities have the same factors.
-  const std::size_t parities = grid_.lattice() == Lattice::kHexagonal ? 2 : 1;
+  const bool hexagonal = grid_.lattice() == Lattice::kHexagonal;
+  const std::size_t parities = hexagonal ? 2 : 1;
   for (std::size_t parity = 0; parity < parities; ++parity) {
-    for (std::size_t c = 0; c < grid_.columns(); ++c) {
-      column_factors_[parity * grid_.columns() + c] =
-          gaussian_factor(grid_.horizontal_difference(c, parity, column, row % 2), radius);
+    const std::size_t shift = hexagonal ? 1 + parity - row % 2 : 1;
+    const double* differences = &horizontal_[shift * (2 * columns - 1) + columns - 1 - column];
+    for (std::size_t c = 0; c < columns; ++c) {
+      column_factors_[parity * columns + c] = exponent(differences[c], radius);
     }
   }
+  const auto& kernels = kernels::product_table();
+  kernels.exponentials(row_factors_.data(), row_factors_.size());
+  kernels.exponentials(column_factors_.data(), parities * columns);
 }
 
 template <typename Real>

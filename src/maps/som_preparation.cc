@@ -76,9 +76,9 @@ Result<void> check_samples(std::size_t count, std::size_t size) {
 double longest_of(const Samples& prepared) {
   double longest = 0.0;
   for (std::size_t i = 0; i < prepared.count(); ++i) {
-    longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
+    longest = std::max(longest, inner_product(prepared[i], prepared[i]));
   }
-  return longest;
+  return std::sqrt(longest);
 }
 
 // Distances are summed in single precision: beyond its range every winner would be the first.

@@ -29,7 +29,7 @@ TEST(LaneMatrix, PutsTheLanesOfOneColumnSideBySide) {
 }
 
 TEST(LaneMatrix, StartsOnACacheLine) {
-  for (const std::size_t rows : {1U, 5U, 100U}) {
+  for (const std::size_t rows : {1U, 5U, 100U, 300000U}) {  // the last on large pages
     const LaneMatrix<float> lanes(rows, 7);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(lanes.data()) % 64, 0U);
   }

@@ -209,9 +209,6 @@ TEST(SomArchive, RefusesParametersThatContradictEachOther) {
       with_line(parameters_text(), "radius_schedule", "radius_schedule = \"exponential\"");
   text = with_line(text, "radius_end", "radius_end = 0.0");
   expect_refused(with_part(archive_of(small_som()), "map.parameters", text), "at 0");
-  text = with_line(parameters_text(), "training", "training = \"batch\"");
-  text = with_line(text, "arithmetic", "arithmetic = \"inner_products\"");
-  expect_refused(with_part(archive_of(small_som()), "map.parameters", text), "inner products");
 }
 
 TEST(SomArchive, RefusesAGridBeyondMemory) {

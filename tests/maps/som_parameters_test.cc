@@ -24,6 +24,9 @@ TEST(SomParameters, TakesInnerProductsForFewSamplesOfManyElements) {
   EXPECT_EQ(resolve({}, 30, 40).value().arithmetic, Arithmetic::kPlain);
   SomParameters batch;
   batch.training = Training::kBatch;
+  EXPECT_EQ(resolve(batch, 30, 270000).value().arithmetic, Arithmetic::kInnerProducts);
+  EXPECT_EQ(resolve(batch, 30, 239).value().arithmetic, Arithmetic::kPlain);
+  batch.epochs = 7;
   EXPECT_EQ(resolve(batch, 30, 270000).value().arithmetic, Arithmetic::kPlain);
 }
 
@@ -41,7 +44,7 @@ TEST(SomParameters, KnowsWhichHaveNoEffect) {
   EXPECT_EQ(reason_without_effect(p, "radius_end"), "");
   p.training = Training::kBatch;
   EXPECT_EQ(reason_without_effect(p, "epochs"), "");
-  for (const char* name : {"iterations", "draws", "arithmetic", "learning_rate_start"}) {
+  for (const char* name : {"iterations", "draws", "learning_rate_start"}) {
     EXPECT_EQ(reason_without_effect(p, name), "training is batch") << name;
   }
   p.radius_schedule = ScheduleShape::kConstant;
@@ -55,10 +58,6 @@ TEST(SomParameters, RefusesContradictions) {
   zero_end.radius_end = 0.0;
   EXPECT_NE(to_string(resolve(zero_end, 30, 9).error()).find("radius cannot start or end at 0"),
             std::string::npos);
-  SomParameters batch;
-  batch.training = Training::kBatch;
-  batch.arithmetic = Arithmetic::kInnerProducts;
-  EXPECT_EQ(resolve(batch, 30, 9).error().kind, ErrorKind::kUsage);
   SomParameters odd;
   odd.rows = 3;
   odd.lattice = Lattice::kHexagonal;

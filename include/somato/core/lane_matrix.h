@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -11,21 +10,25 @@ namespace somato {
 
 namespace detail {
 
-/// Memory that starts on a cache line.
+/// Memory that starts on a cache line; where it is large, on large pages if the system has them,
+/// which are much faster to touch for the first time.
+void* allocate_lines(std::size_t bytes);
+void free_lines(void* memory, std::size_t bytes) noexcept;
+
+/// The same for vectors.
 template <typename T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t kLine{64};
 
   CacheLineAllocator() = default;
   template <typename U>
   CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}  // NOLINT: allocators convert
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kLine));
+    return static_cast<T*>(allocate_lines(count * sizeof(T)));
   }
   void deallocate(T* memory, std::size_t count) noexcept {
-    ::operator delete(memory, count * sizeof(T), kLine);
+    free_lines(memory, count * sizeof(T));
   }
   bool operator==(const CacheLineAllocator&) const = default;
 };

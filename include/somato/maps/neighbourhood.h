@@ -45,6 +45,10 @@ class Neighbourhood {
   NeighbourhoodShape shape_;
   // A Gaussian is a product of a factor of the row and a factor of the column; on a hexagonal grid
   // the latter depends on the row's parity.
+  // Differences of places by their rows' and columns' numbers; the latter from -columns + 1 on, for
+  // a row shifted to the left of, like, or to the right of the other.
+  std::vector<double> vertical_;
+  std::vector<double> horizontal_;  // 3 x (2 columns - 1)
   std::vector<double> row_factors_;
   std::vector<double> column_factors_;  // 2 x columns
 };
