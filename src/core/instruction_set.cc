@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/kernels.h"
+#include "core/online_kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -13,6 +14,7 @@ namespace kernels {
   namespace set {                          \
   extern const Table<float> kFloatTable;   \
   extern const Table<double> kDoubleTable; \
+  extern const OnlineTable kOnlineTable;   \
   }
 SOMATO_DECLARE_TABLES(portable)
 SOMATO_DECLARE_TABLES(avx2)
@@ -78,6 +80,14 @@ const Table<double>& table<double>() {
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kDoubleTable;
 #endif
   return portable::kDoubleTable;
+}
+
+const OnlineTable& online_table() {
+#if defined(__x86_64__)
+  if (instruction_set() == InstructionSet::kAvx512) return avx512::kOnlineTable;
+  if (instruction_set() == InstructionSet::kAvx2) return avx2::kOnlineTable;
+#endif
+  return portable::kOnlineTable;
 }
 
 }  // namespace kernels

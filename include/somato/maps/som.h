@@ -93,6 +93,7 @@ class Som {
 
  private:
   friend class SomLearner;
+  double input_factor(const SignalView& input) const;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores_of(std::span<const float> prepared, SomWorkspace& workspace) const;
