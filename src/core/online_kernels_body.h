@@ -125,14 +125,45 @@ void combine(const float* tile, std::size_t columns, const float* kept, const fl
   }
 }
 
-void multiply_blocks(const float* const* tiles, std::size_t blocks, std::size_t columns,
-                     const float* input, float* sums) {
-  sum_rows<float>(blocks, columns, sums,
-                  [&](std::size_t block, std::size_t column, Vector<float> sum) {
-                    return multiply_add(
-                        Vector<float>::load(tiles[block] + column * kLaneCount<float>),
-                        Vector<float>::all(input[column]), sum);
-                  });
+template <std::size_t Count>
+inline void multiply_some(const float* const* weights, std::size_t columns, std::size_t chunk,
+                          const float* input, float* sums) {
+  Vector<float> totals[Count];
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < Count; ++i) totals[i] = Vector<float>::all(0);
+  for (std::size_t start = 0; start < columns; start += chunk) {
+    const std::size_t end = start + chunk < columns ? start + chunk : columns;
+    Vector<float> sum[Count];
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < Count; ++i) sum[i] = Vector<float>::all(0);
+    for (std::size_t column = start; column < end; ++column) {
+      const auto element = Vector<float>::all(input[column]);
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < Count; ++i) {
+        const auto weight = Vector<float>::load(weights[i] + column * kLaneCount<float>);
+        sum[i] = multiply_add(weight, element, sum[i]);
+      }
+    }
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sum[i];
+  }
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < Count; ++i) totals[i].store(sums + i * kLaneCount<float>);
+}
+
+// Four at once hide the latency of the multiply-add.
+void multiply_blocks(const float* const* weights, std::size_t blocks, std::size_t columns,
+                     std::size_t chunk, const float* input, float* sums) {
+  std::size_t i = 0;
+  for (; i + 4 <= blocks; i += 4) {
+    multiply_some<4>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+  }
+  for (; i + 2 <= blocks; i += 2) {
+    multiply_some<2>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+  }
+  for (; i < blocks; ++i) {
+    multiply_some<1>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+  }
 }
 
 // These two are plain, for the compiler to vectorize: the elements do not depend on each other.

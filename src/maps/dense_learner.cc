@@ -17,9 +17,9 @@
 //
 // The winner is nonetheless the one of the plain formula on the weights as settle() would leave
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
-// plain formula's sum d^2 differ by at most
+// plain formula's sum d^2, whose R is that of longer chunks, differ by at most
 //
-//     u (R + 32) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
+//     u (R + 40) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
 //
 // u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
 // 2 u R m_k |x| for g_k, u (R+3) d^2 for the plain formula, and 2 d |rounding of w_k| with
@@ -39,7 +39,6 @@
 namespace somato {
 namespace {
 
-using kernels::kChunk;
 using kernels::kPending;
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
@@ -54,8 +53,17 @@ constexpr std::size_t kWorthAThread = std::size_t{1} << 17;
 // Where so much cancels out, the length of what is left is measured, not computed.
 constexpr double kMostCancellation = 32.0;
 
-double relative_error(std::size_t columns) {
-  return kUnit * (static_cast<double>(kChunk) + static_cast<double>(columns / kChunk) + 40.0);
+// Shorter than those of the plain formula, so that few scores are too close to call; long enough
+// for many columns.
+std::size_t chunk_for(std::size_t columns) {
+  constexpr std::size_t kShort = 64;
+  const bool is_short = columns > kernels::kChunk && columns < kShort * kernels::kChunk;
+  return is_short ? kShort : kernels::kChunk;
+}
+
+// Of a sum in chunks, and of what else is rounded (see above).
+double relative_error(std::size_t columns, std::size_t chunk) {
+  return kUnit * (static_cast<double>(chunk) + static_cast<double>(columns / chunk) + 40.0);
 }
 
 double negligible_length(std::size_t columns) {
@@ -72,18 +80,21 @@ InputSlots::InputSlots(std::size_t columns)
       rows_(kPending * stride_),
       lanes_(columns * kPending) {}
 
-void InputSlots::write(std::size_t slot, std::span<const float> input) {
-  std::copy(input.begin(), input.end(), rows_.begin() + static_cast<std::ptrdiff_t>(slot * stride_));
-  float* lane = lanes_.data() + slot;
-  for (const float value : input) {
-    *lane = value;
-    lane += kPending;
+void InputSlots::write(std::size_t first, const std::vector<std::span<const float>>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    std::copy(inputs[i].begin(), inputs[i].end(),
+              rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
+  }
+  for (std::size_t column = 0; column < columns_; ++column) {
+    float* lanes = lanes_.data() + column * kPending + first;
+    for (std::size_t i = 0; i < inputs.size(); ++i) lanes[i] = inputs[i][column];
   }
 }
 
 DenseLearner::DenseLearner(Som& som, std::size_t threads)
     : som_(som),
       threads_(threads),
+      chunk_(chunk_for(som.weights().columns())),
       neighbourhood_(som.grid(), som.parameters().neighbourhood),
       slots_(som.weights().columns()),
       other_slots_(som.weights().columns()),
@@ -118,9 +129,9 @@ void DenseLearner::expect(const std::vector<std::span<const float>>& inputs) {
   const bool full = pending_ + inputs.size() > kPending;
   InputSlots& slots = full ? other_slots_ : slots_;
   const std::size_t first = full ? 0 : pending_;
-  for (std::size_t i = 0; i < inputs.size(); ++i) slots.write(first + i, inputs[i]);
+  slots.write(first, inputs);
   if (full) {
-    rebase(other_slots_, 0, inputs.size());
+    rebase(inputs.size());
   } else if (inputs.size() == 1) {
     read_products(first);
   } else {
@@ -135,11 +146,16 @@ std::size_t DenseLearner::ahead() const {
   return std::min(ahead_, pending_ == kPending ? kPending : kPending - pending_);
 }
 
-// Makes the pending updates and goes on with the inputs of some slots as the next ones.
-void DenseLearner::rebase(const InputSlots& from, std::size_t first, std::size_t count) {
-  if (&from != &other_slots_) {
-    for (std::size_t i = 0; i < count; ++i) other_slots_.write(i, from.input(first + i));
-  }
+// Makes the pending updates and goes on with those expected.
+void DenseLearner::rebase_expected() {
+  std::vector<std::span<const float>> left(expected_);
+  for (std::size_t i = 0; i < expected_; ++i) left[i] = slots_.input(pending_ + i);
+  other_slots_.write(0, left);
+  rebase(expected_);
+}
+
+// Makes the pending updates and goes on with the first `count` of the other slots.
+void DenseLearner::rebase(std::size_t count) {
   for (std::size_t block = 0; block < blocks(); ++block) {
     if (moved_[block] != 0) write_coefficients(block);
   }
@@ -152,7 +168,7 @@ void DenseLearner::rebase(const InputSlots& from, std::size_t first, std::size_t
 void DenseLearner::settle() {
   if (std::find(moved_.begin(), moved_.end(), 1) == moved_.end()) return;
   SOMATO_ASSERT(expected_ == 0);
-  rebase(other_slots_, 0, 0);
+  rebase(0);
 }
 
 // Single precision for the pass that makes the updates.
@@ -187,7 +203,7 @@ void DenseLearner::read_products(std::size_t slot) {
     tiles_.push_back(weights.data() + block * weights.columns() * kLanes);
   }
   tiles_.push_back(slots_.lanes(0));
-  kernels::online_table().multiply_blocks(tiles_.data(), tiles_.size(), weights.columns(),
+  kernels::online_table().multiply_blocks(tiles_.data(), tiles_.size(), weights.columns(), chunk_,
                                           slots_.input(slot).data(), products_of(slot));
 }
 
@@ -214,8 +230,8 @@ void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, st
   for (std::size_t j = 0; j < count; ++j) {
     std::fill_n(products + j * product_stride, kLanes, 0.0F);
   }
-  for (std::size_t start = 0; start < columns; start += kChunk) {
-    const std::size_t width = std::min(kChunk, columns - start);
+  for (std::size_t start = 0; start < columns; start += chunk_) {
+    const std::size_t width = std::min(chunk_, columns - start);
     float* weights = som_.weights().data() + (block * columns + start) * kLanes;
     if (moves) combine_tile(block, start, width, weights, squares);
     if (count == 0) continue;
@@ -239,50 +255,62 @@ std::size_t DenseLearner::learn(double learning_rate, double radius) {
   SOMATO_ASSERT(expected_ > 0);
   const std::size_t nearest = winner();
   neighbourhood_.around(nearest, radius, neighbours_);
-  std::vector<std::size_t> to_measure;
-  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
-    factors_[neuron] = 1.0;
-    new_gains_[neuron] = 0.0;
-    const double gain = learning_rate * double{neighbours_[neuron]};
-    if (gain == 0.0 && (!dot_product() || all_normalized_)) continue;
-    if (!move_neuron(neuron, gain)) to_measure.push_back(neuron);
-  }
+  to_measure_.clear();
+  move(learning_rate);
+  if (dot_product()) normalize();
   kernels::table<double>().scale_rows(kernels::lanes(gains_), factors_.data());
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     gains_(neuron, pending_) = new_gains_[neuron];
+    if (factors_[neuron] != 1.0 || new_gains_[neuron] != 0.0) moved_[neuron / kLanes] = 1;
   }
-  all_normalized_ = true;
   ++pending_;
   --expected_;
-  if (!to_measure.empty()) normalize_measured(to_measure);
+  if (!to_measure_.empty()) normalize_measured();
   return nearest;
 }
 
-// Returns whether its new length is certain enough to normalize by.
-bool DenseLearner::move_neuron(std::size_t neuron, double gain) {
+// Nothing changes where the gain is 0.
+void DenseLearner::move(double learning_rate) {
   const double squared_input = input_products_[pending_];
-  const double keep = 1.0 - gain;
-  const double squared_length =
-      std::max(0.0, keep * keep * squared_lengths_[neuron] +
-                        2.0 * gain * keep * slot_products_[neuron] + gain * gain * squared_input);
-  const double magnitude =
-      std::fabs(keep) * magnitudes_[neuron] + std::fabs(gain) * std::sqrt(squared_input);
-  const bool certain = magnitude * magnitude <= kMostCancellation * squared_length;
-  double factor = 1.0;
-  if (dot_product() && certain && squared_length > 0.0) factor = 1.0 / std::sqrt(squared_length);
-  squared_lengths_[neuron] = factor * factor * squared_length;
-  magnitudes_[neuron] = factor * magnitude;
-  factors_[neuron] = factor * keep;
-  kept_[neuron] *= factor * keep;
-  new_gains_[neuron] = factor * gain;
-  moved_[neuron / kLanes] = 1;
-  return certain || !dot_product();
+  const double input = std::sqrt(squared_input);
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    const double gain = learning_rate * double{neighbours_[neuron]};
+    const double keep = 1.0 - gain;
+    squared_lengths_[neuron] =
+        std::max(0.0, keep * keep * squared_lengths_[neuron] +
+                          2.0 * gain * keep * slot_products_[neuron] + gain * gain * squared_input);
+    magnitudes_[neuron] = std::fabs(keep) * magnitudes_[neuron] + std::fabs(gain) * input;
+    kept_[neuron] *= keep;
+    factors_[neuron] = keep;
+    new_gains_[neuron] = gain;
+  }
 }
 
-void DenseLearner::normalize_measured(const std::vector<std::size_t>& neurons) {
+// Neurons that have not moved since they had length 1 stay as they are.
+void DenseLearner::normalize() {
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    const double squared_length = squared_lengths_[neuron];
+    const double magnitude = magnitudes_[neuron];
+    if ((all_normalized_ && new_gains_[neuron] == 0.0) || magnitude == 0.0) continue;
+    if (magnitude * magnitude > kMostCancellation * squared_length) {
+      to_measure_.push_back(neuron);
+      continue;
+    }
+    const double factor = 1.0 / std::sqrt(squared_length);
+    squared_lengths_[neuron] = 1.0;
+    magnitudes_[neuron] *= factor;
+    kept_[neuron] *= factor;
+    factors_[neuron] *= factor;
+    new_gains_[neuron] *= factor;
+  }
+  all_normalized_ = true;
+}
+
+// Their lengths are those in memory once the updates are made.
+void DenseLearner::normalize_measured() {
   ahead_ = 1;
-  rebase(slots_, pending_, expected_);
-  for (const std::size_t neuron : neurons) {
+  rebase_expected();
+  for (const std::size_t neuron : to_measure_) {
     if (squared_lengths_[neuron] == 0.0) continue;
     kept_[neuron] = 1.0 / std::sqrt(squared_lengths_[neuron]);
     squared_lengths_[neuron] = 1.0;
@@ -316,12 +344,15 @@ double DenseLearner::score_limit() const {
       *std::max_element(magnitudes_.begin(), magnitudes_.begin() +
                                                  static_cast<std::ptrdiff_t>(som_.neurons()));
   const double input = std::sqrt(input_products_[pending_]);
-  const double error = relative_error(columns);
+  const double error = relative_error(columns, chunk_);
   const double negligible = negligible_length(columns);
-  if (dot_product()) return best + 2.0 * (2.0 * error * magnitude + negligible) * input;
+  const double plain = relative_error(columns, kernels::kChunk);
+  if (dot_product()) {
+    return best + 2.0 * ((error + plain) * magnitude + negligible) * input;
+  }
   const double bound = error * (magnitude + input) * (magnitude + input) +
                        negligible * negligible / kUnit;
-  return (best + error * std::max(0.0, best) + 2.0 * bound) / (1.0 - error);
+  return (best + plain * std::max(0.0, best) + 2.0 * bound) / (1.0 - plain);
 }
 
 std::size_t DenseLearner::winner() {
@@ -351,7 +382,7 @@ std::size_t DenseLearner::plain_winner(double limit) {
   if (4 * candidates.size() > blocks() &&
       std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
     ahead_ = 1;
-    rebase(slots_, pending_, expected_);
+    rebase_expected();
     compute_scores();
   }
   std::size_t best = candidates.front() * kLanes;
@@ -375,8 +406,8 @@ std::span<const float> DenseLearner::plain_scores(std::size_t block) {
     alignas(64) float squares[kLanes] = {};
     scratch_block_.resize(columns * kLanes);
     write_coefficients(block);
-    for (std::size_t start = 0; start < columns; start += kChunk) {
-      combine_tile(block, start, std::min(kChunk, columns - start),
+    for (std::size_t start = 0; start < columns; start += chunk_) {
+      combine_tile(block, start, std::min(chunk_, columns - start),
                    scratch_block_.data() + start * kLanes, squares);
     }
     weights = scratch_block_.data();

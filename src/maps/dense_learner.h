@@ -19,7 +19,8 @@ class InputSlots {
  public:
   explicit InputSlots(std::size_t columns);
 
-  void write(std::size_t slot, std::span<const float> input);
+  /// Writes neighbouring slots from `first` on.
+  void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
 
   std::span<const float> input(std::size_t slot) const {
     return {rows_.data() + slot * stride_, columns_};
@@ -75,18 +76,21 @@ class DenseLearner {
                     float* squares) const;
   void write_coefficients(std::size_t block);
   void forget_pending();
-  void rebase(const InputSlots& from, std::size_t first, std::size_t count);
+  void rebase(std::size_t count);
+  void rebase_expected();
 
   void compute_scores();
   double score_limit() const;
   std::size_t winner();
   std::size_t plain_winner(double limit);
   std::span<const float> plain_scores(std::size_t block);
-  bool move_neuron(std::size_t neuron, double gain);
-  void normalize_measured(const std::vector<std::size_t>& neurons);
+  void move(double learning_rate);
+  void normalize();
+  void normalize_measured();
 
   Som& som_;
   std::size_t threads_;
+  std::size_t chunk_;  // columns that are summed on their own
   Neighbourhood neighbourhood_;
   InputSlots slots_;  // the pending ones, then those expected
   InputSlots other_slots_;
@@ -107,6 +111,7 @@ class DenseLearner {
   AlignedVector<double> scores_;
   AlignedVector<double> factors_;
   AlignedVector<double> new_gains_;
+  std::vector<std::size_t> to_measure_;
   AlignedVector<float> neighbours_;
   std::vector<const float*> tiles_;
   AlignedVector<float> scratch_block_;

@@ -96,8 +96,11 @@ std::size_t SomLearner::learn_ahead(std::span<const SignalView> inputs,
   expected.reserve(most);
   while (true) {
     std::vector<float>& kept = prepared_[expected.size()];
-    kept.assign(x.begin(), x.end());
-    expected.emplace_back(kept);
+    if (x.data() == workspace_.input_.data()) {
+      kept.assign(x.begin(), x.end());
+      x = kept;
+    }
+    expected.push_back(x);
     if (expected.size() == most) break;
     x = som_.prepare(inputs[expected.size()], workspace_);
     if (workspace_.left_out_ > 0.0) break;
