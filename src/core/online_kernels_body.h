@@ -116,7 +116,8 @@ void combine(const float* tile, std::size_t columns, const float* kept, const fl
     const float* these_gains = gains + (count - left) * kLaneCount<float>;
     const float* these = inputs + (count - left);
     if (left >= kInputsAtOnce) {
-      left = combine_some<kInputsAtOnce>(from, columns, keep, these_gains, these, left, to, squares);
+      left =
+          combine_some<kInputsAtOnce>(from, columns, keep, these_gains, these, left, to, squares);
     } else if (left >= 4) {
       left = combine_some<4>(from, columns, keep, these_gains, these, left, to, squares);
     } else {

@@ -4,16 +4,17 @@
 //
 //     w_k = c_k v_k + sum_j A_kj x_j,
 //
-// v_k being those in memory and x_j the inputs whose updates are pending. Learning input x with gain
-// a (learning rate times neighbourhood) only changes the coefficients,
+// v_k being those in memory and x_j the inputs whose updates are pending. Learning input x with
+// gain a (learning rate times neighbourhood) only changes the coefficients,
 //
 //     c_k <- (1-a) c_k,   A_kj <- (1-a) A_kj,   A_kx <- a,
 //     n_k <- (1-a)^2 n_k + 2 a (1-a) g_k + a^2 |x|^2   for n_k = |w_k|^2, g_k = w_k . x,
 //
-// and a normalization divides them by sqrt(n_k). So one input costs the products v_k . x, from which
-// g_k = c_k (v_k . x) + sum_j A_kj (x_j . x) follows: a pass that only reads. All pending updates
-// are made in one pass, which measures n_k anew, so that its rounding does not add up, and takes the
-// next inputs' products on its way where they are known. Coefficients are in double precision.
+// and a normalization divides them by sqrt(n_k). So one input costs the products v_k . x, from
+// which g_k = c_k (v_k . x) + sum_j A_kj (x_j . x) follows: a pass that only reads. All pending
+// updates are made in one pass, which measures n_k anew, so that its rounding does not add up, and
+// takes the next inputs' products on its way where they are known. Coefficients are in double
+// precision.
 //
 // The winner is nonetheless the one of the plain formula on the weights as settle() would leave
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
@@ -67,8 +68,7 @@ double relative_error(std::size_t columns, std::size_t chunk) {
 }
 
 double negligible_length(std::size_t columns) {
-  return static_cast<double>(kernels::kNegligible<float>) *
-         std::sqrt(static_cast<double>(columns));
+  return static_cast<double>(kernels::kNegligible<float>) * std::sqrt(static_cast<double>(columns));
 }
 
 }  // namespace
@@ -85,9 +85,15 @@ void InputSlots::write(std::size_t first, const std::vector<std::span<const floa
     std::copy(inputs[i].begin(), inputs[i].end(),
               rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
   }
-  for (std::size_t column = 0; column < columns_; ++column) {
-    float* lanes = lanes_.data() + column * kPending + first;
-    for (std::size_t i = 0; i < inputs.size(); ++i) lanes[i] = inputs[i][column];
+  for (std::size_t start = 0; start < columns_; start += kLanes) {
+    const std::size_t end = std::min(start + kLanes, columns_);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const float* input = inputs[i].data();
+      float* lane = lanes_.data() + first + i;
+      for (std::size_t column = start; column < end; ++column) {
+        lane[column * kPending] = input[column];
+      }
+    }
   }
 }
 
@@ -244,11 +250,10 @@ void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, st
 void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
                                 float* to, float* squares) const {
   const LaneMatrix<float>& weights = som_.weights();
-  kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
-                                  columns, float_kept_.data() + block * kLanes,
-                                  float_gains_.data() + block * kPending * kLanes,
-                                  slots_.lanes(start), std::max<std::size_t>(1, pending_), to,
-                                  squares);
+  kernels::online_table().combine(
+      weights.data() + (block * weights.columns() + start) * kLanes, columns,
+      float_kept_.data() + block * kLanes, float_gains_.data() + block * kPending * kLanes,
+      slots_.lanes(start), std::max<std::size_t>(1, pending_), to, squares);
 }
 
 std::size_t DenseLearner::learn(double learning_rate, double radius) {
@@ -330,8 +335,8 @@ void DenseLearner::compute_scores() {
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     slot_products_[neuron] += kept_[neuron] * double{products[neuron]};
     const double product = slot_products_[neuron];
-    scores_[neuron] = dot ? -product : squared_lengths_[neuron] - 2.0 * product +
-                                           input_products_[slot];
+    scores_[neuron] =
+        dot ? -product : squared_lengths_[neuron] - 2.0 * product + input_products_[slot];
   }
 }
 
@@ -340,9 +345,8 @@ void DenseLearner::compute_scores() {
 double DenseLearner::score_limit() const {
   const std::size_t columns = som_.weights().columns();
   const double best = *std::min_element(scores_.begin(), scores_.end());
-  const double magnitude =
-      *std::max_element(magnitudes_.begin(), magnitudes_.begin() +
-                                                 static_cast<std::ptrdiff_t>(som_.neurons()));
+  const double magnitude = *std::max_element(
+      magnitudes_.begin(), magnitudes_.begin() + static_cast<std::ptrdiff_t>(som_.neurons()));
   const double input = std::sqrt(input_products_[pending_]);
   const double error = relative_error(columns, chunk_);
   const double negligible = negligible_length(columns);
@@ -350,8 +354,8 @@ double DenseLearner::score_limit() const {
   if (dot_product()) {
     return best + 2.0 * ((error + plain) * magnitude + negligible) * input;
   }
-  const double bound = error * (magnitude + input) * (magnitude + input) +
-                       negligible * negligible / kUnit;
+  const double bound =
+      error * (magnitude + input) * (magnitude + input) + negligible * negligible / kUnit;
   return (best + plain * std::max(0.0, best) + 2.0 * bound) / (1.0 - plain);
 }
 

@@ -24,7 +24,9 @@ constexpr std::size_t kSeldom = 8;
 
 SomLearner::SomLearner(Som& som, std::size_t threads) : som_(som), threads_(threads) {}
 
-SomLearner::~SomLearner() { settle(); }
+SomLearner::~SomLearner() {
+  settle();
+}
 
 void SomLearner::settle() {
   if (dense_) dense_->settle();

@@ -77,9 +77,8 @@ Result<void> train_batch(Som& som, const Samples& prepared, const TrainingOption
 }
 
 Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  return som.parameters().training == Training::kBatch
-             ? train_batch(som, prepared, options)
-             : train_online(som, prepared, options);
+  return som.parameters().training == Training::kBatch ? train_batch(som, prepared, options)
+                                                       : train_online(som, prepared, options);
 }
 
 }  // namespace

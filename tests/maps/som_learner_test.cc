@@ -15,20 +15,18 @@
 #include "somato/maps/som_training.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
+#include "support/som_comparison.h"
 
 namespace somato {
 namespace {
 
-double length(std::span<const double> vector) {
-  double sum = 0.0;
-  for (const double value : vector) sum += value * value;
-  return std::sqrt(sum);
-}
-
-Matrix<double> widened(Som som) {
-  som.store_all();
-  const Matrix<float> weights = som.weights().to_matrix();
-  return {weights.rows(), weights.columns(), {weights.values().begin(), weights.values().end()}};
+// How much longer the two parts of a step, (1 - gain) w and gain x, are together than their sum:
+// the factor by which the step amplifies rounding.
+double cancellation(std::span<const double> w, std::span<const double> x, double gain) {
+  std::vector<double> sum(w.size());
+  for (std::size_t d = 0; d < w.size(); ++d) sum[d] = (1.0 - gain) * w[d] + gain * x[d];
+  return ((1.0 - gain) * testing::length(w) + gain * testing::length(x)) /
+         (testing::length(sum) + 1e-300);
 }
 
 // What a learner is fed with, and a map to begin with.
@@ -83,8 +81,8 @@ Stream random_stream(const testing::Variant& variant, bool sparse, std::size_t l
   for (std::size_t t = 0; t < length; ++t) {
     stream.order.push_back(random.below(count));
     // Now and then nothing or all moves.
-    const double rate = random.below(12) == 0 ? static_cast<double>(random.below(2))
-                                              : 0.5 * random.uniform();
+    const double rate =
+        random.below(12) == 0 ? static_cast<double>(random.below(2)) : 0.5 * random.uniform();
     stream.steps.push_back({rate, 3.0 * random.uniform()});
   }
   return stream;
@@ -108,7 +106,7 @@ class Oracle {
  public:
   explicit Oracle(const Stream& stream)
       : stream_(stream),
-        weights_(widened(stream.som)),
+        weights_(testing::widened(stream.som)),
         inputs_(ReferenceSom(stream.parameters, weights_).inputs(stream.samples)) {}
 
   const Matrix<double>& weights() const { return weights_; }
@@ -117,8 +115,9 @@ class Oracle {
     const ReferenceSom reference(stream_.parameters, weights_);
     const auto& input = inputs_[stream_.order[t]];
     const double best = reference.score(input, reference.winner(input));
-    double scale = length(input);
-    for (std::size_t n = 0; n < weights_.rows(); ++n) scale = std::max(scale, length(weights_.row(n)));
+    double scale = testing::length(input);
+    for (std::size_t n = 0; n < weights_.rows(); ++n)
+      scale = std::max(scale, testing::length(weights_.row(n)));
     EXPECT_NEAR(reference.score(input, winner), best, 2e-5 * scale * scale)
         << stream_.name << " " << t;
   }
@@ -131,17 +130,17 @@ class Oracle {
                           reference.neighbourhood(winner, n, stream_.steps[t].radius);
       const auto row = weights_.row(n);
       for (std::size_t d = 0; d < row.size(); ++d) row[d] += gain * (input[d] - row[d]);
-      const double norm = length(row);
+      const double norm = testing::length(row);
       if (stream_.parameters.similarity != Similarity::kDotProduct || norm == 0.0) continue;
       for (double& weight : row) weight /= norm;
     }
   }
 
-  void expect_weights(const Som& som, double tolerance, const std::string& what) const {
+  void testing::expect_weights(const Som& som, double tolerance, const std::string& what) const {
     for (std::size_t n = 0; n < weights_.rows(); ++n) {
       std::vector<double> difference(weights_.row(n).begin(), weights_.row(n).end());
       for (std::size_t d = 0; d < difference.size(); ++d) difference[d] -= double{som.weight(n, d)};
-      ASSERT_LE(length(difference), tolerance * (length(weights_.row(n)) + 1e-15))
+      ASSERT_LE(testing::length(difference), tolerance * (testing::length(weights_.row(n)) + 1e-15))
           << stream_.name << " " << what << " neuron " << n;
     }
   }
@@ -151,6 +150,61 @@ class Oracle {
   Matrix<double> weights_;
   std::vector<std::vector<double>> inputs_;
 };
+
+TEST(SomLearner, OneStepIsTheReferencesOnTenThousandProblems) {
+  Random random(51);
+  int compared = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const std::size_t size = 1 + random.below(20);
+    const Samples samples = testing::random_samples(40, size, random.below(2) == 0, random);
+    SomParameters p = testing::random_resolved(random, 40, size);
+    p.iterations = 0;
+    Som som = train_som(p, samples).value();
+    const ReferenceSom before(p, testing::widened(som));
+    const std::vector<double> input = before.inputs(samples)[0];
+    const std::size_t winner = before.winner(input);
+    if (som.neurons() > 1 && testing::ambiguous(before, input, som.neurons())) continue;
+    const double radius = 3.0 * random.uniform();
+    const double rate = random.uniform();
+    EXPECT_EQ(SomLearner(som).learn(samples[0], rate, radius), winner);
+    ReferenceSom after = before;
+    after.learn(input, rate, radius);
+    for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+      const double gain = rate * before.neighbourhood(winner, neuron, radius);
+      const auto w = before.weights().row(neuron);
+      // A gain below single precision moves nothing but a weight vector of zeros.
+      if (gain < 0x1p-100 && testing::length(w) == 0.0) continue;
+      if (cancellation(w, input, gain) < 10.0) testing::expect_row(som, after, neuron, 1e-5);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 8000);
+}
+
+// Law: an update never makes a weight less similar to its sample.
+TEST(SomLearner, NeverMovesAWeightAwayFromItsSample) {
+  Random random(55);
+  for (int i = 0; i < 3000; ++i) {
+    const std::size_t size = 1 + random.below(20);
+    const Samples samples = testing::random_samples(2, size, false, random);
+    SomParameters p = testing::random_resolved(random, 2, size);
+    p.iterations = 0;
+    Som som = train_som(p, samples).value();
+    const ReferenceSom before(p, testing::widened(som));
+    SomLearner(som).learn(samples[0], random.uniform(), 3.0 * random.uniform());
+    const ReferenceSom after(p, testing::widened(som));
+    const std::vector<double> input = before.inputs(samples)[0];
+    for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+      const double was = before.score(input, neuron);
+      const double is = after.score(input, neuron);
+      if (p.similarity == Similarity::kEuclidean) {
+        EXPECT_LE(is, was + 1e-6 * (1.0 + was));
+      } else {
+        EXPECT_GE(is, was - 1e-6);
+      }
+    }
+  }
+}
 
 // A gain below single precision moves nothing but a weight vector of zeros, hence no zeros here.
 TEST(SomLearner, FollowsTheEquations) {
@@ -292,9 +346,9 @@ TEST(SomLearner, StaysAccurateForLong) {
   Random random(86);
   for (const bool sparse : {false, true}) {
     for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
-      Stream stream = random_stream({Lattice::kRectangular, Topology::kPlane, similarity,
-                                     NeighbourhoodShape::kGaussian},
-                                    sparse, 20000, random);
+      Stream stream = random_stream(
+          {Lattice::kRectangular, Topology::kPlane, similarity, NeighbourhoodShape::kGaussian},
+          sparse, 20000, random);
       const std::size_t size = sparse ? 200 : 40;
       stream.samples = sparse ? thin_samples(6, size, 50, random)
                               : testing::random_samples(6, size, false, random);
@@ -330,8 +384,8 @@ TEST(SomLearner, TakesZeroInputsZeroWeightsAndALearningRateOfOne) {
       p.similarity = similarity;
       p = resolve(p, 1, 100).value();
       Som som(p, LaneMatrix<float>(2, 100));
-      const Signal zero = sparse ? Signal::sparse({100}, {}, {})
-                                 : Signal::dense(std::vector<float>(100));
+      const Signal zero =
+          sparse ? Signal::sparse({100}, {}, {}) : Signal::dense(std::vector<float>(100));
       std::vector<float> values(100);
       values[7] = 2.0F;
       const Signal one = sparse ? Signal::sparse({100}, {7}, {2.0F}) : Signal::dense(values);

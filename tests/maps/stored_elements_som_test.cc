@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "somato/core/check.h"
-#include "somato/maps/som_archive.h"
-#include "somato/maps/som_quality.h"
 #include "somato/maps/batch_training.h"
+#include "somato/maps/som_archive.h"
 #include "somato/maps/som_learner.h"
+#include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 #include "support/random_maps.h"
 

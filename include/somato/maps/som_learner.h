@@ -54,8 +54,7 @@ class SomLearner {
   bool learns_sparsely(const SignalView& input) const;
   std::size_t learn_sparsely(const SignalView& input, const LearningStep& step);
   std::span<const float> seen(const SignalView& input);
-  std::size_t learn_ahead(std::span<const SignalView> inputs,
-                          std::span<const LearningStep> steps);
+  std::size_t learn_ahead(std::span<const SignalView> inputs, std::span<const LearningStep> steps);
 
   Som& som_;
   std::size_t threads_;
