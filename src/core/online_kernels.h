@@ -18,10 +18,10 @@ struct OnlineTable {
   void (*multiply)(const float* tile, std::size_t columns, const float* inputs, std::size_t count,
                    float* sums, std::size_t stride);
   /// to = kept * w + sum over `count` (at least 1) inputs of gains_j * input j in order, then 0
-  /// where its magnitude is below kNegligible; squares += to^2. `kept` and `squares` have a value a
+  /// where its magnitude is below `limit`; squares += to^2. `kept` and `squares` have a value a
   /// lane, `gains` one for each input and lane.
   void (*combine)(const float* tile, std::size_t columns, const float* kept, const float* gains,
-                  const float* inputs, std::size_t count, float* to, float* squares);
+                  const float* inputs, std::size_t count, float limit, float* to, float* squares);
   /// sums = sum over columns of w * input, for some blocks of rows: what multiply() gives, called
   /// for one chunk of `chunk` columns after the other.
   void (*multiply_blocks)(const float* const* weights, std::size_t blocks, std::size_t columns,

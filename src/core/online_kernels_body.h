@@ -50,7 +50,8 @@ constexpr std::size_t kColumnsAtOnce = 4;
 // Columns columns of one tile; the last inputs' turn (Last) clears and measures.
 template <std::size_t Count, std::size_t Columns, bool Last>
 inline void add_inputs(const float* from, const Vector<float>& kept, const Vector<float>* gain,
-                       const float* inputs, float* to, Vector<float>& squares) {
+                       const float* inputs, const Vector<float>& limit, float* to,
+                       Vector<float>& squares) {
   Vector<float> moved[Columns];
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < Columns; ++i) {
@@ -66,7 +67,7 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < Columns; ++i) {
     if (Last) {
-      moved[i] = zero_below(moved[i], Vector<float>::all(kNegligible<float>));
+      moved[i] = zero_below(moved[i], limit);
       squares = multiply_add(moved[i], moved[i], squares);
     }
     moved[i].store(to + i * kLaneCount<float>);
@@ -75,7 +76,8 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
 
 template <std::size_t Count, bool Last>
 inline void combine_with(const float* from, std::size_t columns, const Vector<float>& kept,
-                         const float* gains, const float* inputs, float* to, float* squares) {
+                         const float* gains, const float* inputs, const Vector<float>& limit,
+                         float* to, float* squares) {
   Vector<float> gain[Count];
 #pragma GCC unroll 16
   for (std::size_t j = 0; j < Count; ++j) {
@@ -85,12 +87,13 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
   std::size_t column = 0;
   for (; column + kColumnsAtOnce <= columns; column += kColumnsAtOnce) {
     add_inputs<Count, kColumnsAtOnce, Last>(from + column * kLaneCount<float>, kept, gain,
-                                            inputs + column * kPending,
+                                            inputs + column * kPending, limit,
                                             to + column * kLaneCount<float>, sum);
   }
   for (; column < columns; ++column) {
     add_inputs<Count, 1, Last>(from + column * kLaneCount<float>, kept, gain,
-                               inputs + column * kPending, to + column * kLaneCount<float>, sum);
+                               inputs + column * kPending, limit, to + column * kLaneCount<float>,
+                               sum);
   }
   if (Last) (Vector<float>::load(squares) + sum).store(squares);
 }
@@ -99,29 +102,30 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
 template <std::size_t Count>
 inline std::size_t combine_some(const float* from, std::size_t columns, const Vector<float>& kept,
                                 const float* gains, const float* inputs, std::size_t count,
-                                float* to, float* squares) {
+                                const Vector<float>& limit, float* to, float* squares) {
   if (count == Count) {
-    combine_with<Count, true>(from, columns, kept, gains, inputs, to, squares);
+    combine_with<Count, true>(from, columns, kept, gains, inputs, limit, to, squares);
   } else {
-    combine_with<Count, false>(from, columns, kept, gains, inputs, to, squares);
+    combine_with<Count, false>(from, columns, kept, gains, inputs, limit, to, squares);
   }
   return count - Count;
 }
 
 void combine(const float* tile, std::size_t columns, const float* kept, const float* gains,
-             const float* inputs, std::size_t count, float* to, float* squares) {
+             const float* inputs, std::size_t count, float limit, float* to, float* squares) {
+  const auto limits = Vector<float>::all(limit);
   auto keep = Vector<float>::load(kept);
   const float* from = tile;
   for (std::size_t left = count; left > 0; from = to, keep = Vector<float>::all(1)) {
     const float* these_gains = gains + (count - left) * kLaneCount<float>;
     const float* these = inputs + (count - left);
     if (left >= kInputsAtOnce) {
-      left =
-          combine_some<kInputsAtOnce>(from, columns, keep, these_gains, these, left, to, squares);
+      left = combine_some<kInputsAtOnce>(from, columns, keep, these_gains, these, left, limits, to,
+                                         squares);
     } else if (left >= 4) {
-      left = combine_some<4>(from, columns, keep, these_gains, these, left, to, squares);
+      left = combine_some<4>(from, columns, keep, these_gains, these, left, limits, to, squares);
     } else {
-      left = combine_some<1>(from, columns, keep, these_gains, these, left, to, squares);
+      left = combine_some<1>(from, columns, keep, these_gains, these, left, limits, to, squares);
     }
   }
 }

@@ -64,7 +64,8 @@ std::size_t chunk_for(std::size_t columns) {
 
 // Of a sum in chunks, and of what else is rounded (see above).
 double relative_error(std::size_t columns, std::size_t chunk) {
-  return kUnit * (static_cast<double>(chunk) + static_cast<double>(columns / chunk) + 40.0);
+  constexpr std::size_t kElse = 40;
+  return kUnit * static_cast<double>(chunk + columns / chunk + kElse);
 }
 
 double negligible_length(std::size_t columns) {

@@ -219,7 +219,7 @@ StoredElements SparseLearner::elements_to_store() const {
 void SparseLearner::settle() {
   if (!learned_) return;
   learned_ = false;
-  StoredElements elements = elements_to_store();
+  const StoredElements elements = elements_to_store();
   if (elements != som_.elements()) {
     som_ = Som(som_.parameters(), LaneMatrix<float>(som_.neurons(), elements.count()), elements);
   }

@@ -136,7 +136,7 @@ class Oracle {
     }
   }
 
-  void testing::expect_weights(const Som& som, double tolerance, const std::string& what) const {
+  void expect_weights(const Som& som, double tolerance, const std::string& what) const {
     for (std::size_t n = 0; n < weights_.rows(); ++n) {
       std::vector<double> difference(weights_.row(n).begin(), weights_.row(n).end());
       for (std::size_t d = 0; d < difference.size(); ++d) difference[d] -= double{som.weight(n, d)};
