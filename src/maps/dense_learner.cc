@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -50,6 +51,10 @@ constexpr double kSmallestGain = 0x1p-100;
 
 // More multiply-adds (of vectors) than starting a thread takes.
 constexpr std::size_t kWorthAThread = std::size_t{1} << 17;
+
+// Weights of elements that are mostly zero decay until they are slow to compute with; their squares
+// have left the range of single precision long before.
+constexpr std::uint64_t kLearnedBetweenClearings = 64;
 
 // Where so much cancels out, the length of what is left is measured, not computed.
 constexpr double kMostCancellation = 32.0;
@@ -127,6 +132,10 @@ DenseLearner::DenseLearner(Som& som, std::size_t threads)
   forget_pending();
 }
 
+bool DenseLearner::clears() const {
+  return learned_since_clearing_ >= kLearnedBetweenClearings;
+}
+
 bool DenseLearner::dot_product() const {
   return som_.parameters().similarity == Similarity::kDotProduct;
 }
@@ -167,6 +176,7 @@ void DenseLearner::rebase(std::size_t count) {
     if (moved_[block] != 0) write_coefficients(block);
   }
   pass(other_slots_, 0, count == 1 ? 0 : count);
+  if (clears()) learned_since_clearing_ = 0;
   forget_pending();
   std::swap(slots_, other_slots_);
   if (count == 1) read_products(0);
@@ -251,10 +261,11 @@ void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, st
 void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
                                 float* to, float* squares) const {
   const LaneMatrix<float>& weights = som_.weights();
-  kernels::online_table().combine(
-      weights.data() + (block * weights.columns() + start) * kLanes, columns,
-      float_kept_.data() + block * kLanes, float_gains_.data() + block * kPending * kLanes,
-      slots_.lanes(start), std::max<std::size_t>(1, pending_), to, squares);
+  kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
+                                  columns, float_kept_.data() + block * kLanes,
+                                  float_gains_.data() + block * kPending * kLanes,
+                                  slots_.lanes(start), std::max<std::size_t>(1, pending_),
+                                  clears() ? kernels::kNegligible<float> : 0.0F, to, squares);
 }
 
 std::size_t DenseLearner::learn(double learning_rate, double radius) {
@@ -270,6 +281,7 @@ std::size_t DenseLearner::learn(double learning_rate, double radius) {
     if (factors_[neuron] != 1.0 || new_gains_[neuron] != 0.0) moved_[neuron / kLanes] = 1;
   }
   ++pending_;
+  ++learned_since_clearing_;
   --expected_;
   if (!to_measure_.empty()) normalize_measured();
   return nearest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,7 @@ class DenseLearner {
 
  private:
   bool dot_product() const;
+  bool clears() const;
   std::size_t stride() const { return som_.weights().padded_rows(); }
   std::size_t blocks() const { return som_.weights().blocks(); }
   float* products_of(std::size_t slot) {
@@ -116,6 +118,7 @@ class DenseLearner {
   std::vector<const float*> tiles_;
   AlignedVector<float> scratch_block_;
   AlignedVector<float> scratch_scores_;
+  std::uint64_t learned_since_clearing_ = 0;
   bool all_normalized_ = false;
 };
 
