@@ -26,6 +26,10 @@ struct LearningStep {
 /// may change it in the meantime. Settling seldom is fast: a learner puts updates off. The same
 /// inputs, settled at the same times, give the same bits for every number of threads and
 /// instruction set; other times change roundings.
+///
+/// A stream that begins with an input of which less than a sixteenth of the elements are not 0 is
+/// learned in memory of its own, as much again as these elements' weights take, until an input has
+/// more; unless the map is settled after nearly each input, only what is not 0 then costs time.
 class SomLearner {
  public:
   /// `threads` are used where several inputs are known.
