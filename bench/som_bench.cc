@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/lanes.h"
 #include "somato/core/instruction_set.h"
 #include "somato/core/random.h"
 #include "somato/core/threads.h"
 #include "somato/maps/batch_training.h"
+#include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {
@@ -60,6 +63,111 @@ void online_training(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(train_som(parameters, samples));
 }
 BENCHMARK(online_training)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+
+// The yardstick: a pass for the winner, and one for the weights of all neurons.
+void learn_in_two_passes(Som& som, const SignalView& input, const LearningStep& step,
+                         Neighbourhood& neighbourhood, SomWorkspace& workspace) {
+  AlignedVector<float> gains(som.weights().padded_rows());
+  neighbourhood.around(som.winner(input, workspace), step.radius, gains);
+  for (float& gain : gains) gain *= static_cast<float>(step.learning_rate);
+  kernels::table<float>().move_towards(kernels::lanes(som.weights()), input.values.data(),
+                                       gains.data());
+}
+
+// The same 2000 samples as they stream in: one known at a time, settled after each, and the
+// yardstick.
+void online_streaming(benchmark::State& state) {
+  use_set(state, 2);
+  SomParameters parameters;
+  parameters.iterations = 2000;
+  const Samples samples = noise(40, 2049);
+  const Som start = untrained_som(parameters, samples).value();
+  const SomParameters& p = start.parameters();
+  constexpr const char* kForms[] = {"one by one", "settled each time", "two passes"};
+  state.SetLabel(kForms[state.range(0)]);
+  for (auto _ : state) {
+    Som som = start;
+    SomLearner learner(som);
+    Neighbourhood neighbourhood(som.grid(), p.neighbourhood);
+    SomWorkspace workspace;
+    DrawSequence draws(p.draws, samples.count(), p.seed);
+    for (std::uint64_t t = 0; t < 2000; ++t) {
+      const SignalView input = samples[draws.next()];
+      const LearningStep step{p.learning_rate().at(t), p.radius().at(t)};
+      if (state.range(0) == 2) {
+        learn_in_two_passes(som, input, step, neighbourhood, workspace);
+      } else {
+        learner.learn(input, step.learning_rate, step.radius);
+        if (state.range(0) == 1) learner.settle();
+      }
+    }
+    learner.settle();
+    benchmark::DoNotOptimize(som.weights().data());
+  }
+}
+BENCHMARK(online_streaming)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+Samples sparse_noise(std::size_t count, std::size_t size, std::size_t emptiness) {
+  Random random(1);
+  std::vector<Signal> signals;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::uint32_t> indices;
+    std::vector<float> values;
+    for (std::uint32_t element = 0; element < size; ++element) {
+      if (random.below(emptiness) != 0) continue;
+      indices.push_back(element);
+      values.push_back(static_cast<float>(random.uniform()));
+    }
+    signals.push_back(Signal::sparse({size}, std::move(indices), std::move(values)));
+  }
+  return Samples::from_signals(signals);
+}
+
+// The yardstick: the weights that an input of a thousand touches read and written once, where they
+// stand side by side.
+void touch_rows(const Samples& samples, std::vector<float>& rows, std::size_t neurons) {
+  DrawSequence draws(Draws::kWithReplacement, samples.count(), 1);
+  for (int t = 0; t < 1000; ++t) {
+    for (const std::uint32_t element : samples[draws.next()].indices) {
+      float* row = rows.data() + element * neurons;
+      for (std::size_t neuron = 0; neuron < neurons; ++neuron) row[neuron] = 0.5F * row[neuron];
+    }
+  }
+  benchmark::DoNotOptimize(rows.data());
+}
+
+// A thousand inputs of 270000 elements, 1 % of them not 0, that nobody knows before, on a map that
+// begins with zeros: weights for what comes in, weights for all elements, the yardstick.
+void sparse_streaming(benchmark::State& state) {
+  use_set(state, 2);
+  constexpr std::size_t kSize = 270000;
+  const Samples samples = sparse_noise(30, kSize, 100);
+  SomParameters parameters;
+  parameters.iterations = 1000;
+  parameters = resolve(parameters, samples.count(), kSize).value();
+  const std::size_t neurons = parameters.grid().size();
+  constexpr const char* kForms[] = {"elements of inputs", "all elements", "rows touched once"};
+  state.SetLabel(kForms[state.range(0)]);
+  std::vector<float> rows(state.range(0) == 2 ? kSize * neurons : 0, 1.0F);
+  for (auto _ : state) {
+    if (state.range(0) == 2) {
+      touch_rows(samples, rows, neurons);
+      continue;
+    }
+    Som som = state.range(0) == 0
+                  ? Som(parameters, LaneMatrix<float>(neurons, 1), StoredElements(kSize, {0}))
+                  : Som(parameters, LaneMatrix<float>(neurons, kSize));
+    SomLearner learner(som);
+    DrawSequence draws(Draws::kWithReplacement, samples.count(), 1);
+    for (std::uint64_t t = 0; t < 1000; ++t) {
+      learner.learn(samples[draws.next()], parameters.learning_rate().at(t),
+                    parameters.radius().at(t));
+    }
+    learner.settle();
+    benchmark::DoNotOptimize(som.weights().data());
+  }
+}
+BENCHMARK(sparse_streaming)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
 // One epoch of batch training, 2000 samples of 256 features on a map of 30 x 30, by threads.
 void batch_training(benchmark::State& state) {

@@ -5,6 +5,7 @@
 
 #include "core/batch_kernels.h"
 #include "core/kernels.h"
+#include "core/online_kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -15,6 +16,7 @@ namespace kernels {
   extern const Table<float> kFloatTable;   \
   extern const Table<double> kDoubleTable; \
   extern const BatchTable kBatchTable;     \
+  extern const OnlineTable kOnlineTable;   \
   }
 SOMATO_DECLARE_TABLES(portable)
 SOMATO_DECLARE_TABLES(avx2)
@@ -96,6 +98,14 @@ const BatchTable& batch_table() {
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kBatchTable;
 #endif
   return portable::kBatchTable;
+}
+
+const OnlineTable& online_table() {
+#if defined(__x86_64__)
+  if (instruction_set() >= InstructionSet::kAvx512) return avx512::kOnlineTable;
+  if (instruction_set() == InstructionSet::kAvx2) return avx2::kOnlineTable;
+#endif
+  return portable::kOnlineTable;
 }
 
 }  // namespace kernels

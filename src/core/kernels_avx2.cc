@@ -3,5 +3,6 @@
 #define SOMATO_KERNELS avx2
 #include "core/batch_kernels_body.h"
 #include "core/kernels_body.h"
+#include "core/online_kernels_body.h"
 #include "core/product_kernels_body.h"
 #endif

@@ -94,14 +94,17 @@ void Som::store_all() {
   elements_ = StoredElements(elements_.size());
 }
 
+double Som::input_factor(const SignalView& input) const {
+  return parameters_.normalize_input.value_or(false) ? factor_to_length_one(input.values) : 1.0;
+}
+
 std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& workspace) const {
   require(input.size == input_size(), "the input's size differs from the map's input size");
   const bool normalize = parameters_.normalize_input.value_or(false);
   workspace.left_out_ = 0.0;
   if (!input.sparse && !normalize && elements_.all()) return input.values;
   workspace.input_.resize(elements_.count());
-  const double factor = normalize ? factor_to_length_one(input.values) : 1.0;
-  workspace.left_out_ = elements_.gather(input, workspace.input_, factor);
+  workspace.left_out_ = elements_.gather(input, workspace.input_, input_factor(input));
   return workspace.input_;
 }
 

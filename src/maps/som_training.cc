@@ -18,12 +18,14 @@ namespace somato {
 namespace {
 
 constexpr std::uint64_t kIterationsBetweenReports = 64;
-constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 26;
+constexpr std::uint64_t kLeastIterationsBetweenReports = 16;  // learned in one pass
+constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
 
 // Fewer on a large map: whoever asks it to stop does not want to wait.
 std::uint64_t iterations_between_reports(const Som& som) {
   const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
-  return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, 1, kIterationsBetweenReports);
+  return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, kLeastIterationsBetweenReports,
+                                   kIterationsBetweenReports);
 }
 
 // Of the stored elements alone: everything else is 0 and stays 0.
@@ -43,14 +45,24 @@ Som of_whole_inputs(Som som, const StoredElements& elements) {
   return Som(som.parameters(), std::move(som.weights()), elements);
 }
 
-Result<void> train_online(Som& som, const Samples& prepared, const Progress& progress) {
+Result<void> train_online(Som& som, const Samples& prepared, const TrainingOptions& options) {
   const SomParameters& p = som.parameters();
   DrawSequence draws(p.draws, prepared.count(), p.seed);
-  SomLearner learner(som);
-  const Stop stop(progress, *p.iterations, iterations_between_reports(som));
-  for (std::uint64_t t = 0; t < *p.iterations; ++t) {
-    learner.learn(prepared[draws.next()], p.learning_rate().at(t), p.radius().at(t));
-    if (stop.after(t + 1)) return Stop::error();
+  SomLearner learner(som, options.threads);
+  const std::uint64_t interval = iterations_between_reports(som);
+  const Stop stop(options.progress, *p.iterations, interval);
+  std::vector<SignalView> inputs;
+  std::vector<LearningStep> steps;
+  for (std::uint64_t t = 0; t < *p.iterations;) {
+    const std::uint64_t end = std::min(t + interval, *p.iterations);
+    inputs.clear();
+    steps.clear();
+    for (; t < end; ++t) {
+      inputs.push_back(prepared[draws.next()]);
+      steps.push_back({p.learning_rate().at(t), p.radius().at(t)});
+    }
+    learner.learn(inputs, steps);
+    if (stop.after(t)) return Stop::error();
   }
   return {};
 }
@@ -110,9 +122,8 @@ Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& pre
 }
 
 Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  return som.parameters().training == Training::kBatch
-             ? train_batch(som, prepared, options)
-             : train_online(som, prepared, options.progress);
+  return som.parameters().training == Training::kBatch ? train_batch(som, prepared, options)
+                                                       : train_online(som, prepared, options);
 }
 
 }  // namespace

@@ -142,9 +142,8 @@ std::vector<float> activity_of(const Som& som, const SignalView& input) {
   return activity;
 }
 
-void learn(Som& som, std::size_t t, const SignalView& input) {
-  const SomParameters& p = som.parameters();
-  SomLearner(som).learn(input, p.learning_rate().at(t), p.radius().at(t));
+void learn(SomLearner& learner, const SomParameters& p, std::size_t t, const SignalView& input) {
+  learner.learn(input, p.learning_rate().at(t), p.radius().at(t));
 }
 
 SomParameters small_map(std::size_t draws, std::uint64_t seed) {
@@ -185,17 +184,22 @@ TEST(SystemTraining, TwoMapsLearnFramesTogetherAsInAnObviousLoop) {
   EXPECT_NE(seed_of_a, 9U);
   Som a = untrained_som(small_map(draws, seed_of_a), joints).value();
   Som b = untrained_som(small_map(draws, 9), activities(a, joints)).value();
+  SomLearner learner_of_a(a);
+  SomLearner learner_of_b(b);
   DrawSequence order(Draws::kWithoutReplacement, 4, seed_of_a);
   std::size_t t = 0;
   while (t < draws) {
     const Matrix<float>& frames = frames_of(recording, "joints", order.next());
     for (std::size_t f = 0; f < frames.rows() && t < draws; ++f, ++t) {
       const SignalView input = SignalView::dense(frames.row(f));
+      learner_of_a.settle();
       const std::vector<float> response = activity_of(a, input);
-      learn(a, t, input);
-      learn(b, t, SignalView::dense(response));
+      learn(learner_of_a, a.parameters(), t, input);
+      learn(learner_of_b, b.parameters(), t, SignalView::dense(response));
     }
   }
+  learner_of_a.settle();
+  learner_of_b.settle();
   EXPECT_EQ(map_of(system, "a").weights(), a.weights());
   EXPECT_EQ(map_of(system, "b").weights(), b.weights());
 }
@@ -213,13 +217,18 @@ TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
   Som a = untrained_som(small_map(draws, 9), joints).value();
   const std::uint64_t seed_of_b = map_of(system, "b").parameters().seed;
   Som b = untrained_som(small_map(draws, seed_of_b), activities(a, joints)).value();
+  SomLearner learner_of_a(a);
+  SomLearner learner_of_b(b);
   DrawSequence order(Draws::kWithReplacement, 4, 9);
   for (std::size_t t = 0; t < draws; ++t) {
     const SignalView input = joints[order.next()];
+    learner_of_a.settle();
     const std::vector<float> response = activity_of(a, input);
-    learn(a, t, input);
-    learn(b, t, SignalView::dense(response));
+    learn(learner_of_a, a.parameters(), t, input);
+    learn(learner_of_b, b.parameters(), t, SignalView::dense(response));
   }
+  learner_of_a.settle();
+  learner_of_b.settle();
   EXPECT_EQ(map_of(system, "a").weights(), a.weights());
   EXPECT_EQ(map_of(system, "b").weights(), b.weights());
 }
@@ -304,6 +313,7 @@ TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
   SomParameters parameters = small_map(draws, 9);
   parameters.initial_weights = InitialWeights::kUniform;
   Som map = untrained_som(parameters, Samples(Matrix<float>(1, 9))).value();
+  SomLearner learner(map);
   DrawSequence order(Draws::kWithReplacement, 4, 9);
   const auto input_of = [&](std::size_t exploration, std::size_t f, std::vector<float>& before) {
     const Matrix<float>& joints = frames_of(recording, "joints", exploration);
@@ -317,7 +327,8 @@ TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
     std::vector<float> before(6);
     const std::size_t frames = frames_of(recording, "joints", exploration).rows();
     for (std::size_t f = 0; f < frames && t < draws; ++f, ++t) {
-      learn(map, t, SignalView::dense(input_of(exploration, f, before)));
+      learn(learner, map.parameters(), t, SignalView::dense(input_of(exploration, f, before)));
+      learner.settle();
     }
   }
   EXPECT_EQ(map_of(system, "map").weights(), map.weights());

@@ -98,6 +98,7 @@ class Som {
  private:
   friend class SomLearner;
   friend class WinnerSearch;
+  double input_factor(const SignalView& input) const;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores_of(std::span<const float> prepared, SomWorkspace& workspace) const;

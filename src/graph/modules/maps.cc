@@ -32,9 +32,10 @@ Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::
 
 class SomStepper : public Stepper {
  public:
-  explicit SomStepper(const Som& som) : som_(som) {}
+  SomStepper(const Som& som, SomLearner* learner) : som_(som), learner_(learner) {}
 
   Result<Signal> step(std::span<const SignalView> inputs) override {
+    if (learner_ != nullptr) learner_->settle();
     std::vector<float> activity(som_.neurons());
     som_.activity(inputs.front(), workspace_, activity);
     return Signal::dense({som_.grid().rows(), som_.grid().columns()}, std::move(activity));
@@ -42,6 +43,7 @@ class SomStepper : public Stepper {
 
  private:
   const Som& som_;
+  SomLearner* learner_;  // of a map that learns meanwhile
   SomWorkspace workspace_;
 };
 
@@ -91,7 +93,7 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
 std::unique_ptr<Stepper> SomModule::start() const {
   if (known_) return std::make_unique<KnownStepper>(*known_, exploration_);
   require(som_.neurons() > 0, "a map that has learned nothing cannot be used");
-  return std::make_unique<SomStepper>(som_);
+  return std::make_unique<SomStepper>(som_, learner_.get());
 }
 
 std::size_t SomModule::memory() const {
@@ -110,6 +112,7 @@ SomParameters SomModule::parameters_for(const Lesson& lesson) const {
 Result<void> SomModule::learn(const Lesson& lesson, const TrainingInputs& explorations) {
   auto trained = train_som(parameters_for(lesson), all_values(explorations), {1, lesson.progress});
   if (!trained) return fail(std::move(trained.error()));
+  learner_.reset();
   som_ = std::move(*trained);
   return {};
 }
@@ -117,6 +120,7 @@ Result<void> SomModule::learn(const Lesson& lesson, const TrainingInputs& explor
 Result<std::uint64_t> SomModule::begin(const Lesson& lesson, const TrainingInputs& explorations) {
   SomParameters parameters = parameters_for(lesson);
   known_.reset();
+  learner_.reset();
   if (lesson.inputs_fixed) {
     auto known = InnerProductLearner::start(parameters, all_values(explorations));
     if (!known) return fail(std::move(known.error()));
@@ -151,7 +155,7 @@ Result<void> SomModule::begin_plain(SomParameters parameters, const Samples& sam
   auto som = untrained_som(parameters, samples);
   if (!som) return fail(std::move(som.error()));
   som_ = std::move(*som);
-  learner_.emplace(som_);
+  learner_ = std::make_unique<SomLearner>(som_);
   return {};
 }
 
@@ -168,6 +172,7 @@ Result<void> SomModule::step(std::span<const SignalView> inputs, std::uint64_t d
 }
 
 void SomModule::finish() {
+  learner_.reset();
   if (!known_) return;
   som_ = known_->form_som();
   known_.reset();
@@ -186,6 +191,7 @@ Result<void> SomModule::load(const Archive& archive, const std::string& prefix,
       som->grid().columns() != parameters_.columns) {
     return damaged_model("a map does not fit its place in the system", where);
   }
+  learner_.reset();
   som_ = std::move(*som);
   return {};
 }

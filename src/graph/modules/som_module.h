@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +45,7 @@ class SomModule : public SteppedModule, public Learner {
   std::size_t input_size_ = 0;
   Rate rate_ = Rate::kExploration;
   Som som_;
-  std::optional<SomLearner> learner_;
+  std::unique_ptr<SomLearner> learner_;  // while it learns
   // In a phase whose explorations bring the same throughout; there is no map until its end.
   std::unique_ptr<InnerProductLearner> known_;
   std::size_t exploration_ = 0;

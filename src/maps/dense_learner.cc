@@ -1,0 +1,438 @@
+#include "maps/dense_learner.h"
+
+// The last kPending updates are put off. Until they are made, neuron k has the weights
+//
+//     w_k = c_k v_k + sum_j A_kj x_j,
+//
+// v_k being those in memory and x_j the inputs whose updates are pending. Learning input x with
+// gain a (learning rate times neighbourhood) only changes the coefficients,
+//
+//     c_k <- (1-a) c_k,   A_kj <- (1-a) A_kj,   A_kx <- a,
+//     n_k <- (1-a)^2 n_k + 2 a (1-a) g_k + a^2 |x|^2   for n_k = |w_k|^2, g_k = w_k . x,
+//
+// and a normalization divides them by sqrt(n_k). So one input costs the products v_k . x, from
+// which g_k = c_k (v_k . x) + sum_j A_kj (x_j . x) follows: a pass that only reads. All pending
+// updates are made in one pass, which measures n_k anew, so that its rounding does not add up, and
+// takes the next inputs' products on its way where they are known. Coefficients are in double
+// precision.
+//
+// The winner is nonetheless the one of the plain formula on the weights as settle() would leave
+// them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
+// plain formula's sum d^2, whose R is that of longer chunks, differ by at most
+//
+//     u (R + 40) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
+//
+// u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
+// 2 u R m_k |x| for g_k, u (R+3) d^2 for the plain formula, and 2 d |rounding of w_k| with
+// |rounding of w_k| <= (kPending + 2) u m_k. Where weights below kNegligible become 0, d^2 changes
+// by no more than u d^2 + kNegligible^2 elements / u. Neurons within these bounds of the best get
+// the plain formula.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "core/lanes.h"
+#include "somato/core/check.h"
+#include "somato/core/threads.h"
+
+namespace somato {
+namespace {
+
+using kernels::kPending;
+
+constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+constexpr double kUnit = 0x1p-24;
+
+// Below it multiplying gets slow, and no weight moves.
+constexpr double kSmallestGain = 0x1p-100;
+
+// More multiply-adds (of vectors) than starting a thread takes.
+constexpr std::size_t kWorthAThread = std::size_t{1} << 17;
+
+// Weights of elements that are mostly zero decay until they are slow to compute with; their squares
+// have left the range of single precision long before.
+constexpr std::uint64_t kLearnedBetweenClearings = 64;
+
+// Where so much cancels out, the length of what is left is measured, not computed.
+constexpr double kMostCancellation = 32.0;
+
+// Shorter than those of the plain formula, so that few scores are too close to call; long enough
+// for many columns.
+std::size_t chunk_for(std::size_t columns) {
+  constexpr std::size_t kShort = 64;
+  const bool is_short = columns > kernels::kChunk && columns < kShort * kernels::kChunk;
+  return is_short ? kShort : kernels::kChunk;
+}
+
+// Of a sum in chunks, and of what else is rounded (see above).
+double relative_error(std::size_t columns, std::size_t chunk) {
+  constexpr std::size_t kElse = 40;
+  return kUnit * static_cast<double>(chunk + columns / chunk + kElse);
+}
+
+double negligible_length(std::size_t columns) {
+  return static_cast<double>(kernels::kNegligible<float>) * std::sqrt(static_cast<double>(columns));
+}
+
+}  // namespace
+
+// An odd number of cache lines keeps equal places of the rows out of each other's way.
+InputSlots::InputSlots(std::size_t columns)
+    : columns_(columns),
+      stride_((((columns + kLanes - 1) / kLanes) | 1) * kLanes),
+      rows_(kPending * stride_),
+      lanes_(columns * kPending) {}
+
+void InputSlots::write(std::size_t first, const std::vector<std::span<const float>>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    std::copy(inputs[i].begin(), inputs[i].end(),
+              rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
+  }
+  for (std::size_t start = 0; start < columns_; start += kLanes) {
+    const std::size_t end = std::min(start + kLanes, columns_);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const float* input = inputs[i].data();
+      float* lane = lanes_.data() + first + i;
+      for (std::size_t column = start; column < end; ++column) {
+        lane[column * kPending] = input[column];
+      }
+    }
+  }
+}
+
+DenseLearner::DenseLearner(Som& som, std::size_t threads)
+    : som_(som),
+      threads_(threads),
+      chunk_(chunk_for(som.weights().columns())),
+      neighbourhood_(som.grid(), som.parameters().neighbourhood),
+      slots_(som.weights().columns()),
+      other_slots_(som.weights().columns()),
+      products_(kPending * (stride() + kPending)),
+      kept_(stride(), 1.0),
+      gains_(som.neurons(), kPending),
+      squared_lengths_(stride()),
+      magnitudes_(stride()),
+      moved_(blocks()),
+      float_kept_(stride()),
+      float_gains_(kPending * stride()),
+      slot_products_(gains_.padded_rows()),
+      input_products_(kPending),
+      scores_(som.neurons()),
+      factors_(gains_.padded_rows(), 1.0),
+      new_gains_(som.neurons()),
+      neighbours_(som.neurons()),
+      scratch_scores_(kLanes) {
+  AlignedVector<float> squares(stride());
+  kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
+                                        squares.data());
+  std::copy(squares.begin(), squares.end(), squared_lengths_.begin());
+  forget_pending();
+}
+
+bool DenseLearner::clears() const {
+  return learned_since_clearing_ >= kLearnedBetweenClearings;
+}
+
+bool DenseLearner::dot_product() const {
+  return som_.parameters().similarity == Similarity::kDotProduct;
+}
+
+void DenseLearner::expect(const std::vector<std::span<const float>>& inputs) {
+  SOMATO_ASSERT(expected_ == 0 && !inputs.empty() && inputs.size() <= kPending);
+  const bool full = pending_ + inputs.size() > kPending;
+  InputSlots& slots = full ? other_slots_ : slots_;
+  const std::size_t first = full ? 0 : pending_;
+  slots.write(first, inputs);
+  if (full) {
+    rebase(inputs.size());
+  } else if (inputs.size() == 1) {
+    read_products(first);
+  } else {
+    pass(slots_, first, inputs.size());
+  }
+  expected_ = inputs.size();
+  ahead_ = std::min(2 * ahead_, kPending);
+}
+
+// Never beyond the input at which what is pending is made, however many are known ahead.
+std::size_t DenseLearner::ahead() const {
+  return std::min(ahead_, pending_ == kPending ? kPending : kPending - pending_);
+}
+
+// Makes the pending updates and goes on with those expected.
+void DenseLearner::rebase_expected() {
+  std::vector<std::span<const float>> left(expected_);
+  for (std::size_t i = 0; i < expected_; ++i) left[i] = slots_.input(pending_ + i);
+  other_slots_.write(0, left);
+  rebase(expected_);
+}
+
+// Makes the pending updates and goes on with the first `count` of the other slots.
+void DenseLearner::rebase(std::size_t count) {
+  for (std::size_t block = 0; block < blocks(); ++block) {
+    if (moved_[block] != 0) write_coefficients(block);
+  }
+  pass(other_slots_, 0, count == 1 ? 0 : count);
+  if (clears()) learned_since_clearing_ = 0;
+  forget_pending();
+  std::swap(slots_, other_slots_);
+  if (count == 1) read_products(0);
+}
+
+void DenseLearner::settle() {
+  if (std::find(moved_.begin(), moved_.end(), 1) == moved_.end()) return;
+  SOMATO_ASSERT(expected_ == 0);
+  rebase(0);
+}
+
+// Single precision for the pass that makes the updates.
+void DenseLearner::write_coefficients(std::size_t block) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const std::size_t neuron = block * kLanes + lane;
+    float_kept_[neuron] = static_cast<float>(kept_[neuron]);
+    if (neuron >= som_.neurons()) continue;
+    for (std::size_t j = 0; j < std::max<std::size_t>(1, pending_); ++j) {
+      const double gain = gains_(neuron, j);
+      float_gains_[(block * kPending + j) * kLanes + lane] =
+          std::fabs(gain) < kSmallestGain ? 0.0F : static_cast<float>(gain);
+    }
+  }
+}
+
+void DenseLearner::forget_pending() {
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    magnitudes_[neuron] = std::sqrt(squared_lengths_[neuron]);
+  }
+  std::fill(kept_.begin(), kept_.end(), 1.0);
+  std::fill_n(gains_.data(), gains_.padded_rows() * kPending, 0.0);
+  std::fill(moved_.begin(), moved_.end(), 0);
+  pending_ = 0;
+}
+
+// As fast as reading is: several sums at once do not wait for each other.
+void DenseLearner::read_products(std::size_t slot) {
+  const LaneMatrix<float>& weights = som_.weights();
+  tiles_.clear();
+  for (std::size_t block = 0; block < blocks(); ++block) {
+    tiles_.push_back(weights.data() + block * weights.columns() * kLanes);
+  }
+  tiles_.push_back(slots_.lanes(0));
+  kernels::online_table().multiply_blocks(tiles_.data(), tiles_.size(), weights.columns(), chunk_,
+                                          slots_.input(slot).data(), products_of(slot));
+}
+
+// Makes what is pending if `next` are other slots than those in use; takes the products of `count`
+// inputs from slot `first` on. The last block is that of the slots themselves.
+void DenseLearner::pass(const InputSlots& next, std::size_t first, std::size_t count) {
+  const std::size_t work = blocks() * som_.weights().columns() * (count + pending_);
+  for_each_range(blocks() + 1, work < kWorthAThread ? 1 : threads_,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t block = begin; block < end; ++block) {
+                     pass_over_block(block, next, first, count);
+                   }
+                 });
+}
+
+void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
+                                   std::size_t count) {
+  const std::size_t columns = som_.weights().columns();
+  const std::size_t product_stride = stride() + kPending;
+  const bool of_slots = block == blocks();
+  const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
+  alignas(64) float squares[kLanes] = {};
+  float* products = products_of(first) + block * kLanes;
+  for (std::size_t j = 0; j < count; ++j) {
+    std::fill_n(products + j * product_stride, kLanes, 0.0F);
+  }
+  for (std::size_t start = 0; start < columns; start += chunk_) {
+    const std::size_t width = std::min(chunk_, columns - start);
+    float* weights = som_.weights().data() + (block * columns + start) * kLanes;
+    if (moves) combine_tile(block, start, width, weights, squares);
+    if (count == 0) continue;
+    kernels::online_table().multiply(of_slots ? next.lanes(start) : weights, width,
+                                     next.lanes(start) + first, count, products, product_stride);
+  }
+  if (moves) std::copy_n(squares, kLanes, squared_lengths_.data() + block * kLanes);
+}
+
+void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
+                                float* to, float* squares) const {
+  const LaneMatrix<float>& weights = som_.weights();
+  kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
+                                  columns, float_kept_.data() + block * kLanes,
+                                  float_gains_.data() + block * kPending * kLanes,
+                                  slots_.lanes(start), std::max<std::size_t>(1, pending_),
+                                  clears() ? kernels::kNegligible<float> : 0.0F, to, squares);
+}
+
+std::size_t DenseLearner::learn(double learning_rate, double radius) {
+  SOMATO_ASSERT(expected_ > 0);
+  const std::size_t nearest = winner();
+  neighbourhood_.around(nearest, radius, neighbours_);
+  to_measure_.clear();
+  move(learning_rate);
+  if (dot_product()) normalize();
+  kernels::table<double>().scale_rows(kernels::lanes(gains_), factors_.data());
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    gains_(neuron, pending_) = new_gains_[neuron];
+    if (factors_[neuron] != 1.0 || new_gains_[neuron] != 0.0) moved_[neuron / kLanes] = 1;
+  }
+  ++pending_;
+  ++learned_since_clearing_;
+  --expected_;
+  if (!to_measure_.empty()) normalize_measured();
+  return nearest;
+}
+
+// Nothing changes where the gain is 0.
+void DenseLearner::move(double learning_rate) {
+  const double squared_input = input_products_[pending_];
+  const double input = std::sqrt(squared_input);
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    const double gain = learning_rate * double{neighbours_[neuron]};
+    const double keep = 1.0 - gain;
+    squared_lengths_[neuron] =
+        std::max(0.0, keep * keep * squared_lengths_[neuron] +
+                          2.0 * gain * keep * slot_products_[neuron] + gain * gain * squared_input);
+    magnitudes_[neuron] = std::fabs(keep) * magnitudes_[neuron] + std::fabs(gain) * input;
+    kept_[neuron] *= keep;
+    factors_[neuron] = keep;
+    new_gains_[neuron] = gain;
+  }
+}
+
+// Neurons that have not moved since they had length 1 stay as they are.
+void DenseLearner::normalize() {
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    const double squared_length = squared_lengths_[neuron];
+    const double magnitude = magnitudes_[neuron];
+    if ((all_normalized_ && new_gains_[neuron] == 0.0) || magnitude == 0.0) continue;
+    if (magnitude * magnitude > kMostCancellation * squared_length) {
+      to_measure_.push_back(neuron);
+      continue;
+    }
+    const double factor = 1.0 / std::sqrt(squared_length);
+    squared_lengths_[neuron] = 1.0;
+    magnitudes_[neuron] *= factor;
+    kept_[neuron] *= factor;
+    factors_[neuron] *= factor;
+    new_gains_[neuron] *= factor;
+  }
+  all_normalized_ = true;
+}
+
+// Their lengths are those in memory once the updates are made.
+void DenseLearner::normalize_measured() {
+  ahead_ = 1;
+  rebase_expected();
+  for (const std::size_t neuron : to_measure_) {
+    if (squared_lengths_[neuron] == 0.0) continue;
+    kept_[neuron] = 1.0 / std::sqrt(squared_lengths_[neuron]);
+    squared_lengths_[neuron] = 1.0;
+    magnitudes_[neuron] = 1.0;
+    moved_[neuron / kLanes] = 1;
+  }
+}
+
+void DenseLearner::compute_scores() {
+  const std::size_t slot = pending_;
+  std::fill(input_products_.begin(), input_products_.end(), 0.0);
+  const float* products = products_of(slot);
+  for (std::size_t j = 0; j <= slot; ++j) input_products_[j] = double{products[stride() + j]};
+  kernels::table<double>().inner_products(kernels::lanes(std::as_const(gains_)),
+                                          input_products_.data(), slot_products_.data());
+  const bool dot = dot_product();
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    slot_products_[neuron] += kept_[neuron] * double{products[neuron]};
+    const double product = slot_products_[neuron];
+    scores_[neuron] =
+        dot ? -product : squared_lengths_[neuron] - 2.0 * product + input_products_[slot];
+  }
+}
+
+// What the best score may be at most, and those of neurons that are not farther from it than their
+// own errors allow.
+double DenseLearner::score_limit() const {
+  const std::size_t columns = som_.weights().columns();
+  const double best = *std::min_element(scores_.begin(), scores_.end());
+  const double magnitude = *std::max_element(
+      magnitudes_.begin(), magnitudes_.begin() + static_cast<std::ptrdiff_t>(som_.neurons()));
+  const double input = std::sqrt(input_products_[pending_]);
+  const double error = relative_error(columns, chunk_);
+  const double negligible = negligible_length(columns);
+  const double plain = relative_error(columns, kernels::kChunk);
+  if (dot_product()) {
+    return best + 2.0 * ((error + plain) * magnitude + negligible) * input;
+  }
+  const double bound =
+      error * (magnitude + input) * (magnitude + input) + negligible * negligible / kUnit;
+  return (best + plain * std::max(0.0, best) + 2.0 * bound) / (1.0 - plain);
+}
+
+std::size_t DenseLearner::winner() {
+  compute_scores();
+  const double limit = score_limit();
+  std::size_t best = som_.neurons();
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    if (scores_[neuron] > limit) continue;
+    if (best < som_.neurons()) return plain_winner(limit);
+    best = neuron;
+  }
+  return best;
+}
+
+// Among all neurons of the blocks that have some within the limit.
+std::size_t DenseLearner::plain_winner(double limit) {
+  std::vector<std::size_t> candidates;
+  for (std::size_t block = 0; block < blocks(); ++block) {
+    const auto begin = scores_.begin() + static_cast<std::ptrdiff_t>(block * kLanes);
+    const auto end = scores_.begin() +
+                     static_cast<std::ptrdiff_t>(std::min((block + 1) * kLanes, som_.neurons()));
+    if (std::any_of(begin, end, [&](double score) { return score <= limit; })) {
+      candidates.push_back(block);
+    }
+  }
+  // The updates of many blocks are worth making for good.
+  if (4 * candidates.size() > blocks() &&
+      std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
+    ahead_ = 1;
+    rebase_expected();
+    compute_scores();
+  }
+  std::size_t best = candidates.front() * kLanes;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t block : candidates) {
+    const std::span<const float> plain = plain_scores(block);
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const double score = dot_product() ? -double{plain[i]} : double{plain[i]};
+      if (score >= least) continue;
+      least = score;
+      best = block * kLanes + i;
+    }
+  }
+  return best;
+}
+
+std::span<const float> DenseLearner::plain_scores(std::size_t block) {
+  const std::size_t columns = som_.weights().columns();
+  const float* weights = std::as_const(som_).weights().data() + block * columns * kLanes;
+  if (moved_[block] != 0) {
+    alignas(64) float squares[kLanes] = {};
+    scratch_block_.resize(columns * kLanes);
+    write_coefficients(block);
+    for (std::size_t start = 0; start < columns; start += chunk_) {
+      combine_tile(block, start, std::min(chunk_, columns - start),
+                   scratch_block_.data() + start * kLanes, squares);
+    }
+    weights = scratch_block_.data();
+  }
+  const auto& kernels = kernels::table<float>();
+  const auto compute = dot_product() ? kernels.inner_products : kernels.squared_distances;
+  compute({weights, 1, columns}, slots_.input(pending_).data(), scratch_scores_.data());
+  return {scratch_scores_.data(), std::min(kLanes, som_.neurons() - block * kLanes)};
+}
+
+}  // namespace somato

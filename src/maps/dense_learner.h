@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/online_kernels.h"
+#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
+#include "somato/maps/neighbourhood.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+
+static_assert(kernels::kPending == LaneMatrix<float>::kLanes, "slots are a block of rows as well");
+
+/// Up to kPending inputs side by side, in both orders that the kernels take.
+class InputSlots {
+ public:
+  explicit InputSlots(std::size_t columns);
+
+  /// Writes neighbouring slots from `first` on.
+  void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
+
+  std::span<const float> input(std::size_t slot) const {
+    return {rows_.data() + slot * stride_, columns_};
+  }
+
+  /// From element `column` on, as kernels::OnlineTable takes inputs.
+  const float* lanes(std::size_t column) const {
+    return lanes_.data() + column * kernels::kPending;
+  }
+
+ private:
+  std::size_t columns_;
+  std::size_t stride_;
+  AlignedVector<float> rows_;
+  AlignedVector<float> lanes_;
+};
+
+/// Learns dense inputs one after the other with less than one pass over the weights each; see the
+/// source for the mathematics. The map's weights are up to date after settle(). The same inputs
+/// give the same bits for every number of threads and however many of them are known ahead.
+class DenseLearner {
+ public:
+  /// Nobody else may change the map's weights as long as it is trained here.
+  DenseLearner(Som& som, std::size_t threads);
+
+  /// Makes the next inputs known, as the map sees them: at least one, at most kPending. They are
+  /// then learned in this order.
+  void expect(const std::vector<std::span<const float>>& inputs);
+
+  /// How many inputs are best made known at once.
+  std::size_t ahead() const;
+
+  /// Learns the next expected input; returns the winner, which is the one that Som::winner() finds
+  /// after settle().
+  std::size_t learn(double learning_rate, double radius);
+
+  /// Makes all pending updates.
+  void settle();
+
+ private:
+  bool dot_product() const;
+  bool clears() const;
+  std::size_t stride() const { return som_.weights().padded_rows(); }
+  std::size_t blocks() const { return som_.weights().blocks(); }
+  float* products_of(std::size_t slot) {
+    return products_.data() + slot * (stride() + kernels::kPending);
+  }
+
+  void read_products(std::size_t slot);
+  void pass(const InputSlots& next, std::size_t first, std::size_t count);
+  void pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
+                       std::size_t count);
+  void combine_tile(std::size_t block, std::size_t start, std::size_t columns, float* to,
+                    float* squares) const;
+  void write_coefficients(std::size_t block);
+  void forget_pending();
+  void rebase(std::size_t count);
+  void rebase_expected();
+
+  void compute_scores();
+  double score_limit() const;
+  std::size_t winner();
+  std::size_t plain_winner(double limit);
+  std::span<const float> plain_scores(std::size_t block);
+  void move(double learning_rate);
+  void normalize();
+  void normalize_measured();
+
+  Som& som_;
+  std::size_t threads_;
+  std::size_t chunk_;  // columns that are summed on their own
+  Neighbourhood neighbourhood_;
+  InputSlots slots_;  // the pending ones, then those expected
+  InputSlots other_slots_;
+  std::size_t pending_ = 0;
+  std::size_t expected_ = 0;
+  std::size_t ahead_ = kernels::kPending;
+  // Of a slot with the weights in memory, then with the slots; a row a slot.
+  AlignedVector<float> products_;
+  AlignedVector<double> kept_;
+  LaneMatrix<double> gains_;  // neurons x slots
+  AlignedVector<double> squared_lengths_;
+  AlignedVector<double> magnitudes_;
+  std::vector<unsigned char> moved_;  // a block
+  AlignedVector<float> float_kept_;
+  AlignedVector<float> float_gains_;
+  AlignedVector<double> slot_products_;
+  AlignedVector<double> input_products_;
+  AlignedVector<double> scores_;
+  AlignedVector<double> factors_;
+  AlignedVector<double> new_gains_;
+  std::vector<std::size_t> to_measure_;
+  AlignedVector<float> neighbours_;
+  std::vector<const float*> tiles_;
+  AlignedVector<float> scratch_block_;
+  AlignedVector<float> scratch_scores_;
+  std::uint64_t learned_since_clearing_ = 0;
+  bool all_normalized_ = false;
+};
+
+}  // namespace somato
