@@ -2,4 +2,5 @@
 #if defined(__x86_64__)
 #define SOMATO_KERNELS avx2
 #include "core/kernels_body.h"
+#include "core/t_mpsom_kernels_body.h"
 #endif
