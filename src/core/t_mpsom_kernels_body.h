@@ -267,17 +267,30 @@ void spread_rows(const double* in, std::size_t places, std::size_t width, const 
   }
 }
 
+// Four vectors at a time hide the latency of the multiply-add; the last of a line may be computed
+// several times.
 void spread_line(const double* in, std::size_t places, const double* factors, std::size_t reach,
                  double* out) {
   if (places < kDoubles) return spread_column(0, in, places, 1, factors, reach, out);
-  for (std::size_t place = 0; place < places; place += kDoubles) {
-    const std::size_t start = place < places - kDoubles ? place : places - kDoubles;
-    auto sum = Doubles::all(0);
-    for (std::size_t i = 0; i <= 2 * reach; ++i) {
-      sum = multiply_add(load_anywhere(in + start + i - reach),
-                         Doubles::all(*(factors + i - reach)), sum);
+  constexpr std::size_t kAtOnce = 4;
+  const std::size_t last = places - kDoubles;
+  for (std::size_t place = 0; place < places; place += kAtOnce * kDoubles) {
+    std::size_t starts[kAtOnce];
+    Doubles sums[kAtOnce];
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+      starts[i] = place + i * kDoubles < last ? place + i * kDoubles : last;
+      sums[i] = Doubles::all(0);
     }
-    store_anywhere(sum, out + start);
+    for (std::size_t near = 0; near <= 2 * reach; ++near) {
+      const auto factor = Doubles::all(*(factors + near - reach));
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < kAtOnce; ++i) {
+        sums[i] = multiply_add(load_anywhere(in + starts[i] + near - reach), factor, sums[i]);
+      }
+    }
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kAtOnce; ++i) store_anywhere(sums[i], out + starts[i]);
   }
 }
 
