@@ -41,16 +41,10 @@ struct Table {
   /// out = sum over the listed columns of w * x.
   void (*sparse_inner_products)(Lanes<const Real> w, const std::uint32_t* columns, const Real* x,
                                 std::size_t count, Real* out);
-  /// out = sum over the listed columns of (mask * w) * x, where `mask` has the order of `w`.
-  void (*sparse_masked_inner_products)(Lanes<const Real> w, const Real* mask,
-                                       const std::uint32_t* columns, const Real* x,
-                                       std::size_t count, Real* out);
   /// out = sum over columns of w^2.
   void (*squared_norms)(Lanes<const Real> w, Real* out);
   /// w += gain * (x - w) in each row; blocks whose gains are all zero are not touched.
   void (*move_towards)(Lanes<Real> w, const Real* x, const Real* gains);
-  /// move_towards() for all blocks, clear_negligible() and squared_norms(), in one pass over w.
-  void (*move_and_measure)(Lanes<Real> w, const Real* x, const Real* gains, Real* squared_norms);
   /// sums += factor * x, element by element in double precision; no alignment needed.
   void (*add_scaled)(const Real* x, double factor, std::size_t count, double* sums);
   /// The sum of a * b in double precision, one element after the other; no alignment needed.
@@ -63,13 +57,6 @@ struct Table {
   /// w = 0 where its magnitude is below kNegligible. Weights of elements that are always zero decay
   /// towards the slow subnormal numbers and would stay there.
   void (*clear_negligible)(Lanes<Real> w);
-  /// values = 1 / sqrt(value) for each padded row.
-  void (*invert_square_roots)(Real* values, std::size_t blocks);
-  /// out(u) = sum over v with |u - v| <= reach of factors[v - u] * in(v), where `in` and `out` hold
-  /// a cache line of lanes for each of `places` places. `factors` points to the middle of its
-  /// values; it has them up to reach + kSpreadGroup on both sides, zeros beyond reach.
-  void (*spread)(const Real* in, std::size_t places, const Real* factors, std::size_t reach,
-                 Real* out);
 };
 
 /// The kernels of the instruction set in use.

@@ -88,24 +88,6 @@ void sparse_inner_products(Lanes<const Real> w, const std::uint32_t* columns, co
   });
 }
 
-// The lanes of one column of one block, mask times weight.
-template <typename Real>
-inline Vector<Real> masked_at(const Lanes<const Real>& w, const Real* mask, std::size_t block,
-                              std::size_t column) {
-  const Lanes<const Real> masks{mask, w.blocks, w.columns};
-  return Vector<Real>::load(lanes_at(masks, block, column)) *
-         Vector<Real>::load(lanes_at(w, block, column));
-}
-
-template <typename Real>
-void sparse_masked_inner_products(Lanes<const Real> w, const Real* mask,
-                                  const std::uint32_t* columns, const Real* x, std::size_t count,
-                                  Real* out) {
-  sum_rows<Real>(w.blocks, count, out, [&](std::size_t block, std::size_t i, Vector<Real> sum) {
-    return multiply_add(masked_at(w, mask, block, columns[i]), Vector<Real>::all(x[i]), sum);
-  });
-}
-
 template <typename Real>
 void squared_norms(Lanes<const Real> w, Real* out) {
   sum_rows<Real>(w.blocks, w.columns, out,
@@ -125,55 +107,6 @@ void move_towards(Lanes<Real> w, const Real* x, const Real* gains) {
       const auto weight = Vector<Real>::load(lanes);
       multiply_add(gain, Vector<Real>::all(x[column]) - weight, weight).store(lanes);
     }
-  }
-}
-
-// Sums squares as sum_blocks() does. Gains and element are loaded before anything is stored: for
-// all the compiler knows they may be the same memory as the weights.
-template <typename Real, std::size_t Count>
-inline void move_and_measure_blocks(Lanes<Real> w, std::size_t first_block, const Real* x,
-                                    const Real* gains, Real* squared_norms) {
-  const auto limit = Vector<Real>::all(kNegligible<Real>);
-  Vector<Real> gain[Count];
-  Vector<Real> totals[Count];
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) {
-    gain[i] = Vector<Real>::load(gains + (first_block + i) * kLaneCount<Real>);
-    totals[i] = Vector<Real>::all(0);
-  }
-  for (std::size_t start = 0; start < w.columns; start += kChunk) {
-    const std::size_t end = start + kChunk < w.columns ? start + kChunk : w.columns;
-    Vector<Real> sums[Count];
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < Count; ++i) sums[i] = Vector<Real>::all(0);
-    for (std::size_t column = start; column < end; ++column) {
-      const auto element = Vector<Real>::all(x[column]);
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < Count; ++i) {
-        Real* lanes = lanes_at(w, first_block + i, column);
-        const auto weight = Vector<Real>::load(lanes);
-        const auto moved = zero_below(multiply_add(gain[i], element - weight, weight), limit);
-        moved.store(lanes);
-        sums[i] = multiply_add(moved, moved, sums[i]);
-      }
-    }
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sums[i];
-  }
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) {
-    totals[i].store(squared_norms + (first_block + i) * kLaneCount<Real>);
-  }
-}
-
-template <typename Real>
-void move_and_measure(Lanes<Real> w, const Real* x, const Real* gains, Real* squared_norms) {
-  std::size_t block = 0;
-  for (; block + 2 <= w.blocks; block += 2) {
-    move_and_measure_blocks<Real, 2>(w, block, x, gains, squared_norms);
-  }
-  for (; block < w.blocks; ++block) {
-    move_and_measure_blocks<Real, 1>(w, block, x, gains, squared_norms);
   }
 }
 
@@ -229,59 +162,11 @@ void clear_negligible(Lanes<Real> w) {
 }
 
 template <typename Real>
-void invert_square_roots(Real* values, std::size_t blocks) {
-  for (std::size_t block = 0; block < blocks; ++block) {
-    Real* lanes = values + block * kLaneCount<Real>;
-    (Vector<Real>::all(1) / square_root(Vector<Real>::load(lanes))).store(lanes);
-  }
-}
-
-// Count neighbouring places at once; to those out of another's reach the factors are zero.
-template <typename Real, std::size_t Count>
-inline void spread_to(std::size_t place, const Real* in, std::size_t places, const Real* factors,
-                      std::size_t reach, Real* out) {
-  const std::size_t first = place > reach ? place - reach : 0;
-  const std::size_t end = place + Count + reach < places ? place + Count + reach : places;
-  Vector<Real> sums[Count];
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) sums[i] = Vector<Real>::all(0);
-  for (std::size_t from = first; from < end; ++from) {
-    const auto value = Vector<Real>::load(in + from * kLaneCount<Real>);
-    const Real* factor = factors + from - place;
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < Count; ++i) {
-      sums[i] = multiply_add(value, Vector<Real>::all(*(factor - i)), sums[i]);
-    }
-  }
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) sums[i].store(out + (place + i) * kLaneCount<Real>);
-}
-
-template <typename Real>
-void spread(const Real* in, std::size_t places, const Real* factors, std::size_t reach, Real* out) {
-  std::size_t place = 0;
-  for (; place + kSpreadGroup <= places; place += kSpreadGroup) {
-    spread_to<Real, kSpreadGroup>(place, in, places, factors, reach, out);
-  }
-  for (; place < places; ++place) spread_to<Real, 1>(place, in, places, factors, reach, out);
-}
-
-template <typename Real>
 constexpr Table<Real> make_table() {
-  return {squared_distances<Real>,
-          inner_products<Real>,
-          sparse_inner_products<Real>,
-          sparse_masked_inner_products<Real>,
-          squared_norms<Real>,
-          move_towards<Real>,
-          move_and_measure<Real>,
-          add_scaled<Real>,
-          product<Real>,
-          sparse_product<Real>,
-          scale_rows<Real>,
-          clear_negligible<Real>,
-          invert_square_roots<Real>,
-          spread<Real>};
+  return {squared_distances<Real>, inner_products<Real>, sparse_inner_products<Real>,
+          squared_norms<Real>,     move_towards<Real>,   add_scaled<Real>,
+          product<Real>,           sparse_product<Real>, scale_rows<Real>,
+          clear_negligible<Real>};
 }
 
 }  // namespace

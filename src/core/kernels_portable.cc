@@ -3,3 +3,4 @@
 #include "core/kernels_body.h"
 #include "core/online_kernels_body.h"
 #include "core/product_kernels_body.h"
+#include "core/t_mpsom_kernels_body.h"

@@ -1,16 +1,13 @@
 #include "somato/maps/t_mpsom_neighbourhood.h"
 
 #include <algorithm>
-#include <array>
 
-#include "core/kernels.h"
+#include "core/t_mpsom_kernels.h"
 #include "somato/core/check.h"
 #include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
-
-constexpr std::size_t kLanes = LaneMatrix<double>::kLanes;
 
 double gaussian(std::size_t distance, double sigma) {
   const auto apart = static_cast<double>(distance);
@@ -24,46 +21,12 @@ std::size_t reach_of(std::size_t extent, double sigma) {
   return reach;
 }
 
-// Up to kLanes lines along an axis, one a lane.
-class Lines {
- public:
-  // From number `first` of `all` lines.
-  Lines(std::size_t first, std::size_t all, std::size_t extent, std::size_t stride)
-      : count_(std::min(kLanes, all - first)), extent_(extent), stride_(stride) {
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      const std::size_t line = first + lane;
-      starts_[lane] = line / stride * stride * extent + line % stride;
-    }
-  }
-
-  void gather(const double* values, double* lanes) const {
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      const double* from = values + starts_[lane];
-      for (std::size_t i = 0; i < extent_; ++i) lanes[i * kLanes + lane] = from[i * stride_];
-    }
-  }
-
-  void scatter(const double* lanes, double* values) const {
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      double* to = values + starts_[lane];
-      for (std::size_t i = 0; i < extent_; ++i) to[i * stride_] = lanes[i * kLanes + lane];
-    }
-  }
-
- private:
-  std::size_t count_;
-  std::size_t extent_;
-  std::size_t stride_;
-  std::array<std::size_t, kLanes> starts_{};
-};
-
 }  // namespace
 
 GridGaussian::Workspace::Workspace(const GridGaussian& gaussian) {
-  std::size_t longest = 0;
-  for (const Axis& axis : gaussian.axes_) longest = std::max(longest, axis.extent);
-  lines.resize(longest * kLanes);
-  spread_lines.resize(longest * kLanes);
+  std::size_t most = 0;
+  for (const Axis& axis : gaussian.axes_) most = std::max(most, axis.values_at_once());
+  values.resize(most);
 }
 
 GridGaussian::GridGaussian(std::vector<std::size_t> shape, double sigma) {
@@ -92,17 +55,23 @@ void GridGaussian::spread(std::span<double> values, Workspace& workspace) const 
   for (const Axis& axis : axes_) spread_along(axis, values, workspace);
 }
 
+// Rows along the axis, side by side in memory, are spread at once.
 void GridGaussian::spread_along(const Axis& axis, std::span<double> values, Workspace& workspace) {
-  require(workspace.lines.size() >= axis.extent * kLanes,
+  require(workspace.values.size() >= axis.values_at_once(),
           "GridGaussian: the workspace is of a smaller grid");
-  const double* factors = axis.factors.data() + axis.factors.size() / 2;
-  const std::size_t count = values.size() / axis.extent;
-  for (std::size_t first = 0; first < count; first += kLanes) {
-    const Lines lines(first, count, axis.extent, axis.stride);
-    lines.gather(values.data(), workspace.lines.data());
-    kernels::table<double>().spread(workspace.lines.data(), axis.extent, factors, axis.reach,
-                                    workspace.spread_lines.data());
-    lines.scatter(workspace.spread_lines.data(), values.data());
+  const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
+  const double* const factors = axis.factors.data() + axis.factors.size() / 2;
+  const bool is_line = axis.stride == 1;
+  double* const before = workspace.values.data() + (is_line ? axis.reach : 0);
+  if (is_line) std::fill_n(workspace.values.begin(), axis.values_at_once(), 0.0);
+  const std::size_t count = axis.extent * axis.stride;
+  for (double* at = values.data(); at != values.data() + values.size(); at += count) {
+    std::copy_n(at, count, before);
+    if (is_line) {
+      kernels.spread_line(before, axis.extent, factors, axis.reach, at);
+    } else {
+      kernels.spread_rows(before, axis.extent, axis.stride, factors, axis.reach, at);
+    }
   }
 }
 

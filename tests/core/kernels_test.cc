@@ -20,7 +20,6 @@ namespace {
 template <typename Real>
 struct Problem {
   LaneMatrix<Real> weights;
-  LaneMatrix<Real> mask;
   std::vector<Real> sample;
   std::vector<std::uint32_t> indices;
   std::vector<Real> sparse_values;
@@ -31,12 +30,10 @@ template <typename Real>
 Problem<Real> random_problem(Random& random) {
   const std::size_t rows = 1 + random.below(100);
   const std::size_t columns = 1 + random.below(700);
-  Problem<Real> problem{
-      LaneMatrix<Real>(rows, columns), LaneMatrix<Real>(rows, columns), {}, {}, {}, {}};
+  Problem<Real> problem{LaneMatrix<Real>(rows, columns), {}, {}, {}, {}};
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       problem.weights(row, column) = static_cast<Real>(random.normal());
-      problem.mask(row, column) = static_cast<Real>(random.uniform());
     }
   }
   for (std::uint32_t column = 0; column < columns; ++column) {
@@ -114,12 +111,6 @@ TYPED_TEST(Kernels, GiveThePlainSums) {
     expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
       return Exact{p.sparse_values[k]} * Exact{w(row, p.indices[k])};
     });
-    table.sparse_masked_inner_products(kernels::lanes(w), p.mask.data(), p.indices.data(),
-                                       p.sparse_values.data(), p.indices.size(), out.data());
-    expect_sums(out, rows, p.indices.size(), [&](std::size_t row, std::size_t k) {
-      const std::uint32_t column = p.indices[k];
-      return Exact{p.mask(row, column)} * Exact{w(row, column)} * Exact{p.sparse_values[k]};
-    });
   }
 }
 
@@ -165,101 +156,6 @@ TYPED_TEST(Kernels, ScaleRowsByTheirFactor) {
   }
 }
 
-// A problem whose update brings some weights below what is kept.
-template <typename Real>
-Problem<Real> problem_with_negligible_weights(Random& random) {
-  Problem<Real> p = random_problem<Real>(random);
-  for (std::size_t row = 0; row < p.weights.rows(); ++row) {
-    p.weights(row, p.weights.columns() / 2) = kernels::kNegligible<Real>;
-  }
-  p.sample[p.weights.columns() / 2] = 0;
-  return p;
-}
-
-TYPED_TEST(Kernels, MoveAndMeasureAsTheThreeTheyAreMadeOf) {
-  using Real = TypeParam;
-  testing::for_each_instruction_set([&](InstructionSet set) {
-    const auto& table = kernels::table<Real>();
-    Random random(16);
-    for (int i = 0; i < 30; ++i) {
-      const Problem<Real> p = problem_with_negligible_weights<Real>(random);
-      LaneMatrix<Real> apart = p.weights;
-      AlignedVector<Real> norms_apart(apart.padded_rows());
-      table.move_towards(kernels::lanes(apart), p.sample.data(), p.gains.data());
-      table.clear_negligible(kernels::lanes(apart));
-      table.squared_norms(kernels::lanes(std::as_const(apart)), norms_apart.data());
-      LaneMatrix<Real> at_once = p.weights;
-      AlignedVector<Real> norms(apart.padded_rows());
-      table.move_and_measure(kernels::lanes(at_once), p.sample.data(), p.gains.data(),
-                             norms.data());
-      EXPECT_EQ(at_once, apart) << choice_name(set);
-      EXPECT_EQ(norms, norms_apart) << choice_name(set);
-      EXPECT_EQ(at_once(0, at_once.columns() / 2), Real{0});
-    }
-  });
-}
-
-TYPED_TEST(Kernels, InvertSquareRoots) {
-  using Real = TypeParam;
-  Random random(17);
-  testing::for_each_instruction_set([&](InstructionSet set) {
-    AlignedVector<Real> values(3 * LaneMatrix<Real>::kLanes);
-    for (Real& value : values) value = static_cast<Real>(random.uniform()) + Real(1e-9);
-    AlignedVector<Real> inverse = values;
-    kernels::table<Real>().invert_square_roots(inverse.data(), 3);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      EXPECT_EQ(inverse[i], Real{1} / std::sqrt(values[i])) << choice_name(set);
-    }
-  });
-}
-
-// Values and factors for spread(): as many lanes as there are, zeros beyond reach.
-template <typename Real>
-struct Spreading {
-  std::size_t places = 1;
-  std::size_t reach = 0;
-  AlignedVector<Real> in;
-  std::vector<Real> factors;
-  const Real* middle() const { return factors.data() + factors.size() / 2; }
-};
-
-template <typename Real>
-Spreading<Real> random_spreading(Random& random) {
-  Spreading<Real> s;
-  s.places = 1 + random.below(40);
-  s.reach = random.below(s.places);
-  s.in.resize(s.places * LaneMatrix<Real>::kLanes);
-  for (Real& value : s.in) value = static_cast<Real>(random.uniform());
-  s.factors.resize(2 * (s.reach + kernels::kSpreadGroup) + 1);
-  for (std::size_t d = 0; d <= 2 * s.reach; ++d) {
-    s.factors[kernels::kSpreadGroup + d] = static_cast<Real>(random.uniform());
-  }
-  return s;
-}
-
-TYPED_TEST(Kernels, SpreadLinesWithinTheirReach) {
-  using Real = TypeParam;
-  constexpr std::size_t kLanes = LaneMatrix<Real>::kLanes;
-  testing::for_each_instruction_set([&](InstructionSet set) {
-    Random random(18);
-    for (int i = 0; i < 100; ++i) {
-      const Spreading<Real> s = random_spreading<Real>(random);
-      AlignedVector<Real> out(s.in.size());
-      kernels::table<Real>().spread(s.in.data(), s.places, s.middle(), s.reach, out.data());
-      for (std::size_t place = 0; place < out.size(); ++place) {
-        const std::size_t u = place / kLanes;
-        Real sum{0};
-        for (std::size_t v = 0; v < s.places; ++v) {
-          if (std::max(u, v) - std::min(u, v) > s.reach) continue;
-          const Real factor = *(s.middle() + v - u);
-          sum = std::fma(s.in[v * kLanes + place % kLanes], factor, sum);
-        }
-        EXPECT_EQ(out[place], sum) << choice_name(set);
-      }
-    }
-  });
-}
-
 // The least magnitude kept is kNegligible itself; NaN is no small number.
 TYPED_TEST(Kernels, ClearWhatIsNegligible) {
   using Real = TypeParam;
@@ -295,9 +191,6 @@ std::vector<Real> all_results() {
     keep();
     table.sparse_inner_products(w, p.indices.data(), p.sparse_values.data(), p.indices.size(),
                                 out.data());
-    keep();
-    table.sparse_masked_inner_products(w, p.mask.data(), p.indices.data(), p.sparse_values.data(),
-                                       p.indices.size(), out.data());
     keep();
     table.move_towards(kernels::lanes(p.weights), p.sample.data(), p.gains.data());
     table.scale_rows(kernels::lanes(p.weights), p.gains.data());

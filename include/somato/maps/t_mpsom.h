@@ -9,6 +9,8 @@
 #include "somato/core/matrix.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
+#include "somato/maps/t_mpsom_arbor.h"
+#include "somato/maps/t_mpsom_heard.h"
 #include "somato/maps/t_mpsom_neighbourhood.h"
 #include "somato/maps/t_mpsom_parameters.h"
 
@@ -30,8 +32,9 @@ namespace somato {
 /// Zeros and signs, which they leave open: a vector of zeros stays so when normalized; when no
 /// neuron is active (max N' <= 0) nothing is learned; activity below zero, which only signed input
 /// brings about, counts as none for N. Initial weights are uniform in [0, 1), then normalized.
-/// Arbors, G along an axis, gains alpha N and updated weights below 1e-18 are taken as zero, for
-/// speed.
+/// Arbors, G along an axis, gains alpha N, updated weights and elements of inputs divided by their
+/// length below 1e-18 are taken as zero, for speed. A neuron whose gain is zero keeps its weights,
+/// once they are normalized.
 ///
 /// While it is used the map is constant; each thread brings its own Workspace. Neurons are in
 /// row-major order of the grid. Inputs must be finite; results have the same bits on every machine.
@@ -51,26 +54,9 @@ class TMpsom {
    private:
     friend class TMpsom;
 
-    // What came in last for one input, and the partial activations that it gave.
-    struct Heard {
-      Heard(std::size_t elements, std::size_t padded_neurons);
-      bool is_again(const SignalView& signal) const;
-      void take(const SignalView& signal, TMpsomNorm norm);
-      void write_dense(std::span<float> out) const;
-
-      std::size_t count = 0;  // of elements that are not zero: the others add nothing
-      std::vector<std::uint32_t> indices;
-      std::vector<float> values;  // as they came
-      std::vector<float> normalized;
-      std::vector<std::uint32_t> ranks;  // how many of `indices` are below each element
-      AlignedVector<float> partial;
-      std::uint64_t state = 0;  // of the weights that `partial` is of; 0: it is of none
-    };
-
-    std::vector<Heard> inputs_;
+    std::vector<TMpsomHeard> inputs_;
     std::vector<float> sample_;
     AlignedVector<float> gains_;
-    AlignedVector<float> squared_norms_;
     std::vector<double> activity_;
     std::vector<double> neighbourhood_;
     GridGaussian::Workspace spread_;
@@ -113,20 +99,10 @@ class TMpsom {
   bool operator==(const TMpsom& other) const;
 
  private:
-  // The elements that a group of neurons sees: beyond, their arbors are zero.
-  struct ReceptiveField {
-    void widen(const LaneMatrix<float>& arbor, std::size_t neuron);
-
-    std::size_t first = 0;
-    std::size_t end = 0;
-  };
-
   struct Input {
-    Input(const TMpsomParameters& parameters, std::size_t input);
-
     LaneMatrix<float> weights;
-    LaneMatrix<float> arbor;
-    std::vector<ReceptiveField> fields;  // of each kGroup blocks
+    TMpsomArbor arbor;
+    bool normalized = false;  // for certain, if weights are to be
   };
 
   struct WithoutWeights {};
@@ -134,13 +110,9 @@ class TMpsom {
 
   void check(std::span<const SignalView> inputs, const Workspace& workspace) const;
   void hear(std::span<const SignalView> inputs, Workspace& workspace) const;
-  void find_partial(std::size_t input, Workspace::Heard& heard) const;
-  void combine(std::size_t input, Workspace& workspace) const;
+  void find_partial(const Input& input, TMpsomHeard& heard) const;
   bool find_gains(double alpha, Workspace& workspace) const;
-  void move(Input& input, Workspace& workspace) const;
-  void normalize_all(Input& input, Workspace& workspace);
-  static void normalize_blocks(Input& input, std::size_t first, std::size_t count,
-                               float* squared_norms);
+  void move(Input& input, const TMpsomHeard& heard, Workspace& workspace) const;
 
   TMpsomParameters parameters_;
   std::vector<Input> inputs_;

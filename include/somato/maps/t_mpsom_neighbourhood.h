@@ -23,8 +23,7 @@ class GridGaussian {
   /// Scratch memory for spread(), for one thread.
   struct Workspace {
     explicit Workspace(const GridGaussian& gaussian);
-    AlignedVector<double> lines;  // eight neighbouring ones, as the kernel takes them
-    AlignedVector<double> spread_lines;
+    AlignedVector<double> values;  // those along an axis, as they were
   };
 
   GridGaussian() = default;
@@ -44,6 +43,11 @@ class GridGaussian {
     std::size_t stride = 1;
     std::size_t reach = 0;
     std::vector<double> factors;
+
+    // The places of neighbouring lines; a single line has zeros around it.
+    std::size_t values_at_once() const {
+      return stride == 1 ? extent + 2 * reach : extent * stride;
+    }
   };
 
   static Axis make_axis(std::size_t extent, std::size_t stride, double sigma);

@@ -1,0 +1,87 @@
+#include "maps/t_mpsom_moving.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/t_mpsom_kernels.h"
+#include "somato/maps/t_mpsom_arbor.h"
+
+namespace somato {
+namespace {
+
+constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+constexpr std::size_t kBlocks = TMpsomArbor::kBlocks;
+
+double moved(float weight, float element, float gain) {
+  return double{weight} + double{gain} * (double{element} - double{weight});
+}
+
+// In double precision, where nothing overflows.
+void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
+              float gain) {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    const double weight = moved(weights(row, k), sample[k], gain);
+    squared = std::fma(weight, weight, squared);
+  }
+  const double length = squared > 0.0 ? std::sqrt(squared) : 1.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    weights(row, k) = static_cast<float>(moved(weights(row, k), sample[k], gain) / length);
+  }
+}
+
+// A few blocks of neurons.
+class Group {
+ public:
+  Group(LaneMatrix<float>& weights, const TMpsomMove& move, std::size_t block)
+      : weights_(weights),
+        move_(move),
+        row_(block * kLanes),
+        blocks_(std::min(kBlocks, weights.blocks() - block)),
+        gains_(move.gains.data() + row_) {}
+
+  void move(TMpsomNorm norm) {
+    const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
+    if (!move_.all_rows && !kernels.any(gains_, blocks_)) return;
+    if (norm == TMpsomNorm::kNone) {
+      kernels.find_plain_moves(gains_, blocks_, moves());
+    } else if (!kernels.find_unit_moves({lanes(), blocks_, weights_.columns()}, move_.sample.data(),
+                                        move_.squared_length, gains_, moves())) {
+      move_doubtful_rows();
+    }
+    kernels.move({lanes(), blocks_, weights_.columns()}, move_.sample.data(), moves());
+  }
+
+ private:
+  float* lanes() const { return weights_.data() + row_ * weights_.columns(); }
+  kernels::Moves moves() { return {keep_, add_, doubtful_}; }
+
+  void move_doubtful_rows() {
+    for (std::size_t lane = 0; lane < blocks_ * kLanes; ++lane) {
+      if (doubtful_[lane] == 0.0F) continue;
+      const std::size_t row = row_ + lane;
+      if (row < weights_.rows()) move_row(weights_, row, move_.sample, gains_[lane]);
+      keep_[lane] = 1.0F;
+      add_[lane] = 0.0F;
+    }
+  }
+
+  LaneMatrix<float>& weights_;
+  const TMpsomMove& move_;
+  std::size_t row_;
+  std::size_t blocks_;
+  const float* gains_;
+  alignas(64) float keep_[kBlocks * kLanes];
+  alignas(64) float add_[kBlocks * kLanes];
+  alignas(64) float doubtful_[kBlocks * kLanes];
+};
+
+}  // namespace
+
+void move_weights(LaneMatrix<float>& weights, const TMpsomMove& move, TMpsomNorm norm) {
+  for (std::size_t block = 0; block < weights.blocks(); block += kBlocks) {
+    Group(weights, move, block).move(norm);
+  }
+}
+
+}  // namespace somato
