@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 4;
 constexpr std::size_t kSamplesAtOnce = 6;
 constexpr std::size_t kMixedAtOnce = 8;
-struct Sums {
+struct IntegerSums {
   __m512i lanes;
-  static Sums zero() { return {_mm512_setzero_si512()}; }
+  static IntegerSums zero() { return {_mm512_setzero_si512()}; }
   Vector<float> to_floats() const { return {_mm512_maskz_cvtepi32_ps(0xFFFF, lanes)}; }
 };
 struct Pairs {
@@ -30,7 +30,7 @@ struct Pairs {
   static Pairs load(const std::int16_t* from) { return {_mm512_load_si512(from)}; }
   static Pairs all(std::int32_t pair) { return {_mm512_set1_epi32(pair)}; }
 };
-inline Sums add_products(Sums sums, Pairs a, Pairs b) {
+inline IntegerSums add_products(IntegerSums sums, Pairs a, Pairs b) {
 #if defined(__AVX512VNNI__)
   return {_mm512_dpwssd_epi32(sums.lanes, a.lanes, b.lanes)};
 #else
@@ -49,7 +49,7 @@ inline Vector<float> lesser(Vector<float> a, Vector<float> b) {
 inline Vector<float> unaligned(const float* from) {
   return {_mm512_loadu_ps(from)};
 }
-inline Vector<double> widened(const float* from) {
+inline Vector<double> as_doubles(const float* from) {
   return {_mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(from))};
 }
 inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
@@ -61,9 +61,9 @@ inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
 constexpr std::size_t kBlocksAtOnce = 1;
 constexpr std::size_t kSamplesAtOnce = 3;
 constexpr std::size_t kMixedAtOnce = 4;
-struct Sums {
+struct IntegerSums {
   __m256i low, high;
-  static Sums zero() { return {_mm256_setzero_si256(), _mm256_setzero_si256()}; }
+  static IntegerSums zero() { return {_mm256_setzero_si256(), _mm256_setzero_si256()}; }
   Vector<float> to_floats() const { return {_mm256_cvtepi32_ps(low), _mm256_cvtepi32_ps(high)}; }
 };
 struct Pairs {
@@ -74,7 +74,7 @@ struct Pairs {
   }
   static Pairs all(std::int32_t pair) { return {_mm256_set1_epi32(pair), _mm256_set1_epi32(pair)}; }
 };
-inline Sums add_products(Sums sums, Pairs a, Pairs b) {
+inline IntegerSums add_products(IntegerSums sums, Pairs a, Pairs b) {
   return {_mm256_add_epi32(sums.low, _mm256_madd_epi16(a.low, b.low)),
           _mm256_add_epi32(sums.high, _mm256_madd_epi16(a.high, b.high))};
 }
@@ -94,7 +94,7 @@ inline Vector<float> lesser(Vector<float> a, Vector<float> b) {
 inline Vector<float> unaligned(const float* from) {
   return {_mm256_loadu_ps(from), _mm256_loadu_ps(from + 8)};
 }
-inline Vector<double> widened(const float* from) {
+inline Vector<double> as_doubles(const float* from) {
   return {_mm256_cvtps_pd(_mm_loadu_ps(from)), _mm256_cvtps_pd(_mm_loadu_ps(from + 4))};
 }
 inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
@@ -108,9 +108,9 @@ inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
 constexpr std::size_t kBlocksAtOnce = 1;
 constexpr std::size_t kSamplesAtOnce = 3;
 constexpr std::size_t kMixedAtOnce = 4;
-struct Sums {
+struct IntegerSums {
   std::int32_t lanes[kBlockNeurons];
-  static Sums zero() { return {}; }
+  static IntegerSums zero() { return {}; }
   Vector<float> to_floats() const {
     Vector<float> floats{};
     for (std::size_t i = 0; i < kBlockNeurons; ++i) floats.lanes[i] = static_cast<float>(lanes[i]);
@@ -132,7 +132,7 @@ struct Pairs {
     return pairs;
   }
 };
-inline Sums add_products(Sums sums, const Pairs& a, const Pairs& b) {
+inline IntegerSums add_products(IntegerSums sums, const Pairs& a, const Pairs& b) {
   for (std::size_t i = 0; i < kBlockNeurons; ++i) {
     sums.lanes[i] += a.values[2 * i] * b.values[2 * i] + a.values[2 * i + 1] * b.values[2 * i + 1];
   }
@@ -161,7 +161,7 @@ inline Vector<float> lesser(Vector<float> a, const Vector<float>& b) {
 inline Vector<float> unaligned(const float* from) {
   return Vector<float>::load(from);
 }
-inline Vector<double> widened(const float* from) {
+inline Vector<double> as_doubles(const float* from) {
   Vector<double> wide{};
   for (std::size_t i = 0; i < 8; ++i) wide.lanes[i] = static_cast<double>(from[i]);
   return wide;
@@ -232,16 +232,16 @@ __attribute__((noinline)) void keep_candidates(const Vector<float>& scores, unsi
 // nothing else in sight of them g++ keeps them in registers.
 template <std::size_t Count>
 inline void multiply(const ScreenedNeurons& neurons, const std::uint32_t* blocks,
-                     const std::int16_t* rows, Sums* out) {
+                     const std::int16_t* rows, IntegerSums* out) {
   const std::size_t pairs = neurons.pairs;
   const std::int16_t* at[Count];
-  Sums sums[Count * kSamplesAtOnce];
+  IntegerSums sums[Count * kSamplesAtOnce];
 #pragma GCC unroll 4
   for (std::size_t b = 0; b < Count; ++b) {
     at[b] = neurons.values + blocks[b] * pairs * 2 * kBlockNeurons;
   }
 #pragma GCC unroll 24
-  for (std::size_t i = 0; i < Count * kSamplesAtOnce; ++i) sums[i] = Sums::zero();
+  for (std::size_t i = 0; i < Count * kSamplesAtOnce; ++i) sums[i] = IntegerSums::zero();
   for (std::size_t pair = 0; pair < pairs; ++pair) {
     Pairs weights[Count];
 #pragma GCC unroll 4
@@ -265,7 +265,7 @@ inline void multiply(const ScreenedNeurons& neurons, const std::uint32_t* blocks
 template <std::size_t Count, typename Take>
 inline void score_blocks(const ScreenedNeurons& neurons, const std::uint32_t* blocks,
                          const ScreenedTile& tile, const Take& take) {
-  Sums sums[Count * kTileSamples];
+  IntegerSums sums[Count * kTileSamples];
   for (std::size_t s = 0; s < kTileSamples; s += kSamplesAtOnce) {
     multiply<Count>(neurons, blocks, tile.rows + s * 2 * neurons.pairs, sums + s * Count);
   }
@@ -407,7 +407,7 @@ struct AddSquares {
   const float* a;
   const float* b;
   Vector<double> vectors(std::size_t i, Vector<double> sum) const {
-    const auto difference = widened(a + i) - widened(b + i);
+    const auto difference = as_doubles(a + i) - as_doubles(b + i);
     return multiply_add(difference, difference, sum);
   }
   double one(std::size_t i, double sum) const {
@@ -420,7 +420,7 @@ struct AddProducts {
   const float* a;
   const float* b;
   Vector<double> vectors(std::size_t i, Vector<double> sum) const {
-    return multiply_add(widened(a + i), widened(b + i), sum);
+    return multiply_add(as_doubles(a + i), as_doubles(b + i), sum);
   }
   double one(std::size_t i, double sum) const {
     return __builtin_fma(static_cast<double>(a[i]), static_cast<double>(b[i]), sum);
@@ -439,7 +439,7 @@ void add_by_winner(const float* values, std::size_t stride, const std::size_t* w
                    std::size_t count, double* sums) {
   for (std::size_t i = 0; i < count; ++i, values += stride) {
     double* sum = sums + winners[i] * 8;
-    (Vector<double>::load(sum) + widened(values)).store(sum);
+    (Vector<double>::load(sum) + as_doubles(values)).store(sum);
   }
 }
 
