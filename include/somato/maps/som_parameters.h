@@ -40,7 +40,7 @@ enum class InitialWeights {
   kSamples,  ///< Randomly drawn samples, without repeats while there are enough.
 };
 
-/// How online training computes; the trained map is the same up to rounding.
+/// How training computes; the trained map is the same up to rounding.
 enum class Arithmetic {
   kAutomatic,      ///< Inner products where samples are few and features many, else plain.
   kPlain,          ///< On the weights themselves.
