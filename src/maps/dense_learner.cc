@@ -70,7 +70,8 @@ std::size_t chunk_for(std::size_t columns) {
 // Of a sum in chunks, and of what else is rounded (see above).
 double relative_error(std::size_t columns, std::size_t chunk) {
   constexpr std::size_t kElse = 40;
-  return kUnit * static_cast<double>(chunk + columns / chunk + kElse);
+  const std::size_t roundings = chunk + columns / chunk + kElse;
+  return kUnit * static_cast<double>(roundings);
 }
 
 double negligible_length(std::size_t columns) {

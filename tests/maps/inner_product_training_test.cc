@@ -53,6 +53,7 @@ TEST(InnerProductLearner, LearnsAndAnswersAsPlainArithmetic) {
       std::vector<float> activity(plain.neurons());
       for (int step = 0; step < 100; ++step) {
         const std::size_t heard = random.below(5);
+        by_plain.settle();
         plain.activity(samples[heard], workspace, expected);
         by_products->activity(heard, activity);
         for (std::size_t n = 0; n < expected.size(); ++n) {
@@ -68,6 +69,7 @@ TEST(InnerProductLearner, LearnsAndAnswersAsPlainArithmetic) {
             << testing::name_of(variant) << " step " << step;
         ++steps;
       }
+      by_plain.settle();
       const Som som = by_products->form_som();
       for (std::size_t n = 0; n < som.neurons(); ++n) {
         for (std::size_t d = 0; d < som.input_size(); ++d) {

@@ -321,6 +321,7 @@ TEST(SomLearner, GivesTheSameBitsForEveryNumberOfThreadsAndInstructionSet) {
       stream.parameters.columns = 9;
       stream.som = Som(stream.parameters, random_weights(72, size, random));
       std::vector<SignalView> inputs;
+      inputs.reserve(stream.size());
       for (std::size_t t = 0; t < stream.size(); ++t) inputs.push_back(stream.input(t));
       Som expected = stream.som;
       {
