@@ -36,6 +36,8 @@ class FrameWalkTest : public ::testing::Test {
   FrameWalkTest()
       : recording_(hand_recording(6, 3)),
         system_(trained(build(t_mpsom_chain(), recording_), recording_, 6, 3)) {
+    walked_.reserve(6);
+    sources_.reserve(4);
     for (const char* name : {"height_code", "wrist_code", "joints_code", "hand", "posture"}) {
       walked_.push_back(system_.find(name).value());
     }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "somato/maps/t_mpsom.h"
@@ -55,6 +56,7 @@ std::vector<Signal> random_frame(Random& random, const TMpsomParameters& p) {
 
 std::vector<std::vector<double>> in_double(const std::vector<Signal>& frame) {
   std::vector<std::vector<double>> inputs;
+  inputs.reserve(frame.size());
   for (const Signal& signal : frame) {
     inputs.emplace_back(signal.values().begin(), signal.values().end());
   }
@@ -108,6 +110,7 @@ TEST(TMpsomSizes, LongTrainingStaysAccurate) {
   for (const auto& [combination, name] : Choices<TMpsomCombination>::all()) {
     p.combination = combination;
     std::vector<std::vector<Signal>> frames;
+    frames.reserve(20);
     for (int i = 0; i < 20; ++i) frames.push_back(random_frame(random, p));
     TMpsom map(p);
     TMpsomReference reference(p);
