@@ -1,21 +1,13 @@
 // How fast a T-MPSOM is used and trained, a frame at a time: of the size of P06's last one, and of
-// a hundred times as many neurons; and how long a frame takes through P06's chain of them.
+// a hundred times as many neurons.
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <ctime>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "graph/frame_walk.h"
 #include "somato/core/random.h"
-#include "somato/files/toml_file.h"
-#include "somato/graph/evaluation.h"
-#include "somato/graph/system_training.h"
 #include "somato/maps/t_mpsom.h"
 
 namespace somato {
@@ -104,8 +96,8 @@ class Streaming {
   std::size_t count_ = 0;
 };
 
-// In time of the processor. Beside it, as `streaming_us`, what reading and writing the same weights
-// once takes by itself: a pass after every iteration, not counted.
+// Beside it, as `streaming_us`, what reading and writing the same weights once takes by itself: a
+// pass after every iteration, not counted.
 void t_mpsom_learning(benchmark::State& state) {
   TMpsom map(map_of(static_cast<std::size_t>(state.range(0))));
   TMpsom::Workspace workspace(map);
@@ -132,112 +124,6 @@ BENCHMARK(t_mpsom_learning)
     ->ArgNames({"scale", "one_in"})
     ->ArgsProduct({{1, 10}, {1, 10}})
     ->UseManualTime();
-
-const char* const kChain = R"(
-[module.height_mm]
-type = "channel"
-channel = "height"
-[module.height]
-type = "one_hot"
-input = "height_mm"
-low = 0
-high = 1
-[module.wrist_deg]
-type = "channel"
-channel = "wrist"
-[module.wrist]
-type = "one_hot"
-input = "wrist_deg"
-low = 0
-high = 1
-[module.joints_deg]
-type = "channel"
-channel = "joints"
-[module.joints]
-type = "one_hot"
-input = "joints_deg"
-low = 0
-high = 1
-[module.touch]
-type = "channel"
-channel = "touch"
-[module.hand]
-type = "t_mpsom"
-inputs = ["wrist", "height"]
-shape = [5, 5]
-[module.posture]
-type = "t_mpsom"
-inputs = ["hand", "joints"]
-shape = [6, 15]
-[module.felt]
-type = "t_mpsom"
-inputs = ["posture", "touch"]
-shape = [46, 23]
-[[phase]]
-learn = ["hand", "posture", "felt"]
-draws = 200
-of = "frames"
-)";
-
-template <typename T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return std::move(*result);
-}
-
-// A thousand frames of noise: nothing is ever the same again.
-Recording noise_recording() {
-  Random random(2);
-  Recording recording;
-  recording.explorations.emplace_back();
-  const std::pair<const char*, std::size_t> channels[] = {
-      {"height", 1}, {"wrist", 1}, {"joints", 6}, {"touch", kTouch}};
-  for (const auto& [name, elements] : channels) {
-    Channel channel;
-    channel.name = name;
-    channel.shape = {elements};
-    channel.frames = Matrix<float>(1000, elements);
-    for (float& value : channel.frames.values()) value = static_cast<float>(random.uniform());
-    recording.explorations.back().channels.push_back(std::move(channel));
-  }
-  return recording;
-}
-
-double at_share(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-// A frame from its channels to what is felt, one after the other as they would come.
-void t_mpsom_chain_frame(benchmark::State& state) {
-  const Recording recording = noise_recording();
-  const Table table = value_of(parse_toml(kChain, "chain"));
-  System system = value_of(System::build(value_of(read_system(table)), layout_of(recording)));
-  std::vector<std::size_t> all(system.modules().size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Activations known = value_of(evaluate_fixed(system, recording, {}, 1));
-  const std::vector<std::size_t> explorations{0};
-  value_of(train_system(system, recording, explorations, {}, known).map([] { return true; }));
-  std::vector<std::size_t> walked;
-  for (const char* name : {"height", "wrist", "joints", "hand", "posture", "felt"}) {
-    walked.push_back(value_of(system.find(name)));
-  }
-  value_of(evaluate(system, recording, explorations, all, 1, known).map([] { return true; }));
-  FrameWalk walk(system, walked);
-  std::vector<double> spent;
-  for (auto _ : state) {
-    const bool is_over = spent.size() % 1000 == 0;
-    if (is_over && !walk.start([&](std::size_t module) { return known.find(module, 0); })) return;
-    const double start = seconds();
-    benchmark::DoNotOptimize(walk.step());
-    spent.push_back(seconds() - start);
-    state.SetIterationTime(spent.back());
-  }
-  state.counters["p50_us"] = 1e6 * at_share(spent, 0.5);
-  state.counters["p99_us"] = 1e6 * at_share(spent, 0.99);
-  state.counters["longest_us"] = 1e6 * at_share(spent, 1.0);
-}
-BENCHMARK(t_mpsom_chain_frame)->Iterations(20000)->UseManualTime();
 
 }  // namespace
 }  // namespace somato

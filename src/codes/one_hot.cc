@@ -97,26 +97,19 @@ OneHotSequence::OneHotSequence(const std::vector<OneHotParameters>& joints)
 }
 
 Result<Signal> OneHotSequence::encode(std::span<const float> values) const {
-  std::vector<std::uint32_t> places(joints());
-  if (auto found = find_places(values, places); !found) return fail(std::move(found.error()));
-  return Signal::sparse({joints(), codes_.front().elements()}, std::move(places),
-                        std::vector<float>(joints(), 1.0F));
-}
-
-Result<void> OneHotSequence::find_places(std::span<const float> values,
-                                         std::span<std::uint32_t> places) const {
-  require(values.size() == joints() && places.size() == joints(),
-          "a one-hot sequence needs one value for each joint");
+  require(values.size() == joints(), "a one-hot sequence needs one value for each joint");
   const std::size_t elements = codes_.front().elements();
+  std::vector<std::uint32_t> indices;
   for (std::size_t joint = 0; joint < joints(); ++joint) {
     Result<std::uint32_t> bin = codes_[joint].bin(values[joint]);
     if (!bin) {
       bin.error().where = fmt::format("joint {}", joint + 1);
       return fail(std::move(bin.error()));
     }
-    places[joint] = static_cast<std::uint32_t>(joint * elements) + *bin;
+    indices.push_back(static_cast<std::uint32_t>(joint * elements) + *bin);
   }
-  return {};
+  return Signal::sparse({joints(), elements}, std::move(indices),
+                        std::vector<float>(joints(), 1.0F));
 }
 
 }  // namespace somato

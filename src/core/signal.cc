@@ -21,7 +21,7 @@ std::size_t element_count(const std::vector<std::size_t>& shape) {
   return count;
 }
 
-bool ascends_below(std::span<const std::uint32_t> indices, std::size_t size) {
+bool ascends_below(const std::vector<std::uint32_t>& indices, std::size_t size) {
   const bool ascends =
       std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
   return ascends && (indices.empty() || indices.back() < size);
@@ -53,19 +53,6 @@ double dense_by_dense(const SignalView& a, const SignalView& b) {
 }
 
 }  // namespace
-
-void Signal::assign(const std::vector<std::size_t>& shape, const SignalView& view) {
-  const std::size_t size = element_count(shape);
-  const std::size_t stored = view.sparse ? view.indices.size() : size;
-  require(view.values.size() == stored, "a signal needs one value for each stored element");
-  require(!view.sparse || ascends_below(view.indices, size),
-          "the indices of a sparse signal must ascend and lie inside its shape");
-  shape_ = shape;
-  size_ = size;
-  sparse_ = view.sparse;
-  indices_.assign(view.indices.begin(), view.indices.end());
-  values_.assign(view.values.begin(), view.values.end());
-}
 
 Signal Signal::dense(std::vector<std::size_t> shape, std::vector<float> values) {
   Signal signal;

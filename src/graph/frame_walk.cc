@@ -35,6 +35,8 @@ Result<void> FrameWalk::start(const Outside& outside) {
     if (auto heard = listen(module, outside); !heard) return heard;
   }
   for (Walked& walked : walked_) walked.stepper = system_.modules()[walked.module].module->start();
+  std::fill(before_.begin(), before_.end(), std::nullopt);
+  std::fill(outputs_.begin(), outputs_.end(), std::nullopt);
   return {};
 }
 
@@ -63,39 +65,43 @@ Result<void> FrameWalk::step() {
   for (std::size_t place = 0; place < walked_.size(); ++place) {
     Walked& walked = walked_[place];
     if (walked.delays_loop) {
-      delay(walked, outputs_[place]);
+      outputs_[place] = delayed(walked);
       continue;
     }
-    Result<void> stepped = walked.stepper->step_into(inputs_of(walked.module), outputs_[place]);
-    if (stepped) stepped = check_finite(outputs_[place].view());
-    if (!stepped) {
-      stepped.error().what += fmt::format(" (frame {})", frame_ + 1);
-      return fail(system_.at_module(std::move(stepped.error()), walked.module));
+    Result<Signal> output = walked.stepper->step(inputs_of(walked.module));
+    if (output) {
+      if (auto finite = check_finite(output->view()); !finite) output = fail(finite.error());
     }
+    if (!output) {
+      output.error().what += fmt::format(" (frame {})", frame_ + 1);
+      return fail(system_.at_module(std::move(output.error()), walked.module));
+    }
+    outputs_[place] = std::move(*output);
   }
   return {};
 }
 
-std::span<const SignalView> FrameWalk::inputs_of(std::size_t module) {
-  views_.clear();
-  for (const std::size_t input : system_.modules()[module].inputs) {
-    views_.push_back(
-        view_of(input));  // NOLINT(performance-inefficient-vector-operation): it is kept
-  }
-  return views_;
+std::vector<SignalView> FrameWalk::inputs_of(std::size_t module) const {
+  std::vector<SignalView> views;
+  const std::vector<std::size_t>& inputs = system_.modules()[module].inputs;
+  views.reserve(inputs.size());
+  for (const std::size_t input : inputs) views.push_back(view_of(input));
+  return views;
 }
 
 SignalView FrameWalk::view_of(std::size_t module) const {
-  if (is_walked(module)) return outputs_[places_[module]].view();
+  if (is_walked(module)) return outputs_[places_[module]]->view();
   return outside_[module]->values[frame_];
 }
 
 // What its input gave with the frame before; zeros at the start.
-void FrameWalk::delay(const Walked& walked, Signal& output) const {
+Signal FrameWalk::delayed(const Walked& walked) const {
   const SystemModule& module = system_.modules()[walked.module];
-  const std::vector<std::size_t>& shape = module.output.shape;
-  output = Signal::dense(shape, std::vector<float>(module.output.size()));
-  if (frame_ > 0) write_dense(before_[places_[module.inputs.front()]].view(), output.values());
+  const auto& before = before_[places_[module.inputs.front()]];
+  if (!before) {
+    return Signal::dense(module.output.shape, std::vector<float>(module.output.size()));
+  }
+  return before->is_sparse() ? Signal::dense(module.output.shape, before->to_dense()) : *before;
 }
 
 }  // namespace somato

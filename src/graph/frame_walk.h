@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,16 +30,15 @@ class FrameWalk {
   std::size_t frames() const { return frames_; }
   double rate() const { return rate_; }
 
-  /// Computes the next frame of all modules, from the third on in the memory of earlier ones.
-  /// Errors (kData) name the module.
+  /// Computes the next frame of all modules. Errors (kData) name the module.
   Result<void> step();
 
   /// What a walked module gave for the present frame.
-  const Signal& output(std::size_t module) const { return outputs_[places_[module]]; }
+  const Signal& output(std::size_t module) const { return *outputs_[places_[module]]; }
 
   /// What came in at a walked module or a listener with the present frame; valid until the next
-  /// step, or the next call.
-  std::span<const SignalView> inputs_of(std::size_t module);
+  /// step.
+  std::vector<SignalView> inputs_of(std::size_t module) const;
 
  private:
   struct Walked {
@@ -50,16 +50,15 @@ class FrameWalk {
   Result<void> listen(std::size_t module, const Outside& outside);
   bool is_walked(std::size_t module) const { return places_[module] < walked_.size(); }
   SignalView view_of(std::size_t module) const;
-  void delay(const Walked& walked, Signal& output) const;
+  Signal delayed(const Walked& walked) const;
 
   const System& system_;
   std::vector<Walked> walked_;
   std::vector<std::size_t> listeners_;  ///< The walked ones too.
   std::vector<std::size_t> places_;     ///< Of a module among the walked ones.
   std::vector<const Sequence*> outside_;
-  std::vector<SignalView> views_;
-  std::vector<Signal> outputs_;
-  std::vector<Signal> before_;  ///< The outputs of the frame before; none with the first.
+  std::vector<std::optional<Signal>> outputs_;
+  std::vector<std::optional<Signal>> before_;  ///< The outputs of the frame before.
   bool has_frames_ = false;
   std::size_t frames_ = 0;
   std::size_t frame_ = 0;  ///< The present one.

@@ -27,13 +27,6 @@ Result<std::uint64_t> Learner::begin(const Lesson& /*lesson*/,
   return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
 }
 
-Result<void> Stepper::step_into(std::span<const SignalView> inputs, Signal& output) {
-  Result<Signal> stepped = step(inputs);
-  if (!stepped) return fail(std::move(stepped.error()));
-  output = std::move(*stepped);
-  return {};
-}
-
 Result<void> Learner::step(std::span<const SignalView> /*inputs*/, std::uint64_t /*draw*/) {
   return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
 }

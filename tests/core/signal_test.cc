@@ -103,20 +103,5 @@ TEST(InnerProduct, RefusesDifferentSizes) {
   EXPECT_THROW(inner_product(two.view(), three.view()), InvalidArgument);
 }
 
-TEST(Signal, BecomesACopyInItsOwnMemory) {
-  const Signal dense = Signal::dense({2, 2}, {1, 2, 3, 4});
-  const Signal sparse = Signal::sparse({2, 3}, {1, 5}, {7, 8});
-  Signal signal = Signal::dense({6}, {1, 2, 3, 4, 5, 6});
-  const float* const memory = signal.values().data();
-  signal.assign({2, 3}, sparse.view());
-  EXPECT_EQ(signal, sparse);
-  signal.assign({2, 2}, dense.view());
-  EXPECT_EQ(signal, dense);
-  EXPECT_EQ(signal.values().data(), memory);
-  EXPECT_THROW(signal.assign({3}, dense.view()), InvalidArgument);
-  EXPECT_THROW(signal.assign({5}, sparse.view()), InvalidArgument);
-  EXPECT_EQ(signal, dense);
-}
-
 }  // namespace
 }  // namespace somato

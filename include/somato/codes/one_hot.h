@@ -73,9 +73,6 @@ class OneHotSequence {
   /// a joint.
   Result<Signal> encode(std::span<const float> values) const;
 
-  /// Writes where each joint's 1 stands in the code to `places`, one a joint; the same errors.
-  Result<void> find_places(std::span<const float> values, std::span<std::uint32_t> places) const;
-
  private:
   std::vector<OneHot> codes_;
 };

@@ -39,10 +39,6 @@ class Signal {
   static Signal sparse(std::vector<std::size_t> shape, std::vector<std::uint32_t> indices,
                        std::vector<float> values);
 
-  /// Becomes a copy of `view` of that shape, in the memory it has where that is enough; throws
-  /// InvalidArgument as dense() and sparse() do, and is then unchanged. `view` is not of itself.
-  void assign(const std::vector<std::size_t>& shape, const SignalView& view);
-
   const std::vector<std::size_t>& shape() const { return shape_; }
   std::size_t size() const { return size_; }
   bool is_sparse() const { return sparse_; }

@@ -39,10 +39,6 @@ class Stepper {
 
   /// The output for one frame of each input. Errors: kData.
   virtual Result<Signal> step(std::span<const SignalView> inputs) = 0;
-
-  /// The same in `output`: modules made for it take the memory that `output` has, and allocate
-  /// nothing once it is enough. After an error `output` holds anything.
-  virtual Result<void> step_into(std::span<const SignalView> inputs, Signal& output);
 };
 
 class Learner;

@@ -43,36 +43,7 @@ struct OneHotModuleParameters {
   }
 };
 
-class OneHotStepper : public Stepper {
- public:
-  OneHotStepper(const OneHotSequence& code, const std::vector<std::size_t>& shape)
-      : code_(code),
-        shape_(shape),
-        values_(code.joints()),
-        places_(values_.size()),
-        ones_(values_.size(), 1.0F) {}
-
-  Result<Signal> step(std::span<const SignalView> inputs) override {
-    Signal output;
-    return step_into(inputs, output).map([&] { return std::move(output); });
-  }
-
-  Result<void> step_into(std::span<const SignalView> inputs, Signal& output) override {
-    write_dense(inputs.front(), values_);
-    if (auto found = code_.find_places(values_, places_); !found) return found;
-    output.assign(shape_, {0, true, places_, ones_});
-    return {};
-  }
-
- private:
-  const OneHotSequence& code_;
-  const std::vector<std::size_t>& shape_;
-  std::vector<float> values_;
-  std::vector<std::uint32_t> places_;
-  std::vector<float> ones_;
-};
-
-class OneHotModule : public SteppedModule, public Learner {
+class OneHotModule : public MappedModule, public Learner {
  public:
   using Parameters = OneHotModuleParameters;
   explicit OneHotModule(Parameters parameters) : parameters_(std::move(parameters)) {}
@@ -105,9 +76,13 @@ class OneHotModule : public SteppedModule, public Learner {
     return parameters_.low.empty() || parameters_.high.empty() ? this : nullptr;
   }
 
-  std::unique_ptr<Stepper> start() const override {
+  Result<Signal> map(std::span<const SignalView> inputs) const override {
     require(code_.has_value(), "a one-hot code whose ranges are not learned");
-    return std::make_unique<OneHotStepper>(*code_, shape_);
+    std::vector<float> values(inputs_);
+    write_dense(inputs.front(), values);
+    Result<Signal> code = code_->encode(values);
+    if (!code) return code;
+    return copy_of(code->view(), shape_);
   }
 
   bool learns_at_once() const override { return true; }

@@ -247,16 +247,10 @@ class TMpsomStepper : public Stepper {
   explicit TMpsomStepper(const TMpsom& map) : map_(map), workspace_(map) {}
 
   Result<Signal> step(std::span<const SignalView> inputs) override {
-    Signal output;
-    return step_into(inputs, output).map([&] { return std::move(output); });
-  }
-
-  Result<void> step_into(std::span<const SignalView> inputs, Signal& output) override {
-    const std::vector<std::size_t>& shape = map_.parameters().shape;
-    if (output.is_sparse() || output.shape() != shape) {
-      output = Signal::dense(shape, std::vector<float>(map_.neurons()));
-    }
-    return in_range([&] { map_.activation(inputs, workspace_, output.values()); });
+    std::vector<float> activity(map_.neurons());
+    const auto active = in_range([&] { map_.activation(inputs, workspace_, activity); });
+    if (!active) return fail(active.error());
+    return Signal::dense(map_.parameters().shape, std::move(activity));
   }
 
  private:
