@@ -182,12 +182,19 @@ Result<void> SomModule::load(const Archive& archive, const std::string& prefix,
                              const std::string& where) {
   auto som = som_from(archive, prefix, where);
   if (!som) return fail(std::move(som.error()));
-  if (som->input_size() != input_size_ || som->grid().rows() != parameters_.rows ||
-      som->grid().columns() != parameters_.columns) {
-    return damaged_model("a map does not fit its place in the system", where);
-  }
+  if (!fits(*som)) return damaged_model("a map does not fit its place in the system", where);
   som_ = std::move(*som);
   return {};
+}
+
+bool SomModule::fits(const Som& som) const {
+  return som.input_size() == input_size_ && som.grid().rows() == parameters_.rows &&
+         som.grid().columns() == parameters_.columns;
+}
+
+void SomModule::set_som(Som som) {
+  require(fits(som), "a map is given to a module of another size");
+  som_ = std::move(som);
 }
 
 namespace {
