@@ -2,4 +2,5 @@
 #if defined(__x86_64__)
 #define SOMATO_KERNELS avx2
 #include "core/kernels_body.h"
+#include "core/product_kernels_body.h"
 #endif

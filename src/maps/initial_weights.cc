@@ -55,10 +55,15 @@ InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, cons
   require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
   require(samples.count() > 0, "initial weights need at least one sample");
   if (parameters_.initial_weights == InitialWeights::kSamples) {
-    sample_of_neuron_ = drawn_samples(parameters_.grid().size(), samples.count(), parameters.seed);
+    sample_of_neuron_ = samples_of_neurons(parameters_, samples.count());
   } else if (parameters_.initial_weights == InitialWeights::kRange) {
     find_ranges(samples, low_, high_);
   }
+}
+
+std::vector<std::size_t> InitialWeightsSource::samples_of_neurons(const SomParameters& parameters,
+                                                                  std::size_t samples) {
+  return drawn_samples(parameters.grid().size(), samples, parameters.seed);
 }
 
 void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const {

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
-#include "maps/som_preparation.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
@@ -12,12 +12,16 @@
 
 namespace somato {
 
-class InnerProductTrainer;
+class ProductState;
 
-/// Online training on inner products. Returns a map of the stored elements alone. See the source
-/// for the mathematics.
-Result<Som> train_by_inner_products(const PreparedTraining& prepared,
-                                    const TrainingOptions& options);
+/// Trains `state` by its parameters. Fails with kInterrupted when the progress says stop.
+Result<void> train_by_products(ProductState& state, const Progress& progress);
+
+/// What train_som() does where these parameters and samples are for inner products; nothing where
+/// they are for plain arithmetic.
+Result<std::optional<Som>> train_by_inner_products(const SomParameters& parameters,
+                                                   const Samples& samples,
+                                                   const TrainingOptions& options);
 
 /// Learns known samples one at a time by inner products, as SomLearner learns any. Its weights
 /// are formed when they are asked for; what they make of a sample is known throughout.
@@ -35,7 +39,7 @@ class InnerProductLearner {
                                                             Samples samples);
 
   /// As the map will have them.
-  const SomParameters& parameters() const { return prepared_.parameters; }
+  const SomParameters& parameters() const;
 
   /// As SomLearner::learn() with sample number `sample`.
   std::size_t learn(std::size_t sample, double learning_rate, double radius);
@@ -47,12 +51,11 @@ class InnerProductLearner {
   Som form_som() const;
 
  private:
-  InnerProductLearner() = default;
+  explicit InnerProductLearner(std::unique_ptr<ProductState> state);
 
-  Samples samples_;
-  Samples storage_;
-  PreparedTraining prepared_;
-  std::unique_ptr<InnerProductTrainer> trainer_;
+  std::size_t samples() const;
+
+  std::unique_ptr<ProductState> state_;
 };
 
 }  // namespace somato

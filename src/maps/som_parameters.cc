@@ -5,13 +5,16 @@
 namespace somato {
 namespace {
 
-// Inner products pay when an iteration on samples x neurons values is cheaper than on features x
-// neurons, and when there are enough iterations to repay the products at the start and the end.
+// Inner products pay when an iteration or epoch on samples x neurons values is cheaper than on
+// features x neurons, and when there are enough of them to repay the products at the start and the
+// end. A batch epoch on the weights is as cheap, value by value, as the products are.
 bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
                         std::size_t features) {
   constexpr std::size_t kMostSamples = 8192;  // their products take half a gigabyte
-  return parameters.training == Training::kOnline && samples <= kMostSamples &&
-         2 * samples <= features && *parameters.iterations >= 2 * samples;
+  if (samples > kMostSamples) return false;
+  return parameters.training == Training::kBatch
+             ? 8 * samples <= features && parameters.epochs >= 8
+             : 2 * samples <= features && *parameters.iterations >= 2 * samples;
 }
 
 }  // namespace
@@ -146,10 +149,11 @@ const Declarations<SomParameters>& SomParameters::declarations() {
               "of training.")
           .add(
               "arithmetic", [](P& p) -> auto& { return p.arithmetic; }, "", Range::any(),
-              "How online training computes; the map is the same up to rounding. Automatic: inner "
-              "products when there are at least twice as many features, and iterations, as "
-              "samples; in a system, where the samples are whole explorations that nothing changes "
-              "meanwhile.")
+              "How training computes; the map is the same up to rounding. Automatic: inner "
+              "products "
+              "when there are at least twice as many features, and iterations, as samples, or in "
+              "batch training eight times as many features and 8 epochs; in a system, where the "
+              "samples are whole explorations that nothing changes meanwhile.")
           .add(
               "softmax", [](P& p) -> auto& { return p.softmax; }, "", Range::any(),
               "Form of the map's activity from its similarities s: s^m or exp(m s).")
@@ -184,10 +188,6 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
     p.arithmetic =
         inner_products_pay(p, samples, features) ? Arithmetic::kInnerProducts : Arithmetic::kPlain;
   }
-  if (p.arithmetic == Arithmetic::kInnerProducts && p.training == Training::kBatch) {
-    return fail(ErrorKind::kUsage, "batch training has no arithmetic by inner products", {},
-                "set 'arithmetic' to automatic or 'training' to online");
-  }
   for (const auto& [name, schedule] : {std::pair<std::string, Schedule>{"radius", p.radius()},
                                        {"learning rate", p.learning_rate()}}) {
     if (auto valid = schedule.validate(name); !valid) return fail(valid.error());
@@ -196,8 +196,8 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
 }
 
 std::string reason_without_effect(const SomParameters& parameters, std::string_view name) {
-  const bool of_online = name == "iterations" || name == "draws" || name == "arithmetic" ||
-                         name.starts_with("learning_rate");
+  const bool of_online =
+      name == "iterations" || name == "draws" || name.starts_with("learning_rate");
   if (parameters.training == Training::kBatch && of_online) return "training is batch";
   if (parameters.training == Training::kOnline && name == "epochs") return "training is online";
   const bool of_change = name.ends_with("_end") || name.ends_with("_reached_at");

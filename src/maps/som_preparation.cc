@@ -38,19 +38,28 @@ Result<void> check_memory(const SomParameters& parameters, std::size_t elements)
 }
 
 Result<void> check_samples(const Samples& samples) {
-  if (samples.count() > 0 && samples.size() > 0) return {};
+  return check_samples(samples.count(), samples.size());
+}
+
+Result<void> check_samples(std::size_t count, std::size_t size) {
+  if (count > 0 && size > 0) return {};
   return fail(ErrorKind::kData, "there are no samples to train on", {},
               "give at least one sample of at least one element");
 }
 
-// Distances are summed in single precision: beyond its range every winner would be the first.
 Result<void> check_range(const Samples& prepared) {
-  constexpr double kLongest = 1e18;
-  constexpr double kShortest = 1e-15;
   double longest = 0.0;
   for (std::size_t i = 0; i < prepared.count(); ++i) {
-    longest = std::max(longest, std::sqrt(inner_product(prepared[i], prepared[i])));
+    longest = std::max(longest, inner_product(prepared[i], prepared[i]));
   }
+  return check_range(longest);
+}
+
+// Distances are summed in single precision: beyond its range every winner would be the first.
+Result<void> check_range(double longest_squared) {
+  constexpr double kLongest = 1e18;
+  constexpr double kShortest = 1e-15;
+  const double longest = std::sqrt(longest_squared);
   if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
   return fail(ErrorKind::kData,
               longest > kLongest ? "the samples are too large to be told apart in single precision"

@@ -24,9 +24,11 @@ Result<PreparedTraining> prepare_training(const SomParameters& parameters, const
 
 /// Refuses (kData) samples that there are none of, or without elements.
 Result<void> check_samples(const Samples& samples);
+Result<void> check_samples(std::size_t count, std::size_t size);
 
 /// Refuses (kData) samples, as the map sees them, of a length outside 1e-15 .. 1e18.
 Result<void> check_range(const Samples& prepared);
+Result<void> check_range(double longest_squared);
 
 /// Refuses (kSystem) a map with weights for so many elements that they do not fit into memory.
 Result<void> check_memory(const SomParameters& parameters, std::size_t elements);

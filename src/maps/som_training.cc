@@ -81,14 +81,12 @@ Result<Som> untrained_som(const SomParameters& parameters, const Samples& sample
 
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
+  auto by_products = train_by_inner_products(parameters, samples, options);
+  if (!by_products) return fail(std::move(by_products.error()));
+  if (*by_products) return std::move(**by_products);
   Samples storage;
   auto ready = prepare_training(parameters, samples, storage);
   if (!ready) return fail(std::move(ready.error()));
-  if (ready->parameters.arithmetic == Arithmetic::kInnerProducts) {
-    auto som = train_by_inner_products(*ready, options);
-    if (!som) return som;
-    return of_whole_inputs(std::move(*som), ready->elements);
-  }
   Som som = initial_som(*ready);
   if (auto trained = train_in_place(som, *ready->samples, options); !trained) {
     return fail(std::move(trained.error()));

@@ -3,28 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <utility>
 
+#include "maps/element_set.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
-
-// Or at least half of all.
-std::vector<std::uint32_t> elements_in(const Samples& samples) {
-  std::vector<std::uint32_t> elements;
-  std::vector<std::uint32_t> joined;
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    const auto indices = samples[i].indices;
-    joined.clear();
-    std::set_union(elements.begin(), elements.end(), indices.begin(), indices.end(),
-                   std::back_inserter(joined));
-    elements.swap(joined);
-    if (2 * elements.size() >= samples.size()) break;  // too many already
-  }
-  return elements;
-}
 
 // Calls `stored(place, value)` or `other(value)` for each value of `signal` in order.
 template <typename Stored, typename Other>
@@ -57,10 +42,13 @@ StoredElements::StoredElements(std::size_t size, std::vector<std::uint32_t> list
 
 StoredElements StoredElements::used_by(const Samples& samples) {
   if (!samples.is_sparse()) return StoredElements(samples.size());
-  std::vector<std::uint32_t> used = elements_in(samples);
+  return worth_storing(samples.size(), ElementSet(samples).listed());
+}
+
+StoredElements StoredElements::worth_storing(std::size_t size, std::vector<std::uint32_t> used) {
   if (used.empty()) used.push_back(0);
-  if (2 * used.size() >= samples.size()) return StoredElements(samples.size());
-  return {samples.size(), std::move(used)};
+  if (2 * used.size() >= size) return StoredElements(size);
+  return {size, std::move(used)};
 }
 
 bool StoredElements::possible_list(std::size_t size, std::span<const std::uint32_t> listed) {

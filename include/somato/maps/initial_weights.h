@@ -30,6 +30,11 @@ class InitialWeightsSource {
     return parameters.initial_weights != InitialWeights::kUniform;
   }
 
+  /// The number of the sample that each neuron starts at, of `samples` samples; only with
+  /// InitialWeights::kSamples.
+  static std::vector<std::size_t> samples_of_neurons(const SomParameters& parameters,
+                                                     std::size_t samples);
+
   /// Writes the weights of `neuron`, samples.size() values, to `out`; of length 1 for a dot-product
   /// map.
   void write(std::size_t neuron, std::span<float> out) const;

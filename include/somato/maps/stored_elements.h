@@ -27,6 +27,9 @@ class StoredElements {
   /// first one when there is no value at all.
   static StoredElements used_by(const Samples& samples);
 
+  /// Those of `used`, which ascend, by the same rule.
+  static StoredElements worth_storing(std::size_t size, std::vector<std::uint32_t> used);
+
   /// Whether `listed` is not empty, ascends without repeats and lies below `size`.
   static bool possible_list(std::size_t size, std::span<const std::uint32_t> listed);
 
