@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "somato/core/check.h"
@@ -21,19 +22,32 @@ std::string column_text(std::size_t column, const std::vector<std::string>& name
   return fmt::format("column {} ('{}')", column + 1, names[column]);
 }
 
-double column_mean(const Matrix<float>& rows, std::size_t column) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < rows.rows(); ++i) sum += double{rows(i, column)};
-  return sum / static_cast<double>(rows.rows());
+// Row by row, as they lie in memory: the sum of each column.
+std::vector<double> column_means(const Matrix<float>& rows) {
+  std::vector<double> means(rows.columns());
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const auto row = rows.row(i);
+    for (std::size_t column = 0; column < means.size(); ++column) {
+      means[column] += double{row[column]};
+    }
+  }
+  for (double& mean : means) mean /= static_cast<double>(rows.rows());
+  return means;
 }
 
-double column_deviation(const Matrix<float>& rows, std::size_t column, double mean) {
-  double sum = 0.0;
+std::vector<double> column_deviations(const Matrix<float>& rows, const std::vector<double>& means) {
+  std::vector<double> deviations(rows.columns());
   for (std::size_t i = 0; i < rows.rows(); ++i) {
-    const double difference = double{rows(i, column)} - mean;
-    sum = std::fma(difference, difference, sum);
+    const auto row = rows.row(i);
+    for (std::size_t column = 0; column < means.size(); ++column) {
+      const double difference = double{row[column]} - means[column];
+      deviations[column] = std::fma(difference, difference, deviations[column]);
+    }
   }
-  return std::sqrt(sum / static_cast<double>(rows.rows()));
+  for (double& deviation : deviations) {
+    deviation = std::sqrt(deviation / static_cast<double>(rows.rows()));
+  }
+  return deviations;
 }
 
 Result<void> check_finite(const Matrix<float>& rows, std::size_t column,
@@ -48,11 +62,22 @@ Result<void> check_finite(const Matrix<float>& rows, std::size_t column,
   return {};
 }
 
-bool is_constant(const Matrix<float>& rows, std::size_t column) {
+// A flag a column.
+std::vector<char> constant_columns(const Matrix<float>& rows) {
+  std::vector<char> constant(rows.columns(), 1);
+  const auto first = rows.row(0);
   for (std::size_t i = 1; i < rows.rows(); ++i) {
-    if (rows(i, column) != rows(0, column)) return false;
+    const auto row = rows.row(i);
+    for (std::size_t column = 0; column < constant.size(); ++column) {
+      if (row[column] != first[column]) constant[column] = 0;
+    }
   }
-  return true;
+  return constant;
+}
+
+bool all_finite(const Matrix<float>& rows) {
+  return std::all_of(rows.values().begin(), rows.values().end(),
+                     [](float value) { return std::isfinite(value); });
 }
 
 Error constant_column(const Matrix<float>& rows, std::size_t column,
@@ -94,17 +119,19 @@ Result<Standardization> Standardization::fit(const Samples& samples,
         {}, "record more, or train without standardization");
   }
   const Matrix<float> rows = dense_rows(samples);
-  Standardization fitted;
+  const std::vector<char> constant = constant_columns(rows);
+  const bool finite = all_finite(rows);
   for (std::size_t column = 0; column < rows.columns(); ++column) {
-    Result<void> finite = check_finite(rows, column, column_names);
-    if (!finite) return fail(std::move(finite.error()));
-    const bool constant = is_constant(rows, column);
-    if (constant && parameters.constant_columns == ConstantColumns::kRefuse) {
+    Result<void> checked = finite ? Result<void>() : check_finite(rows, column, column_names);
+    if (!checked) return fail(std::move(checked.error()));
+    if (constant[column] != 0 && parameters.constant_columns == ConstantColumns::kRefuse) {
       return fail(constant_column(rows, column, column_names));
     }
-    fitted.means.push_back(column_mean(rows, column));
-    fitted.deviations.push_back(constant ? 0.0
-                                         : column_deviation(rows, column, fitted.means.back()));
+  }
+  Standardization fitted{column_means(rows), {}};
+  fitted.deviations = column_deviations(rows, fitted.means);
+  for (std::size_t column = 0; column < rows.columns(); ++column) {
+    if (constant[column] != 0) fitted.deviations[column] = 0.0;
   }
   return fitted;
 }

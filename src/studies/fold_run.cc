@@ -21,11 +21,8 @@ using Numbers = std::vector<std::size_t>;
 // Numbers of samples among those known, as numbers of explorations.
 Numbers neighbours_among(const Samples& samples, const Numbers& training, const Numbers& test,
                          const Numbers& explorations) {
-  Numbers nearest;
-  nearest.reserve(test.size());
-  for (const std::size_t sample : test) {
-    nearest.push_back(explorations[nearest_neighbour(samples, training, sample)]);
-  }
+  Numbers nearest = nearest_neighbours(samples, training, test);
+  for (std::size_t& one : nearest) one = explorations[one];
   return nearest;
 }
 

@@ -199,6 +199,53 @@ TEST(FoldRun, GivesWhatFollowsFromItsMap) {
   }
 }
 
+// One trial of each object is sparse in elements that the others may not have.
+StudyDescription by_products(const std::string& arithmetic) {
+  return testing::study_from(
+      "[study]\nname = 'products'\nseeds = 2\nfirst_seed = 5\n"
+      "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+      "[module.code]\ntype = 'one_hot'\ninput = 'joints'\nelements = 40\nlow = 0\nhigh = 120\n"
+      "[module.memory]\ntype = 'accumulate'\ninput = 'code'\n"
+      "[module.map]\ntype = 'som'\ninput = 'memory'\nrows = 5\ncolumns = 5\niterations = 300\n"
+      "arithmetic = '" +
+      arithmetic + "'\n");
+}
+
+void expect_same_but_for_rounding(const FoldOutcome& a, const FoldOutcome& b) {
+  EXPECT_EQ(a.training_winners, b.training_winners);
+  EXPECT_EQ(a.winners, b.winners);
+  EXPECT_EQ(a.named_by, b.named_by);
+  EXPECT_EQ(a.nearest, b.nearest);
+  EXPECT_NEAR(a.summed_distance, b.summed_distance, 1e-4 * b.summed_distance);
+  EXPECT_EQ(a.torn, b.torn);
+}
+
+// The plain way: weights are formed, and asked.
+TEST(FoldRun, InnerProductsAnswerAsTheFormedMapDoes) {
+  const Recording asked = testing::grasps(3, 4, 11);
+  const StudyDescription description = by_products("inner_products");
+  const Question question = question_of(asked, description);
+  for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
+    for (const Fold& fold : folds_of(question, protocol)) {
+      TrainedFold trained = trained_on(question, fold, description);
+      ASSERT_TRUE(trained.products);
+      const FoldOutcome by_inner_products = outcome_of(trained, question, fold);
+      trained.products.reset();
+      expect_same_but_for_rounding(by_inner_products, outcome_of(trained, question, fold));
+    }
+  }
+}
+
+TEST(FoldRun, PlainArithmeticFormsItsMapAtOnce) {
+  const Recording asked = testing::grasps(3, 4, 11);
+  const StudyDescription description = by_products("plain");
+  const Question question = question_of(asked, description);
+  const Fold fold = folds_of(question, Protocol::kTrainIsTest).front();
+  const TrainedFold trained = train_fold(description, question, fold, kSeed, {}).value();
+  EXPECT_FALSE(trained.products);
+  EXPECT_EQ(som_of(trained.system, question.map)->neurons(), 25U);
+}
+
 // 0 would say that luck never does it.
 TEST(FoldRun, WithoutWrongGroupingsSaysNothingOfLuck) {
   const Question question = question_of(recording());

@@ -40,9 +40,15 @@ class SomStepper : public Stepper {
     return Signal::dense({som_.grid().rows(), som_.grid().columns()}, std::move(activity));
   }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    som_.activity(inputs.front(), workspace_, activity_.begin_dense(som_.neurons()));
+    return activity_.view();
+  }
+
  private:
   const Som& som_;
   SomWorkspace workspace_;
+  SignalBuffer activity_;
 };
 
 // Answers for the exploration that the phase has turned to.
@@ -254,9 +260,17 @@ class TMpsomStepper : public Stepper {
     return Signal::dense(map_.parameters().shape, std::move(activity));
   }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    std::vector<float>& activity = activity_.begin_dense(map_.neurons());
+    const auto active = in_range([&] { map_.activation(inputs, workspace_, activity); });
+    if (!active) return fail(active.error());
+    return activity_.view();
+  }
+
  private:
   const TMpsom& map_;
   TMpsom::Workspace workspace_;
+  SignalBuffer activity_;
 };
 
 class TMpsomModule : public SteppedModule, public Learner {
