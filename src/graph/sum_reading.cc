@@ -67,7 +67,7 @@ void SumReading::add_element(std::size_t element, double value) {
 double SumReading::factor() const {
   const double length = std::sqrt(std::max(0.0, squared_length_));
   const double norm = norm_ == Norm::kL1 ? magnitude_ : norm_ == Norm::kL2 ? length : 1.0;
-  const double divisor = som_.parameters().normalize_input ? length : norm;
+  const double divisor = som_.parameters().normalize_input.value_or(false) ? length : norm;
   return divisor > 0.0 ? 1.0 / divisor : 1.0;
 }
 

@@ -96,8 +96,8 @@ TEST(SystemTraining, AMapAloneCanBeTrainedElsewhere) {
   EXPECT_EQ(som_of(system, map)->neurons(), 0U);
   std::vector<Signal> sums;
   for (std::size_t i = 0; i < 6; ++i) {
-    const Sequence sum = output_of(system, recording, "sum", i);
-    sums.push_back(Signal::dense({dense(sum).row(0).begin(), dense(sum).row(0).end()}));
+    const Matrix<float> sum = dense(output_of(system, recording, "sum", i));
+    sums.push_back(Signal::dense({sum.row(0).begin(), sum.row(0).end()}));
   }
   set_map(system, map, train_som(*parameters, Samples::from_signals(sums)).value());
   EXPECT_EQ(som_of(system, map)->weights(), som_of(expected, map)->weights());
