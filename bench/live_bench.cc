@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,7 @@ System trained(const std::string& name, const Recording& recording) {
   Activations activations = evaluate_fixed(system, recording, {}, 1).value();
   std::vector<std::size_t> all(kExplorations);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  (void)train_system(system, recording, all, {}, activations).value();
+  if (!train_system(system, recording, all, {}, activations)) std::abort();
   return system;
 }
 
