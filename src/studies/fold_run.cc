@@ -123,12 +123,13 @@ Neighbours nearest_neighbours(const ExplorationValues& vectors, const Fold& fold
   const Samples& samples = vectors.samples.samples();
   const Numbers training = vectors.places_of(fold.training);
   const Numbers test = vectors.places_of(fold.test);
+  // A column that is 0 in all training samples takes a tested one as far from each of them, and is
+  // 0 once standardized.
+  const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
   Neighbours nearest;
-  nearest.raw = neighbours_among(samples, training, test, vectors.explorations);
+  nearest.raw = neighbours_among(narrow, training, test, vectors.explorations);
   nearest.standardized = nearest.raw;
   if (training.size() < 2) return nearest;
-  // A column that is 0 in all training samples is 0 once standardized.
-  const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
   const auto standardization =
       Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
   if (!standardization) return nearest;
