@@ -58,6 +58,7 @@ Recording cut(Recording recording, std::size_t frames) {
 std::vector<std::span<const float>> frame_of(const LiveSystem& live, const Recording& recording,
                                              std::size_t exploration, std::size_t frame) {
   std::vector<std::span<const float>> values;
+  values.reserve(live.channels().size());
   for (const std::string& channel : live.channels()) {
     values.push_back(testing::frames_of(recording, channel, exploration).row(frame));
   }
@@ -151,6 +152,7 @@ std::size_t allocations_of_steps(const std::string& text) {
   auto live = LiveSystem::build(system, *system.find("map")).value();
   std::vector<float> activity(12);
   std::vector<std::vector<std::span<const float>>> frames;
+  frames.reserve(kExplorations);
   for (std::size_t exploration = 0; exploration < kExplorations; ++exploration) {
     frames.push_back(frame_of(live, recording, exploration, 1));
   }
