@@ -172,7 +172,7 @@ std::string file_name_of(const ReproductionPart& part) {
 // Runs the parts of a request one after the other and keeps what they find.
 class Reproduction {
  public:
-  Reproduction(const Request& request)
+  Reproduction(Request& request)
       : request_(request), explored_(request.out / "recordings", request.seed, request.threads) {}
 
   Result<void> run() {
@@ -209,7 +209,7 @@ class Reproduction {
       const std::size_t seeds = pairs_of(i, recordings, pairs);
       auto recording = request_.given ? request_.given->get(given[i]) : explored(part, i);
       if (!recording) return fail(std::move(recording.error()));
-      auto ran = run_on(*recording, part, i, {first_seed, seeds}, found);
+      auto ran = run_on(**recording, part, i, {first_seed, seeds}, found);
       if (!ran && request_.given && is_misfit(ran.error())) return pass_over(part, ran.error());
       if (!ran) return ran;
       first_seed += seeds;
@@ -218,7 +218,7 @@ class Reproduction {
     return {};
   }
 
-  Result<PairedRecording> explored(const ReproductionPart& part, std::size_t index) const {
+  Result<KeptRecordings::Kept> explored(const ReproductionPart& part, std::size_t index) {
     return read_explore_table(part.explore).and_then([&](const ExploreTable& table) {
       return explored_.get(table, index);
     });
@@ -282,7 +282,7 @@ class Reproduction {
             files ? "give --data a file or a folder of files" : "give --data its folder"};
   }
 
-  const Request& request_;
+  Request& request_;
   ExploredRecordings explored_;
   ReproductionResults results_;
   std::string place_;
@@ -300,8 +300,8 @@ Result<void> make_folders(const std::filesystem::path& out) {
 }
 
 Result<void> run(const Arguments& arguments) {
-  const auto request = read_request(arguments);
-  if (!request) return fail(request.error());
+  auto request = read_request(arguments);
+  if (!request) return fail(std::move(request.error()));
   if (auto made = make_folders(request->out); !made) return made;
   Reproduction reproduction(*request);
   if (auto ran = reproduction.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));

@@ -64,6 +64,17 @@ PairedRecording paired(std::string name, std::string source, std::uint64_t seed,
   return {std::move(info), std::move(recording), {}};
 }
 
+// Of the frames, which are nearly all of it.
+std::size_t bytes_of(const Recording& recording) {
+  std::size_t bytes = 0;
+  for (const Exploration& exploration : recording.explorations) {
+    for (const Channel& channel : exploration.channels) {
+      bytes += channel.frames.values().size() * sizeof(float);
+    }
+  }
+  return bytes;
+}
+
 // The last part of a path, whether it ends with a slash or not.
 std::string last_part(const std::filesystem::path& path) {
   const auto whole = std::filesystem::absolute(path).lexically_normal();
@@ -81,6 +92,21 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 }
 
 }  // namespace
+
+KeptRecordings::Kept KeptRecordings::find(const std::string& key) const {
+  const auto found = kept_.find(key);
+  return found == kept_.end() ? nullptr : found->second;
+}
+
+KeptRecordings::Kept KeptRecordings::keep(const std::string& key, PairedRecording recording) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 29;
+  const std::size_t bytes = bytes_of(recording.recording);
+  auto kept = std::make_shared<const PairedRecording>(std::move(recording));
+  if (bytes_ + bytes > kMostBytes) return kept;
+  bytes_ += bytes;
+  kept_.emplace(key, kept);
+  return kept;
+}
 
 Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
                                                std::uint64_t seed, std::string& name) const {
@@ -100,9 +126,17 @@ Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool n
   return read_recording(path);
 }
 
-Result<PairedRecording> ExploredRecordings::get(const ExploreTable& table,
-                                                std::size_t index) const {
+Result<KeptRecordings::Kept> ExploredRecordings::get(const ExploreTable& table, std::size_t index) {
   const std::uint64_t seed = first_seed_ + index;
+  const std::string key = fmt::format("{} {}", seed, to_text(table));
+  if (auto kept = kept_.find(key)) return kept;
+  return read(table, seed).map([&](PairedRecording recording) {
+    return kept_.keep(key, std::move(recording));
+  });
+}
+
+Result<PairedRecording> ExploredRecordings::read(const ExploreTable& table,
+                                                 std::uint64_t seed) const {
   std::string name;
   auto recording = explored(table, false, seed, name);
   if (!recording) return fail(std::move(recording.error()));
@@ -153,11 +187,13 @@ std::vector<std::size_t> GivenRecordings::of_format(RecordingFormat format) cons
   return numbers;
 }
 
-Result<PairedRecording> GivenRecordings::get(std::size_t number) const {
+Result<KeptRecordings::Kept> GivenRecordings::get(std::size_t number) {
+  const std::string key = std::to_string(number);
+  if (auto kept = kept_.find(key)) return kept;
   const Place& place = places_[number];
-  auto recording = read_study_data(place.format, place.path.string());
-  if (!recording) return fail(std::move(recording.error()));
-  return paired(last_part(place.path), "given", 0, std::move(*recording));
+  return read_study_data(place.format, place.path.string()).map([&](Recording recording) {
+    return kept_.keep(key, paired(last_part(place.path), "given", 0, std::move(recording)));
+  });
 }
 
 }  // namespace somato::program

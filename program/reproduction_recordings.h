@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,22 @@ struct PairedRecording {
   std::optional<Recording> test;
 };
 
+/// Recordings for whoever asks again, as long as they are small together: several systems run on
+/// the same.
+class KeptRecordings {
+ public:
+  using Kept = std::shared_ptr<const PairedRecording>;
+
+  /// What was kept under the key, or nullptr.
+  Kept find(const std::string& key) const;
+
+  Kept keep(const std::string& key, PairedRecording recording);
+
+ private:
+  std::map<std::string, Kept> kept_;
+  std::size_t bytes_ = 0;
+};
+
 /// Recordings that are explored when they are asked for, and kept in a folder: who asks again, or
 /// goes on after an interruption, gets the same file.
 class ExploredRecordings {
@@ -31,15 +49,17 @@ class ExploredRecordings {
 
   /// Recording number `index` of those that the table asks for, with the seed after those before
   /// it. Errors: those of exploring, also when a single exploration fails; kInterrupted.
-  Result<PairedRecording> get(const ExploreTable& table, std::size_t index) const;
+  Result<KeptRecordings::Kept> get(const ExploreTable& table, std::size_t index);
 
  private:
+  Result<PairedRecording> read(const ExploreTable& table, std::uint64_t seed) const;
   Result<Recording> explored(const ExploreTable& table, bool new_objects, std::uint64_t seed,
                              std::string& name) const;
 
   std::filesystem::path folder_;
   std::uint64_t first_seed_;
   std::size_t threads_;
+  KeptRecordings kept_;
 };
 
 /// Recordings at a path: a file; the files of a folder; a data set; or the data sets in a folder.
@@ -51,7 +71,7 @@ class GivenRecordings {
   /// Numbers of those a study of this format can be about: automatic, recordings of bodies.
   std::vector<std::size_t> of_format(RecordingFormat format) const;
 
-  Result<PairedRecording> get(std::size_t number) const;
+  Result<KeptRecordings::Kept> get(std::size_t number);
 
  private:
   struct Place {
@@ -63,6 +83,7 @@ class GivenRecordings {
   void add(const std::filesystem::path& place);
 
   std::vector<Place> places_;
+  KeptRecordings kept_;
 };
 
 }  // namespace somato::program

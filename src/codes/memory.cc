@@ -77,21 +77,27 @@ void Memory::become_dense() {
 }
 
 Signal Memory::value() const {
-  if (!dense_) return sparse_value();
-  std::vector<float> values(size_);
-  std::ranges::transform(sums_, values.begin(), [](double sum) { return static_cast<float>(sum); });
-  return Signal::dense(shape_, std::move(values));
+  SignalBuffer held;
+  write(held);
+  const SignalView view = held.view();
+  if (dense_) return Signal::dense(shape_, std::move(held.values()));
+  return Signal::sparse(shape_, {view.indices.begin(), view.indices.end()},
+                        std::move(held.values()));
 }
 
-Signal Memory::sparse_value() const {
+void Memory::write(SignalBuffer& out) const {
+  if (!dense_) return write_sparse(out);
+  std::ranges::transform(sums_, out.begin_dense(size_).begin(),
+                         [](double sum) { return static_cast<float>(sum); });
+}
+
+void Memory::write_sparse(SignalBuffer& out) const {
   std::vector<std::uint32_t> indices = indices_;
   std::ranges::sort(indices);
-  std::vector<float> values;
-  values.reserve(indices.size());
+  out.begin_sparse(size_);
   for (const std::uint32_t index : indices) {
-    values.push_back(static_cast<float>(sums_[places_.at(index)]));
+    out.add(index, static_cast<float>(sums_[places_.at(index)]));
   }
-  return Signal::sparse(shape_, std::move(indices), std::move(values));
 }
 
 }  // namespace somato

@@ -97,19 +97,26 @@ OneHotSequence::OneHotSequence(const std::vector<OneHotParameters>& joints)
 }
 
 Result<Signal> OneHotSequence::encode(std::span<const float> values) const {
+  SignalBuffer code;
+  if (auto encoded = encode(values, code); !encoded) return fail(std::move(encoded.error()));
+  const auto indices = code.view().indices;
+  return Signal::sparse({joints(), codes_.front().elements()}, {indices.begin(), indices.end()},
+                        std::vector<float>(joints(), 1.0F));
+}
+
+Result<void> OneHotSequence::encode(std::span<const float> values, SignalBuffer& out) const {
   require(values.size() == joints(), "a one-hot sequence needs one value for each joint");
   const std::size_t elements = codes_.front().elements();
-  std::vector<std::uint32_t> indices;
+  out.begin_sparse(joints() * elements);
   for (std::size_t joint = 0; joint < joints(); ++joint) {
     Result<std::uint32_t> bin = codes_[joint].bin(values[joint]);
     if (!bin) {
       bin.error().where = fmt::format("joint {}", joint + 1);
       return fail(std::move(bin.error()));
     }
-    indices.push_back(static_cast<std::uint32_t>(joint * elements) + *bin);
+    out.add(static_cast<std::uint32_t>(joint * elements) + *bin, 1.0F);
   }
-  return Signal::sparse({joints(), elements}, std::move(indices),
-                        std::vector<float>(joints(), 1.0F));
+  return {};
 }
 
 }  // namespace somato

@@ -7,8 +7,10 @@
 
 #include "graph/exploration_run.h"
 #include "graph/frame_walk.h"
+#include "graph/modules/som_module.h"
 #include "graph/phase_plan.h"
 #include "graph/wiring.h"
+#include "somato/core/check.h"
 #include "somato/core/random.h"
 #include "somato/maps/som_training.h"
 
@@ -23,6 +25,26 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
       philox4x32({static_cast<std::uint32_t>(index), 0x6D6F6475U, 0, 0},
                  {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)});
   return ((std::uint64_t{words[0]} << 32U) | words[1]) & kBits49;
+}
+
+Lesson lesson_for(const System& system, std::size_t module, const Phase& phase,
+                  std::uint64_t seed) {
+  std::uint64_t index = 0;
+  for (std::size_t i = 0; i < module; ++i) {
+    index += system.modules()[i].module->learner() != nullptr ? 1 : 0;
+  }
+  return {seed_of(seed, index), phase.draws, phase.order, {}, false, false};
+}
+
+bool learns_alone(const System& system, const Phase& phase) {
+  const std::size_t module = phase.learners.front();
+  return phase.learners.size() == 1 &&
+         system.modules()[module].module->learner()->learns_at_once() &&
+         !system.wiring().reaches(module, module);
+}
+
+modules::SomModule* map_of(const System& system, std::size_t module) {
+  return dynamic_cast<modules::SomModule*>(system.modules()[module].module.get());
 }
 
 class Trainer {
@@ -41,10 +63,11 @@ class Trainer {
                   "give at least one");
     }
     for (const Phase& phase : system_.phases()) {
+      if (training_.without == phase.learners.front()) continue;
       const std::vector<std::size_t> computed = computed_in(system_, phase);
       if (auto ready = compute_inputs_of(computed); !ready) return ready;
       Result<void> learned =
-          learns_alone(phase) ? learn_alone(phase) : learn_together(phase, computed);
+          learns_alone(system_, phase) ? learn_alone(phase) : learn_together(phase, computed);
       if (!learned) return learned;
     }
     return {};
@@ -53,12 +76,6 @@ class Trainer {
  private:
   Learner& learner(std::size_t module) const {
     return *system_.modules()[module].module->learner();
-  }
-
-  bool learns_alone(const Phase& phase) const {
-    const std::size_t module = phase.learners.front();
-    return phase.learners.size() == 1 && learner(module).learns_at_once() &&
-           !system_.wiring().reaches(module, module);
   }
 
   // What comes into a phase's modules from frozen ones.
@@ -74,12 +91,9 @@ class Trainer {
   }
 
   Lesson lesson_for(std::size_t module, const Phase& phase) const {
-    std::uint64_t index = 0;
-    for (std::size_t i = 0; i < module; ++i) {
-      index += system_.modules()[i].module->learner() != nullptr ? 1 : 0;
-    }
-    return {
-        seed_of(training_.seed, index), phase.draws, phase.order, training_.progress, false, false};
+    Lesson lesson = somato::lesson_for(system_, module, phase, training_.seed);
+    lesson.progress = training_.progress;
+    return lesson;
   }
 
   Result<void> learn_alone(const Phase& phase) {
@@ -236,6 +250,28 @@ Result<void> train_system(System& system, const Recording& recording,
                           std::span<const std::size_t> explorations, const SystemTraining& training,
                           Activations& activations) {
   return Trainer(system, recording, explorations, training, activations).train();
+}
+
+std::optional<SomParameters> parameters_alone(const System& system, std::size_t module,
+                                              std::uint64_t seed) {
+  const modules::SomModule* map = map_of(system, module);
+  if (!map) return {};
+  for (const Phase& phase : system.phases()) {
+    for (const std::size_t learner : phase.learners) {
+      if (learner != module && system.wiring().reaches(module, learner)) return {};
+    }
+  }
+  for (const Phase& phase : system.phases()) {
+    if (phase.learners.front() != module || !learns_alone(system, phase)) continue;
+    return map->parameters_for(lesson_for(system, module, phase, seed));
+  }
+  return {};
+}
+
+void set_map(System& system, std::size_t module, Som som) {
+  modules::SomModule* map = map_of(system, module);
+  require(map != nullptr, "only a module of type som is given a map");
+  map->set_som(std::move(som));
 }
 
 }  // namespace somato

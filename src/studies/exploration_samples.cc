@@ -1,5 +1,6 @@
 #include "studies/exploration_samples.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "somato/maps/labels.h"
@@ -40,6 +41,23 @@ Samples single_values(const Activations& activations, std::size_t module,
                           : Signal::dense(std::move(values)));
   }
   return Samples::from_signals(signals);
+}
+
+std::vector<std::size_t> ExplorationValues::places_of(
+    const std::vector<std::size_t>& wanted) const {
+  std::vector<std::size_t> places;
+  places.reserve(wanted.size());
+  for (const std::size_t one : wanted) {
+    const auto place = std::lower_bound(explorations.begin(), explorations.end(), one);
+    places.push_back(static_cast<std::size_t>(place - explorations.begin()));
+  }
+  return places;
+}
+
+ExplorationValues values_of(const Activations& activations, std::size_t module,
+                            std::vector<std::size_t> explorations) {
+  KnownSamples samples(single_values(activations, module, explorations));
+  return {std::move(explorations), std::move(samples)};
 }
 
 }  // namespace somato

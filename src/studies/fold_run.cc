@@ -1,6 +1,7 @@
 #include "studies/fold_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -8,40 +9,92 @@
 #include "somato/codes/standardization.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
-#include "somato/maps/som_quality.h"
-#include "somato/maps/batch_training.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/stored_elements.h"
 #include "somato/studies/nearest_neighbour.h"
-#include "studies/exploration_samples.h"
 
 namespace somato {
 namespace {
 
-// Where each of `wanted` stands in `all`; both ascend.
-std::vector<std::size_t> places_of(const std::vector<std::size_t>& wanted,
-                                   const std::vector<std::size_t>& all) {
-  std::vector<std::size_t> places;
-  places.reserve(wanted.size());
-  for (const std::size_t one : wanted) {
-    const auto place = std::lower_bound(all.begin(), all.end(), one) - all.begin();
-    places.push_back(static_cast<std::size_t>(place));
-  }
-  return places;
-}
+using Numbers = std::vector<std::size_t>;
 
-// Numbers of samples among those learned or tested, as numbers of explorations.
-std::vector<std::size_t> neighbours_among(const Samples& samples,
-                                          const std::vector<std::size_t>& training,
-                                          const std::vector<std::size_t>& test,
-                                          const std::vector<std::size_t>& explorations) {
-  std::vector<std::size_t> nearest;
-  nearest.reserve(test.size());
-  for (const std::size_t sample : test) {
-    nearest.push_back(explorations[nearest_neighbour(samples, training, sample)]);
-  }
+// Numbers of samples among those known, as numbers of explorations.
+Numbers neighbours_among(const Samples& samples, const Numbers& training, const Numbers& test,
+                         const Numbers& explorations) {
+  Numbers nearest = nearest_neighbours(samples, training, test);
+  for (std::size_t& one : nearest) one = explorations[one];
   return nearest;
 }
+
+// Computes what the modules before the map give for the explorations of a fold, unless every
+// training has the same.
+Result<void> see(const Question& question, const Recording& recording, const Fold& fold,
+                 Activations& activations, TrainedFold& trained) {
+  const std::size_t input = trained.system.modules()[question.map].inputs.front();
+  if (question.fixed_inputs) {
+    trained.inputs = *question.fixed_inputs;
+    trained.vectors = *question.fixed_vectors;
+    return {};
+  }
+  Numbers samples;
+  std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
+                 std::back_inserter(samples));
+  auto seen =
+      evaluate(trained.system, recording, samples, {input, question.vectors}, 1, activations);
+  if (!seen) return seen;
+  trained.inputs = values_of(activations, input, samples);
+  trained.vectors = question.fixed_vectors ? *question.fixed_vectors
+                                           : values_of(activations, question.vectors, samples);
+  return {};
+}
+
+Error place(Error error, const System& system, std::size_t module) {
+  return error.kind == ErrorKind::kInterrupted ? error : system.at_module(std::move(error), module);
+}
+
+// Trains the map that answers on what it sees, and forms its weights only where it needs them.
+Result<void> train_map(const SomParameters& parameters, const Question& question, const Fold& fold,
+                       const Progress& progress, TrainedFold& trained) {
+  const Numbers training = trained.inputs.places_of(fold.training);
+  const TrainingOptions options{1, progress};
+  auto products = train_product_som(parameters, trained.inputs.samples, training, options);
+  if (!products) return fail(place(std::move(products.error()), trained.system, question.map));
+  trained.products = std::move(*products);
+  if (trained.products) return {};
+  auto som = train_som(parameters, trained.inputs.samples.samples().subset(training), options);
+  if (!som) return fail(place(std::move(som.error()), trained.system, question.map));
+  set_map(trained.system, question.map, std::move(*som));
+  return {};
+}
+
+// What a map says of the samples it was trained on and tested with.
+class Answers {
+ public:
+  Answers(const TrainedFold& trained, const Question& question)
+      : products_(trained.products ? &*trained.products : nullptr),
+        som_(products_ ? nullptr : som_of(trained.system, question.map)),
+        samples_(trained.inputs.samples.samples()) {}
+
+  Winners winners(std::size_t sample) {
+    return products_ ? products_->winners(sample) : som_->winners(samples_[sample], workspace_);
+  }
+
+  std::size_t winner_among(const Numbers& candidates, std::size_t sample) {
+    return products_ ? products_->winner_among(candidates, sample)
+                     : som_->winner_among(candidates, samples_[sample], workspace_);
+  }
+
+  double distance(std::size_t sample, std::size_t neuron) {
+    return products_ ? std::sqrt(products_->squared_distance(sample, neuron))
+                     : som_->distance(samples_[sample], neuron, workspace_);
+  }
+
+ private:
+  const ProductSom* products_;
+  const Som* som_;
+  const Samples& samples_;
+  SomWorkspace workspace_;
+};
 
 }  // namespace
 
@@ -49,60 +102,60 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Questi
                                const Fold& fold, std::uint64_t seed, const Progress& progress) {
   auto system = question.system(description);
   if (!system) return fail(std::move(system.error()));
+  TrainedFold trained{std::move(*system), {}, {}, {}};
+  const auto alone = parameters_alone(trained.system, question.map, seed);
   Activations activations = question.fixed;
-  auto trained =
-      train_system(*system, question.recording, fold.training, {seed, 1, progress}, activations);
-  if (!trained) return fail(std::move(trained.error()));
-  std::vector<std::size_t> samples;
-  std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
-                 std::back_inserter(samples));
-  const std::size_t input = system->modules()[question.map].inputs.front();
-  auto seen =
-      evaluate(*system, question.recording, samples, {input, question.vectors}, 1, activations);
-  if (!seen) return fail(std::move(seen.error()));
-  Samples inputs = single_values(activations, input, samples);
-  Samples vectors = single_values(activations, question.vectors, samples);
-  return TrainedFold{std::move(*system), std::move(samples), std::move(inputs), std::move(vectors)};
+  const SystemTraining training{seed, 1, progress,
+                                alone ? std::optional(question.map) : std::nullopt};
+  auto done =
+      train_system(trained.system, question.recording, fold.training, training, activations)
+          .and_then([&] { return see(question, question.recording, fold, activations, trained); });
+  if (done && alone) done = train_map(*alone, question, fold, progress, trained);
+  if (!done) return fail(std::move(done.error()));
+  return trained;
 }
 
-Neighbours nearest_neighbours(const TrainedFold& trained, const Fold& fold) {
-  const std::vector<std::size_t> training = places_of(fold.training, trained.samples);
-  const std::vector<std::size_t> test = places_of(fold.test, trained.samples);
+void form_map(TrainedFold& trained, const Question& question) {
+  if (trained.products) set_map(trained.system, question.map, trained.products->form_som());
+}
+
+Neighbours nearest_neighbours(const ExplorationValues& vectors, const Fold& fold) {
+  const Samples& samples = vectors.samples.samples();
+  const Numbers training = vectors.places_of(fold.training);
+  const Numbers test = vectors.places_of(fold.test);
+  // A column that is 0 in all training samples takes a tested one as far from each of them, and is
+  // 0 once standardized.
+  const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
   Neighbours nearest;
-  nearest.raw = neighbours_among(trained.vectors, training, test, trained.samples);
+  nearest.raw = neighbours_among(narrow, training, test, vectors.explorations);
   nearest.standardized = nearest.raw;
   if (training.size() < 2) return nearest;
-  // A column that is 0 in all training samples is 0 once standardized.
-  const Samples narrow =
-      StoredElements::used_by(trained.vectors.subset(training)).gather(trained.vectors);
   const auto standardization =
       Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
   if (!standardization) return nearest;
   nearest.standardized =
-      neighbours_among(standardization->apply(narrow), training, test, trained.samples);
+      neighbours_among(standardization->apply(narrow), training, test, vectors.explorations);
   return nearest;
 }
 
 FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,
                       Neighbours nearest) {
-  const Som& som = *som_of(trained.system, question.map);
-  const std::vector<std::size_t> training = places_of(fold.training, trained.samples);
-  const std::vector<std::size_t> test = places_of(fold.test, trained.samples);
-  const SomQuality quality = measure_quality(som, trained.inputs.subset(test));
-  const auto count = static_cast<double>(test.size());
-
+  Answers answers(trained, question);
   FoldOutcome outcome;
-  outcome.training_winners = winners_of(som, trained.inputs.subset(training), 1);
-  outcome.winners = quality.winners;
   outcome.nearest = std::move(nearest);
-  outcome.summed_distance = quality.quantization_error * count;
-  outcome.torn = quality.topographic_error * count;
+  for (const std::size_t sample : trained.inputs.places_of(fold.training)) {
+    outcome.training_winners.push_back(answers.winners(sample).first);
+  }
   const std::set<std::size_t> won(outcome.training_winners.begin(), outcome.training_winners.end());
-  const std::vector<std::size_t> named(won.begin(), won.end());
-  outcome.named_by.reserve(test.size());
-  SomWorkspace workspace;
-  for (const std::size_t sample : test) {
-    outcome.named_by.push_back(som.winner_among(named, trained.inputs[sample], workspace));
+  const Numbers named(won.begin(), won.end());
+  for (const std::size_t sample : trained.inputs.places_of(fold.test)) {
+    const Winners winners = answers.winners(sample);
+    const bool torn =
+        winners.first != winners.second && !question.grid.adjacent(winners.first, winners.second);
+    outcome.winners.push_back(winners.first);
+    outcome.summed_distance += answers.distance(sample, winners.first);
+    outcome.torn += torn ? 1.0 : 0.0;
+    outcome.named_by.push_back(answers.winner_among(named, sample));
   }
   return outcome;
 }

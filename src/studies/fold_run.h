@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/graph/system.h"
+#include "somato/maps/product_som.h"
+#include "studies/exploration_samples.h"
 #include "studies/question.h"
 
 namespace somato {
@@ -33,12 +36,14 @@ struct FoldOutcome {
   bool operator==(const FoldOutcome&) const = default;
 };
 
-/// A trained system with what its map sees.
+/// A trained system with what its map sees: of the explorations learned or tested at least.
 struct TrainedFold {
   System system;
-  std::vector<std::size_t> samples;  ///< Learned or tested, ascending.
-  Samples inputs;                    ///< Of the map, one a sample.
-  Samples vectors;                   ///< For the baseline, one a sample.
+  ExplorationValues inputs;   ///< Of the map.
+  ExplorationValues vectors;  ///< For the baseline.
+  /// The map that answers, where its inner products tell all that is asked of it: then the system
+  /// has no such map before form_map().
+  std::optional<ProductSom> products;
 };
 
 /// Trains the system on the fold's training part alone, with `seed`, and computes what its map sees
@@ -46,8 +51,12 @@ struct TrainedFold {
 Result<TrainedFold> train_fold(const StudyDescription& description, const Question& question,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
 
-/// The neighbours of a fold's tested samples among what it learned from.
-Neighbours nearest_neighbours(const TrainedFold& trained, const Fold& fold);
+/// Gives the system its map, with weights.
+void form_map(TrainedFold& trained, const Question& question);
+
+/// The neighbours of a fold's tested samples among what it learned from, by the vectors of all of
+/// them.
+Neighbours nearest_neighbours(const ExplorationValues& vectors, const Fold& fold);
 
 /// Tests what was trained on a fold.
 FoldOutcome test_fold(const TrainedFold& trained, const Question& question, const Fold& fold,

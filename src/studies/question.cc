@@ -240,9 +240,20 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
                                  *map));
   }
   if (input.type->name == "standardization") question.vectors = input.inputs.front();
-  question.vectors_learned = !system.is_fixed(question.vectors);
   question.grid = grid_of(system, *map);
   return {};
+}
+
+// What every training would put together anew.
+void keep_fixed(const System& system, Question& question) {
+  const Numbers all = each_alone(question.recording.explorations.size());
+  const std::size_t input = system.modules()[question.map].inputs.front();
+  if (system.is_fixed(question.vectors)) {
+    question.fixed_vectors = values_of(question.fixed, question.vectors, all);
+  }
+  if (!system.is_fixed(input)) return;
+  question.fixed_inputs =
+      input == question.vectors ? question.fixed_vectors : values_of(question.fixed, input, all);
 }
 
 }  // namespace
@@ -284,6 +295,7 @@ Result<Question> make_question(const StudyDescription& description, const Record
   auto fixed = evaluate_fixed(*system, question.recording, {question.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));
   question.fixed = std::move(*fixed);
+  keep_fixed(*system, question);
   return question;
 }
 

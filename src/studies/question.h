@@ -14,6 +14,7 @@
 #include "somato/recording/recording.h"
 #include "somato/studies/protocol.h"
 #include "somato/studies/study_parameters.h"
+#include "studies/exploration_samples.h"
 
 namespace somato {
 
@@ -43,9 +44,10 @@ struct Question {
   std::size_t map = 0;      ///< The module that answers.
   std::size_t vectors = 0;  ///< The module whose output the baseline compares: what the map learns,
                             ///< before a standardization that comes right before the map.
-  bool vectors_learned = false;  ///< Whether they depend on what was learned.
-  Grid grid;                     ///< Of the map.
+  Grid grid;                ///< Of the map.
   Activations fixed;
+  std::optional<ExplorationValues> fixed_inputs;   ///< Of the map, where nothing before it learns.
+  std::optional<ExplorationValues> fixed_vectors;  ///< The same, for the baseline.
 
   const Classes& classes() const { return labels.front().classes; }
   /// How it is divided with the groups of a label; empty: as it is.

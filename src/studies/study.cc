@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "somato/core/threads.h"
-#include "somato/maps/batch_training.h"
-#include "somato/maps/som_training.h"
 #include "somato/recording/content_hash.h"
 #include "studies/question.h"
 #include "studies/system_runner.h"
@@ -82,12 +80,14 @@ Classes learned_classes(const Question& question) {
 }
 
 StudyOutcome outcome_of(const StudyDescription& description, const Question& question,
-                        TrainedFold trained, StudyResults results) {
+                        TrainedFold trained, std::vector<std::size_t> winners,
+                        StudyResults results) {
+  form_map(trained, question);
   StudyOutcome outcome{std::move(results), {std::move(trained.system), {}}, {}, {}};
   const System& system = outcome.model.system;
   const Som& som = *som_of(system, question.map);
   outcome.classes = learned_classes(question);
-  outcome.winners = winners_of(som, trained.inputs, 1);
+  outcome.winners = std::move(winners);
   outcome.model.answer = SystemAnswer{
       system.modules()[question.map].name, description.study.label, outcome.classes.names,
       NeuronLabels::by_majority(outcome.winners, outcome.classes.of_sample, som.neurons())};
@@ -148,12 +148,14 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
     tally.failed(std::move(trained.error()));
     return fail(tally.error());
   }
+  FoldOutcome tested = test_fold(*trained, *question, all, {});
   for (SystemRunner& runner : runners) {
-    runner.take(*trained);
+    runner.take(*trained, tested);
     results.systems.push_back(runner.results());
   }
   tally.one_done();
-  return outcome_of(description, *question, std::move(*trained), std::move(results));
+  return outcome_of(description, *question, std::move(*trained), std::move(tested.training_winners),
+                    std::move(results));
 }
 
 }  // namespace somato

@@ -62,7 +62,8 @@ SystemRunner::SystemRunner(const StudyDescription& description, const Question& 
       folds_(folds(part_.protocol, question.divided_by(part_.group))),
       tested_(all_tested(folds_)),
       outcomes_(description.study.seeds * folds_.size()),
-      neighbours_(folds_.size()) {}
+      neighbours_(folds_.size()),
+      are_known_(folds_.size()) {}
 
 std::size_t SystemRunner::known(const Journal& journal) const {
   std::size_t known = 0;
@@ -91,22 +92,19 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
   tally.one_done();
 }
 
-void SystemRunner::take(const TrainedFold& trained) {
+void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   if (taken_ == 0) return;
-  outcomes_[0] = test_fold(trained, question_, folds_[0], neighbours(trained, 0));
+  outcomes_[0] = tested;
+  outcomes_[0].nearest = neighbours(trained, 0);
 }
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
 Neighbours SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
-  if (question_.vectors_learned) return nearest_neighbours(trained, folds_[fold]);
-  {
-    const std::lock_guard lock(mutex_);
-    if (neighbours_[fold]) return *neighbours_[fold];
-  }
-  Neighbours nearest = nearest_neighbours(trained, folds_[fold]);
-  const std::lock_guard lock(mutex_);
-  neighbours_[fold] = nearest;
-  return nearest;
+  const auto& vectors = question_.fixed_vectors;
+  if (!vectors) return nearest_neighbours(trained.vectors, folds_[fold]);
+  std::call_once(are_known_[fold],
+                 [&] { neighbours_[fold] = nearest_neighbours(*vectors, folds_[fold]); });
+  return neighbours_[fold];
 }
 
 SystemResults SystemRunner::results() const {

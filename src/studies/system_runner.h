@@ -68,8 +68,9 @@ class SystemRunner {
   /// Training number `index` of these, from any thread, or what the journal knows of it.
   void run(std::size_t index, Journal& journal, Tally& tally);
 
-  /// Takes the training on everything with the first seed: train_is_test needs not run it again.
-  void take(const TrainedFold& trained);
+  /// Takes the training on everything with the first seed, and what it gave but for the baseline:
+  /// train_is_test needs not run it again.
+  void take(const TrainedFold& trained, const FoldOutcome& tested);
 
   /// After all trainings.
   SystemResults results() const;
@@ -90,8 +91,8 @@ class SystemRunner {
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
   std::vector<FoldOutcome> outcomes_;
-  std::vector<std::optional<Neighbours>> neighbours_;  ///< Of folds whose vectors know no seed.
-  std::mutex mutex_;                                   ///< Guards neighbours_.
+  std::vector<Neighbours> neighbours_;     ///< Of folds whose vectors know no seed.
+  std::vector<std::once_flag> are_known_;  ///< Of neighbours_.
 };
 
 }  // namespace somato

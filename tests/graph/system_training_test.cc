@@ -25,6 +25,8 @@ using testing::output_of;
 using testing::trained;
 using testing::try_train;
 
+constexpr const char* kThreeByTwo = "\nrows = 3\ncolumns = 2";
+
 const Som& map_of(const System& system, const std::string& name) {
   return *som_of(system, *system.find(name));
 }
@@ -74,6 +76,52 @@ TEST(SystemTraining, AMapAloneIsTrainedAsEver) {
     EXPECT_EQ(parameters_to_toml(map_of(system, "map").parameters()),
               parameters_to_toml(expected.parameters()));
   }
+}
+
+// Whoever trains the map of a system elsewhere gets the same system.
+TEST(SystemTraining, AMapAloneCanBeTrainedElsewhere) {
+  const Recording recording = hand_recording(9, 5);
+  const std::string text =
+      channels({"joints"}) +
+      module("code", "one_hot", "input = \"joints\"\nelements = 5\noutside = \"clamp\"") +
+      module("sum", "accumulate", "input = \"code\"") +
+      module("map", "som", "input = \"sum\"" + std::string(kThreeByTwo)) +
+      "[[phase]]\nlearn = [\"map\"]\ndraws = 70\norder = \"without_replacement\"\n";
+  const System expected = trained(build(text, recording), recording, 6, 4);
+  System system = build(text, recording);
+  const std::size_t map = *system.find("map");
+  const auto parameters = parameters_alone(system, map, 4);
+  ASSERT_TRUE(parameters);
+  ASSERT_TRUE(try_train(system, recording, 6, {4, 1, {}, map}));
+  EXPECT_EQ(som_of(system, map)->neurons(), 0U);
+  std::vector<Signal> sums;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Matrix<float> sum = dense(output_of(system, recording, "sum", i));
+    sums.push_back(Signal::dense({sum.row(0).begin(), sum.row(0).end()}));
+  }
+  set_map(system, map, train_som(*parameters, Samples::from_signals(sums)).value());
+  EXPECT_EQ(som_of(system, map)->weights(), som_of(expected, map)->weights());
+  EXPECT_EQ(saved(system), saved(expected));
+  EXPECT_THROW(set_map(system, *system.find("sum"), Som()), InvalidArgument);
+  EXPECT_THROW(set_map(system, map, Som()), InvalidArgument);
+}
+
+TEST(SystemTraining, MapsThatLearnWithOthersOrFromFramesDoNotLearnAlone) {
+  const Recording recording = hand_recording(9, 5);
+  const auto alone = [&](const std::string& text, const std::string& name) {
+    const System system = build(channels({"joints"}) + text, recording);
+    return parameters_alone(system, *system.find(name), 1).has_value();
+  };
+  const std::string map = std::string(kThreeByTwo);
+  const std::string last = module("end", "last", "input = \"joints\"");
+  const std::string first_map = last + module("a", "som", "input = \"end\"" + map);
+  EXPECT_TRUE(alone(first_map, "a"));
+  EXPECT_FALSE(alone(first_map, "end"));
+  EXPECT_FALSE(alone(module("a", "som", "input = \"joints\"" + map), "a"));
+  const std::string both = first_map + module("b", "som", "input = \"a\"" + map);
+  EXPECT_FALSE(alone(both, "a"));  // what b learns comes from it
+  EXPECT_TRUE(alone(both, "b"));
+  EXPECT_FALSE(alone(both + "[[phase]]\nlearn = [\"a\", \"b\"]\ndraws = 9\n", "b"));
 }
 
 TEST(SystemTraining, APhaseSaysHowLongAndInWhichOrderAMapAloneLearns) {
@@ -164,7 +212,7 @@ Samples activities(const Som& som, const Samples& inputs) {
   return Samples::from_signals(all);
 }
 
-const std::string kSmall = "\nrows = 3\ncolumns = 2";
+const std::string kSmall = kThreeByTwo;
 
 // The response is computed with the weights as they are; then both learn.
 TEST(SystemTraining, TwoMapsLearnFramesTogetherAsInAnObviousLoop) {

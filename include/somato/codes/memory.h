@@ -7,6 +7,7 @@
 
 #include "somato/core/parameter.h"
 #include "somato/core/signal.h"
+#include "somato/core/signal_buffer.h"
 
 namespace somato {
 
@@ -41,10 +42,13 @@ class Memory {
   /// that a frame stored, in ascending order.
   Signal value() const;
 
+  /// The same, flat, into `out`. While dense, nothing is allocated once that has grown.
+  void write(SignalBuffer& out) const;
+
  private:
   void add_sparse(const SignalView& frame);
   void become_dense();
-  Signal sparse_value() const;
+  void write_sparse(SignalBuffer& out) const;
 
   std::vector<std::size_t> shape_;
   std::size_t size_ = 0;

@@ -10,6 +10,7 @@
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
+#include "somato/core/signal_buffer.h"
 
 namespace somato {
 
@@ -72,6 +73,9 @@ class OneHotSequence {
   /// with the number of the joint, counted from 1; throws InvalidArgument unless there is one value
   /// a joint.
   Result<Signal> encode(std::span<const float> values) const;
+
+  /// The same, flat, into `out`; nothing is allocated once that has grown.
+  Result<void> encode(std::span<const float> values, SignalBuffer& out) const;
 
  private:
   std::vector<OneHot> codes_;

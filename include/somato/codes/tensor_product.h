@@ -3,6 +3,7 @@
 #include <span>
 
 #include "somato/core/signal.h"
+#include "somato/core/signal_buffer.h"
 
 namespace somato {
 
@@ -17,5 +18,9 @@ namespace somato {
 ///
 /// Throws InvalidArgument for no input and for more than 2^32 - 1 elements.
 Signal tensor_product(std::span<const Signal> inputs);
+
+/// The same, flat, into `out`; `scratch` is needed on the way. Neither may be among the inputs.
+/// Nothing is allocated once both have grown.
+void tensor_product(std::span<const SignalView> inputs, SignalBuffer& scratch, SignalBuffer& out);
 
 }  // namespace somato

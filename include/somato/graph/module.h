@@ -12,6 +12,7 @@
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
+#include "somato/core/signal_buffer.h"
 #include "somato/files/archive.h"
 #include "somato/graph/port.h"
 #include "somato/maps/som_parameters.h"
@@ -39,6 +40,13 @@ class Stepper {
 
   /// The output for one frame of each input. Errors: kData.
   virtual Result<Signal> step(std::span<const SignalView> inputs) = 0;
+
+  /// The same, flat, in memory of this object: valid until its next step. What runs live does so
+  /// without allocation once its memory has grown. Errors: kData.
+  virtual Result<SignalView> advance(std::span<const SignalView> inputs);
+
+ private:
+  Signal stepped_;
 };
 
 class Learner;
@@ -73,6 +81,10 @@ class Module {
   /// outlive it.
   virtual std::unique_ptr<Stepper> start() const { return nullptr; }
 
+  /// The same, but where a value comes once an exploration: with each frame what it would be if
+  /// that were the last one. nullptr when the module needs explorations as a whole.
+  virtual std::unique_ptr<Stepper> start_live() const { return start(); }
+
   /// This module as one that has to learn, or nullptr.
   virtual Learner* learner() { return nullptr; }
 
@@ -88,6 +100,13 @@ class Source : public Module {
 
   /// What the exploration holds. Errors: kData.
   virtual Result<Sequence> read(const Exploration& exploration) const = 0;
+
+  /// The channel that it takes, and how many elements that has.
+  virtual const std::string& channel() const = 0;
+  virtual std::size_t channel_elements() const = 0;
+
+  /// What a single frame of the channel holds, all of it valid, into `out`.
+  virtual void take(std::span<const float> frame, SignalBuffer& out) const = 0;
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override;
 };

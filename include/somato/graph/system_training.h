@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "somato/core/result.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -18,6 +21,8 @@ struct SystemTraining {
   std::uint64_t seed = 1;
   std::size_t threads = 1;  ///< The result is the same for any number.
   Progress progress = {};   ///< Told draws of all phases; asked to stop at least every 64 of them.
+  std::optional<std::size_t> without = {};  ///< A module of parameters_alone() that somebody else
+                                            ///< trains; or none.
 };
 
 /// Trains a system on `explorations` of a recording and nothing else of it, phase by phase.
@@ -35,5 +40,15 @@ struct SystemTraining {
 Result<void> train_system(System& system, const Recording& recording,
                           std::span<const std::size_t> explorations, const SystemTraining& training,
                           Activations& activations);
+
+/// The parameters that train_system() would train a map with, by itself on what comes in once an
+/// exploration; nothing for a module that is no map, learns with others or from frames, or that
+/// others learn from.
+std::optional<SomParameters> parameters_alone(const System& system, std::size_t module,
+                                              std::uint64_t seed);
+
+/// Gives the map `module` what was trained elsewhere, with parameters_alone(). Throws
+/// InvalidArgument when the module is no map, or one of another size.
+void set_map(System& system, std::size_t module, Som som);
 
 }  // namespace somato

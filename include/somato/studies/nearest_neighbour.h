@@ -17,4 +17,9 @@ double squared_distance(const SignalView& a, const SignalView& b);
 std::size_t nearest_neighbour(const Samples& samples, const std::vector<std::size_t>& training,
                               std::size_t test);
 
+/// The same for each of `tests`.
+std::vector<std::size_t> nearest_neighbours(const Samples& samples,
+                                            const std::vector<std::size_t>& training,
+                                            const std::vector<std::size_t>& tests);
+
 }  // namespace somato

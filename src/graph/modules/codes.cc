@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "graph/modules/sum_of_frames.h"
 #include "graph/modules/support.h"
 #include "maps/map_parts.h"
 #include "somato/codes/concatenation.h"
@@ -83,6 +84,13 @@ class OneHotModule : public MappedModule, public Learner {
     Result<Signal> code = code_->encode(values);
     if (!code) return code;
     return copy_of(code->view(), shape_);
+  }
+
+  Result<void> write(std::span<const SignalView> inputs, Room& room) const override {
+    require(code_.has_value(), "a one-hot code whose ranges are not learned");
+    std::vector<float>& values = room.scratch.begin_dense(inputs_);
+    write_dense(inputs.front(), values);
+    return code_->encode(values, room.output);
   }
 
   bool learns_at_once() const override { return true; }
@@ -208,6 +216,11 @@ class TensorProductModule : public CombiningModule {
   Result<Signal> map(std::span<const SignalView> inputs) const override {
     return tensor_product(shaped(inputs));
   }
+
+  Result<void> write(std::span<const SignalView> inputs, Room& room) const override {
+    tensor_product(inputs, room.scratch, room.output);
+    return {};
+  }
 };
 
 class ConcatenationModule : public CombiningModule {
@@ -226,6 +239,41 @@ class ConcatenationModule : public CombiningModule {
 
   Result<Signal> map(std::span<const SignalView> inputs) const override {
     return concatenation(shaped(inputs));
+  }
+
+  Result<void> write(std::span<const SignalView> inputs, Room& room) const override {
+    std::size_t size = 0;
+    bool sparse = true;
+    for (const SignalView& input : inputs) {
+      size += input.size;
+      sparse = sparse && input.sparse;
+    }
+    if (sparse) {
+      write_sparse(inputs, size, room.output);
+    } else {
+      write_all(inputs, room.output.begin_dense(size));
+    }
+    return {};
+  }
+
+ private:
+  static void write_sparse(std::span<const SignalView> inputs, std::size_t size,
+                           SignalBuffer& out) {
+    out.begin_sparse(size);
+    std::uint32_t start = 0;
+    for (const SignalView& input : inputs) {
+      for (std::size_t i = 0; i < input.indices.size(); ++i) {
+        out.add(start + input.indices[i], input.values[i]);
+      }
+      start += static_cast<std::uint32_t>(input.size);
+    }
+  }
+
+  static void write_all(std::span<const SignalView> inputs, std::span<float> out) {
+    for (const SignalView& input : inputs) {
+      write_dense(input, out.first(input.size));
+      out = out.subspan(input.size);
+    }
   }
 };
 
@@ -271,7 +319,7 @@ struct NormalizationParameters {
   }
 };
 
-class NormalizationModule : public MappedModule {
+class NormalizationModule : public MappedModule, public DividedByNorm {
  public:
   using Parameters = NormalizationParameters;
   explicit NormalizationModule(const Parameters& parameters) : norm_(parameters.norm) {}
@@ -284,6 +332,14 @@ class NormalizationModule : public MappedModule {
   Result<Signal> map(std::span<const SignalView> inputs) const override {
     return normalized(norm_, copy_of(inputs.front(), type_.shape));
   }
+
+  Result<void> write(std::span<const SignalView> inputs, Room& room) const override {
+    room.output.assign(inputs.front());
+    normalize(norm_, room.output.values());
+    return {};
+  }
+
+  Norm norm() const override { return norm_; }
 
  private:
   Norm norm_;

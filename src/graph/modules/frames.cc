@@ -8,6 +8,28 @@
 namespace somato::modules {
 namespace {
 
+// Gives the first frame again and again, or each as it comes.
+class FrameStepper : public Stepper {
+ public:
+  FrameStepper(const PortType& type, bool first) : type_(type), first_(first) {}
+
+  Result<Signal> step(std::span<const SignalView> inputs) override {
+    return advance(inputs).map([&](const SignalView& view) { return copy_of(view, type_.shape); });
+  }
+
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    if (!first_ || !has_frame_) frame_.assign(inputs.front());
+    has_frame_ = true;
+    return frame_.view();
+  }
+
+ private:
+  PortType type_;
+  bool first_;
+  bool has_frame_ = false;
+  SignalBuffer frame_;
+};
+
 // Frames become one value an exploration.
 class ClosingModule : public Module {
  public:
@@ -30,6 +52,10 @@ class FirstModule : public ClosingModule {
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
     return single(copy_of(inputs.front()->values[0], type_.shape), inputs.front()->rate);
   }
+
+  std::unique_ptr<Stepper> start_live() const override {
+    return std::make_unique<FrameStepper>(type_, true);
+  }
 };
 
 class LastModule : public ClosingModule {
@@ -39,6 +65,10 @@ class LastModule : public ClosingModule {
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
     const Samples& values = inputs.front()->values;
     return single(copy_of(values[values.count() - 1], type_.shape), inputs.front()->rate);
+  }
+
+  std::unique_ptr<Stepper> start_live() const override {
+    return std::make_unique<FrameStepper>(type_, false);
   }
 };
 

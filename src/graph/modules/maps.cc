@@ -41,10 +41,16 @@ class SomStepper : public Stepper {
     return Signal::dense({som_.grid().rows(), som_.grid().columns()}, std::move(activity));
   }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    som_.activity(inputs.front(), workspace_, activity_.begin_dense(som_.neurons()));
+    return activity_.view();
+  }
+
  private:
   const Som& som_;
   SomLearner* learner_;  // of a map that learns meanwhile
   SomWorkspace workspace_;
+  SignalBuffer activity_;
 };
 
 // Answers for the exploration that the phase has turned to.
@@ -187,13 +193,20 @@ Result<void> SomModule::load(const Archive& archive, const std::string& prefix,
                              const std::string& where) {
   auto som = som_from(archive, prefix, where);
   if (!som) return fail(std::move(som.error()));
-  if (som->input_size() != input_size_ || som->grid().rows() != parameters_.rows ||
-      som->grid().columns() != parameters_.columns) {
-    return damaged_model("a map does not fit its place in the system", where);
-  }
+  if (!fits(*som)) return damaged_model("a map does not fit its place in the system", where);
   learner_.reset();
   som_ = std::move(*som);
   return {};
+}
+
+bool SomModule::fits(const Som& som) const {
+  return som.input_size() == input_size_ && som.grid().rows() == parameters_.rows &&
+         som.grid().columns() == parameters_.columns;
+}
+
+void SomModule::set_som(Som som) {
+  require(fits(som), "a map is given to a module of another size");
+  som_ = std::move(som);
 }
 
 namespace {
@@ -253,9 +266,17 @@ class TMpsomStepper : public Stepper {
     return Signal::dense(map_.parameters().shape, std::move(activity));
   }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    std::vector<float>& activity = activity_.begin_dense(map_.neurons());
+    const auto active = in_range([&] { map_.activation(inputs, workspace_, activity); });
+    if (!active) return fail(active.error());
+    return activity_.view();
+  }
+
  private:
   const TMpsom& map_;
   TMpsom::Workspace workspace_;
+  SignalBuffer activity_;
 };
 
 class TMpsomModule : public SteppedModule, public Learner {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "graph/modules/sum_of_frames.h"
 #include "graph/modules/support.h"
 #include "somato/codes/memory.h"
 #include "somato/codes/number_codes.h"
@@ -51,8 +52,15 @@ class MemoryStepper : public Stepper {
     return memory_.value();
   }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    memory_.add(inputs.front());
+    memory_.write(value_);
+    return value_.view();
+  }
+
  private:
   Memory memory_;
+  SignalBuffer value_;
 };
 
 class MemoryModule : public Module {
@@ -68,8 +76,9 @@ class MemoryModule : public Module {
 
   bool is_stepped() const override { return every_frame_; }
 
-  std::unique_ptr<Stepper> start() const override {
-    if (!every_frame_) return nullptr;
+  std::unique_ptr<Stepper> start() const override { return every_frame_ ? start_live() : nullptr; }
+
+  std::unique_ptr<Stepper> start_live() const override {
     return std::make_unique<MemoryStepper>(Memory(type_.shape, parameters_));
   }
 
@@ -91,7 +100,7 @@ class MemoryModule : public Module {
   PortType type_;
 };
 
-class AccumulateModule : public MemoryModule {
+class AccumulateModule : public MemoryModule, public SumOfFrames {
  public:
   using Parameters = AccumulateParameters;
   explicit AccumulateModule(const Parameters& parameters)

@@ -21,6 +21,12 @@ class SomModule : public SteppedModule, public Learner {
   const Som& som() const { return som_; }
   Grid grid() const { return parameters_.grid(); }
 
+  /// What the map is trained with for a lesson.
+  SomParameters parameters_for(const Lesson& lesson) const;
+
+  /// A map that was trained elsewhere. Throws InvalidArgument when it is of another size.
+  void set_som(Som som);
+
   Result<PortType> connect(const std::vector<Connection>& inputs) override;
   Learner* learner() override { return this; }
   std::unique_ptr<Stepper> start() const override;
@@ -38,7 +44,7 @@ class SomModule : public SteppedModule, public Learner {
                     const std::string& where) override;
 
  private:
-  SomParameters parameters_for(const Lesson& lesson) const;
+  bool fits(const Som& som) const;
   Result<void> begin_plain(SomParameters parameters, const Samples& samples);
 
   SomParameters parameters_;

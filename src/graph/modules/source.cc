@@ -7,6 +7,13 @@
 
 namespace somato {
 
+Result<SignalView> Stepper::advance(std::span<const SignalView> inputs) {
+  return step(inputs).map([this](Signal output) {
+    stepped_ = std::move(output);
+    return stepped_.view();
+  });
+}
+
 Result<Sequence> Source::run(std::span<const Sequence* const> /*inputs*/) const {
   return fail(ErrorKind::kUsage, "a source has no inputs to run on");
 }
@@ -113,6 +120,14 @@ class ChannelModule : public Source {
       if (auto taken = take(channel, frame, values); !taken) return fail(taken.error());
     }
     return Sequence{Samples(std::move(values)), channel.frame_rate()};
+  }
+
+  const std::string& channel() const override { return parameters_.channel; }
+  std::size_t channel_elements() const override { return source_elements_; }
+
+  void take(std::span<const float> frame, SignalBuffer& out) const override {
+    std::vector<float>& values = out.begin_dense(elements_.size());
+    for (std::size_t i = 0; i < elements_.size(); ++i) values[i] = frame[elements_[i]];
   }
 
  private:

@@ -16,8 +16,14 @@ class MappedStepper : public Stepper {
 
   Result<Signal> step(std::span<const SignalView> inputs) override { return module_.map(inputs); }
 
+  Result<SignalView> advance(std::span<const SignalView> inputs) override {
+    if (auto written = module_.write(inputs, room_); !written) return fail(written.error());
+    return room_.output.view();
+  }
+
  private:
   const MappedModule& module_;
+  MappedModule::Room room_;
 };
 
 }  // namespace
@@ -112,6 +118,13 @@ Result<Sequence> SteppedModule::run(std::span<const Sequence* const> inputs) con
 
 std::unique_ptr<Stepper> MappedModule::start() const {
   return std::make_unique<MappedStepper>(*this);
+}
+
+Result<void> MappedModule::write(std::span<const SignalView> inputs, Room& room) const {
+  const Result<Signal> output = map(inputs);
+  if (!output) return fail(output.error());
+  room.output.assign(output->view());
+  return {};
 }
 
 Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape) {

@@ -50,6 +50,14 @@ class MappedModule : public SteppedModule {
 
   /// The output for one value of each input. Errors: kData.
   virtual Result<Signal> map(std::span<const SignalView> inputs) const = 0;
+
+  /// The same, flat, into `room.output`; for modules that run live, without allocation once the
+  /// room has grown.
+  struct Room {
+    SignalBuffer output;
+    SignalBuffer scratch;
+  };
+  virtual Result<void> write(std::span<const SignalView> inputs, Room& room) const;
 };
 
 /// A signal of that shape from a view.
