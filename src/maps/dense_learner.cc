@@ -16,17 +16,16 @@
 // takes the next inputs' products on its way where they are known. Coefficients are in double
 // precision.
 //
-// The winner is nonetheless the one of the plain formula on the weights as settle() would leave
+// The winner is nonetheless the one that Som::winner() finds on the weights as settle() would leave
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
-// plain formula's sum d^2, whose R is that of longer chunks, differ by at most
+// squared distance d^2 differ by at most
 //
 //     u (R + 40) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
 //
 // u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
-// 2 u R m_k |x| for g_k, u (R+3) d^2 for the plain formula, and 2 d |rounding of w_k| with
-// |rounding of w_k| <= (kPending + 2) u m_k. Where weights below kNegligible become 0, d^2 changes
-// by no more than u d^2 + kNegligible^2 elements / u. Neurons within these bounds of the best get
-// the plain formula.
+// 2 u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
+// Where weights below kNegligible become 0, d^2 changes by no more than u d^2 + kNegligible^2
+// elements / u. Neurons within these bounds of the best are told apart in double precision.
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +33,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/batch_kernels.h"
 #include "core/lanes.h"
 #include "somato/core/check.h"
 #include "somato/core/threads.h"
@@ -124,8 +124,7 @@ DenseLearner::DenseLearner(Som& som, std::size_t threads)
       scores_(som.neurons()),
       factors_(gains_.padded_rows(), 1.0),
       new_gains_(som.neurons()),
-      neighbours_(som.neurons()),
-      scratch_scores_(kLanes) {
+      neighbours_(som.neurons()) {
   AlignedVector<float> squares(stride());
   kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
                                         squares.data());
@@ -364,13 +363,12 @@ double DenseLearner::score_limit() const {
   const double input = std::sqrt(input_products_[pending_]);
   const double error = relative_error(columns, chunk_);
   const double negligible = negligible_length(columns);
-  const double plain = relative_error(columns, kernels::kChunk);
   if (dot_product()) {
-    return best + 2.0 * ((error + plain) * magnitude + negligible) * input;
+    return best + 2.0 * (error * magnitude + negligible) * input;
   }
   const double bound =
       error * (magnitude + input) * (magnitude + input) + negligible * negligible / kUnit;
-  return (best + plain * std::max(0.0, best) + 2.0 * bound) / (1.0 - plain);
+  return best + 2.0 * bound;
 }
 
 std::size_t DenseLearner::winner() {
@@ -379,61 +377,70 @@ std::size_t DenseLearner::winner() {
   std::size_t best = som_.neurons();
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     if (scores_[neuron] > limit) continue;
-    if (best < som_.neurons()) return plain_winner(limit);
+    if (best < som_.neurons()) return exact_winner(limit);
     best = neuron;
   }
   return best;
 }
 
-// Among all neurons of the blocks that have some within the limit.
-std::size_t DenseLearner::plain_winner(double limit) {
+// Among the neurons within the limit.
+std::size_t DenseLearner::exact_winner(double limit) {
   std::vector<std::size_t> candidates;
-  for (std::size_t block = 0; block < blocks(); ++block) {
-    const auto begin = scores_.begin() + static_cast<std::ptrdiff_t>(block * kLanes);
-    const auto end = scores_.begin() +
-                     static_cast<std::ptrdiff_t>(std::min((block + 1) * kLanes, som_.neurons()));
-    if (std::any_of(begin, end, [&](double score) { return score <= limit; })) {
-      candidates.push_back(block);
-    }
+  candidates.reserve(som_.neurons());
+  std::size_t blocks_of_candidates = 0;
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    if (scores_[neuron] > limit) continue;
+    const bool same = !candidates.empty() && candidates.back() / kLanes == neuron / kLanes;
+    if (!same) ++blocks_of_candidates;
+    candidates.push_back(neuron);
   }
   // The updates of many blocks are worth making for good.
-  if (4 * candidates.size() > blocks() &&
+  if (4 * blocks_of_candidates > blocks() &&
       std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
     ahead_ = 1;
     rebase_expected();
     compute_scores();
   }
-  std::size_t best = candidates.front() * kLanes;
+  std::size_t best = candidates.front();
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t block : candidates) {
-    const std::span<const float> plain = plain_scores(block);
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      const double score = dot_product() ? -double{plain[i]} : double{plain[i]};
-      if (score >= least) continue;
-      least = score;
-      best = block * kLanes + i;
+  std::size_t block = blocks();
+  const float* weights = nullptr;
+  for (const std::size_t neuron : candidates) {
+    if (neuron / kLanes != block) {
+      block = neuron / kLanes;
+      weights = settled_block(block);
     }
+    const double score = exact_score(weights + neuron % kLanes);
+    if (score >= least) continue;
+    least = score;
+    best = neuron;
   }
   return best;
 }
 
-std::span<const float> DenseLearner::plain_scores(std::size_t block) {
+// The weights of a block as settle() would leave them.
+const float* DenseLearner::settled_block(std::size_t block) {
   const std::size_t columns = som_.weights().columns();
-  const float* weights = std::as_const(som_).weights().data() + block * columns * kLanes;
-  if (moved_[block] != 0) {
-    alignas(64) float squares[kLanes] = {};
-    scratch_block_.resize(columns * kLanes);
-    write_coefficients(block);
-    for (std::size_t start = 0; start < columns; start += chunk_) {
-      combine_tile(block, start, std::min(chunk_, columns - start),
-                   scratch_block_.data() + start * kLanes, squares);
-    }
-    weights = scratch_block_.data();
+  if (moved_[block] == 0) return std::as_const(som_).weights().data() + block * columns * kLanes;
+  alignas(64) float squares[kLanes] = {};
+  scratch_block_.resize(columns * kLanes);
+  write_coefficients(block);
+  for (std::size_t start = 0; start < columns; start += chunk_) {
+    combine_tile(block, start, std::min(chunk_, columns - start),
+                 scratch_block_.data() + start * kLanes, squares);
   }
-  const auto& kernels = kernels::table<float>();
-  const auto compute = dot_product() ? kernels.inner_products : kernels.squared_distances;
-  compute({weights, 1, columns}, slots_.input(pending_).data(), scratch_scores_.data());
-  return {scratch_scores_.data(), std::min(kLanes, som_.neurons() - block * kLanes)};
+  return scratch_block_.data();
+}
+
+// The score of one lane of a block, in double precision.
+double DenseLearner::exact_score(const float* lane) {
+  const std::size_t columns = som_.weights().columns();
+  scratch_row_.resize(columns);
+  for (std::size_t d = 0; d < columns; ++d) scratch_row_[d] = lane[d * kLanes];
+  const auto& kernels = kernels::batch_table();
+  const float* x = slots_.input(pending_).data();
+  return dot_product() ? -kernels.inner_product(scratch_row_.data(), x, columns)
+                       : kernels.squared_distance(scratch_row_.data(), x, columns);
 }
 
 }  // namespace somato

@@ -84,8 +84,9 @@ class DenseLearner {
   void compute_scores();
   double score_limit() const;
   std::size_t winner();
-  std::size_t plain_winner(double limit);
-  std::span<const float> plain_scores(std::size_t block);
+  std::size_t exact_winner(double limit);
+  const float* settled_block(std::size_t block);
+  double exact_score(const float* lane);
   void move(double learning_rate);
   void normalize();
   void normalize_measured();
@@ -117,7 +118,7 @@ class DenseLearner {
   AlignedVector<float> neighbours_;
   std::vector<const float*> tiles_;
   AlignedVector<float> scratch_block_;
-  AlignedVector<float> scratch_scores_;
+  std::vector<float> scratch_row_;
   std::uint64_t learned_since_clearing_ = 0;
   bool all_normalized_ = false;
 };
