@@ -65,8 +65,8 @@ def rows(sets):
         Row("sparse_batch", "sparse, in batch, 33 epochs", minutes=0.7),
         Row("winners", "winners of 100000 x 64 on 50 x 50", [ONE_THREAD, *slower_set(sets)],
             minutes=2),
-        Row("clustered_batch", "batch: 50 clusters, second half of the epochs",
-            [Variant("each epoch alone", case="clustered_epochs")], half=True, minutes=0.3),
+        Row("clustered_search", "winners: 50 clusters, second half of 10 batch epochs",
+            [Variant("nothing left out", case="clustered_search_of_all")], half=True, minutes=0.3),
         Row("t_mpsom", "T-MPSOM: 46 x 23 neurons, 2000 frames learned"),
         Row("t_mpsom_large", "T-MPSOM: 460 x 230 neurons, 40 frames learned"),
     ]

@@ -2,12 +2,15 @@
 
 #include <chrono>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "maps/winner_search.h"
 #include "somato/maps/batch_training.h"
+#include "somato/maps/product_som.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 
@@ -46,37 +49,50 @@ class Train : public Job {
   Som som_;
 };
 
-// The same, of which the second half of the epochs counts.
-class TrainLastHalf : public Train {
+// The same by inner products, without forming the weights, which are not asked for.
+class TrainByProducts : public Train {
  public:
   using Train::Train;
 
   double run() override {
-    double half = 0.0;
-    const auto watch = [&](std::uint64_t done, std::uint64_t total) {
-      if (done == total / 2) half = now();
-      return true;
-    };
-    som_ = trained(train_som(workload_.parameters, samples_, {threads_, watch}));
-    return now() - half;
+    std::vector<std::size_t> all(samples_.count());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    auto result =
+        train_product_som(workload_.parameters, KnownSamples(samples_), all, {threads_, {}});
+    if (!result) throw std::runtime_error(to_string(result.error()));
+    product_ = result->value();
+    return 0.0;
   }
+  Matrix<float> weights() const override { return weights_of(product_.form_som(threads_)); }
+
+ private:
+  ProductSom product_;
 };
 
-// The same, an epoch at a time: none knows what came before, so that nothing can be skipped.
-class EpochsLastHalf : public Train {
+// Training, of which the searches of the second half of the epochs count.
+class SearchLastHalf : public Train {
  public:
-  using Train::Train;
+  SearchLastHalf(const Workload& workload, std::size_t threads, bool skip)
+      : Train(workload, threads), skip_(skip) {}
 
   double run() override {
     som_ = trained(untrained_som(workload_.parameters, samples_));
     const SomParameters& p = som_.parameters();
-    double half = 0.0;
+    double searching = 0.0;
     for (std::uint64_t epoch = 0; epoch < p.epochs; ++epoch) {
-      if (epoch == p.epochs / 2) half = now();
+      const double begin = now();
+      if (2 * epoch >= p.epochs) {
+        found_ = WinnerSearch::find_all(som_, samples_, false, threads_, skip_);
+        searching += now() - begin;
+      }
       batch_epoch(som_, samples_, p.radius().at(epoch), threads_);
     }
-    return now() - half;
+    return searching;
   }
+
+ private:
+  bool skip_;
+  std::vector<Winners> found_;
 };
 
 // Samples come one at a time, and nothing is known of those to come. Making the map does not count.
@@ -126,8 +142,13 @@ std::unique_ptr<Job> make_job(const Workload& workload, std::size_t threads) {
   const std::string& name = workload.name;
   if (name.ends_with("_streaming")) return std::make_unique<Stream>(workload, threads);
   if (name == "winners") return std::make_unique<FindWinners>(workload, threads);
-  if (name == "clustered_batch") return std::make_unique<TrainLastHalf>(workload, threads);
-  if (name == "clustered_epochs") return std::make_unique<EpochsLastHalf>(workload, threads);
+  if (name == "clustered_search") {
+    return std::make_unique<SearchLastHalf>(workload, threads, true);
+  }
+  if (name == "clustered_search_of_all") {
+    return std::make_unique<SearchLastHalf>(workload, threads, false);
+  }
+  if (name.starts_with("sparse_")) return std::make_unique<TrainByProducts>(workload, threads);
   return std::make_unique<Train>(workload, threads);
 }
 

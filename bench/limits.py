@@ -54,7 +54,7 @@ RULES = {
     "sparse_batch": sparse_batch,
     "sparse_streaming": streaming,
     "winners": product,
-    "clustered_batch": product,
+    "clustered_search": product,
     "t_mpsom": t_mpsom,
     "t_mpsom_large": t_mpsom,
     "large_file": product,

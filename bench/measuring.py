@@ -202,4 +202,4 @@ def run_timed(command):
 
 
 PEERED = {"dense_batch", "hexagonal_batch", "few_samples", "sparse_uniform_start",
-          "sparse_sample_start", "sparse_streaming", "sparse_batch", "winners", "clustered_batch"}
+          "sparse_sample_start", "sparse_streaming", "sparse_batch", "winners", "clustered_search"}

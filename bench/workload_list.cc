@@ -65,8 +65,8 @@ std::vector<Workload> all_workloads(std::size_t scale) {
       sparse("sparse_streaming", from(steps, InitialWeights::kUniform)),
       {"winners", DataKind::kUniform, part(100000, scale), 64,
        from(in_batch(large, 0), InitialWeights::kSamples)},
-      {"clustered_batch", DataKind::kClustered, many, 256, in_batch(large, 10)},
-      {"clustered_epochs", DataKind::kClustered, many, 256, in_batch(large, 10)},
+      {"clustered_search", DataKind::kClustered, many, 256, in_batch(large, 10)},
+      {"clustered_search_of_all", DataKind::kClustered, many, 256, in_batch(large, 10)},
   };
 }
 

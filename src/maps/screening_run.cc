@@ -40,12 +40,13 @@ std::size_t tiles_for(std::size_t samples) {
 
 }  // namespace
 
-ScreeningRun::ScreeningRun(const Som& som, const ScreenedMap& map, const Samples& samples, bool two)
+ScreeningRun::ScreeningRun(const Som& som, const ScreenedMap& map, const Samples& samples, bool two,
+                           bool skip)
     : som_(som),
       map_(map),
       samples_(samples),
       two_(two),
-      skipping_(som.parameters().similarity == Similarity::kEuclidean &&
+      skipping_(skip && som.parameters().similarity == Similarity::kEuclidean &&
                 map.blocks() >= kBlocksWorthSkipping),
       all_blocks_(scattered(map.blocks())),
       integers_(kRunSamples * 2 * map.pairs()),

@@ -22,8 +22,10 @@ namespace somato {
 /// too little, it is given up.
 class ScreeningRun {
  public:
-  /// Refers to all of them. With `two`, looks for the two most similar neurons.
-  ScreeningRun(const Som& som, const ScreenedMap& map, const Samples& samples, bool two);
+  /// Refers to all of them. With `two`, looks for the two most similar neurons; without `skip`,
+  /// leaves no blocks out.
+  ScreeningRun(const Som& som, const ScreenedMap& map, const Samples& samples, bool two,
+               bool skip = true);
 
   /// Finds the winners of samples begin, begin + 1, ..., one for each place of `found`.
   void find(std::size_t begin, std::span<Winners> found);

@@ -18,12 +18,12 @@ bool WinnerSearch::pays(const Som& som, const Samples& samples) {
 }
 
 std::vector<Winners> WinnerSearch::find_all(const Som& som, const Samples& seen, bool two,
-                                            std::size_t threads) {
+                                            std::size_t threads, bool skip) {
   std::vector<Winners> found(seen.count());
   if (pays(som, seen)) {
     const WinnerSearch search(som, threads);
     for_each_range(seen.count(), threads, [&](std::size_t begin, std::size_t end) {
-      search.find(seen, begin, two, std::span(found).subspan(begin, end - begin));
+      search.find(seen, begin, two, skip, std::span(found).subspan(begin, end - begin));
     });
     return found;
   }
@@ -38,14 +38,14 @@ std::vector<Winners> WinnerSearch::find_all(const Som& som, const Samples& seen,
   return found;
 }
 
-void WinnerSearch::find(const Samples& samples, std::size_t begin, bool two,
+void WinnerSearch::find(const Samples& samples, std::size_t begin, bool two, bool skip,
                         std::span<Winners> found) const {
   if (map_.all_alike()) {
     std::fill(found.begin(), found.end(),
               Winners{0, som_.neurons() > 1 ? std::size_t{1} : std::size_t{0}});
     return;
   }
-  ScreeningRun(som_, map_, samples, two).find(begin, found);
+  ScreeningRun(som_, map_, samples, two, skip).find(begin, found);
 }
 
 const Samples& seen_samples(const Som& som, const Samples& samples, Samples& storage) {

@@ -17,8 +17,10 @@ class WinnerSearch {
  public:
   /// The winners of all samples, or the two most similar neurons of each, by whatever way is
   /// fastest. The samples are as the map sees them: seen_samples().
+  /// Without `skip`, every neuron is looked at for every sample: the same winners, and what
+  /// skipping is measured against.
   static std::vector<Winners> find_all(const Som& som, const Samples& seen, bool two,
-                                       std::size_t threads);
+                                       std::size_t threads, bool skip = true);
 
  private:
   WinnerSearch(const Som& som, std::size_t threads);
@@ -27,7 +29,8 @@ class WinnerSearch {
   static bool pays(const Som& som, const Samples& samples);
 
   // Finds the winners of samples begin, begin + 1, ..., one for each place of `found`.
-  void find(const Samples& seen, std::size_t begin, bool two, std::span<Winners> found) const;
+  void find(const Samples& seen, std::size_t begin, bool two, bool skip,
+            std::span<Winners> found) const;
 
   const Som& som_;
   ScreenedMap map_;

@@ -141,7 +141,7 @@ TEST(BatchKernels, ScreeningTellsWhenThereIsNoRoomForAll) {
 
 TEST(BatchKernels, RoundsToTheNearestIntegersAndTellsWhatWasRoundedOff) {
   Random random(5);
-  for (const std::size_t count : {1, 16, 37}) {
+  for (const std::size_t count : {1U, 16U, 37U}) {
     const auto x = noise(random, count);
     const auto centre = noise(random, count);
     for_each_instruction_set([&](InstructionSet /*set*/) {
@@ -162,7 +162,7 @@ TEST(BatchKernels, RoundsToTheNearestIntegersAndTellsWhatWasRoundedOff) {
 
 TEST(BatchKernels, SumsInDoublePrecisionAreTheSameBitsEverywhere) {
   Random random(6);
-  for (const std::size_t count : {1, 15, 16, 100, 1000}) {
+  for (const std::size_t count : {1U, 15U, 16U, 100U, 1000U}) {
     const auto a = noise(random, count);
     const auto b = noise(random, count);
     double distance = 0.0;

@@ -41,7 +41,7 @@ TEST(BatchTrainingThreads, IsTheSameBitsHoweverSamplesArePartedAndOnEveryInstruc
     Som whole = start;
     const auto winners = batch_epoch(whole, samples, 2.0, 1);
     testing::for_each_instruction_set([&](InstructionSet /*set*/) {
-      for (const std::size_t threads : {1, 2, 4}) {
+      for (const std::size_t threads : {1U, 2U, 4U}) {
         Som parted = start;
         BatchEpoch epoch(parted, threads);
         std::vector<std::size_t> found;

@@ -73,7 +73,7 @@ void expect_obvious_winners(const Som& som, const Samples& samples, const std::s
   }
   testing::for_each_instruction_set([&](InstructionSet /*set*/) {
     SomWorkspace workspace;
-    for (const std::size_t threads : {1, 3}) {
+    for (const std::size_t threads : {1U, 3U}) {
       const auto one = WinnerSearch::find_all(som, samples, false, threads);
       const auto two = WinnerSearch::find_all(som, samples, true, threads);
       for (std::size_t i = 0; i < samples.count(); ++i) {
@@ -93,7 +93,7 @@ void expect_obvious_winners(const Som& som, const Samples& samples, const std::s
 TEST(WinnerSearchThreads, FindsTheTrueWinnersOfNoise) {
   Random random(1);
   for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
-    for (const std::size_t columns : {1, 2, 31, 64}) {
+    for (const std::size_t columns : {1U, 2U, 31U, 64U}) {
       Matrix<float> weights = noise(15 * 13, columns, 1.0, random);
       if (similarity == Similarity::kDotProduct) {
         for (std::size_t k = 0; k < weights.rows(); ++k) normalize_length(weights.row(k));
