@@ -93,8 +93,7 @@ void ProductState::start_at_random(std::size_t threads) {
 
 void ProductState::start_at_samples() {
   start_.products.resize(padded_);  // zeros, whatever the sample
-  const auto samples =
-      initial_samples(problem_->parameters(), problem_->training().size());
+  const auto samples = initial_samples(problem_->parameters(), problem_->training().size());
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
     coefficients_[samples[neuron] * padded_ + neuron] = 1.0;
     squared_lengths_[neuron] = lesson_products(samples[neuron])[samples[neuron]];

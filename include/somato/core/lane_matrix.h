@@ -24,12 +24,8 @@ struct CacheLineAllocator {
   template <typename U>
   CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}  // NOLINT: allocators convert
 
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(allocate_lines(count * sizeof(T)));
-  }
-  void deallocate(T* memory, std::size_t count) noexcept {
-    free_lines(memory, count * sizeof(T));
-  }
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_lines(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t count) noexcept { free_lines(memory, count * sizeof(T)); }
   bool operator==(const CacheLineAllocator&) const = default;
 };
 
