@@ -19,9 +19,9 @@ inline std::uint32_t lower(std::uint64_t product) {
 }
 
 struct Keys {
-  std::uint32_t first[10];
-  std::uint32_t second[10];
-  explicit Keys(const std::uint32_t* key) : first{}, second{} {
+  std::uint32_t first[10] = {};
+  std::uint32_t second[10] = {};
+  explicit Keys(const std::uint32_t* key) {
     for (std::uint32_t round = 0; round < 10; ++round) {
       first[round] = key[0] + round * 0x9E3779B9U;
       second[round] = key[1] + round * 0xBB67AE85U;

@@ -13,7 +13,7 @@ Result<std::unique_ptr<NumberSource>> CsvSource::begin(UnchangedFile file,
 
 // A number is at least a digit and a separator; a list of unknown length doubles as it grows.
 double CsvSource::memory_of_all() const {
-  const double text = static_cast<double>(file_.size());
+  const auto text = static_cast<double>(file_.size());
   return text + 4.0 * text / 2.0 * sizeof(float);
 }
 

@@ -13,9 +13,9 @@ FileWriter& FileWriter::operator=(FileWriter&&) noexcept = default;
 FileWriter::~FileWriter() = default;
 
 Result<FileWriter> FileWriter::begin(const std::string& path) {
-  return Replacement::begin(operating_system(), path).map([](Replacement&& replacement) {
-    return FileWriter(std::make_unique<Replacement>(std::move(replacement)));
-  });
+  auto replacement = Replacement::begin(operating_system(), path);
+  if (!replacement) return fail(std::move(replacement.error()));
+  return FileWriter(std::make_unique<Replacement>(std::move(*replacement)));
 }
 
 Result<void> FileWriter::write(std::string_view bytes) {
