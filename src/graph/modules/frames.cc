@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <utility>
+
 #include "graph/modules/delay.h"
 #include "graph/modules/support.h"
 
@@ -11,7 +13,7 @@ namespace {
 // Gives the first frame again and again, or each as it comes.
 class FrameStepper : public Stepper {
  public:
-  FrameStepper(const PortType& type, bool first) : type_(type), first_(first) {}
+  FrameStepper(PortType type, bool first) : type_(std::move(type)), first_(first) {}
 
   Result<Signal> step(std::span<const SignalView> inputs) override {
     return advance(inputs).map([&](const SignalView& view) { return copy_of(view, type_.shape); });
