@@ -207,9 +207,10 @@ void ScreeningRun::mark_near(std::size_t i) {
   const Known& known = known_[i];
   const Candidates& candidates = candidates_[i];
   const double from_centre = known.distance * known.distance;
-  const double of_length = static_cast<double>(map_.columns() / kBlockNeurons + 20) * 0x1p-23;
+  constexpr double kLanes = kBlockNeurons;
+  const double of_length = (static_cast<double>(map_.columns()) / kLanes + 20.0) * 0x1p-23;
   const double room = 2.0 * known.error + of_length * (1.0 + from_centre);
-  const double best = double{two_ ? candidates.second_least : candidates.least};
+  const auto best = double{two_ ? candidates.second_least : candidates.least};
   const double farthest = std::sqrt(std::max(0.0, 2.0 * best + from_centre + room));
   const auto reach = static_cast<float>(farthest * (1.0 + 0x1p-20) + 0x1p-20);
   const auto shift = static_cast<float>(from_centre - room);

@@ -153,7 +153,7 @@ float Som::score_margin(float least, std::span<const float> prepared) const {
   const auto columns = static_cast<double>(weights_.columns());
   constexpr auto kChunk = static_cast<double>(kernels::kChunk);
   const double rounding = (std::min(columns, kChunk) + columns / kChunk + 4.0) * 0x1p-24;
-  double scale = double{least};
+  auto scale = double{least};
   if (parameters_.similarity == Similarity::kDotProduct) {
     scale = 2.0 * std::sqrt(kernels::batch_table().inner_product(prepared.data(), prepared.data(),
                                                                  prepared.size()));

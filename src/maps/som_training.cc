@@ -78,7 +78,8 @@ Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch, 
     } else {
       training.add(part);
     }
-    if (++done % parts != 0 && stop.after(done)) return Stop::error();
+    ++done;
+    if (done % parts != 0 && stop.after(done)) return Stop::error();
     return {};
   });
   if (!gone_through) return gone_through;
