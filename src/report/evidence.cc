@@ -70,7 +70,9 @@ void find_recording(const ReportSources& sources, Evidence& evidence) {
   for (std::size_t i = 0; i < part.recordings.size() && !evidence.recording; ++i) {
     const RecordingInfo* info = evidence.file->find_recording(part.recordings[i]);
     if (!info || !sources.recording) continue;
-    evidence.recording = sources.recording(info->data_hash);
+    ReportRecording found = sources.recording(info->data_hash);
+    evidence.recording = std::move(found.recording);
+    evidence.recording_name = std::move(found.name);
     evidence.recording_number = i;
   }
   if (!evidence.recording) {
@@ -78,7 +80,7 @@ void find_recording(const ReportSources& sources, Evidence& evidence) {
     return;
   }
   const StudyParameters asked = evidence.study ? evidence.study->study : StudyParameters{};
-  evidence.explorations = asked_of(evidence.recording->recording, asked);
+  evidence.explorations = asked_of(*evidence.recording, asked);
   const auto samples = samples_of(part);
   if (!samples || *samples == evidence.explorations.size()) return;
   evidence.missing.push_back(fmt::format(
@@ -91,7 +93,7 @@ void find_recording(const ReportSources& sources, Evidence& evidence) {
 void build_system(Evidence& evidence) {
   if (evidence.model || !evidence.study) return;
   const RecordingLayout layout =
-      evidence.recording ? layout_of(evidence.recording->recording) : RecordingLayout{};
+      evidence.recording ? layout_of(*evidence.recording) : RecordingLayout{};
   auto built = System::build(evidence.study->system, layout);
   if (built) {
     evidence.built = std::move(*built);

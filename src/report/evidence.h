@@ -17,7 +17,8 @@ struct Evidence {
   const PartResults* part = nullptr;
   std::optional<StudyDescription> study;  ///< Made of the settings.
   std::shared_ptr<const ReportModel> model;
-  std::shared_ptr<const ReportRecording> recording;
+  std::shared_ptr<const Recording> recording;
+  std::string recording_name;
   std::size_t recording_number = 0;       ///< Of `recording`, among those of the part.
   std::vector<std::size_t> explorations;  ///< Of `recording`, those that are samples, in order.
   std::optional<System> built;            ///< Without a model, from `study`.

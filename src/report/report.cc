@@ -72,7 +72,7 @@ Json protocols_json(const PartResults& part) {
 // A study does not know what its recording was called.
 Json recordings_json(const detail::Evidence& evidence) {
   Json names = evidence.part->recordings;
-  if (evidence.file->is_study && evidence.recording) names[0] = evidence.recording->name;
+  if (evidence.file->is_study && evidence.recording) names[0] = evidence.recording_name;
   return names;
 }
 
@@ -116,7 +116,7 @@ class ReportWriter {
     RecordingLayout layout;
     for (const PartResults& part : file.results.parts) {
       detail::Evidence evidence = detail::find_evidence(file, part, sources_);
-      layout = evidence.recording ? layout_of(evidence.recording->recording) : RecordingLayout{};
+      layout = evidence.recording ? layout_of(*evidence.recording) : RecordingLayout{};
       if (auto added = add_system(evidence); !added) return added;
       add_curve_part(part, *evidence.file, layout);
     }

@@ -46,7 +46,7 @@ std::vector<std::size_t> first_of_each(const Evidence& evidence) {
   std::vector<std::size_t> first;
   const std::string asked = asked_label(evidence);
   for (const std::size_t i : evidence.explorations) {
-    if (seen.insert(name_of(evidence.recording->recording.explorations[i], asked)).second) {
+    if (seen.insert(name_of(evidence.recording->explorations[i], asked)).second) {
       first.push_back(i);
     }
   }
@@ -57,7 +57,7 @@ std::vector<ReportThing> labelled_things(const Evidence& evidence) {
   std::vector<ReportThing> things;
   const std::string asked = asked_label(evidence);
   for (const std::size_t i : first_of_each(evidence)) {
-    const Exploration& exploration = evidence.recording->recording.explorations[i];
+    const Exploration& exploration = evidence.recording->explorations[i];
     ReportThing thing;
     thing.name = name_of(exploration, asked);
     thing.shape = label_or_nothing(exploration, "shape");
@@ -207,7 +207,7 @@ Json samples_json(const Evidence& evidence) {
   if (!evidence.recording) return nullptr;
   Json json = Json::array();
   for (const std::size_t i : evidence.explorations) {
-    json.push_back(labels_json(evidence.recording->recording.explorations[i]));
+    json.push_back(labels_json(evidence.recording->explorations[i]));
   }
   return json;
 }
@@ -226,7 +226,7 @@ Json moments_json(const Evidence& evidence) {
   Json json = Json::array();
   if (!evidence.recording) return json;
   for (const std::size_t i : first_of_each(evidence)) {
-    const Exploration& exploration = evidence.recording->recording.explorations[i];
+    const Exploration& exploration = evidence.recording->explorations[i];
     Json channels = Json::array();
     for (const Channel& channel : exploration.channels) {
       channels.push_back(moment_channel(channel, touch_of(exploration)));

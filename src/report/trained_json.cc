@@ -34,7 +34,7 @@ Json planes_json(const ChannelPlanes& planes) {
 // On the map as it was saved.
 Result<std::vector<std::size_t>> winners_of(const Evidence& evidence, std::size_t threads) {
   const System& system = *evidence.system();
-  const Recording& recording = evidence.recording->recording;
+  const Recording& recording = *evidence.recording;
   const std::size_t input = system.modules()[*evidence.map].inputs.front();
   Activations activations(system.modules().size(), recording.explorations.size());
   auto evaluated =
@@ -81,7 +81,13 @@ void add_hits(Evidence& evidence, std::size_t neurons, std::size_t threads, Json
     return;
   }
   json["hits"] = hits_json(*winners, neurons);
-  if (const auto seed = seed_of(evidence, *winners)) json["seed"] = *seed;
+  if (const auto seed = seed_of(evidence, *winners)) {
+    json["seed"] = *seed;
+  } else {
+    evidence.missing.push_back("The winners of '" + evidence.model->path +
+                               "' are those of no run here: it was trained on other data, with "
+                               "another seed, or is equal but for rounding.");
+  }
 }
 
 void add_answer(const SystemModel& model, std::size_t neurons, Json& json) {

@@ -35,10 +35,10 @@ struct ReportModel {
   SystemModel model;
 };
 
-/// A recording and what it is called.
+/// A valid recording and what it is called; nullptr: it is not at hand.
 struct ReportRecording {
   std::string name;
-  Recording recording;
+  std::shared_ptr<const Recording> recording;
 };
 
 /// Results with the trained systems that may be theirs: the first that has their settings is taken.
@@ -51,8 +51,8 @@ struct ReportFile {
 /// Where a report gets from what results do not tell.
 struct ReportSources {
   std::string version;  ///< Of the program.
-  /// The recording with that content_hash(), or nullptr. Recordings are valid.
-  std::function<std::shared_ptr<const ReportRecording>(const std::string& hash)> recording;
+  /// The recording with that content_hash(); without a function there is none.
+  std::function<ReportRecording(const std::string& hash)> recording;
   std::vector<ReportThing> things;
   std::map<std::string, std::string> units;  ///< Of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;
