@@ -18,21 +18,32 @@ bool is_of_system(const Settings& part) {
   return part.part.starts_with(kModule) || part.part.starts_with(kPhase);
 }
 
-bool is_default(const ModuleType* type, const Setting& setting) {
+template <typename Parameters>
+std::vector<ParameterInfo> declared() {
+  std::vector<ParameterInfo> infos;
+  for (const auto& parameter : Parameters::declarations().all()) infos.push_back(parameter.info);
+  return infos;
+}
+
+std::vector<ParameterInfo> parameters_of(const Settings& part) {
+  if (part.part == "study") return declared<StudyParameters>();
+  if (part.part == "recording") return declared<RecordingParameters>();
+  const ModuleType* type = type_of(part);
+  return type ? type->parameters : std::vector<ParameterInfo>{};
+}
+
+bool is_default(const std::vector<ParameterInfo>& parameters, const Setting& setting) {
   if (setting.value == kAutomatic) return true;
-  if (!type) return false;
-  return std::any_of(
-      type->parameters.begin(), type->parameters.end(), [&](const ParameterInfo& info) {
-        return info.name == setting.name && info.default_text == setting.value;
-      });
+  return std::any_of(parameters.begin(), parameters.end(), [&](const ParameterInfo& info) {
+    return info.name == setting.name && info.default_text == setting.value;
+  });
 }
 
 std::string lines_of(const Settings& part) {
-  const bool module = part.part.starts_with(kModule);
-  const ModuleType* type = module ? type_of(part) : nullptr;
+  const std::vector<ParameterInfo> parameters = parameters_of(part);
   std::string text;
   for (const Setting& setting : part.settings) {
-    if (!is_default(type, setting)) text += setting.name + " = " + setting.value + "\n";
+    if (!is_default(parameters, setting)) text += setting.name + " = " + setting.value + "\n";
   }
   return text;
 }
