@@ -37,6 +37,7 @@ class Command:
     title: str
     words: list
     bytes: int = 0  # of memory that it may have; 0: any
+    study: str = ""  # the system that it runs under the papers' protocol alone
     repeats: int = 0  # when not all
     only_long: bool = False
     minutes: float = 0.5
@@ -73,20 +74,20 @@ def rows(sets):
 
 
 def commands(data, out, quick):
-    """`data` holds lucs2.mcap and large.npy; `out` takes what is of no more use."""
+    """`data` holds lucs2.mcap, studies and large.npy; `out` takes what is of no more use."""
     seeds = str(max(1, CHAIN_SEEDS // (20 if quick else 1)))
     side = str(LARGE_SIDE // (4 if quick else 1))
     recording = str(data / "lucs2.mcap")
 
-    def chain(name):
-        return ["run", f"systems/{name}.toml", "--data", recording, "--out", str(out / name),
+    def chain(name, seeds):
+        return ["run", str(data / f"{name}.toml"), "--data", recording, "--out", str(out / name),
                 "--seeds", seeds]
 
     return [
-        Command("tensor_chain", f"tensor chain, {seeds} seeds", chain("tensor_chain"),
-                minutes=1),
-        Command("t_mpsom_chain", f"T-MPSOM chain, {seeds} seeds", chain("t_mpsom_multiplied"),
-                minutes=1),
+        Command("tensor_chain", f"tensor chain, 30 explorations, {seeds} seeds",
+                chain("tensor_chain", seeds), study="tensor_chain", minutes=0.5),
+        Command("t_mpsom_chain", "T-MPSOM chain, 30 explorations, 1 seed",
+                chain("t_mpsom_multiplied", "1"), study="t_mpsom_multiplied", minutes=0.1),
         Command("large_file", f"map {side} x {side} on a file larger than its memory, 1 epoch",
                 ["som", "train", str(data / "large.npy"), "--output", str(out / "large.map"),
                  "--rows", side, "--columns", side, "--training", "batch", "--epochs", "1",
