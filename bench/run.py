@@ -95,6 +95,8 @@ def prepare_files(bench, chosen):
         bench.say("exploring for the chains")
         run([SOMATO, "explore", "--body", "lucs2", "--seed", 7, "--output", recording])
     for name in chains:
+        # A run that was interrupted would be gone on with.
+        (OUT / name / "unfinished.journal").unlink(missing_ok=True)
         write_study(TREE / "systems" / f"{name}.toml", bench.data / f"{name}.toml")
     if any(command.name == "large_file" for command in chosen) and not large.exists():
         bench.say("writing a large file")
