@@ -1,7 +1,7 @@
 // The papers' sentences, and how often each holds.
 
 import type { Table } from "../parts/csv";
-import { element, type Child } from "../parts/dom";
+import { breakable, element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { percent, readable } from "../parts/numbers";
 import type { ClaimReport, ReportData } from "./data";
@@ -42,9 +42,9 @@ function claimRow(claim: ClaimReport, hasSystem: boolean): HTMLElement {
     .filter((words) => words !== "")
     .join(" ");
   return element("tr", {}, [
-    ...(hasSystem ? [element("td", { class: "name" }, [system])] : []),
+    ...(hasSystem ? [element("td", { class: "name" }, breakable(system))] : []),
     element("td", { class: "claim" }, [claim.text, element("span", { class: "measured" }, [measured])]),
-    element("td", {}, [claim.paper || "ours"]),
+    element("td", { class: "paper" }, [claim.paper || "ours"]),
     element("td", { class: "number" }, [readable(claim.published)]),
     element("td", { class: "number" }, hereWords(claim.values)),
     element("td", { class: "number" }, [readable(claim.by_luck)]),

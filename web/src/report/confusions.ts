@@ -1,8 +1,6 @@
 // What was named for what: rows are the true classes, columns what was said.
 
 import { segments } from "../parts/controls";
-import { sequenceColour } from "../parts/colour_maps";
-import { lightness, parsed } from "../parts/colour_maps";
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
 import { attachCursor, type CursorPlace } from "../parts/map_cursor";
@@ -71,6 +69,7 @@ function tableOf({ classes, counts }: Counts): Table {
 }
 
 const kLongest = 130;
+const kDarkest = 0.5; // numbers stay readable on it
 
 function confusionPicture({ classes, counts }: Counts, label: string) {
   const size = Math.max(14, Math.min(44, 420 / classes.length));
@@ -82,10 +81,11 @@ function confusionPicture({ classes, counts }: Counts, label: string) {
   const totals = counts.map((row) => row.reduce((sum, count) => sum + count, 0));
   counts.forEach((row, i) =>
     row.forEach((count, j) => {
-      const fill = count === 0 ? "none" : sequenceColour(count / (totals[i] || 1));
+      const fill = count === 0 ? "none" : "var(--class-0)";
+      const opacity = 0.08 + kDarkest * (count / (totals[i] || 1));
       const [x, y] = [left + j * size, top + i * size];
-      cells.push(shape("path", { d: `M${rounded(x)} ${rounded(y)}h${rounded(size)}v${rounded(size)}h${rounded(-size)}Z`, fill, "data-cell": cells.length }));
-      if (count > 0 && size >= 22) numbers.push(numberAt(x + size / 2, y + size / 2 + 4, count, fill));
+      cells.push(shape("path", { d: `M${rounded(x)} ${rounded(y)}h${rounded(size)}v${rounded(size)}h${rounded(-size)}Z`, fill, "fill-opacity": count === 0 ? 1 : rounded(opacity), "data-cell": cells.length }));
+      if (count > 0 && size >= 22) numbers.push(numberAt(x + size / 2, y + size / 2 + 4, count));
     }),
   );
   const names = classes.flatMap((name, i) => {
@@ -105,10 +105,8 @@ function confusionPicture({ classes, counts }: Counts, label: string) {
   return { svg: picture, element: element("div", {}, [picture, readout]) };
 }
 
-function numberAt(x: number, y: number, count: number, fill: string): SVGTextElement {
-  const ink = lightness(parsed(fill)) > 50 ? "#000000" : "#ffffff";
-  const size = count >= 1000 ? "note" : "";
-  return text(x, y, String(count), { class: `middle on-colour ${size}`, style: `fill:${ink}` });
+function numberAt(x: number, y: number, count: number): SVGTextElement {
+  return text(x, y, String(count), { class: count >= 1000 ? "middle note" : "middle" });
 }
 
 function tellOf(classes: string[], counts: number[][], totals: number[], cell: number): string {

@@ -8,6 +8,7 @@ import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
+import { markerShape, plotSymbol } from "../parts/markers";
 import { rangeOf, readable } from "../parts/numbers";
 import type { MomentChannel, MomentData, SystemReport } from "./data";
 import { matrixPicture } from "./matrix";
@@ -33,16 +34,21 @@ function momentName(moment: MomentData, index: number): string {
 function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
   const channels = moment.channels;
   const onHand = channels.filter((one) => one.channel.elements.length > 1 && handLayout(one.channel.elements) !== null);
-  const figures = onHand.map((one) => handFigure(system, one, name));
-  const courses = channels.filter((one) => one.series.length > 1).map((one) => courseFigure(system, one, name));
-  const rest = channels.filter((one) => !onHand.includes(one) && one.series.length <= 1).map((one) => valuesFigure(system, one, name));
-  return [...figures, ...courses, ...rest];
+  return channels.flatMap((one) => {
+    const isOnHand = onHand.includes(one);
+    const hasCourse = one.series.length > 1;
+    return [
+      isOnHand ? handFigure(system, one, name) : null,
+      hasCourse ? courseFigure(system, one, name) : null,
+      isOnHand || hasCourse ? null : valuesFigure(system, one, name),
+    ];
+  });
 }
 
 /** The hand at a moment that a slider chooses, where there is more than one. */
 function handFigure(system: SystemReport, of: MomentChannel, name: string): Child {
   const { channel, series, times } = of;
-  const picture = handMap(channel, { label: `${channel.name} while feeling ${name}`, unit: channel.unit, size: 340 });
+  const picture = handMap(channel, { label: `${channel.name} while feeling ${name}`, unit: channel.unit, size: 380 });
   const range = rangeOf(series.flatMap((values) => rangeOf(values) ?? [])) ?? rangeOf(of.values) ?? [0, 1];
   const frames = [...series.map((values, i) => ({ time: times[i] ?? 0, values }))];
   let shown = { time: momentTime(of), values: of.values };
@@ -60,7 +66,7 @@ function handFigure(system: SystemReport, of: MomentChannel, name: string): Chil
     body: element("div", {}, [title, picture.element]),
     picture: () => picture.svg,
     numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, shown.values[i] ?? null]) }),
-    note: "At first the moment at which most elements are touched.",
+    note: "At first the moment at which most of the hand is touched.",
   });
 }
 
@@ -100,7 +106,8 @@ function courseFigure(system: SystemReport, of: MomentChannel, name: string): Ch
 
 function linesOf(of: MomentChannel, name: string): HTMLElement {
   const { channel } = of;
-  const points = of.series.flatMap((values, i) => values.map((value, line) => ({ time: of.times[i] ?? 0, value, line })));
+  const points = of.series.flatMap((values, i) => values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })));
+  const marksApart = Math.max(8, Math.floor(of.series.length / 5));
   const plot = plotFigure(`${channel.name} while feeling ${name}`, {
     height: 250,
     x: { label: "time (s)", grid: false },
@@ -109,9 +116,15 @@ function linesOf(of: MomentChannel, name: string): HTMLElement {
     marks: [
       Plot.ruleX([momentTime(of)], { stroke: "var(--line-strong)", strokeDasharray: "4 3" }),
       Plot.lineY(points, { x: "time", y: "value", z: "line", stroke: (point: { line: number }) => strokeOf(point.line), strokeWidth: 1.6 }),
-      Plot.text(points, Plot.selectLast({ x: "time", y: "value", z: "line", text: (point: { line: number }) => channel.elements[point.line] ?? "", dx: 6, textAnchor: "start", fill: "var(--muted)" })),
+      Plot.dot(points.filter(({ frame, line }) => (frame + 4 * line) % marksApart === 0), {
+        x: "time",
+        y: "value",
+        r: 3.5,
+        fill: (point: { line: number }) => strokeOf(point.line),
+        symbol: "line",
+      }),
     ],
-    marginRight: Math.min(150, 14 + 7 * Math.max(...channel.elements.map((one) => one.length))),
+    symbol: { domain: channel.elements.map((_, i) => i), range: channel.elements.map((_, i) => plotSymbol(markerShape(i))) },
   });
   return element("div", {}, channel.elements.length > 1 ? [seriesLegend(channel.elements), plot] : [plot]);
 }

@@ -1,6 +1,6 @@
 // What was found, at a glance: every system with its main figures and how its claims hold.
 
-import { element, type Child } from "../parts/dom";
+import { breakable, element, type Child } from "../parts/dom";
 import { readable } from "../parts/numbers";
 import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
 import { figure } from "../parts/figure";
@@ -62,7 +62,7 @@ function systemsFigure(data: ReportData): HTMLElement {
 
 function systemRow(system: SystemReport, index: number, data: ReportData): HTMLElement {
   const main = mainFigures(system);
-  const link = element("a", { href: `#system-${index + 1}` }, [systemName(system)]);
+  const link = element("a", { href: `#system-${index + 1}` }, breakable(systemName(system)));
   const cells: Child[] = [
     String(main.runs),
     spread(main.trained),

@@ -1,6 +1,6 @@
 // The whole page: navigation at the side, the overview, claims and curves, and a section a system.
 
-import { element } from "../parts/dom";
+import { breakable, element } from "../parts/dom";
 import { themeButton } from "../parts/theme";
 import { claimsSection } from "./claims";
 import { curvesSection } from "./curves";
@@ -60,7 +60,7 @@ function entryOf(system: SystemReport, index: number, data: ReportData): Entry {
 
 function navigation(entries: Entry[], data: ReportData): HTMLElement {
   const links = entries.map(({ id, name, isVariation }) =>
-    element("li", { class: isVariation ? "variation" : "" }, [element("a", { href: `#${id}` }, [name])]),
+    element("li", { class: isVariation ? "variation" : "" }, [element("a", { href: `#${id}` }, breakable(name))]),
   );
   const list = element("ul", {}, links);
   const brand = element("p", { class: "brand" }, ["Somato", element("span", {}, ["report"])]);
@@ -84,14 +84,16 @@ function followLinks(): void {
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.side a")];
   addEventListener("hashchange", goToHash);
   if (location.hash !== "") goToHash();
-  const watcher = new IntersectionObserver(
-    (entries) => {
-      const seen = entries.find((entry) => entry.isIntersecting);
-      if (seen) mark(links, seen.target.id);
-    },
-    { rootMargin: "-10% 0px -80% 0px" },
-  );
-  document.querySelectorAll("main > section").forEach((section) => watcher.observe(section));
+  const sections = [...document.querySelectorAll("main > section")];
+  // Sections come and go at this line, a fifth of the way down; asked only then.
+  const atLine = { rootMargin: "-20% 0px -79% 0px" };
+  const watcher = new IntersectionObserver(() => mark(links, sectionAtLine(sections)), atLine);
+  sections.forEach((section) => watcher.observe(section));
+}
+
+function sectionAtLine(sections: Element[]): string {
+  const above = sections.filter((section) => section.getBoundingClientRect().top <= innerHeight / 5 + 1);
+  return (above.at(-1) ?? sections[0])?.id ?? "";
 }
 
 function goToHash(): void {

@@ -50,7 +50,7 @@ class LinkedPlanes {
     this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
     const handLabel = `What a neuron stands for at ${channel.name}`;
     const keepElement = { onChoose: (one: number) => this.setElement(one), onPoint: (one: number | null) => this.previewPlane(one) };
-    this.hand = handMap(channel, { label: handLabel, unit, size: 340, ...keepElement });
+    this.hand = handMap(channel, { label: handLabel, unit, size: 380, ...keepElement });
     this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
     this.setElement(this.element);
     this.setNeuron(this.neuron);
@@ -69,7 +69,7 @@ class LinkedPlanes {
         note: "Choose a neuron to see at the right what it stands for. The CSV has the planes of all elements.",
       }),
       figure({
-        title: this.hand.isHand ? "One neuron, folded back onto the hand" : "One neuron, all elements",
+        title: this.hand.isHand ? "One neuron on the hand" : "One neuron, all elements",
         file: `${name}-neuron`,
         body: element("div", {}, [this.handTitle, this.hand.element]),
         picture: () => this.hand.svg,

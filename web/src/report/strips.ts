@@ -16,9 +16,9 @@ export interface Strip {
 }
 
 const kNames = 236;
-const kWidth = 500;
+const kWidth = 590;
 const kRight = 40;
-const kRow = 50;
+const kRow = 54;
 const kHead = 34;
 
 export function stripsPicture(strips: readonly Strip[], label: string): SVGSVGElement {
@@ -53,8 +53,8 @@ function row(strip: Strip, y: number): SVGGElement {
     text(0, 15, shortened(strip.name, kNames - 16, 12)),
     text(0, 31, middle === null ? "no value" : `median ${readable(middle)}`, { class: "muted note" }),
     shape("path", { d: `M${kNames} 14H${kNames + kWidth}`, class: "axis" }),
-    text(kNames, 41, readable(low), { class: "muted note" }),
-    text(kNames + kWidth, 41, readable(high), { class: "muted note end" }),
+    text(kNames, 46, readable(low), { class: "muted note" }),
+    text(kNames + kWidth, 46, readable(high), { class: "muted note end" }),
   ]);
   group.append(...dots(strip.luck, x, 27, 3, "luck"), ...dots(strip.values, x, 14, 3.2, "run"));
   if (strip.baseline !== null) group.append(shape("path", { d: `M${rounded(x(strip.baseline))} 3V25`, class: "baseline" }));

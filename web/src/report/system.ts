@@ -87,7 +87,9 @@ function noProtocols(): Child {
 }
 
 function mapFigures(system: SystemReport, selection: Selection): Child[] {
-  return [element("div", { class: "figures" }, [mapFigure(system, selection), ...savedMapFigures(system)])];
+  const saved = savedMapFigures(system);
+  const beside = saved.length === 0 ? null : element("div", { class: "stack" }, saved);
+  return [element("div", { class: beside ? "map-row" : "" }, [mapFigure(system, selection), beside])];
 }
 
 function block(id: string, title: string, height: number, make: () => Child[]): HTMLElement {

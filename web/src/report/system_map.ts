@@ -6,6 +6,7 @@ import type { GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { columnOf, neuronCount, rowOf } from "../parts/grid";
+import { rangeOf } from "../parts/numbers";
 import { labelsPicture, valuesPicture } from "../parts/map_picture";
 import type { SystemReport, TrainedData } from "./data";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
@@ -34,7 +35,7 @@ function drawMap(system: SystemReport, selection: Selection): Drawn {
   const classes = numbered(values, names);
   const isOneMap = hasOneMap(protocol);
   const words = `${protocolName(protocol)}, by ${label}, seed ${runWords(selection)}`;
-  const shown = { label: `Winners: ${words}`, names, winners: run.winners, classes, areas: isOneMap };
+  const shown = { label: `Winners: ${words}`, names, winners: run.winners, classes, areas: isOneMap, size: 520 };
   const picture = labelsPicture(grid, shown);
   const folds = isOneMap ? null : element("p", { class: "small muted" }, [kManyMaps]);
   const table = mapTable(grid, run.winners, values, predictionsOf(protocol, run, label));
@@ -63,7 +64,7 @@ export function savedMapFigures(system: SystemReport): Child[] {
 }
 
 function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
-  const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size: 360 });
+  const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size: 300 });
   picture.setValues(trained.u_matrix);
   // The same marks as on the map of winners: classes numbered as there.
   const label = system.protocols[0]?.label ?? "";
@@ -86,8 +87,9 @@ function className(trained: TrainedData, neuron: number): string | null {
 }
 
 function hitsFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
-  const picture = valuesPicture(grid, { label: "Hits", unit: "samples", size: 360 });
-  picture.setValues(trained.hits, [0, Math.max(1, ...trained.hits.map((count) => count ?? 0))]);
+  const picture = valuesPicture(grid, { label: "Hits", unit: "samples", size: 300, none: "no sample" });
+  const won = trained.hits.map((count) => count || null);
+  picture.setValues(won, [0, rangeOf(won)?.[1] ?? 1]);
   return figure({
     title: "Hits",
     file: `${systemName(system)}-hits`,
