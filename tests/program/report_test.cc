@@ -48,7 +48,7 @@ TEST_F(Report, OfAStudyWithAllThatIsAtHand) {
 
 TEST_F(Report, FindsARecordingBesideTheResultsByWhatIsInIt) {
   write_study("1");
-  output_of({"import", kTrials, "-o", "grasps.mcap"});
+  output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
   output_of({"run", "study.toml", "--data", "grasps.mcap", "--out", "out"});
   output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "out/a_press.mcap"});
   write("out/broken.mcap", read("grasps.mcap").substr(0, 5000));
