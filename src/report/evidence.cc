@@ -22,7 +22,8 @@ std::string without_model(const ReportFile& file, const PartResults& part) {
           : "'somato run' writes a trained system; give one of '" + part.system +
                 "' with these settings with --model.";
   if (file.models.empty()) return what + advice;
-  return what + "'" + file.models.front()->path + "' has other settings; " + advice;
+  const std::string others = file.models.size() > 1 ? "' and others have" : "' has";
+  return what + "'" + file.models.front()->path + others + " other settings; " + advice;
 }
 
 void find_model(const ReportFile& file, Evidence& evidence) {
