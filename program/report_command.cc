@@ -117,9 +117,9 @@ Result<Report> make(const Arguments& arguments) {
   if (!recordings) return fail(std::move(recordings.error()));
   auto things = report_things();
   if (!things) return fail(std::move(things.error()));
-  const ReportSources sources{
-      SOMATO_VERSION, [&](const std::string& hash) { return recordings->find(hash); },
-      std::move(*things), explore_units(), *threads};
+  const ReportSources sources{SOMATO_VERSION,
+                              [&](const std::string& hash) { return recordings->find(hash); },
+                              std::move(*things), explore_units(), *threads};
   return make_report(*files, sources);
 }
 

@@ -82,10 +82,11 @@ TEST_F(Report, ARecordingOfSomethingElseIsNotTaken) {
 
 TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
   make_results();
-  write("other.toml", "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
-                      "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
-                      "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
-                      "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
+  write("other.toml",
+        "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
   output_of({"run", "other.toml", "--data", kTrials, "--out", "other"});
   fs::remove(path("out/system.somato"));
   output_of({"report", "out/results.json", "--model", "other/system.somato", "-o", "report.html"});
@@ -95,8 +96,9 @@ TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
 }
 
 TEST_F(Report, OfAReproductionFindsItsRecordings) {
-  write("press.toml", press() + "[[claim]]\ntext = 'Named rightly </script><b>'\n"
-                                "metric = 'accuracy'\nat_least = 0.5\npublished = 1\n" +
+  write("press.toml", press() +
+                          "[[claim]]\ntext = 'Named rightly </script><b>'\n"
+                          "metric = 'accuracy'\nat_least = 0.5\npublished = 1\n" +
                           "[variation.a]\nmodule.map.iterations = 60\n"
                           "[variation.b]\nmodule.map.iterations = 70\n");
   output_of(reproduce("press.toml", "out"));
@@ -159,9 +161,9 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(1, with({"--model", "junk.somato"}), {"junk.somato"});
   expect_refused(1, with({"--model", "none.somato"}), {"none.somato"});
   expect_refused(1, with({"--data", "none"}), {"none"});
-  expect_refused(2, {"report", "out/results.json", "--model", "out/system.somato", "-o",
-                     "out/system.somato"},
-                 {"write over"});
+  expect_refused(
+      2, {"report", "out/results.json", "--model", "out/system.somato", "-o", "out/system.somato"},
+      {"write over"});
 }
 
 TEST_F(Report, IsSavedWhollyOrNotAtAll) {
