@@ -53,7 +53,7 @@ function systemsFigure(data: ReportData): HTMLElement {
   return figure({
     title: "Systems",
     file: "somato-systems",
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "region", "aria-label": "Systems" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Systems" }, [table]),
     numbers: () => systemsTable(data),
     wide: true,
     note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned.",
