@@ -47,7 +47,8 @@ function factsOf(system: SystemReport): [string, string][] {
   const facts: [string, string][] = [["Results", system.file]];
   if (grid) facts.push(["Map", `${grid.rows} × ${grid.columns}, ${grid.lattice}, ${grid.topology}`]);
   facts.push(["Samples", String(samples)], ["Runs", String(runs)]);
-  if (recordings.length > 0) facts.push([recordings.length === 1 ? "Recording" : "Recordings", recordingWords(recordings)]);
+  const named = recordings.filter((name) => name !== "");
+  if (named.length > 0) facts.push([named.length === 1 ? "Recording" : "Recordings", recordingWords(named)]);
   if (system.data_hash !== "") facts.push(["Data", system.data_hash]);
   return facts;
 }
