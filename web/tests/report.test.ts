@@ -69,7 +69,8 @@ describe("what it shows", () => {
   test("has every system, its figures and its claims in the overview", async () => {
     const { page, problems } = await open(data);
     const rows = page.locator("#overview tbody tr");
-    expect(await rows.count()).toBe(data.systems.length);
+    expect(await rows.count()).toBe(data.systems.filter((system) => system.question === "").length);
+    expect(await page.locator(".question h2").allTextContents()).toEqual(["Does the size of the map matter?"]);
     const accuracy = hand.protocols[0]!.metrics["accuracy"]!;
     expect(await rows.first().textContent()).toContain(`${accuracy.mean.toFixed(2)} ± ${accuracy.sd.toFixed(2)}`);
     const claims = page.locator("#claims tbody tr");
@@ -186,6 +187,16 @@ describe("what is chosen", () => {
     await page.close();
   });
 
+  test("a system of a question opens from its table", async () => {
+    const { page } = await open(data);
+    const fold = page.locator(".fold");
+    expect(await fold.locator("[data-cell]").count()).toBe(0);
+    await page.locator(".question tbody a").click();
+    await expect.poll(() => fold.locator("[data-cell]").count()).toBeGreaterThan(120);
+    expect(await fold.evaluate((one: HTMLDetailsElement) => one.open)).toBe(true);
+    await page.close();
+  });
+
   test("a module tells its settings", async () => {
     const { page } = await open(data);
     const section = await goTo(page, 1);
@@ -234,6 +245,7 @@ describe("who reads it", () => {
     const { page } = await open(data, { colorScheme, reducedMotion: "reduce" });
     for (const system of [1, 2, 3, 4]) await goTo(page, system);
     expect(await accessibilityViolations(page)).toEqual([]);
+    await page.setViewportSize({ width: 1280, height: 1400 });
     await (await goTo(page, 1)).locator(".map-row").screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
     await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
     await page.close();
@@ -282,7 +294,7 @@ describe("who reads it", () => {
   test("prints light, without controls, everything drawn", async () => {
     const { page } = await open(data, { colorScheme: "dark" });
     await page.emulateMedia({ media: "print", colorScheme: "dark" });
-    await expect.poll(() => page.locator(".lazy:empty").count()).toBe(0);
+    await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
     expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe("rgb(255, 255, 255)");
     expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
     const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
@@ -334,7 +346,7 @@ describe("what goes wrong", () => {
     const nasty = hostileFixture();
     const { page, problems } = await open(nasty);
     for (const system of [1, 2]) await goTo(page, system);
-    expect(await page.locator("h2").nth(2).textContent()).toBe(nasty.systems[0]!.name);
+    expect(await page.locator("#system-1 h2").textContent()).toBe(nasty.systems[0]!.name);
     expect(await page.evaluate(() => (globalThis as { __hurt?: number }).__hurt)).toBeUndefined();
     expect(await page.locator("main img").count()).toBe(0);
     expect(await page.locator("svg [d*=NaN], svg [cx=NaN], svg [x=NaN]").count()).toBe(0);

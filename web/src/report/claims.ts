@@ -37,7 +37,7 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
 const kNumbers = new Set(["published", "here", "by luck"]);
 
 function claimRow(claim: ClaimReport, hasSystem: boolean): HTMLElement {
-  const system = claim.variation === "" ? claim.system : `${claim.system}, ${claim.variation}`;
+  const system = [claim.system, claim.variation, claim.question && `(${claim.question})`].filter((words) => words).join(", ");
   const measured = [claim.metric, bound(claim), claim.protocol.replaceAll("_", " "), claim.group]
     .filter((words) => words !== "")
     .join(" ");
@@ -85,9 +85,9 @@ function shareBar(share: number): HTMLElement {
 }
 
 function claimsTable(claims: ClaimReport[]): Table {
-  const columns = ["system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
+  const columns = ["file", "question", "system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
     "at_most", "by_luck", "share", "values"];
-  const rows = claims.map((claim) => [claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
+  const rows = claims.map((claim) => [claim.file, claim.question, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
     claim.group, claim.than, claim.published, claim.at_least, claim.at_most, claim.by_luck, claim.share, claim.values.join(" ")]);
   return { columns, rows };
 }

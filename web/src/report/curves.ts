@@ -9,12 +9,15 @@ import { figure } from "../parts/figure";
 import { markerShape, plotSymbol } from "../parts/markers";
 import type { CurveReport, ReportData } from "./data";
 import { lazy } from "./lazy";
-import { plotFigure, seriesLegend, strokeOf } from "./plots";
+import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
 import { metricName, metricRange } from "./words";
 
 export function curvesSection(data: ReportData): HTMLElement {
   return element("section", { id: "curves", "aria-labelledby": "curves-title" }, [
     element("h2", { id: "curves-title" }, ["What changes with a setting"]),
+    element("p", { class: "muted lead" }, [
+      "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
+    ]),
     lazy(360, () => [element("div", { class: "figures" }, data.curves.map((curve, i) => curveFigure(curve, i)))]),
   ]);
 }
@@ -25,9 +28,8 @@ function curveFigure(curve: CurveReport, index: number): Child {
     title: curve.title,
     file: `curve-${index + 1}-${curve.title}`,
     body: element("div", {}, [seriesLegend(curve.lines.map((line) => line.name)), plot]),
-    picture: () => plot.querySelector("svg"),
+    picture: () => plotPicture(plot, curve.lines.map((line) => line.name)),
     numbers: () => curveTable(curve),
-    note: "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
   });
 }
 
