@@ -7,6 +7,7 @@ import type { Table } from "../parts/csv";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { markerShape, plotSymbol } from "../parts/markers";
+import { shortened } from "../parts/svg";
 import type { CurveReport, ReportData } from "./data";
 import { lazy } from "./lazy";
 import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
@@ -50,8 +51,8 @@ function curvePlot(curve: CurveReport): HTMLElement {
   const unit = curve.unit === "" ? "" : ` (${curve.unit})`;
   return plotFigure(curve.title, {
     height: 280,
-    x: { label: `${curve.x}${unit}`, grid: false },
-    y: { label: metricName(curve.metric), grid: true, ...(range ? { domain: range } : {}), clamp: true },
+    x: { label: shortened(`${curve.x}${unit}`, 380, 12), grid: false },
+    y: { label: shortened(metricName(curve.metric), 380, 12), grid: true, ...(range ? { domain: range } : {}), clamp: true },
     marks: [
       Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: "line", fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.13 }),
       Plot.dot(dots, { x: "x", y: "y", r: 1.6, fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.35 }),

@@ -28,14 +28,16 @@ export function questionsOf(data: ReportData): Question[] {
   }
   return [...questions.values()].map((systems, i) => ({
     id: `question-${i + 1}`,
-    name: capital((systems[0]?.system.question ?? "").replaceAll("_", " ")),
+    name: capital(systems[0]?.system.question ?? ""),
     systems,
   }));
 }
 
 export const systemId = (index: number) => `system-${index + 1}`;
 
-export function capital(words: string): string {
+/** "touch_change" as it stands at the start of a title. */
+export function capital(name: string): string {
+  const words = name.replaceAll("_", " ");
   return words.slice(0, 1).toUpperCase() + words.slice(1);
 }
 

@@ -34,10 +34,12 @@ function momentName(system: SystemReport, { labels }: MomentData, index: number)
 }
 
 function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
-  const channels = moment.channels;
-  const onHand = channels.filter((one) => one.channel.elements.length > 1 && handLayout(one.channel.elements) !== null);
+  const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
+  const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
+  // What lies on the hand comes first, touch before joints.
+  const channels = [...moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
-    const isOnHand = onHand.includes(one);
+    const isOnHand = isHand(one);
     const hasCourse = one.series.length > 1;
     return [
       isOnHand ? handFigure(system, one, name) : null,

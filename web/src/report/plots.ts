@@ -16,7 +16,7 @@ export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElemen
     marginLeft: 48,
     marginBottom: 38,
     ...options,
-    style: { background: "none", fontSize: "12px", fontFamily: "inherit", overflow: "visible" },
+    style: { background: "none", fontSize: "12px", fontFamily: "inherit", overflow: "hidden" },
   });
   made.setAttribute("role", "img");
   made.setAttribute("aria-label", label);
