@@ -11,12 +11,13 @@ import { handMap } from "../parts/hand_map";
 import { markerShape, plotSymbol } from "../parts/markers";
 import { rangeOf, readable } from "../parts/numbers";
 import type { MomentChannel, MomentData, SystemReport } from "./data";
+import { capital } from "./groups";
 import { matrixPicture } from "./matrix";
-import { plotFigure, seriesLegend, strokeOf } from "./plots";
+import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
 import { systemName } from "./words";
 
 export function momentFigures(system: SystemReport): Child[] {
-  const names = system.moments.map(momentName);
+  const names = system.moments.map((moment, i) => momentName(system, moment, i));
   const place = element("div", { class: "figures" });
   const show = (index: number) => {
     const moment = system.moments[index];
@@ -26,16 +27,19 @@ export function momentFigures(system: SystemReport): Child[] {
   return [element("div", { class: "controls" }, [choice("Exploration of", names, 0, show).element]), place];
 }
 
-function momentName(moment: MomentData, index: number): string {
-  const words = Object.entries(moment.labels).map(([name, value]) => (name === "trial" ? `trial ${value}` : value));
-  return words.join(", ") || `exploration ${index + 1}`;
+/** By the label of the study, where it is known: explorations may have many more. */
+function momentName(system: SystemReport, { labels }: MomentData, index: number): string {
+  const own = labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
+  return labels["trial"] === undefined ? own : `${own}, trial ${labels["trial"]}`;
 }
 
 function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
-  const channels = moment.channels;
-  const onHand = channels.filter((one) => one.channel.elements.length > 1 && handLayout(one.channel.elements) !== null);
+  const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
+  const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
+  // What lies on the hand comes first, touch before joints.
+  const channels = [...moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
-    const isOnHand = onHand.includes(one);
+    const isOnHand = isHand(one);
     const hasCourse = one.series.length > 1;
     return [
       isOnHand ? handFigure(system, one, name) : null,
@@ -74,11 +78,16 @@ function momentTime(of: MomentChannel): number {
   return of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0);
 }
 
+/** Which of the frames over time is nearest to the moment. */
+function momentIndex(of: MomentChannel): number {
+  const away = of.times.map((time) => Math.abs(time - momentTime(of)));
+  return Math.max(0, away.indexOf(Math.min(...away)));
+}
+
 function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLElement {
   const id = uniqueId("time");
-  const nearest = of.times.reduce((best, time, i) => (Math.abs(time - momentTime(of)) < Math.abs((of.times[best] ?? 0) - momentTime(of)) ? i : best), 0);
   const slider = element("input", { type: "range", id, min: 0, max: of.times.length - 1, step: 1 });
-  slider.value = String(nearest);
+  slider.value = String(momentIndex(of));
   const say = () => slider.setAttribute("aria-valuetext", `${readable(of.times[Number(slider.value)])} s`);
   say();
   slider.addEventListener("input", () => {
@@ -98,7 +107,7 @@ function courseFigure(system: SystemReport, of: MomentChannel, name: string): Ch
     title: `${capital(channel.name)} over time`,
     file: `${systemName(system)}-${channel.name}-course`,
     body,
-    picture: () => body.querySelector<SVGSVGElement>("svg.plot, svg.picture"),
+    picture: () => (isFew ? plotPicture(body, channel.elements) : body.querySelector("svg")),
     numbers: () => ({ columns: ["time (s)", ...channel.elements], rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]) }),
     note: isFew ? `${name}. The upright line is the moment shown on the hand.` : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
   });
@@ -141,8 +150,7 @@ function stripsOf(of: MomentChannel, name: string): HTMLElement {
     rowEnds: [shortName(channel.elements[0]), shortName(channel.elements.at(-1))],
     columnEnds: [`${readable(of.times[0])} s`, `${readable(of.times.at(-1))} s`],
   });
-  const last = of.times.at(-1) ?? 1;
-  picture.markColumn(last > 0 ? (momentTime(of) / last) * (of.series.length - 1) : 0);
+  picture.markColumn(momentIndex(of));
   return element("div", {}, [picture.svg]);
 }
 
@@ -163,12 +171,8 @@ function valuesFigure(system: SystemReport, of: MomentChannel, name: string): Ch
     title: `${capital(channel.name)} at a moment`,
     file: `${systemName(system)}-${channel.name}-moment`,
     body: plot,
-    picture: () => plot.querySelector("svg"),
+    picture: () => plotPicture(plot, []),
     numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, of.values[i] ?? null]) }),
     note: name,
   });
-}
-
-function capital(words: string): string {
-  return words.slice(0, 1).toUpperCase() + words.slice(1);
 }
