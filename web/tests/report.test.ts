@@ -182,6 +182,10 @@ describe("what is chosen", () => {
     await onHand.locator('[data-cell="7"]').click();
     expect(await map.locator(".what").textContent()).toBe("finger1_distal_1");
     expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("7");
+    const all = figureOf(section, "The map by every element of touch, each at its place on the hand");
+    expect(await all.locator("image").count()).toBe(45);
+    await all.locator('[data-element="12"]').click();
+    expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("12");
     await section.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
     expect(await figureOf(section, "One neuron on the hand").locator("[data-cell]").count()).toBe(6);
     await page.close();
