@@ -301,6 +301,10 @@ describe("who reads it", () => {
     await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
     expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe("rgb(255, 255, 255)");
     expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
+    // On A4 with margins of 14 mm no figure is taller than a page; tables may go over pages.
+    await page.setViewportSize({ width: 688, height: 1017 });
+    const heights = await page.locator("figure:not(:has(table))").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+    expect(Math.max(...heights)).toBeLessThan(1017);
     const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
     expect(cut).toBe("page");
     await page.screenshot({ path: screenshotPath("report-print"), fullPage: true });
