@@ -4,7 +4,8 @@
 #include "somato/core/check.h"
 #include "somato/report/report.h"
 
-// Whatever is accepted makes a report, or is refused by it, and nothing in the page ends its element.
+// Whatever is accepted makes a report, or is refused by it, and nothing in the page ends its
+// element.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   auto results = somato::parse_results(text, "input");

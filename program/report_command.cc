@@ -49,17 +49,31 @@ Result<Model> load_model(const std::string& path) {
   });
 }
 
-// Whatever lies beside the results is only used if it can be.
-void add_model_beside(const std::string& results, ReportFile& file) {
-  const std::string path = (fs::path(results).parent_path() / "system.somato").string();
+// That of 'somato run', and those of 'somato reproduce'.
+std::vector<std::string> models_beside(const std::string& results) {
+  const fs::path folder = fs::path(results).parent_path();
+  std::vector<std::string> paths;
   std::error_code missing;
-  if (!fs::exists(path, missing)) return;
-  auto model = load_model(path);
-  if (model) {
-    file.models.push_back(std::move(*model));
-  } else {
-    file.missing.push_back("The trained system beside results.json cannot be read (" +
-                           to_string(model.error()) + ").");
+  if (fs::exists(folder / "system.somato", missing)) {
+    paths.push_back((folder / "system.somato").string());
+  }
+  for (const auto& entry : fs::directory_iterator(folder / "systems", missing)) {
+    if (entry.path().extension() == ".somato") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+// Whatever lies beside the results is only used if it can be.
+void add_models_beside(const std::string& results, ReportFile& file) {
+  for (const std::string& path : models_beside(results)) {
+    auto model = load_model(path);
+    if (model) {
+      file.models.push_back(std::move(*model));
+    } else {
+      file.missing.push_back("A trained system beside results.json cannot be read (" +
+                             to_string(model.error()) + ").");
+    }
   }
 }
 
@@ -78,7 +92,7 @@ Result<std::vector<ReportFile>> read_files(const Arguments& arguments) {
     if (!results) return fail(std::move(results.error()));
     files.push_back({std::move(*results), {}, {}});
     if (named) files.back().models.push_back(named);
-    add_model_beside(path, files.back());
+    add_models_beside(path, files.back());
   }
   return files;
 }
@@ -103,9 +117,9 @@ Result<Report> make(const Arguments& arguments) {
   if (!recordings) return fail(std::move(recordings.error()));
   auto things = report_things();
   if (!things) return fail(std::move(things.error()));
-  const ReportSources sources{
-      SOMATO_VERSION, [&](const std::string& hash) { return recordings->find(hash); },
-      std::move(*things), explore_units(), *threads};
+  const ReportSources sources{SOMATO_VERSION,
+                              [&](const std::string& hash) { return recordings->find(hash); },
+                              std::move(*things), explore_units(), *threads};
   return make_report(*files, sources);
 }
 
@@ -141,7 +155,7 @@ Command report_command() {
             "Recordings that the results are of, beside those in the folders of RESULTS: a file, "
             "a folder of files, a data set, or a folder of data sets"},
            {"--model",
-            "A trained system, beside system.somato in the folders of RESULTS; used for results "
+            "A trained system, beside those in the folders of RESULTS; used for results "
             "with its settings"},
            threads_flag()},
           {},

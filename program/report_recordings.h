@@ -16,8 +16,8 @@ namespace somato::program {
 /// Recordings that results may be of, found by their content.
 class ReportRecordings {
  public:
-  /// Adds a recording, a folder of them, or data sets that somebody named. They are looked at first.
-  /// Errors: those of GivenRecordings::at() and of reading them.
+  /// Adds a recording, a folder of them, or data sets that somebody named. They are looked at
+  /// first. Errors: those of GivenRecordings::at() and of reading them.
   Result<void> add_named(const std::string& path);
 
   /// Adds those in the folder of a results.json and in its folder `recordings`: whatever is not

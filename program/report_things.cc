@@ -17,10 +17,10 @@ struct MaterialColour {
 
 // What the real things look like, more or less; nothing in the simulation has a colour.
 constexpr MaterialColour kColours[] = {
-    {"wood", {0.76, 0.57, 0.35}},       {"metal", {0.66, 0.69, 0.73}},
-    {"plastic", {0.83, 0.30, 0.25}},    {"hard_board", {0.55, 0.40, 0.28}},
-    {"rubber", {0.22, 0.24, 0.27}},     {"sponge", {0.93, 0.80, 0.36}},
-    {"corduroy", {0.36, 0.42, 0.62}},   {"felt", {0.35, 0.55, 0.42}}};
+    {"wood", {0.76, 0.57, 0.35}},     {"metal", {0.66, 0.69, 0.73}},
+    {"plastic", {0.83, 0.30, 0.25}},  {"hard_board", {0.55, 0.40, 0.28}},
+    {"rubber", {0.22, 0.24, 0.27}},   {"sponge", {0.93, 0.80, 0.36}},
+    {"corduroy", {0.36, 0.42, 0.62}}, {"felt", {0.35, 0.55, 0.42}}};
 
 std::optional<std::array<double, 3>> colour_of(const std::string& material) {
   for (const MaterialColour& known : kColours) {
@@ -30,15 +30,25 @@ std::optional<std::array<double, 3>> colour_of(const std::string& material) {
 }
 
 ReportThing thing_of(const Object& object) {
-  return {object.name,           choice_name(object.shape),
-          object.size,           object.top_diameter,
-          object.material.name,  choice_name(object.material.hardness),
-          colour_of(object.material.name), object.mass};
+  return {object.name,
+          choice_name(object.shape),
+          object.size,
+          object.top_diameter,
+          object.material.name,
+          choice_name(object.material.hardness),
+          colour_of(object.material.name),
+          object.mass};
 }
 
 ReportThing thing_of(const Material& material) {
-  return {material.name, {}, {}, 0.0, material.name, choice_name(material.hardness),
-          colour_of(material.name), {}};
+  return {material.name,
+          {},
+          {},
+          0.0,
+          material.name,
+          choice_name(material.hardness),
+          colour_of(material.name),
+          {}};
 }
 
 void append(const ObjectTable& table, std::vector<ReportThing>& things) {

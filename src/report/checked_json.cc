@@ -30,9 +30,8 @@ Result<Json> parsed(std::string_view text) {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const bool cut = error.byte > text.size();
-    return fail(ErrorKind::kData,
-                cut ? std::string("it is no JSON: it ends too early")
-                    : fmt::format("it is no JSON from byte {} on", error.byte));
+    return fail(ErrorKind::kData, cut ? std::string("it is no JSON: it ends too early")
+                                      : fmt::format("it is no JSON from byte {} on", error.byte));
   } catch (const Json::exception&) {
     return fail(ErrorKind::kData, "it is no JSON that can be read: a number is too large");
   }

@@ -191,16 +191,15 @@ std::vector<Measure> measures_for(const std::vector<Line>& lines,
   for (const JudgedClaim& judged : claims) {
     const Claim& claim = judged.outcome.claim;
     const bool about = claim.question == first.question &&
-                       std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
-                         return line.system == claim.system;
-                       });
+                       std::any_of(lines.begin(), lines.end(),
+                                   [&](const Line& line) { return line.system == claim.system; });
     if (about) add({claim.metric, claim.protocol, claim.group});
   }
   return all;
 }
 
-using Groups = std::vector<std::pair<std::pair<std::string, std::string>,
-                                     std::vector<const CurvePart*>>>;
+using Groups =
+    std::vector<std::pair<std::pair<std::string, std::string>, std::vector<const CurvePart*>>>;
 
 // Parts of a system under one question, as it stands first.
 Groups grouped(const std::vector<CurvePart>& parts) {

@@ -16,13 +16,13 @@ std::string without_model(const ReportFile& file, const PartResults& part) {
   const std::string what =
       "The trained system is not at hand, so U-matrix, hits, component planes and receptive fields "
       "are left out: ";
-  const std::string advice =
-      file.results.is_study
-          ? "give system.somato, which 'somato run' writes, with --model."
-          : "'somato run' writes a trained system; give one of '" + part.system +
-                "' with these settings with --model.";
+  const std::string advice = file.results.is_study
+                                 ? "give system.somato, which 'somato run' writes, with --model."
+                                 : "'somato run' writes a trained system; give one of '" +
+                                       part.system + "' with these settings with --model.";
   if (file.models.empty()) return what + advice;
-  return what + "'" + file.models.front()->path + "' has other settings; " + advice;
+  const std::string others = file.models.size() > 1 ? "' and others have" : "' has";
+  return what + "'" + file.models.front()->path + others + " other settings; " + advice;
 }
 
 void find_model(const ReportFile& file, Evidence& evidence) {

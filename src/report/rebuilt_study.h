@@ -25,8 +25,8 @@ const std::string* find_setting(const std::vector<Settings>& settings, const std
 /// is left out again. Errors (kUsage): settings that are none of a study.
 Result<StudyDescription> rebuilt_study(const std::vector<Settings>& settings);
 
-/// Whether modules and phases of `settings` are those of `own`, setting by setting; where `own` says
-/// "automatic", whatever was decided will do.
+/// Whether modules and phases of `settings` are those of `own`, setting by setting; where `own`
+/// says "automatic", whatever was decided will do.
 bool same_system(const std::vector<Settings>& own, const std::vector<Settings>& settings);
 
 }  // namespace somato::detail

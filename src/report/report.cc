@@ -79,8 +79,7 @@ Json recordings_json(const detail::Evidence& evidence) {
 std::string hash_of(const detail::Evidence& evidence) {
   const auto& names = evidence.part->recordings;
   const RecordingInfo* info =
-      names.empty() ? nullptr
-                    : evidence.file->find_recording(names[evidence.recording_number]);
+      names.empty() ? nullptr : evidence.file->find_recording(names[evidence.recording_number]);
   return info ? info->data_hash : std::string();
 }
 
@@ -174,11 +173,11 @@ class ReportWriter {
                       const RecordingLayout& layout) {
     detail::CurvePart curve{&part, part.settings};
     const bool given =
-        file.is_study || std::any_of(part.recordings.begin(), part.recordings.end(),
-                                     [&](const std::string& name) {
-                                       const RecordingInfo* info = file.find_recording(name);
-                                       return !info || info->source == "given";
-                                     });
+        file.is_study ||
+        std::any_of(part.recordings.begin(), part.recordings.end(), [&](const std::string& name) {
+          const RecordingInfo* info = file.find_recording(name);
+          return !info || info->source == "given";
+        });
     const bool says = detail::find_part(part.settings, "explore") != nullptr;
     const auto own = given || says ? std::nullopt : plans_.find(part, layout);
     if (own) curve.settings.insert(curve.settings.end(), own->explore.begin(), own->explore.end());

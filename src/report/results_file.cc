@@ -94,8 +94,8 @@ void read_protocols(const CheckedJson& json, PartResults& part) {
 // Names become keys of TOML again.
 bool is_name(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '_' || c == '-' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
   });
 }
 
@@ -205,8 +205,9 @@ void read_claim(const CheckedJson& json, ResultsFile& file) {
 
 void read_reproduction(const CheckedJson& root, ResultsFile& file) {
   check_version(root, kReproductionVersion);
-  root.at("recordings").each(
-      [&](const CheckedJson& one) { file.recordings.push_back(recording_of(one)); });
+  root.at("recordings").each([&](const CheckedJson& one) {
+    file.recordings.push_back(recording_of(one));
+  });
   root.at("systems").each([&](const CheckedJson& one) { read_part(one, file); });
   root.at("claims").each([&](const CheckedJson& one) { read_claim(one, file); });
 }
@@ -238,7 +239,8 @@ Result<ResultsFile> parse_results(std::string_view text, const std::string& path
   }
   if (!trouble) return file;
   trouble->where = path;
-  trouble->advice = "give results.json as 'somato run' or 'somato reproduce' of this version wrote it";
+  trouble->advice =
+      "give results.json as 'somato run' or 'somato reproduce' of this version wrote it";
   return fail(std::move(*trouble));
 }
 

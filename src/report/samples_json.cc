@@ -179,8 +179,8 @@ Json moment_channel(const Channel& channel, const Channel* touch) {
     if (channel.frames.columns() > kMostElements) continue;
     series.push_back(short_numbers(channel.frames.row(frame)));
   }
-  return {{"channel", channel_json(channel.name, channel.unit, channel.element_names,
-                                   channel.frame_shape())},
+  return {{"channel",
+           channel_json(channel.name, channel.unit, channel.element_names, channel.frame_shape())},
           {"rate", short_number(channel.frame_rate())},
           {"frame", moment},
           {"values", short_numbers(channel.frames.row(moment))},
@@ -196,8 +196,7 @@ const Channel* touch_of(const Exploration& exploration) {
 }  // namespace
 
 Json channel_json(const std::string& name, const std::string& unit,
-                  const std::vector<std::string>& elements,
-                  const std::vector<std::size_t>& shape) {
+                  const std::vector<std::string>& elements, const std::vector<std::size_t>& shape) {
   std::size_t count = 1;
   for (const std::size_t length : shape) count *= length;
   Json names = Json::array();

@@ -11,15 +11,16 @@ namespace somato::detail {
 /// a recording.
 nlohmann::ordered_json samples_json(const Evidence& evidence);
 
-/// The things that were explored, as ThingData of web/src/parts/data.ts, in the order of their first
-/// appearance: by the labels of the recording, or without one by what the results were asked.
-/// What nobody labelled is taken from the one of `known` that has the name and contradicts no label.
+/// The things that were explored, as ThingData of web/src/parts/data.ts, in the order of their
+/// first appearance: by the labels of the recording, or without one by what the results were asked.
+/// What nobody labelled is taken from the one of `known` that has the name and contradicts no
+/// label.
 nlohmann::ordered_json things_json(const Evidence& evidence, const std::vector<ReportThing>& known);
 
 /// One exploration of each thing, as MomentData of web/src/report/data.ts: the frame where the
 /// channel `touch` has the greatest sum (of equals the first), of other channels the one nearest to
-/// it in time, or the last where there is no `touch`; beside it at most 200 frames evenly chosen, of
-/// channels with up to 64 elements.
+/// it in time, or the last where there is no `touch`; beside it at most 200 frames evenly chosen,
+/// of channels with up to 64 elements.
 nlohmann::ordered_json moments_json(const Evidence& evidence);
 
 /// A channel, with names for all of its elements.

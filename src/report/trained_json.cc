@@ -105,9 +105,8 @@ std::optional<std::uint64_t> seed_of(const Evidence& evidence, const Answers& an
 }
 
 bool has_runs_of_all(const PartResults& part) {
-  return std::any_of(part.protocols.begin(), part.protocols.end(), [](const auto& protocol) {
-    return protocol.protocol == "train_is_test";
-  });
+  return std::any_of(part.protocols.begin(), part.protocols.end(),
+                     [](const auto& protocol) { return protocol.protocol == "train_is_test"; });
 }
 
 Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {
@@ -120,9 +119,10 @@ void add_hits(Evidence& evidence, std::size_t neurons, std::size_t threads, Json
   if (!evidence.recording) return;
   const auto answers = answers_of(evidence, threads);
   if (!answers) {
-    evidence.missing.push_back("Hits are left out: the trained system cannot be asked about the "
-                               "recording (" +
-                               to_string(answers.error()) + ").");
+    evidence.missing.push_back(
+        "Hits are left out: the trained system cannot be asked about the "
+        "recording (" +
+        to_string(answers.error()) + ").");
     return;
   }
   json["hits"] = hits_json(answers->winners, neurons);
@@ -146,7 +146,8 @@ void add_answer(const SystemModel& model, std::size_t neurons, Json& json) {
 
 // Every so-and-so-manieth, yet of all columns.
 std::size_t step_for(std::size_t neurons, std::size_t elements, std::size_t columns) {
-  std::size_t step = std::max<std::size_t>(1, (neurons * elements + kMostNumbers - 1) / kMostNumbers);
+  std::size_t step =
+      std::max<std::size_t>(1, (neurons * elements + kMostNumbers - 1) / kMostNumbers);
   while (step > 1 && std::gcd(step, columns) != 1) ++step;
   return step;
 }
@@ -194,9 +195,10 @@ Json receptive_fields_json(const System& system, std::vector<std::string>& missi
         json.push_back(field_json(system, module, *map, i));
         continue;
       }
-      missing.push_back(fmt::format("Receptive fields of '{}' are left out for an input of {} "
-                                    "elements: {} are the most.",
-                                    name, map->parameters().input_sizes[i], kMostNumbers));
+      missing.push_back(
+          fmt::format("Receptive fields of '{}' are left out for an input of {} "
+                      "elements: {} are the most.",
+                      name, map->parameters().input_sizes[i], kMostNumbers));
     }
   }
   return json;

@@ -7,6 +7,13 @@ namespace {
 
 class Report : public Reproduce {
  protected:
+  void SetUp() override {
+    if (run({"report", "none.json", "-o", "x"}).err.find("without its pages") !=
+        std::string::npos) {
+      GTEST_SKIP() << "the program was built without npm, so it has no page to fill";
+    }
+  }
+
   void make_results() const {
     write_study("2");
     output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
@@ -82,10 +89,11 @@ TEST_F(Report, ARecordingOfSomethingElseIsNotTaken) {
 
 TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
   make_results();
-  write("other.toml", "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
-                      "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
-                      "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
-                      "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
+  write("other.toml",
+        "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
   output_of({"run", "other.toml", "--data", kTrials, "--out", "other"});
   fs::remove(path("out/system.somato"));
   output_of({"report", "out/results.json", "--model", "other/system.somato", "-o", "report.html"});
@@ -95,8 +103,9 @@ TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
 }
 
 TEST_F(Report, OfAReproductionFindsItsRecordings) {
-  write("press.toml", press() + "[[claim]]\ntext = 'Named rightly </script><b>'\n"
-                                "metric = 'accuracy'\nat_least = 0.5\npublished = 1\n" +
+  write("press.toml", press() +
+                          "[[claim]]\ntext = 'Named rightly </script><b>'\n"
+                          "metric = 'accuracy'\nat_least = 0.5\npublished = 1\n" +
                           "[variation.a]\nmodule.map.iterations = 60\n"
                           "[variation.b]\nmodule.map.iterations = 70\n");
   output_of(reproduce("press.toml", "out"));
@@ -110,7 +119,8 @@ TEST_F(Report, OfAReproductionFindsItsRecordings) {
     EXPECT_EQ(system["protocols"][0]["metrics"], found["systems"][i]["protocols"][0]["metrics"]);
     EXPECT_EQ(system["protocols"][0]["runs"][2]["recording"], 1);
     EXPECT_EQ(system["samples"].size(), 16U);
-    EXPECT_TRUE(says(system["missing"], "trained system"));
+    EXPECT_EQ(system["missing"], Json::array());
+    EXPECT_EQ(system["trained"]["seed"], 2011);
     EXPECT_EQ(system["graph"]["map"], "map");
     EXPECT_EQ(system["moments"].size(), i == 0 ? 8U : 0U);
   }
@@ -158,9 +168,9 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(1, with({"--model", "junk.somato"}), {"junk.somato"});
   expect_refused(1, with({"--model", "none.somato"}), {"none.somato"});
   expect_refused(1, with({"--data", "none"}), {"none"});
-  expect_refused(2, {"report", "out/results.json", "--model", "out/system.somato", "-o",
-                     "out/system.somato"},
-                 {"write over"});
+  expect_refused(
+      2, {"report", "out/results.json", "--model", "out/system.somato", "-o", "out/system.somato"},
+      {"write over"});
 }
 
 TEST_F(Report, IsSavedWhollyOrNotAtAll) {

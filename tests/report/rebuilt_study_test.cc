@@ -68,9 +68,8 @@ TEST(RebuiltStudy, WhatTrainingDecidedIsNoDifference) {
 }
 
 TEST(RebuiltStudy, WhatATrainedBatchMapDecidedDoesNotHinder) {
-  const auto description = testing::study_from(
-      "[study]\nname = 'batch'\nseeds = 1\n" + testing::joints_system("none") +
-      "");
+  const auto description = testing::study_from("[study]\nname = 'batch'\nseeds = 1\n" +
+                                               testing::joints_system("none") + "");
   StudyDescription batch = description;
   for (ModuleDescription& module : batch.system.modules) {
     if (module.name != "map") continue;

@@ -72,7 +72,8 @@ StudyDescription once(const NamedFile& file, const std::vector<NamedFile>& syste
 TEST_P(OfNineSystems, HoldsWhatTheResultsSay) {
   const OwnSystems own = own_systems().value();
   const NamedFile& file = own.systems.at(GetParam());
-  const MadeStudy study(once(file, own.systems), made_touch(file.name == "shape_and_size" ? 11 : 6));
+  const MadeStudy study(once(file, own.systems),
+                        made_touch(file.name == "shape_and_size" ? 11 : 6));
   ReportSources sources = study.sources();
   sources.things = {boule()};
   const Json report = report_of({study.file()}, sources);
@@ -101,7 +102,8 @@ TEST_P(OfNineSystems, HoldsWhatTheResultsSay) {
 TEST_P(OfNineSystems, JudgesTheClaimsOfTheSystemsOwnFile) {
   const OwnSystems own = own_systems().value();
   const NamedFile& file = own.systems.at(GetParam());
-  const MadeStudy study(once(file, own.systems), made_touch(file.name == "shape_and_size" ? 11 : 6));
+  const MadeStudy study(once(file, own.systems),
+                        made_touch(file.name == "shape_and_size" ? 11 : 6));
   const Json report = report_of({study.file()}, study.sources());
   ReproductionPlan plan;
   ASSERT_TRUE(add_to_plan(file, own.systems, plan));

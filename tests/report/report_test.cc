@@ -93,8 +93,7 @@ TEST(Report, DrawsTheGraphAsItWasBuilt) {
     const Json& product = graph["modules"][4];
     EXPECT_EQ(product["shape"], Json::array({2, 4, 5}));
     EXPECT_EQ(product["rate"], "frame");
-    EXPECT_EQ(product["inputs"][1],
-              Json::parse(R"({"port": "inputs", "module": "wrist_code"})"));
+    EXPECT_EQ(product["inputs"][1], Json::parse(R"({"port": "inputs", "module": "wrist_code"})"));
     EXPECT_EQ(graph["modules"][1]["shape"], Json::array());  // a single number
     EXPECT_EQ(graph["modules"][0]["channel"], "joints");
     EXPECT_EQ(graph["modules"][2]["parameters"]["outside"], "\"clamp\"");
@@ -178,7 +177,9 @@ TEST(Report, ReceptiveFieldsAreWhatATMpsomHears) {
   // Neuron (0, 4) is at the end of the axis: exp(-(5 - k)^2 / 2) of its weights, each below 1.
   const Json& last = fields[1]["weights"][4];
   for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_LE(last[k].get<double>(), std::exp(-(4.0 - static_cast<double>(k)) * (4.0 - static_cast<double>(k)) / 2) + 1e-6);
+    EXPECT_LE(
+        last[k].get<double>(),
+        std::exp(-(4.0 - static_cast<double>(k)) * (4.0 - static_cast<double>(k)) / 2) + 1e-6);
   }
   EXPECT_GT(last[4].get<double>(), 0.0);
 }
@@ -259,8 +260,7 @@ TEST(Report, SamplesAreThoseThatWereAskedAbout) {
 }
 
 TEST(Report, ManyFilesStandOneAfterTheOther) {
-  const Json report =
-      report_of({small().file(false), learning().file(false)}, small().sources());
+  const Json report = report_of({small().file(false), learning().file(false)}, small().sources());
   EXPECT_EQ(report["systems"].size(), 2U);
   EXPECT_EQ(report["systems"][1]["name"], "learning");
 }

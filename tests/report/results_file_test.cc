@@ -169,8 +169,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"setting_huge",
                [](Json& j) { j["settings"]["module.map"]["rows"] = 18446744073709551615ULL; },
                "too large"},
-        Damage{"setting_name",
-               [](Json& j) { j["settings"]["study"]["a = 1\n[module.x]"] = 1; }, "no name"},
+        Damage{"setting_name", [](Json& j) { j["settings"]["study"]["a = 1\n[module.x]"] = 1; },
+               "no name"},
         Damage{"part_name", [](Json& j) { j["settings"]["x]\n[y"]["a"] = 1; }, "no name"},
         Damage{"systems_object", [](Json& j) { j["systems"] = Json::object(); }, "'systems'"},
         Damage{"system_null", [](Json& j) { j["systems"][0] = nullptr; }, "'systems[0]' is null"},
@@ -181,14 +181,15 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"samples_part", [](Json& j) { j["systems"][0]["samples"] = 11.5; }, "whole number"},
         Damage{"winner_text", [](Json& j) { j["systems"][0]["runs"][1]["winners"][3] = "9"; },
                "'systems[0].runs[1].winners[3]' is string"},
-        Damage{"winner_huge",
-               [](Json& j) { j["systems"][0]["runs"][1]["winners"][3] = 1U << 30U; },
+        Damage{"winner_huge", [](Json& j) { j["systems"][0]["runs"][1]["winners"][3] = 1U << 30U; },
                "'systems[0].runs[1].winners[3]'"},
         Damage{"labels_short", [](Json& j) { j["systems"][0]["runs"][1]["labels"].erase(0); },
                "'systems[0].runs[1].labels' has 11 entries, where 12"},
+        Damage{"labels_long",
+               [](Json& j) { j["systems"][0]["runs"][1]["labels"].push_back("more"); },
+               "'systems[0].runs[1].labels' has 13 entries, where 12"},
         Damage{"prediction_number",
-               [](Json& j) { j["systems"][0]["runs"][0]["predictions"][0] = 4; },
-               "predictions[0]"},
+               [](Json& j) { j["systems"][0]["runs"][0]["predictions"][0] = 4; }, "predictions[0]"},
         Damage{"values_short",
                [](Json& j) { j["systems"][0]["metrics"]["accuracy"]["values"].erase(0); },
                "'systems[0].metrics.accuracy.values' has 1 entries, where 2"},
@@ -259,8 +260,9 @@ TEST(ResultsFile, WhatIsNoJsonIsRefused) {
 }
 
 TEST(ResultsFile, WhatIsDeepIsNoTrouble) {
-  const std::string deep = "{\"version\": 3, \"study\": \"a\", \"systems\": " +
-                           std::string(100000, '[') + std::string(100000, ']') + "}";
+  const std::string deep =
+      "{\"version\": 3, \"study\": \"a\", \"systems\": " + std::string(100000, '[') +
+      std::string(100000, ']') + "}";
   EXPECT_FALSE(parse_results(deep, "results.json"));
   EXPECT_FALSE(parse_results(std::string(1000000, '['), "results.json"));
 }

@@ -230,5 +230,19 @@ TEST_F(Plan, BuildsWhatStatesItsShapes) {
   EXPECT_TRUE(add("asked", system_text("other") + "[variation.v]\nmodule.map.rows = 0\n"));
 }
 
+TEST_F(Plan, WhatExploresIsToldAsSettings) {
+  const NamedFile explored =
+      file("x", "body = 'lucs2'\nexplorations = 2\n[simulation]\nplacement_noise = 4.0\n");
+  const auto settings = explore_settings(explored.content);
+  ASSERT_EQ(settings.size(), 2U);
+  EXPECT_EQ(settings[0].part, "explore");
+  EXPECT_EQ(settings[0].settings[0].value, "\"lucs2\"");
+  EXPECT_EQ(settings[0].settings[1].name, "explorations");
+  EXPECT_EQ(settings[1].part, "explore.simulation");
+  EXPECT_EQ(settings[1].settings[0].name, "placement_noise");
+  EXPECT_EQ(settings[1].settings[0].value, "4.0");
+  EXPECT_TRUE(explore_settings({}).empty());
+}
+
 }  // namespace
 }  // namespace somato

@@ -20,9 +20,9 @@ namespace somato {
 /// A thing that can be explored, as far as it is known.
 struct ReportThing {
   std::string name;
-  std::string shape;                           ///< As in a table of objects; empty: none.
-  std::optional<std::array<double, 3>> size;   ///< Width, depth, height in mm.
-  double top_diameter = 0.0;                   ///< mm.
+  std::string shape;                          ///< As in a table of objects; empty: none.
+  std::optional<std::array<double, 3>> size;  ///< Width, depth, height in mm.
+  double top_diameter = 0.0;                  ///< mm.
   std::string material;
   std::string hardness;
   std::optional<std::array<double, 3>> colour;  ///< Red, green, blue, 0 to 1.

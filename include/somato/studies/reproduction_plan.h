@@ -55,8 +55,8 @@ struct NamedFile {
 Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
                          ReproductionPlan& plan);
 
-/// What a table `[explore]` says: `explore`, and for each table within it `explore.NAME`. None where
-/// it says nothing.
+/// What a table `[explore]` says: `explore`, and for each table within it `explore.NAME`. None
+/// where it says nothing.
 std::vector<Settings> explore_settings(const Table& explore);
 
 }  // namespace somato

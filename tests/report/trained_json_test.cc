@@ -1,0 +1,66 @@
+#include "report/trained_json.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "somato/graph/learned_parts.h"
+#include "support/systems.h"
+
+namespace somato {
+namespace {
+
+using detail::receptive_fields_json;
+using testing::build;
+using testing::channels;
+using testing::hand_recording;
+using testing::module;
+using Json = nlohmann::ordered_json;
+
+System felt(const std::string& settings) {
+  const Recording recording = hand_recording(3, 2);
+  return testing::trained(
+      build(channels({"joints", "touch", "wrist"}) +
+                module("code", "one_hot", "input = 'joints'\nlow = 0\nhigh = 1\nelements = 30") +
+                module("felt", "t_mpsom", settings + "\niterations = 5"),
+            recording),
+      recording, 3);
+}
+
+TEST(ReceptiveFields, AreArborTimesWeightOfNeuronsOfAllColumns) {
+  const System system = felt("inputs = ['code', 'touch']\nshape = [46, 22]");
+  std::vector<std::string> missing;
+  const Json fields = receptive_fields_json(system, missing);
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_TRUE(missing.empty());
+  const auto map = t_mpsom_of(system, *system.find("felt"));
+  for (std::size_t input = 0; input < 2; ++input) {
+    const Json& field = fields[input];
+    const auto neurons = field["neurons"].get<std::vector<std::size_t>>();
+    const std::size_t elements = field["elements"];
+    EXPECT_EQ(elements, input == 0 ? 90U : 4U);
+    EXPECT_LE(neurons.size() * elements, 20000U);
+    EXPECT_GE(neurons.size() * elements, input == 0 ? 10000U : 1012U * 4U);
+    std::set<std::size_t> columns;
+    for (const std::size_t neuron : neurons) columns.insert(neuron % 22);
+    EXPECT_EQ(columns.size(), 22U);
+    for (std::size_t i = 0; i < neurons.size(); i += 37) {
+      for (std::size_t k = 0; k < elements; ++k) {
+        const double expected =
+            double{map->weights(input)(neurons[i], k)} * double{map->arbor(input)(neurons[i], k)};
+        EXPECT_NEAR(field["weights"][i][k].get<double>(), expected, 1e-5 * expected + 1e-300);
+      }
+    }
+  }
+}
+
+TEST(ReceptiveFields, OfOtherThanTwoAxesAreLeftOutInWords) {
+  const System system = felt("inputs = ['code', 'touch', 'wrist']\nshape = [3, 3, 3]");
+  std::vector<std::string> missing;
+  EXPECT_EQ(receptive_fields_json(system, missing), Json::array());
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_NE(missing[0].find("'felt'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace somato
