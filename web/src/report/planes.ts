@@ -9,6 +9,7 @@ import { placeOf } from "../parts/grid";
 import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
 import { rangeOf } from "../parts/numbers";
+import { allPlanesFigure } from "./all_planes";
 import type { SystemReport } from "./data";
 import type { Selection } from "./selection";
 import { neuronTable } from "./system_map";
@@ -86,7 +87,9 @@ class LinkedPlanes {
         note: "Choose an element to see where on the map it matters.",
       }),
     ];
-    return isOne ? figures.slice(0, 1) : figures;
+    if (isOne) return figures.slice(0, 1);
+    const all = allPlanesFigure(this.grid, this.planes, rangeOfAll(this.planes), name, (one) => this.setElement(one));
+    return [...figures, all];
   }
 
   private setElement(one: number): void {
