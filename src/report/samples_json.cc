@@ -183,6 +183,7 @@ Json moment_channel(const Channel& channel, const Channel* touch) {
            channel_json(channel.name, channel.unit, channel.element_names, channel.frame_shape())},
           {"rate", short_number(channel.frame_rate())},
           {"frame", moment},
+          {"time", short_number(time_of(channel, moment))},
           {"values", short_numbers(channel.frames.row(moment))},
           {"times", std::move(times)},
           {"series", std::move(series)}};

@@ -93,6 +93,7 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
   EXPECT_EQ(channels[1]["frame"], 6);
   EXPECT_EQ(channels[1]["values"], Json::array({1, 5}));
   EXPECT_EQ(channels[2]["frame"], 60);  // 0.6 s
+  EXPECT_EQ(channels[2]["time"], 0.6);
   EXPECT_EQ(channels[3]["frame"], 3);   // nobody knows when: the last
   EXPECT_EQ(channels[0]["channel"]["elements"], Json::array({"1", "2", "3"}));
   EXPECT_EQ(channels[0]["channel"]["unit"], "u");
@@ -129,6 +130,7 @@ TEST_F(SamplesJson, TheMomentIsAmongTheFramesShown) {
     const Json shown = moments_json(evidence_)[0]["channels"][0];
     ASSERT_EQ(shown["times"].size(), 200U);
     EXPECT_EQ(shown["frame"], moment);
+    EXPECT_EQ(shown["time"], moment);
     EXPECT_EQ(shown["times"][0], 0);
     EXPECT_EQ(shown["times"][199], 999);
     const auto times = shown["times"].get<std::vector<double>>();

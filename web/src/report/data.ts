@@ -97,6 +97,7 @@ export interface MomentChannel {
   channel: ChannelData;
   rate: number;
   frame: number; // the moment: where most touches, else the last
+  time?: number; // of that frame, as in `times`
   values: number[]; // at that frame
   // Over time, at most 200 frames evenly chosen: series[frame][element]; [] where there are more
   // than 64 elements.

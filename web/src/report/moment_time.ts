@@ -3,7 +3,7 @@
 import type { MomentChannel } from "./data";
 
 export function momentTime(of: MomentChannel): number {
-  return of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0);
+  return of.time ?? (of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0));
 }
 
 /** Which of the frames over time is nearest to the moment. */
