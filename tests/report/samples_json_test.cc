@@ -94,7 +94,7 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
   EXPECT_EQ(channels[1]["values"], Json::array({1, 5}));
   EXPECT_EQ(channels[2]["frame"], 60);  // 0.6 s
   EXPECT_EQ(channels[2]["time"], 0.6);
-  EXPECT_EQ(channels[3]["frame"], 3);   // nobody knows when: the last
+  EXPECT_EQ(channels[3]["frame"], 3);  // nobody knows when: the last
   EXPECT_EQ(channels[0]["channel"]["elements"], Json::array({"1", "2", "3"}));
   EXPECT_EQ(channels[0]["channel"]["unit"], "u");
 }
