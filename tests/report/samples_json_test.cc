@@ -80,6 +80,7 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
     Channel touch = channel("touch", 10, 2, 10.0);
     for (float& value : touch.frames.values()) value = 1.0F;
     touch.frames(6, 1) = 5.0F;
+    touch.frames(8, 0) = 5.0F;  // as much, and later
     exploration(i).channels = {channel("joints", 10, 3, 0.0), touch, channel("sound", 100, 1, 100),
                                channel("odd", 4, 1, 0.0)};
   }
