@@ -103,7 +103,7 @@ function shareBar(share: number): HTMLElement {
 function claimsTable(claims: ClaimReport[]): Table {
   const columns = ["file", "question", "system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
     "at_most", "by_luck", "share", "values"];
-  const rows = claims.map((claim) => [claim.file, claim.question, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
+  const rows = claims.map((claim) => [claim.file ?? null, claim.question ?? null, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
     claim.group, claim.than, claim.published, claim.at_least, claim.at_most, claim.by_luck, claim.share, claim.values.join(" ")]);
   return { columns, rows };
 }

@@ -1,19 +1,17 @@
 // What the sensors told while a thing was explored: touch on the hand at one moment, and joints and
 // touch over time.
 
-import * as Plot from "@observablehq/plot";
-
 import { choice } from "../parts/controls";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
-import { markerShape, plotSymbol } from "../parts/markers";
 import { rangeOf, readable } from "../parts/numbers";
+import { courseFigure } from "./courses";
 import type { MomentChannel, MomentData, SystemReport } from "./data";
 import { capital } from "./groups";
-import { matrixPicture } from "./matrix";
-import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
+import { momentIndex, momentTime } from "./moment_time";
+import { valuesFigure, valuesTable } from "./moment_values";
 import { systemName } from "./words";
 
 export function momentFigures(system: SystemReport): Child[] {
@@ -69,19 +67,9 @@ function handFigure(system: SystemReport, of: MomentChannel, name: string): Chil
     controls: slider,
     body: element("div", {}, [title, picture.element]),
     picture: () => picture.svg,
-    numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, shown.values[i] ?? null]) }),
+    numbers: () => valuesTable({ ...of, values: shown.values }),
     note: "At first the moment at which most of the hand is touched.",
   });
-}
-
-function momentTime(of: MomentChannel): number {
-  return of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0);
-}
-
-/** Which of the frames over time is nearest to the moment. */
-function momentIndex(of: MomentChannel): number {
-  const away = of.times.map((time) => Math.abs(time - momentTime(of)));
-  return Math.max(0, away.indexOf(Math.min(...away)));
 }
 
 function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLElement {
@@ -95,84 +83,4 @@ function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLE
     onChange(Number(slider.value));
   });
   return element("span", { class: "control" }, [element("label", { for: id }, ["Time"]), slider]);
-}
-
-const kLines = 8;
-
-function courseFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  const { channel } = of;
-  const isFew = channel.elements.length <= kLines;
-  const body = isFew ? linesOf(of, name) : stripsOf(of, name);
-  return figure({
-    title: `${capital(channel.name)} over time`,
-    file: `${systemName(system)}-${channel.name}-course`,
-    body,
-    picture: () => (isFew ? plotPicture(body, channel.elements) : body.querySelector("svg")),
-    numbers: () => ({ columns: ["time (s)", ...channel.elements], rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]) }),
-    note: isFew ? `${name}. The upright line is the moment shown on the hand.` : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
-  });
-}
-
-function linesOf(of: MomentChannel, name: string): HTMLElement {
-  const { channel } = of;
-  const points = of.series.flatMap((values, i) => values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })));
-  const marksApart = Math.max(8, Math.floor(of.series.length / 5));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
-    height: 250,
-    x: { label: "time (s)", grid: false },
-    y: { label: channel.unit || "value", grid: true, nice: true },
-    color: { type: "identity" },
-    marks: [
-      Plot.ruleX([momentTime(of)], { stroke: "var(--line-strong)", strokeDasharray: "4 3" }),
-      Plot.lineY(points, { x: "time", y: "value", z: "line", stroke: (point: { line: number }) => strokeOf(point.line), strokeWidth: 1.6 }),
-      Plot.dot(points.filter(({ frame, line }) => (frame + 4 * line) % marksApart === 0), {
-        x: "time",
-        y: "value",
-        r: 3.5,
-        fill: (point: { line: number }) => strokeOf(point.line),
-        symbol: "line",
-      }),
-    ],
-    symbol: { domain: channel.elements.map((_, i) => i), range: channel.elements.map((_, i) => plotSymbol(markerShape(i))) },
-  });
-  return element("div", {}, channel.elements.length > 1 ? [seriesLegend(channel.elements), plot] : [plot]);
-}
-
-function stripsOf(of: MomentChannel, name: string): HTMLElement {
-  const { channel } = of;
-  const rows = channel.elements.map((_, i) => of.series.map((values) => values[i] ?? null));
-  const picture = matrixPicture(rows, {
-    label: `${channel.name} while feeling ${name}`,
-    rowName: "element",
-    columnName: "time",
-    unit: channel.unit,
-    height: Math.max(160, Math.min(340, rows.length * 7)),
-    rowEnds: [shortName(channel.elements[0]), shortName(channel.elements.at(-1))],
-    columnEnds: [`${readable(of.times[0])} s`, `${readable(of.times.at(-1))} s`],
-  });
-  picture.markColumn(momentIndex(of));
-  return element("div", {}, [picture.svg]);
-}
-
-function shortName(name: string | undefined): string {
-  return (name ?? "").slice(0, 18);
-}
-
-function valuesFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  const { channel } = of;
-  const points = of.values.map((value, i) => ({ x: i + 1, value: value ?? 0 }));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
-    height: 220,
-    x: { label: "element", grid: false },
-    y: { label: channel.unit || "value", grid: true, nice: true },
-    marks: [points.length > 120 ? Plot.lineY(points, { x: "x", y: "value", stroke: "var(--class-0)" }) : Plot.ruleX(points, { x: "x", y: "value", stroke: "var(--class-0)", strokeWidth: 2 })],
-  });
-  return figure({
-    title: `${capital(channel.name)} at a moment`,
-    file: `${systemName(system)}-${channel.name}-moment`,
-    body: plot,
-    picture: () => plotPicture(plot, []),
-    numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, of.values[i] ?? null]) }),
-    note: name,
-  });
 }

@@ -87,7 +87,7 @@ function systemRow(system: SystemReport, index: number, data: ReportData): HTMLE
 
 export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] {
   return data.claims.filter((claim) => {
-    const isOfFile = claim.file === system.file && claim.question === system.question;
+    const isOfFile = (claim.file ?? system.file) === system.file && (claim.question ?? "") === system.question;
     return isOfFile && claim.system === system.name && claim.variation === system.variation;
   });
 }
