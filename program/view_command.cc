@@ -153,8 +153,9 @@ Result<void> run(const Arguments& arguments) {
   session.start();
   auto server = ViewServer::start(session, std::move(*served), *settings);
   if (!server) return fail(std::move(server.error()));
-  fmt::print("Open {}\nCtrl-C ends the view.\n", (*server)->start_address());
+  fmt::print("Open {}\n", (*server)->start_address());
   std::fflush(stdout);
+  std::fputs("Ctrl-C ends the view.\n", stderr);
   wait_for_interrupt();
   fmt::print("The view is closed.\n");
   return {};

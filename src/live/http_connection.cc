@@ -147,7 +147,8 @@ bool HttpConnection::write(const HttpResponse& response, bool head_only) {
   } else if (taken && !head_only) {
     taken = send_all(response.body);
   }
-  leave();
+  // Whoever has been silent for too long has nothing left to say.
+  if (response.status != 408) leave();
   return taken;
 }
 
