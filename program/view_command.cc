@@ -167,8 +167,11 @@ Command view_command() {
   return {"view",
           "Look at explorations in a browser of this machine",
           {{"RECORDING", "The recording to play: its file, or a folder of original files", false}},
-          {{"--body", "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or hardness"},
-           {"--object", "What the body explores first, by its name; the first of its table unless given"},
+          {{"--body",
+            "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or "
+            "hardness"},
+           {"--object",
+            "What the body explores first, by its name; the first of its table unless given"},
            {"--objects", "TOML file with the things to explore, instead of the body's own table"},
            {"--model", "A trained system that reads along, saved by 'somato run'"},
            {"--port", "Port of the page; any that is free unless given"},

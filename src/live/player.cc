@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "live/kept_scene.h"
+#include "live/view_state.h"
 
 namespace somato::live {
 namespace {
 
-constexpr double kLongestPause = 1.0;       // s, between two moments: nothing was recorded there
+constexpr double kLongestPause = 1.0;         // s, between two moments: nothing was recorded there
 constexpr double kBetweenExplorations = 1.5;  // s
 constexpr auto kMostLate = std::chrono::milliseconds(250);
 
@@ -148,8 +149,7 @@ void Player::show_again() {
   show(next_ == 0 ? 0 : next_ - 1);
 }
 
-void Player::publish_frame(const ShownMoment& moment,
-                           const std::function<Exploration()>& so_far) {
+void Player::publish_frame(const ShownMoment& moment, const std::function<Exploration()>& so_far) {
   const std::string problem = narrator_.problem();
   const Saying* saying = narrator_.say(moment.last || !playing_, so_far);
   hub_.publish(EventKind::kFrame, frame_text(moment, narrator_.model(), saying));
@@ -292,62 +292,29 @@ std::optional<RecordingLayout> Player::layout() const {
   return layout_of(source_.recording);
 }
 
-Json Player::explorations_json() const {
-  Json explorations = Json::array();
-  for (const Exploration& one : source_.recording.explorations) {
-    explorations.push_back({{"index", explorations.size()}, {"labels", labels_json(one.labels)}});
-  }
-  return explorations;
-}
-
-Json Player::state_json() const {
-  const bool playable = !live_ && timeline_.moments() > 0;
-  const Exploration* shown = live_           ? &growing_.so_far()
-                             : exploration_ ? &source_.recording.explorations[*exploration_]
-                                            : nullptr;
-  Json json{{"version", 1},
-            {"source", source_.body ? "body" : "recording"},
-            {"name", source_.name},
-            {"explorations", explorations_json()},
-            {"exploration", exploration_ ? Json(*exploration_) : Json()},
-            {"frame", live_ ? growing_.moments() : next_},
-            {"frames", playable ? Json(timeline_.moments()) : Json()},
-            {"duration", playable ? Json(timeline_.time(timeline_.moments() - 1)) : Json()},
-            {"playing", playing_},
-            {"speed", speed_},
-            {"live", live_}};
-  json["channels"] = Json::array();
-  for (const Channel& channel : shown != nullptr ? shown->channels : std::vector<Channel>{}) {
-    json["channels"].push_back(channel_json(channel));
-  }
-  json["things"] = Json::array();
-  json["thing"] = nullptr;
-  json["placement"] = nullptr;
-  if (source_.body) {
-    for (const ShownThing& thing : source_.body->things()) json["things"].push_back(thing_json(thing));
-    json["thing"] = source_.body->things()[thing_].name;
-    if (source_.body->takes_placement()) {
-      json["placement"] = {{"x", placement_.x}, {"y", placement_.y}, {"turn", placement_.turn}};
-    }
-  }
-  json["systems"] = Json::array();
-  for (const ViewSystem& one : source_.systems) {
-    json["systems"].push_back({{"name", one.name}, {"text", one.text}});
-  }
-  const SystemPicture& picture = narrator_.picture();
-  json["system"] = system_ ? Json(source_.systems[*system_].name) : Json();
-  json["system_problem"] = narrator_.problem().empty() ? Json() : Json(narrator_.problem());
-  json["graph"] = picture.graph;
-  json["maps"] = picture.maps;
-  json["label"] = picture.label.empty() ? Json() : Json(picture.label);
-  json["training"] = training_;
-  json["clients"] = hub_.lookers_on();
-  json["problem"] = problem_.empty() ? Json() : Json(problem_);
-  return json;
+const Exploration* Player::shown() const {
+  if (live_) return &growing_.so_far();
+  return exploration_ ? &source_.recording.explorations[*exploration_] : nullptr;
 }
 
 void Player::publish_state() {
-  hub_.publish(EventKind::kState, json_text(state_json()));
+  ViewState state{source_, narrator_.picture(), shown(), exploration_};
+  state.frame = live_ ? growing_.moments() : next_;
+  if (!live_ && timeline_.moments() > 0) {
+    state.frames = timeline_.moments();
+    state.duration = timeline_.time(timeline_.moments() - 1);
+  }
+  state.playing = playing_;
+  state.speed = speed_;
+  state.live = live_;
+  state.thing = thing_;
+  state.placement = placement_;
+  state.system = system_;
+  state.system_problem = narrator_.problem();
+  state.training = training_;
+  state.clients = hub_.lookers_on();
+  state.problem = problem_;
+  hub_.publish(EventKind::kState, json_text(state_json(state)));
 }
 
 void Player::explore() {

@@ -169,8 +169,7 @@ Saying SystemReading::say_live() {
       saying.maps.emplace_back(module, read_map(module, *input));
     }
   }
-  MapReading answer{live_->winner(),
-                    std::vector<float>(som_of(model_->system, map_)->neurons())};
+  MapReading answer{live_->winner(), std::vector<float>(som_of(model_->system, map_)->neurons())};
   live_->activity(answer.activity);
   scale_to_one(answer.activity);
   saying.maps.emplace_back(map_, std::move(answer));

@@ -74,8 +74,8 @@ class ViewSession::Works {
   Result<T> ask(std::function<Result<T>()> question) {
     auto answer = std::make_shared<std::promise<Result<T>>>();
     auto result = answer->get_future();
-    const bool posted = queue_.post(
-        [answer, question = std::move(question)] { answer->set_value(question()); });
+    const bool posted =
+        queue_.post([answer, question = std::move(question)] { answer->set_value(question()); });
     if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
       return fail(ErrorKind::kUsage, "the view is busy or about to end");
     }

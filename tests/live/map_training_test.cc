@@ -39,8 +39,7 @@ TEST(MapTraining, LearnsWhatTrainingAsAWholeLearns) {
   for (const std::string& text :
        {testing::crossed_system(), testing::sound_system(), testing::two_maps_system()}) {
     const auto visible = testing::trained_model(text, recording);
-    const System whole =
-        testing::trained(testing::build(text, recording), recording, 6, 1);
+    const System whole = testing::trained(testing::build(text, recording), recording, 6, 1);
     const std::size_t map = *whole.find("map");
     const Som& expected = *som_of(whole, map);
     const Som& som = *som_of(visible->system, map);

@@ -88,7 +88,8 @@ TEST(SystemReading, SaysWhatEvaluatingTheExplorationSoFarSays) {
 
 TEST(SystemReading, ShowsEveryModule) {
   const Recording recording = testing::hand_recording(6, 3);
-  auto reading = SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
+  auto reading =
+      SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
   EXPECT_FALSE(reading.is_costly());
   reading.start();
   ASSERT_TRUE(reading.follow(recording.explorations[0], {2, 2, 2, 2, 0}));
@@ -100,13 +101,15 @@ TEST(SystemReading, ShowsEveryModule) {
 
 TEST(SystemReading, IsCostlyWhereExplorationsAreNeededAsAWhole) {
   const Recording recording = testing::hand_recording(6, 3);
-  auto reading = SystemReading::build(testing::trained_model(testing::sound_system(), recording)).value();
+  auto reading =
+      SystemReading::build(testing::trained_model(testing::sound_system(), recording)).value();
   EXPECT_TRUE(reading.is_costly());
 }
 
 TEST(SystemReading, SaysNothingBeforeThereWasAFrame) {
   const Recording recording = testing::hand_recording(6, 3);
-  auto reading = SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
+  auto reading =
+      SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
   reading.start();
   ASSERT_TRUE(reading.follow(recording.explorations[0], {0, 0, 0, 0, 0}));
   EXPECT_FALSE(*reading.say({}));
@@ -114,7 +117,8 @@ TEST(SystemReading, SaysNothingBeforeThereWasAFrame) {
 
 TEST(SystemReading, RefusesWhatDoesNotFit) {
   Recording recording = testing::hand_recording(6, 3);
-  auto reading = SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
+  auto reading =
+      SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
   Exploration other = recording.explorations[0];
   other.channels[2].name = "elbows";
   reading.start();

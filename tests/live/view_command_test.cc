@@ -29,8 +29,9 @@ TEST(ViewCommand, IsReadFromJson) {
   EXPECT_EQ(read<SpeedCommand>(R"({"speed":0.05,"command":"speed"})").speed, 0.05);
   EXPECT_EQ(read<ThingCommand>(R"({"command":"thing","name":"a \"b\""})").name, "a \"b\"");
   EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
-  EXPECT_EQ(read<PlacementCommand>(R"({"command":"placement","x":1,"y":-2.5,"turn":90})").placement.y,
-            -2.5);
+  EXPECT_EQ(
+      read<PlacementCommand>(R"({"command":"placement","x":1,"y":-2.5,"turn":90})").placement.y,
+      -2.5);
 }
 
 TEST(ViewCommand, SaysWhatIsWrong) {
@@ -38,8 +39,10 @@ TEST(ViewCommand, SaysWhatIsWrong) {
   EXPECT_EQ(refusal(R"({"command":"fly"})"), "there is no such command");
   EXPECT_EQ(refusal(R"({"command":"step"})"), "'frames' is missing");
   EXPECT_EQ(refusal(R"({"command":"step","frames":1.5})"), "'frames' must be a whole number");
-  EXPECT_EQ(refusal(R"({"command":"speed","speed":101})"), "'speed' must be a number from 0.05 to 100");
-  EXPECT_EQ(refusal(R"({"command":"speed","speed":"1"})"), "'speed' must be a number from 0.05 to 100");
+  EXPECT_EQ(refusal(R"({"command":"speed","speed":101})"),
+            "'speed' must be a number from 0.05 to 100");
+  EXPECT_EQ(refusal(R"({"command":"speed","speed":"1"})"),
+            "'speed' must be a number from 0.05 to 100");
   EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "there is a field too many");
   EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(257, 'a') + "\"}"),
             "'name' must be a text of at most 256 bytes");

@@ -133,9 +133,9 @@ TEST_F(SessionThread, RefusesWhatCannotBeDone) {
   ViewSession session(testing::hand_source(), resting());
   session.start();
   for (const char* text :
-       {R"({"command":"explore"})", R"({"command":"thing","name":"ball"})", R"({"command":"train"})",
-        R"({"command":"placement","x":0,"y":0,"turn":0})", R"({"command":"system","name":"x"})",
-        R"({"command":"seek","exploration":3,"frame":0})"}) {
+       {R"({"command":"explore"})", R"({"command":"thing","name":"ball"})",
+        R"({"command":"train"})", R"({"command":"placement","x":0,"y":0,"turn":0})",
+        R"({"command":"system","name":"x"})", R"({"command":"seek","exploration":3,"frame":0})"}) {
     const auto done = session.command(text);
     ASSERT_FALSE(done) << text;
     EXPECT_EQ(done.error().kind, ErrorKind::kUsage);
@@ -243,8 +243,8 @@ TEST_F(SessionThread, YieldsTheSameBitsWithEightViewersOfWhomOneIsStalledAsWithN
   const Explored expected = explore_three_times(alone);
   ViewSession watched(reading_body(), testing::at_once());
   const auto server = ViewServer::start(watched, {}).value();
-  const std::string events = testing::get_request(
-      server->port(), "/api/events?token=" + server->token());
+  const std::string events =
+      testing::get_request(server->port(), "/api/events?token=" + server->token());
   std::vector<std::unique_ptr<testing::HttpClient>> clients;
   std::vector<std::thread> readers;
   for (int i = 0; i < 8; ++i) {

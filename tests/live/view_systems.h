@@ -29,8 +29,8 @@ inline std::string sound_system() {
 
 /// Two maps, of which the second hears the first.
 inline std::string two_maps_system() {
-  return channels({"height", "joints"}) +
-         module("rest", "last", "input = 'joints'") + module("high", "last", "input = 'height'") +
+  return channels({"height", "joints"}) + module("rest", "last", "input = 'joints'") +
+         module("high", "last", "input = 'height'") +
          module("first", "som", "input = 'rest'\nrows = 3\ncolumns = 3\niterations = 100") +
          module("both", "concatenation", "inputs = ['first', 'high']") +
          module("map", "som", "input = 'both'\nrows = 2\ncolumns = 3\niterations = 100");

@@ -37,8 +37,9 @@ class Viewing {
     session_.start();
     ViewServerSettings server;
     server.patience = patience;
-    server_ = ViewServer::start(session_, {{"/", "text/html; charset=utf-8", "<p>page</p>"}}, server)
-                  .value();
+    server_ =
+        ViewServer::start(session_, {{"/", "text/html; charset=utf-8", "<p>page</p>"}}, server)
+            .value();
   }
 
   ViewSession& session() { return session_; }

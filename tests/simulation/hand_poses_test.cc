@@ -19,13 +19,15 @@ HandScene scene_with(Hand hand, const Object& object, bool taxels = false) {
 }
 
 std::size_t count_role(const Scene& scene, GeomRole role) {
-  return static_cast<std::size_t>(std::count_if(
-      scene.geoms.begin(), scene.geoms.end(), [&](const SceneGeom& geom) { return geom.role == role; }));
+  return static_cast<std::size_t>(
+      std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                    [&](const SceneGeom& geom) { return geom.role == role; }));
 }
 
 std::size_t count_taxels(const Scene& scene) {
-  return static_cast<std::size_t>(std::count_if(scene.geoms.begin(), scene.geoms.end(),
-                                                [](const SceneGeom& g) { return g.taxel.has_value(); }));
+  return static_cast<std::size_t>(
+      std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                    [](const SceneGeom& g) { return g.taxel.has_value(); }));
 }
 
 TEST(HandPoses, ShowTheHandItsTaxelsAndWhatItHolds) {
@@ -34,7 +36,7 @@ TEST(HandPoses, ShowTheHandItsTaxelsAndWhatItHolds) {
   EXPECT_EQ(count_role(scene, GeomRole::kObject), 1U);
   EXPECT_EQ(count_role(scene, GeomRole::kTable), 1U);
   for (const SceneGeom& geom : scene.geoms) {
-    if (geom.body) EXPECT_LT(*geom.body, scene.bodies.size());
+    EXPECT_LT(geom.body.value_or(0), scene.bodies.size());
     if (geom.role != GeomRole::kObject) continue;
     EXPECT_EQ(geom.shape, GeomShape::kCylinder);
     EXPECT_NEAR(geom.size[0], 0.031, 1e-9);
@@ -81,11 +83,11 @@ void expect_to_stand_as_it_stood(Hand kind, const std::vector<double>& targets, 
 }
 
 TEST(HandPoses, StandAsTheHandStood) {
-  expect_to_stand_as_it_stood(Hand::kLucs2, {160.0, 30.0, 10.0, -40.0, 20.0, -30.0, 5.0, -60.0}, 0.004);
+  expect_to_stand_as_it_stood(Hand::kLucs2, {160.0, 30.0, 10.0, -40.0, 20.0, -30.0, 5.0, -60.0},
+                              0.004);
   // Wrist, thumb (three), then proximal and coupled of each finger.
-  expect_to_stand_as_it_stood(Hand::kLucs3,
-                              {0.0, 10.0, 20.0, 30.0, 30.0, 40.0, 20.0, 50.0, 40.0, 30.0, 35.0, 45.0},
-                              0.006);
+  expect_to_stand_as_it_stood(
+      Hand::kLucs3, {0.0, 10.0, 20.0, 30.0, 30.0, 40.0, 20.0, 50.0, 40.0, 30.0, 35.0, 45.0}, 0.006);
 }
 
 TEST(HandPoses, KnowWhichHandRecorded) {
