@@ -1,0 +1,164 @@
+// The hand in three dimensions. Draws when told: on a frame, on a turn of the camera, on a change of
+// size or theme; never on its own.
+
+import {
+  type Mesh,
+  MeshBasicMaterial,
+  Mesh as ThreeMesh,
+  PCFSoftShadowMap,
+  PerspectiveCamera,
+  Raycaster,
+  Scene as ThreeScene,
+  SphereGeometry,
+  Vector2,
+  WebGLRenderer,
+} from "three";
+
+import type { Scene } from "./data";
+import { lamps, type Surroundings, tableLines } from "./look";
+import { Orbit } from "./orbit";
+import { SceneParts } from "./scene_parts";
+
+const kClick = 4; // pixels that a click may stray
+
+export class SceneView {
+  readonly orbit: Orbit;
+  private readonly scene = new ThreeScene();
+  private readonly camera = new PerspectiveCamera(34, 1, 0.01, 20);
+  private readonly simple: boolean;
+  private readonly ring = new ThreeMesh(
+    new SphereGeometry(0.0078, 20, 12),
+    new MeshBasicMaterial({ wireframe: true }),
+  );
+  private lines = tableLines("#888888");
+  private parts: SceneParts | null = null;
+  private chosen: number | null = null;
+  private asked = false;
+
+  /** `picked` is told which taxel was clicked. */
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly renderer: WebGLRenderer,
+    private readonly picked: (taxel: number) => void,
+  ) {
+    this.simple = drawsInSoftware(renderer);
+    renderer.setPixelRatio(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
+    renderer.shadowMap.enabled = !this.simple;
+    renderer.shadowMap.type = PCFSoftShadowMap;
+    this.scene.add(lamps(this.simple), this.lines);
+    this.orbit = new Orbit(this.camera, host, () => this.ask());
+    host.append(renderer.domElement);
+    new ResizeObserver(() => this.resize()).observe(host);
+    this.watchClicks();
+  }
+
+  show(scene: Scene | null, surroundings: Surroundings): void {
+    if (this.parts !== null) this.scene.remove(this.parts.root);
+    this.ring.removeFromParent();
+    this.parts?.dispose();
+    this.parts = scene === null ? null : new SceneParts(scene, this.simple);
+    if (this.parts !== null) this.scene.add(this.parts.root);
+    if (scene !== null) this.orbit.begin(scene.camera);
+    this.dress(surroundings);
+    this.choose(this.chosen);
+  }
+
+  dress({ table, line }: Surroundings): void {
+    this.parts?.colourTable(table);
+    this.lines.removeFromParent();
+    this.lines.dispose();
+    this.lines = tableLines(line);
+    this.scene.add(this.lines);
+    this.ask();
+  }
+
+  /** Shows a frame, at once. */
+  draw(poses: readonly number[], share: (element: number) => number): void {
+    this.parts?.move(poses);
+    this.parts?.colour(share);
+    this.render();
+  }
+
+  choose(taxel: number | null): void {
+    this.chosen = taxel;
+    const mesh = taxel === null ? undefined : this.parts?.taxels.get(taxel);
+    if (mesh === undefined) this.ring.removeFromParent();
+    else mesh.add(this.ring);
+    this.ask();
+  }
+
+  colourRing(colour: string): void {
+    (this.ring.material as MeshBasicMaterial).color.set(colour);
+  }
+
+  private ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    window.requestAnimationFrame(() => {
+      if (this.asked) this.render();
+    });
+  }
+
+  private render(): void {
+    this.asked = false;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.render(); // a new size empties the picture
+  }
+
+  private watchClicks(): void {
+    let x = 0;
+    let y = 0;
+    this.host.addEventListener("pointerdown", (event) => ([x, y] = [event.clientX, event.clientY]));
+    this.host.addEventListener("pointerup", (event) => {
+      if (Math.hypot(event.clientX - x, event.clientY - y) > kClick) return;
+      const taxel = this.taxelAt(event.clientX, event.clientY);
+      if (taxel !== null) this.picked(taxel);
+    });
+  }
+
+  private taxelAt(x: number, y: number): number | null {
+    const box = this.host.getBoundingClientRect();
+    const place = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    const ray = new Raycaster();
+    ray.setFromCamera(place, this.camera);
+    const taxels = [...(this.parts?.taxels ?? [])];
+    const hit = ray.intersectObjects(taxels.map(([, mesh]) => mesh), false)[0]?.object;
+    return taxels.find(([, mesh]) => mesh === (hit as Mesh | undefined))?.[0] ?? null;
+  }
+
+  /** Where on the screen a taxel is drawn, in pixels of the page; null where it is not. */
+  placeOf(taxel: number): [number, number] | null {
+    const mesh = this.parts?.taxels.get(taxel);
+    if (mesh === undefined) return null;
+    const box = this.host.getBoundingClientRect();
+    const place = mesh.getWorldPosition(mesh.position.clone()).project(this.camera);
+    return [box.left + ((place.x + 1) / 2) * box.width, box.top + ((1 - place.y) / 2) * box.height];
+  }
+}
+
+/** null where the browser cannot draw in three dimensions. */
+export function makeRenderer(): WebGLRenderer | null {
+  try {
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+    if (context === null) return null;
+    return new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  } catch {
+    return null;
+  }
+}
+
+function drawsInSoftware(renderer: WebGLRenderer): boolean {
+  const context = renderer.getContext();
+  const known = context.getExtension("WEBGL_debug_renderer_info");
+  const name: unknown = known && context.getParameter(known.UNMASKED_RENDERER_WEBGL);
+  return /swiftshader|llvmpipe|software|softpipe/i.test(String(name));
+}
