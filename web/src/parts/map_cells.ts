@@ -1,20 +1,18 @@
 // What every picture of a map has: cells, border, and layers for marks and rings.
 
 import type { GridData } from "./data";
-import { borders, cornersOf, edgesPath, heightOf, neuronCount, widthOf } from "./grid";
+import { borders, cornersOf, edgesPath, heightOf, neuronCount, stepFrom, widthOf } from "./grid";
+import type { CursorPlace } from "./map_cursor";
 import { rounded, shape, svg } from "./svg";
 
-export interface MapFrame {
+export interface MapFrame extends CursorPlace {
   grid: GridData;
-  svg: SVGSVGElement;
   cell: number; // pixels a cell
   width: number; // of the map, pixels
   height: number;
-  cells: SVGPathElement[]; // by neuron
   border: SVGPathElement;
   marks: SVGGElement;
   winner: SVGGElement;
-  rings: SVGGElement;
   foot: SVGGElement; // below the map: legends
 }
 
@@ -40,7 +38,9 @@ export function mapFrame(grid: GridData, label: string, cell: number, footHeight
   const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, all);
   const tall = height + (footHeight > 0 ? kFootGap + footHeight : 0);
   const picture = svg(wide + 2 * kMargin, tall + 2 * kMargin, label, [inner]);
-  return { grid, svg: picture, cell, width: wide, height, cells, border, marks, winner, rings, foot };
+  const step = (at: number, rows: number, columns: number) => stepFrom(grid, at, rows, columns);
+  const cursor = { svg: picture, cells, rings, kind: "map", cellName: "neurons", step };
+  return { ...cursor, grid, cell, width: wide, height, border, marks, winner, foot };
 }
 
 /** Makes room for a foot that turned out so tall. */
@@ -57,7 +57,7 @@ function layer(name: string): SVGGElement {
 
 function cellOf(grid: GridData, neuron: number, cell: number): SVGPathElement {
   const corners = cornersOf(grid, neuron).map(([x, y]) => `${rounded(x * cell)} ${rounded(y * cell)}`);
-  return shape("path", { d: `M${corners.join("L")}Z`, fill: "none", "data-neuron": neuron });
+  return shape("path", { d: `M${corners.join("L")}Z`, fill: "none", "data-cell": neuron });
 }
 
 function borderOf(grid: GridData, cell: number): SVGPathElement {

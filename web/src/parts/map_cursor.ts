@@ -1,12 +1,25 @@
-// Pointing at neurons and choosing them, with the mouse, a finger or the keyboard.
+// Pointing at the cells of a picture (neurons of a map, taxels of a hand) and choosing them, with
+// the mouse, a finger or the keyboard. A cell is a path with the attribute data-cell.
 
-import { neuronCount, stepFrom } from "./grid";
-import type { MapFrame } from "./map_cells";
-import type { MapOptions } from "./map_picture";
 import { shape } from "./svg";
 
+export interface CursorPlace {
+  svg: SVGSVGElement;
+  cells: readonly SVGPathElement[];
+  rings: SVGGElement;
+  kind: string; // "map": what the picture is, for those who hear it
+  cellName: string; // "neurons"
+  step(at: number, rows: number, columns: number): number;
+}
+
+export interface CursorOptions {
+  label: string;
+  onChoose?: (cell: number) => void;
+  onPoint?: (cell: number | null) => void;
+}
+
 export interface Cursor {
-  select(neuron: number | null): void;
+  select(cell: number | null): void;
   refresh(): void; // says again what is pointed at, after values have changed
 }
 
@@ -18,10 +31,10 @@ const kSteps: Record<string, [number, number]> = {
 };
 
 export function attachCursor(
-  frame: MapFrame,
+  frame: CursorPlace,
   readout: HTMLElement,
-  tell: (neuron: number) => string,
-  options: MapOptions,
+  tell: (cell: number) => string,
+  options: CursorOptions,
 ): Cursor {
   let pointed: number | null = null;
   let selected: number | null = null;
@@ -30,29 +43,29 @@ export function attachCursor(
     const words = at === null ? "" : tell(at);
     if (readout.textContent !== words) readout.textContent = words;
   };
-  const point = (neuron: number | null) => {
-    if (pointed === neuron) return;
-    pointed = neuron;
+  const point = (cell: number | null) => {
+    if (pointed === cell) return;
+    pointed = cell;
     drawRings(frame, pointed, selected);
     say();
-    options.onPoint?.(neuron);
+    options.onPoint?.(cell);
   };
-  const select = (neuron: number | null) => {
-    selected = neuron;
+  const select = (cell: number | null) => {
+    selected = cell;
     drawRings(frame, pointed, selected);
     say();
   };
-  const choose = (neuron: number) => {
-    select(neuron);
-    options.onChoose?.(neuron);
+  const choose = (cell: number) => {
+    select(cell);
+    options.onChoose?.(cell);
   };
   const { svg } = frame;
-  prepare(svg, options);
-  svg.addEventListener("pointermove", (event) => point(neuronAt(event)));
+  prepare(frame, options);
+  svg.addEventListener("pointermove", (event) => point(cellAt(event)));
   svg.addEventListener("pointerleave", () => point(null));
   svg.addEventListener("click", (event) => {
-    const neuron = neuronAt(event);
-    if (neuron !== null) choose(neuron);
+    const cell = cellAt(event);
+    if (cell !== null) choose(cell);
   });
   svg.addEventListener("focus", () => point(pointed ?? selected ?? 0));
   svg.addEventListener("blur", () => point(null));
@@ -68,31 +81,31 @@ export function attachCursor(
   return { select, refresh: say };
 }
 
-function prepare(svg: SVGSVGElement, options: MapOptions): void {
-  const keys = options.onChoose ? "Arrow keys point at neurons, Enter chooses one." : "Arrow keys point at neurons.";
+function prepare({ svg, kind, cellName }: CursorPlace, options: CursorOptions): void {
+  const keys = `Arrow keys point at ${cellName}${options.onChoose ? ", Enter chooses one" : ""}.`;
   svg.setAttribute("role", "application");
-  svg.setAttribute("aria-roledescription", "map");
+  svg.setAttribute("aria-roledescription", kind);
   svg.setAttribute("aria-label", `${options.label}. ${keys}`);
   svg.setAttribute("tabindex", "0");
 }
 
-function neuronAt(event: Event): number | null {
-  const cell = event.target instanceof Element ? event.target.closest("[data-neuron]") : null;
-  const number = cell?.getAttribute("data-neuron");
+function cellAt(event: Event): number | null {
+  const found = event.target instanceof Element ? event.target.closest("[data-cell]") : null;
+  const number = found?.getAttribute("data-cell");
   return number === null || number === undefined ? null : Number(number);
 }
 
-function target(frame: MapFrame, at: number, key: string): number | null {
+function target(frame: CursorPlace, at: number, key: string): number | null {
   if (key === "Home") return 0;
-  if (key === "End") return neuronCount(frame.grid) - 1;
+  if (key === "End") return frame.cells.length - 1;
   const step = kSteps[key];
-  return step ? stepFrom(frame.grid, at, step[0], step[1]) : null;
+  return step ? frame.step(at, step[0], step[1]) : null;
 }
 
-function drawRings(frame: MapFrame, pointed: number | null, selected: number | null): void {
+function drawRings(frame: CursorPlace, pointed: number | null, selected: number | null): void {
   const drawn: SVGElement[] = [];
-  for (const [neuron, kind] of [[selected, "map-ring"], [pointed, "map-ring pointed"]] as const) {
-    const d = neuron === null ? null : (frame.cells[neuron]?.getAttribute("d") ?? null);
+  for (const [cell, kind] of [[selected, "map-ring"], [pointed, "map-ring pointed"]] as const) {
+    const d = cell === null ? null : (frame.cells[cell]?.getAttribute("d") ?? null);
     if (d === null) continue;
     drawn.push(shape("path", { d, class: "map-ring-back" }), shape("path", { d, class: kind }));
   }

@@ -14,19 +14,17 @@
 import type { GridData } from "./data";
 import { sequenceColour } from "./colour_maps";
 import { element } from "./dom";
-import { centreOf, neuronCount, placeOf } from "./grid";
+import { centreOf, placeOf } from "./grid";
 import { cellSize, mapFrame, type MapFrame } from "./map_cells";
-import { attachCursor } from "./map_cursor";
+import { attachCursor, type CursorOptions } from "./map_cursor";
 import { colourBar } from "./legend";
 import { marker } from "./markers";
 import { rangeOf, readable } from "./numbers";
+import { painter } from "./painter";
 import { shape } from "./svg";
 
-export interface MapOptions {
-  label: string; // what the picture shows, for those who hear it
+export interface MapOptions extends CursorOptions {
   size?: number; // about how wide, in pixels; 420 unless said
-  onChoose?: (neuron: number) => void;
-  onPoint?: (neuron: number | null) => void;
 }
 
 export interface MapPicture {
@@ -48,9 +46,6 @@ export interface ValuesPicture extends MapPicture {
   setMarks(classes: readonly (number | null)[], names: readonly string[]): void;
 }
 
-// Colours are taken in so many steps: what changes less is not drawn again.
-const kSteps = 128;
-
 export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPicture {
   const hasLegend = options.legend !== false;
   const frame = mapFrame(grid, options.label, cellSize(grid, options.size ?? 420), hasLegend ? 44 : 0);
@@ -67,7 +62,7 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
     return `${placeOf(grid, neuron)}: ${value}${name}${options.tell ? `, ${options.tell(neuron)}` : ""}`;
   };
   const cursor = attachCursor(frame, readout, tell, options);
-  const paint = painter(frame, options.colour ?? sequenceColour);
+  const paint = painter(frame.cells, options.colour ?? sequenceColour);
   return {
     element: element("div", { class: "map-picture" }, [frame.svg, readout]),
     svg: frame.svg,
@@ -86,26 +81,6 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
       drawMarks(frame, classes);
     },
   };
-}
-
-/** What colours the cells, remembering which have which colour. */
-function painter(frame: MapFrame, colour: (share: number) => string) {
-  const table = Array.from({ length: kSteps + 1 }, (_, step) => colour(step / kSteps));
-  const steps = new Int16Array(neuronCount(frame.grid)).fill(-2);
-  return (values: readonly (number | null)[], low: number, high: number): void => {
-    const scale = high > low ? kSteps / (high - low) : 0;
-    frame.cells.forEach((cell, neuron) => {
-      const value = values[neuron];
-      const step = value === null || value === undefined ? -1 : stepOf((value - low) * scale);
-      if (steps[neuron] === step) return;
-      steps[neuron] = step;
-      cell.setAttribute("fill", table[step] ?? "none");
-    });
-  };
-}
-
-function stepOf(place: number): number {
-  return Number.isFinite(place) ? Math.round(Math.min(kSteps, Math.max(0, place))) : -1;
 }
 
 function setWinner(frame: MapFrame, neuron: number | null): void {
