@@ -8,8 +8,8 @@ export function helpDialog(): { root: HTMLDialogElement; show: () => void } {
     element("tr", {}, [element("th", { scope: "row" }, [element("kbd", {}, [keys])]), element("td", {}, [does])]),
   );
   const title = element("h2", { id: "help-title" }, ["Keys"]);
-  const close = element("button", { type: "submit", class: "primary" }, ["Close"]);
-  const form = element("form", { method: "dialog" }, [title, element("table", {}, [element("tbody", {}, rows)]), close]);
-  const root = element("dialog", { class: "help", "aria-labelledby": "help-title" }, [form]);
+  const close = element("button", { type: "button", class: "primary", onclick: () => root.close() }, ["Close"]);
+  const table = element("table", {}, [element("tbody", {}, rows)]);
+  const root = element("dialog", { class: "help", "aria-labelledby": "help-title" }, [title, table, close]);
   return { root, show: () => root.open || root.showModal() };
 }

@@ -18,6 +18,11 @@ export interface Plot {
 
 type Kind = "lines" | "bands" | "wave";
 
+/** Its types leave this out: changes made inside are drawn at its end, not later. */
+interface Batching extends uPlot {
+  batch(run: (plot: uPlot) => void): void;
+}
+
 const kMostLines = 12;
 const kHeight = 60; // before its place is known
 
@@ -25,7 +30,7 @@ export class Strip {
   readonly root: HTMLElement;
   private readonly place = element("div", { class: "strip-plot" });
   private readonly values: StripValues;
-  private plot: uPlot | null = null;
+  private plot: Batching | null = null;
   private data: (() => uPlot.AlignedData) | null = null;
   private kind: Kind | null = null;
   private readonly observer = new ResizeObserver(() => this.resize());
@@ -50,8 +55,8 @@ export class Strip {
     if (values === null && this.plot === null) return;
     this.make(this.kindOf(values));
     const data = this.data?.() ?? null;
-    // As one batch, so that it is drawn now and counts as our work.
-    if (data !== null) this.plot?.batch((plot) => plot.setData(data));
+    // As one batch, so that it is drawn now and counted as the page's own work.
+    if (data !== null) this.plot?.batch((plot: uPlot) => plot.setData(data));
   }
 
   destroy(): void {
@@ -74,7 +79,7 @@ export class Strip {
     const { options, data } = make(this.channel, this.model);
     const size = { width: this.place.clientWidth || 300, height: this.place.clientHeight || kHeight };
     this.data = data;
-    this.plot = new uPlot({ ...size, legend: { show: false }, series: [], ...options }, data(), this.place);
+    this.plot = new uPlot({ ...size, legend: { show: false }, series: [], ...options }, data(), this.place) as Batching;
     this.seekOnClick(kind);
   }
 
