@@ -40,7 +40,7 @@ export const kThings: FakeThing[] = [
 export function fakeScene(thing: FakeThing): Scene {
   const geoms = [table(), ...palm(), ...kFingers.flatMap((_, finger) => kSegments.flatMap((_, segment) => segmentGeoms(finger, segment)))];
   const object = geom(kBodies.indexOf("object"), "object", thing.type, thing.size, [0, 0, thing.height], thing.colour);
-  const camera: Scene["camera"] = { position: [0.3, -0.37, 0.26], target: [0, 0, 0.085] };
+  const camera: Scene["camera"] = { position: [0.27, -0.34, 0.27], target: [0, 0, 0.098] };
   return { bodies: kBodies, geoms: [...geoms, { ...object, role: "object" }], camera };
 }
 

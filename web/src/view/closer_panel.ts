@@ -8,9 +8,9 @@ import { Panel } from "./panel";
 import { taxelAnswer, taxelChoice } from "./taxel_answer";
 
 export class CloserPanel {
-  readonly panel = new Panel(3, "closer", "A closer look");
+  readonly panel = new Panel(4, "closer", "A closer look");
   private readonly place = element("div", { class: "closer", "aria-live": "polite" });
-  private readonly choice;
+  private readonly choice: HTMLElement;
 
   constructor(private readonly model: Model) {
     this.choice = taxelChoice(model);

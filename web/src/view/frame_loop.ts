@@ -6,7 +6,8 @@ export interface Work {
   drawn: number;
   dropped: number;
   last: number; // ms, of the page's own work for the last frame
-  most: number; // ms, of the last `remembered` frames
+  usual: number; // ms, the middle of the last `remembered` frames
+  most: number; // ms, of those
 }
 
 const remembered = 120;
@@ -49,7 +50,8 @@ export class FrameLoop {
     this.drawn += 1;
     this.times.push(time);
     if (this.times.length > remembered) this.times.shift();
-    const most = Math.max(...this.times);
-    this.tell({ drawn: this.drawn, dropped: this.dropped, last: time, most });
+    const sorted = [...this.times].sort((a, b) => a - b);
+    const usual = sorted[Math.floor(sorted.length / 2)] ?? time;
+    this.tell({ drawn: this.drawn, dropped: this.dropped, last: time, usual, most: sorted.at(-1) ?? time });
   }
 }

@@ -6,6 +6,7 @@ import type { Frame, State } from "./data";
 import { Exploring } from "./exploring";
 import { ForceLegend } from "./force_legend";
 import type { Model } from "./model";
+import { withUnit } from "./numbers";
 import { Panel } from "./panel";
 import { makeRenderer, SceneView } from "./scene_view";
 import { themeColour } from "./theme_colours";
@@ -21,21 +22,26 @@ export class HandPanel {
   private readonly place = element("div", { class: "scene", tabindex: 0, role: "application",
     "aria-roledescription": "three-dimensional picture", "aria-label": kLabel });
   private readonly note = element("p", { class: "scene-note" });
+  private readonly readout = element("output", { class: "scene-readout", "aria-live": "off" });
   private readonly unfolded: UnfoldedHand;
   private readonly legend: ForceLegend;
   private readonly choice: HTMLElement;
   private readonly reset = element("button", { type: "button", class: "quiet", title: "As at first (0 in the picture)" }, ["Reset view"]);
   private wantsUnfolded = false;
+  private pointed: number | null = null;
 
   constructor(private readonly model: Model) {
     const renderer = makeRenderer();
     this.unfolded = new UnfoldedHand(model);
     this.legend = new ForceLegend(model);
-    this.view = renderer && new SceneView(this.place, renderer, (taxel) => void model.askTaxel(taxel));
+    this.view = renderer && new SceneView(this.place, renderer, {
+      pointed: (taxel) => this.point(taxel),
+      picked: (taxel) => void model.askTaxel(taxel),
+    });
     this.choice = segments("show", ["3D", "unfolded"], 0, (index) => this.unfold(index === 1));
     this.reset.addEventListener("click", () => this.view?.orbit.reset());
     this.panel.addTools(this.reset, this.choice);
-    const stage = element("div", { class: "stage" }, [this.place, this.unfolded.root, this.note, this.legend.root]);
+    const stage = element("div", { class: "stage" }, [this.place, this.unfolded.root, this.readout, this.note, this.legend.root]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
   }
@@ -86,6 +92,19 @@ export class HandPanel {
     return this.view === null ? kNoWebGl : "";
   }
 
+  private point(taxel: number | null): void {
+    this.pointed = taxel;
+    this.place.classList.toggle("at-taxel", taxel !== null);
+    this.tell();
+  }
+
+  private tell(): void {
+    const channel = this.model.shownState.value?.channels.find(({ name }) => name === "touch");
+    const value = this.pointed === null ? undefined : this.model.frame.value?.channels["touch"]?.[this.pointed];
+    const name = this.pointed === null ? undefined : channel?.elements[this.pointed];
+    this.readout.textContent = name === undefined || value === undefined ? "" : `${name}: ${withUnit(value, channel?.unit ?? "")}`;
+  }
+
   private draw(frame: Frame | null): void {
     if (frame === null || !this.panel.isOpen.value) return;
     if (!this.note.hidden) this.arrange();
@@ -94,6 +113,7 @@ export class HandPanel {
     if (this.isFlat) this.unfolded.draw(touch);
     else this.view?.draw(frame.poses, (element) => scale.share(touch[element] ?? 0));
     this.legend.draw();
+    if (this.pointed !== null) this.tell();
   }
 }
 

@@ -14,7 +14,7 @@ import { TrainingView } from "./training_view";
 type MapState = State["maps"][number];
 
 export class MapPanel {
-  readonly panel = new Panel(4, "map", "Map");
+  readonly panel = new Panel(5, "map", "Map");
   private readonly place = element("div", { class: "map-place" });
   private readonly legend = element("div", { class: "map-legend" });
   private readonly nothing = element("p", { class: "empty" });

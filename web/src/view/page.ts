@@ -25,22 +25,20 @@ export interface Page {
 export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): Page {
   const help = helpDialog();
   const hand = new HandPanel(model);
-  const panels = [hand, new ReadingPanel(model), new CloserPanel(model), new MapPanel(model), new StripsPanel(model),
-    new SystemPanel(model)].map(({ panel }) => panel);
+  const strips = new StripsPanel(model);
+  const columns = [[hand, strips], [new ReadingPanel(model), new CloserPanel(model)], [new MapPanel(model), new SystemPanel(model)]]
+    .map((column) => column.map(({ panel }) => panel));
   const transport = new Transport(model);
   const status = new StatusLine(model);
-  fill(root, [pageHeader(model, help.show), new LinkBanner(model, tryNow).root, problemBar(model), arrange(panels),
-    transport.root, status.root, help.root]);
-  listenToKeys({ transport, panels, help: help.show });
+  const messages = element("div", { class: "messages" }, [new LinkBanner(model, tryNow).root, problemBar(model)]);
+  fill(root, [pageHeader(model, help.show), messages, arrange(columns), transport.root, status.root, help.root]);
+  listenToKeys({ transport, panels: columns.flat(), help: help.show });
   model.shownLink.watch(({ kind }) => root.classList.toggle("without-program", kind !== "open"));
   return { status, hand };
 }
 
-/** Above: hand, reading and closer look, map. Below: strips and system. */
-function arrange(panels: Panel[]): HTMLElement {
-  const [hand, reading, closer, map, strips, system] = panels.map(({ root }) => root);
-  const middle = element("div", { class: "column" }, [reading ?? null, closer ?? null]);
-  const above = element("div", { class: "row row-above" }, [hand ?? null, middle, map ?? null]);
-  const below = element("div", { class: "row row-below" }, [strips ?? null, system ?? null]);
-  return element("div", { class: "panels" }, [above, below]);
+/** At the left what is felt, in the middle what is made of it, at the right what it is made with. */
+function arrange(columns: Panel[][]): HTMLElement {
+  const made = columns.map((panels) => element("div", { class: "column" }, panels.map(({ root }) => root)));
+  return element("div", { class: "panels" }, made);
 }

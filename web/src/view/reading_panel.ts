@@ -9,7 +9,7 @@ import { Panel } from "./panel";
 import { Speaker } from "./speaker";
 
 export class ReadingPanel {
-  readonly panel = new Panel(2, "reading", "Reading");
+  readonly panel = new Panel(3, "reading", "Reading");
   private readonly question = element("p", { class: "reading-question" });
   private readonly answer = element("p", { class: "reading-answer" });
   private readonly confidence = element("span", { class: "number" });

@@ -1,12 +1,13 @@
 // The bodies of a scene as groups that are moved by the frames' poses, and its taxels.
 
-import { Group, Mesh, type MeshBasicMaterial, type MeshStandardMaterial } from "three";
+import { Group, Mesh, MeshBasicMaterial, type MeshStandardMaterial } from "three";
 
 import type { Geom, Scene } from "./data";
 import { geometryOf } from "./geometry";
 import { forceColour, materialOf } from "./look";
 
 const kPoseLength = 7;
+const kSeenThrough = 0.02; // share of the scale from which a taxel shines through what hides it
 
 export class SceneParts {
   readonly root = new Group();
@@ -38,6 +39,9 @@ export class SceneParts {
       const strength = share(element);
       (mesh.material as MeshBasicMaterial).color.copy(forceColour(strength));
       mesh.scale.setScalar(1 + 0.35 * strength); // colour is not the only sign
+      const ghost = mesh.children[0] as Mesh;
+      (ghost.material as MeshBasicMaterial).color.copy(forceColour(strength));
+      ghost.visible = strength > kSeenThrough;
     }
   }
 
@@ -63,6 +67,16 @@ export class SceneParts {
     mesh.renderOrder = geom.role === "object" ? 1 : 0;
     (this.bodies[geom.body] ?? this.root).add(mesh);
     if (geom.role === "table") this.tables.push(mesh);
-    if (geom.taxel !== null) this.taxels.set(geom.taxel, mesh);
+    if (geom.taxel !== null) this.addTaxel(geom.taxel, mesh);
+  }
+
+  /** Most taxels face the object and are hidden from outside: their ghosts are drawn over all. */
+  private addTaxel(taxel: number, mesh: Mesh): void {
+    const look = { transparent: true, opacity: 0.45, depthTest: false, depthWrite: false };
+    const ghost = new Mesh(mesh.geometry, new MeshBasicMaterial(look));
+    ghost.renderOrder = 2;
+    ghost.visible = false;
+    mesh.add(ghost);
+    this.taxels.set(taxel, mesh);
   }
 }

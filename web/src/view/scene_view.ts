@@ -19,6 +19,12 @@ import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
 import { SceneParts } from "./scene_parts";
 
+/** Which taxel the pointer is at, and which was clicked. */
+export interface Pointing {
+  pointed: (taxel: number | null) => void;
+  picked: (taxel: number) => void;
+}
+
 const kClick = 4; // pixels that a click may stray
 
 export class SceneView {
@@ -35,11 +41,10 @@ export class SceneView {
   private chosen: number | null = null;
   private asked = false;
 
-  /** `picked` is told which taxel was clicked. */
   constructor(
     private readonly host: HTMLElement,
     private readonly renderer: WebGLRenderer,
-    private readonly picked: (taxel: number) => void,
+    private readonly told: Pointing,
   ) {
     this.simple = drawsInSoftware(renderer);
     renderer.setPixelRatio(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
@@ -120,7 +125,11 @@ export class SceneView {
     this.host.addEventListener("pointerup", (event) => {
       if (Math.hypot(event.clientX - x, event.clientY - y) > kClick) return;
       const taxel = this.taxelAt(event.clientX, event.clientY);
-      if (taxel !== null) this.picked(taxel);
+      if (taxel !== null) this.told.picked(taxel);
+    });
+    this.host.addEventListener("pointerleave", () => this.told.pointed(null));
+    this.host.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) this.told.pointed(this.taxelAt(event.clientX, event.clientY));
     });
   }
 
@@ -132,15 +141,6 @@ export class SceneView {
     const taxels = [...(this.parts?.taxels ?? [])];
     const hit = ray.intersectObjects(taxels.map(([, mesh]) => mesh), false)[0]?.object;
     return taxels.find(([, mesh]) => mesh === (hit as Mesh | undefined))?.[0] ?? null;
-  }
-
-  /** Where on the screen a taxel is drawn, in pixels of the page; null where it is not. */
-  placeOf(taxel: number): [number, number] | null {
-    const mesh = this.parts?.taxels.get(taxel);
-    if (mesh === undefined) return null;
-    const box = this.host.getBoundingClientRect();
-    const place = mesh.getWorldPosition(mesh.position.clone()).project(this.camera);
-    return [box.left + ((place.x + 1) / 2) * box.width, box.top + ((1 - place.y) / 2) * box.height];
   }
 }
 

@@ -79,7 +79,7 @@ export class Strip {
     const { options, data } = make(this.channel, this.model);
     const size = { width: this.place.clientWidth || 300, height: this.place.clientHeight || kHeight };
     this.data = data;
-    this.plot = new uPlot({ ...size, legend: { show: false }, series: [], ...options }, data(), this.place) as Batching;
+    this.plot = new uPlot({ ...size, legend: { show: false }, padding: [5, 6, 0, 0], series: [], ...options }, data(), this.place) as Batching;
     this.seekOnClick(kind);
   }
 

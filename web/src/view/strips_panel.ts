@@ -12,7 +12,7 @@ const kFirst = ["joints", "touch", "sound"];
 const kMost = 4;
 
 export class StripsPanel {
-  readonly panel = new Panel(5, "strips", "Over time");
+  readonly panel = new Panel(2, "strips", "Over time");
   private readonly place = element("div", { class: "strips" });
   private readonly buttons = element("div", { class: "strip-choice", role: "group", "aria-label": "Channels" });
   private strips: Strip[] = [];

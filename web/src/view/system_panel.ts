@@ -40,7 +40,17 @@ export class SystemPanel {
 
   private choose(name: string | null): void {
     this.picture?.select(name);
+    this.reveal();
     this.draw(this.model.frame.value);
+  }
+
+  /** The graph is often wider than its place. */
+  private reveal(): void {
+    const box = this.graphPlace.querySelector(".module.chosen")?.getBoundingClientRect();
+    const place = this.graphPlace.getBoundingClientRect();
+    if (box === undefined || place.width === 0) return;
+    this.graphPlace.scrollLeft += box.left + box.width / 2 - place.left - place.width / 2;
+    this.graphPlace.scrollTop += box.top + box.height / 2 - place.top - place.height / 2;
   }
 
   private draw(frame: Frame | null): void {
