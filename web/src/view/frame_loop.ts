@@ -5,10 +5,13 @@
 export interface Work {
   drawn: number;
   dropped: number;
-  last: number; // ms, of the page's own work for the last frame
-  usual: number; // ms, the middle of the last `remembered` frames
+  usual: number; // ms of the page's own work, the middle of the last `remembered` frames
   most: number; // ms, of those
+  drawing: number; // ms, the middle of what drawing in three dimensions took besides
 }
+
+/** Where drawing in three dimensions adds the time it takes: it waits for the browser. */
+export const drawingClock = { time: 0 };
 
 const remembered = 120;
 
@@ -17,7 +20,8 @@ export class FrameLoop {
   private asked = false;
   private drawn = 0;
   private dropped = 0;
-  private readonly times: number[] = [];
+  private readonly times = new Times();
+  private readonly drawings = new Times();
 
   constructor(
     private readonly draw: (text: string) => void,
@@ -42,16 +46,35 @@ export class FrameLoop {
     this.waiting = null;
     if (text === null) return;
     const begin = performance.now();
+    const drawnBefore = drawingClock.time;
     this.draw(text);
-    this.count(performance.now() - begin);
+    const drawing = drawingClock.time - drawnBefore;
+    this.count(performance.now() - begin - drawing, drawing);
   }
 
-  private count(time: number): void {
+  private count(time: number, drawing: number): void {
     this.drawn += 1;
-    this.times.push(time);
-    if (this.times.length > remembered) this.times.shift();
-    const sorted = [...this.times].sort((a, b) => a - b);
-    const usual = sorted[Math.floor(sorted.length / 2)] ?? time;
-    this.tell({ drawn: this.drawn, dropped: this.dropped, last: time, usual, most: sorted.at(-1) ?? time });
+    this.times.add(time);
+    this.drawings.add(drawing);
+    const { drawn, dropped, times, drawings } = this;
+    this.tell({ drawn, dropped, usual: times.middle, most: times.most, drawing: drawings.middle });
+  }
+}
+
+/** The newest of some times. */
+class Times {
+  private readonly all: number[] = [];
+
+  add(time: number): void {
+    this.all.push(time);
+    if (this.all.length > remembered) this.all.shift();
+  }
+
+  get middle(): number {
+    return [...this.all].sort((a, b) => a - b)[Math.floor(this.all.length / 2)] ?? 0;
+  }
+
+  get most(): number {
+    return Math.max(...this.all);
   }
 }

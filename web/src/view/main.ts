@@ -17,7 +17,6 @@ if (root !== null) start(root);
 function start(place: HTMLElement): void {
   const server = new Server(takeToken());
   const model = new Model(server);
-  const page = buildPage(place, model, () => connection.open());
   const frames = new FrameLoop((text) => model.draw(JSON.parse(text) as Frame), (work) => page.status.work(work));
   const trainings = new FrameLoop((text) => model.training.set(JSON.parse(text) as Training), () => undefined);
   const connection = new Connection(server, {
@@ -27,6 +26,7 @@ function start(place: HTMLElement): void {
     frame: (text) => frames.take(text),
     training: (text) => trainings.take(text),
   });
+  connection.open(); // first: the program answers while the page is built
+  const page = buildPage(place, model, () => connection.open());
   watchTheme(() => model.theme.set(model.theme.value + 1));
-  connection.open();
 }

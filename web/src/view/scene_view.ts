@@ -15,6 +15,8 @@ import {
 } from "three";
 
 import type { Scene } from "./data";
+import { drawingClock } from "./frame_loop";
+import { drawsAtAll, drawsInSoftware } from "./graphics";
 import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
 import { SceneParts } from "./scene_parts";
@@ -40,14 +42,16 @@ export class SceneView {
   private parts: SceneParts | null = null;
   private chosen: number | null = null;
   private asked = false;
+  private ready = false; // its shaders are compiled
 
   constructor(
     private readonly host: HTMLElement,
     private readonly renderer: WebGLRenderer,
     private readonly told: Pointing,
   ) {
-    this.simple = drawsInSoftware(renderer);
+    this.simple = drawsInSoftware();
     renderer.setPixelRatio(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
+    renderer.debug.checkShaderErrors = false; // asking waits for the compiler
     renderer.shadowMap.enabled = !this.simple;
     renderer.shadowMap.type = PCFSoftShadowMap;
     this.scene.add(lamps(this.simple), this.lines);
@@ -66,6 +70,15 @@ export class SceneView {
     if (scene !== null) this.orbit.begin(scene.camera);
     this.dress(surroundings);
     this.choose(this.chosen);
+    void this.prepare();
+  }
+
+  /** Shaders are compiled aside: the first picture would else hold up everything. */
+  private async prepare(): Promise<void> {
+    if (this.ready) return;
+    await this.renderer.compileAsync(this.scene, this.camera);
+    this.ready = true;
+    this.ask();
   }
 
   dress({ table, line }: Surroundings): void {
@@ -106,7 +119,10 @@ export class SceneView {
 
   private render(): void {
     this.asked = false;
+    if (!this.ready) return;
+    const begin = performance.now();
     this.renderer.render(this.scene, this.camera);
+    drawingClock.time += performance.now() - begin;
   }
 
   private resize(): void {
@@ -147,18 +163,10 @@ export class SceneView {
 /** null where the browser cannot draw in three dimensions. */
 export function makeRenderer(): WebGLRenderer | null {
   try {
+    if (!drawsAtAll()) return null;
     const canvas = document.createElement("canvas");
-    const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
-    if (context === null) return null;
-    return new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    return new WebGLRenderer({ canvas, antialias: !drawsInSoftware(), alpha: true });
   } catch {
     return null;
   }
-}
-
-function drawsInSoftware(renderer: WebGLRenderer): boolean {
-  const context = renderer.getContext();
-  const known = context.getExtension("WEBGL_debug_renderer_info");
-  const name: unknown = known && context.getParameter(known.UNMASKED_RENDERER_WEBGL);
-  return /swiftshader|llvmpipe|software|softpipe/i.test(String(name));
 }

@@ -26,13 +26,13 @@ export class StatusLine {
 
   /** Words change a few times a second; the numbers in data attributes are always the newest. */
   work(work: Work): void {
-    const { drawn, dropped, usual, most } = work;
-    Object.assign(this.root.dataset, { drawn, dropped, usual: usual.toFixed(2), most: most.toFixed(2) });
+    const { drawn, dropped, usual, most, drawing } = work;
+    Object.assign(this.root.dataset, { drawn, dropped, usual: usual.toFixed(2), most: most.toFixed(2), drawing: drawing.toFixed(2) });
     const now = performance.now();
     if (now - this.told < 250) return;
     this.told = now;
     this.frames.textContent = `frames: ${drawn} drawn, ${dropped} dropped`;
-    this.time.textContent = `own work ${usual.toFixed(1)} ms a frame, at most ${most.toFixed(1)} ms`;
+    this.time.textContent = `own work ${usual.toFixed(1)} ms a frame, at most ${most.toFixed(1)} ms; 3D drawing ${drawing.toFixed(1)} ms`;
   }
 
   private showLink(link: Link): void {

@@ -3,11 +3,14 @@
 import type { ChannelData } from "../parts/data";
 import { element, fill } from "../parts/dom";
 import type { State } from "./data";
+import { drawsInSoftware } from "./graphics";
 import type { Model } from "./model";
 import { Panel } from "./panel";
 import { Strip } from "./strip";
 
-const kPause = 60; // ms: strips change slowly
+// ms: strips change slowly.
+const kPause = 60;
+const kPauseInSoftware = 250;
 const kFirst = ["joints", "touch", "sound"];
 const kMost = 4;
 
@@ -65,7 +68,7 @@ export class StripsPanel {
   /** Draws now if the last time is long enough ago, else soon. */
   private ask(): void {
     window.clearTimeout(this.timer);
-    const wait = this.last + kPause - performance.now();
+    const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();
     if (wait <= 0) this.draw();
     else this.timer = window.setTimeout(() => this.draw(), wait);
   }
