@@ -39,8 +39,11 @@ async function open(state?: State, options: { colorScheme?: "dark" | "light"; wi
   if (server.state.explorations.length > 0) await firstFrame(page);
 }
 
+/** Expected before long: how soon depends on the machine. */
+const soon = <T>(read: () => T) => expect.poll(read, { timeout: 15_000 });
+
 async function told(command: object): Promise<void> {
-  await expect.poll(() => server.commands).toContainEqual(command);
+  await soon(() => server.commands).toContainEqual(command);
 }
 
 describe("what it shows", () => {
@@ -62,7 +65,7 @@ describe("what it shows", () => {
     for (const { name, distance } of frame.reading!.candidates)
       expect(await words(page, `.candidate:has(.candidate-name:text-is("${name}")) .number`)).toBe(digits(distance));
     expect(await page.locator(".panel-map .map-place").first().getAttribute("data-winner")).toBe(String(frame.maps["map"]!.winner));
-    await expect.poll(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(frame.channels["joints"]!.map(digits));
+    await soon(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(frame.channels["joints"]!.map(digits));
     const touch = frame.channels["touch"]!;
     const at = touch.indexOf(Math.max(...touch));
     expect(await words(page, "[data-channel=touch] .strip-values")).toBe(`most ${digits(touch[at]!)} at ${kTaxels[at]}`);
@@ -80,7 +83,7 @@ describe("what it shows", () => {
 
   it("says the reading to those who listen", async () => {
     server.show(2, 59);
-    await expect.poll(() => page.locator(".reading-spoken").innerText()).toContain(fakeFrame(2, 59).reading!.answer);
+    await soon(() => page.locator(".reading-spoken").innerText()).toContain(fakeFrame(2, 59).reading!.answer);
   });
 
   it("drops frames that come faster than they are drawn", async () => {
@@ -185,7 +188,7 @@ describe("what it tells the program", () => {
     await page.locator(".panel-map svg[role=application]").focus();
     for (const key of ["ArrowDown", "ArrowRight", "Enter"]) await page.keyboard.press(key);
     await page.waitForSelector('.closer h3:text-is("Neuron in row 2, column 2")');
-    await page.getByLabel("Touch sensor").focus();
+    await page.getByLabel("Touch sensor", { exact: true }).focus();
     await page.keyboard.press("ArrowDown");
     await page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[0]}")`);
     await page.keyboard.press("?");
@@ -223,7 +226,7 @@ describe("when things go wrong", () => {
     await screenshot(page, "view-lost");
     await server.start();
     await page.getByRole("button", { name: "Try now" }).click();
-    await expect.poll(() => words(page, ".status-link")).toBe("connected");
+    await soon(() => words(page, ".status-link")).toBe("connected");
     await page.locator(".link-banner").waitFor({ state: "hidden" });
     server.show(0, 12);
     await frameShown(page, 12);
@@ -235,7 +238,7 @@ describe("when things go wrong", () => {
     await server.stop();
     await page.getByText(/trying again in 3 s/).waitFor();
     await server.start();
-    await expect.poll(() => words(page, ".status-link"), { timeout: 8000 }).toBe("connected");
+    await soon(() => words(page, ".status-link")).toBe("connected");
   });
 
   it("says when its token is not the program's", async () => {

@@ -84,6 +84,8 @@ function startAddress(program: ChildProcess): Promise<string> {
   });
 }
 
+const soon = <T>(read: () => T) => expect.poll(read, { timeout: 15_000 });
+
 /** The values of a channel in an exploration, frame by frame. */
 function framesOf(exploration: number, channel: string): number[][] {
   const begin = messages.findIndex(({ value }) => value.event === "begin" && value.index === exploration);
@@ -102,7 +104,7 @@ it("shows what the recording holds", async () => {
   for (const [exploration, frame] of [[0, 100], [3, 150]] as const) {
     await go(exploration, frame);
     const degrees = framesOf(exploration, "joints")[frame]!.map((angle) => (angle * 180) / Math.PI);
-    await expect.poll(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(degrees.map(digits));
+    await soon(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(degrees.map(digits));
     const touch = framesOf(exploration, "touch")[frame]!;
     expect(await words(page, "[data-channel=touch] .strip-values")).toContain(`most ${digits(Math.max(...touch))} at`);
     expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(digits(framesOf(exploration, "height")[frame]![0]!));
@@ -113,7 +115,7 @@ it("shows what the recording holds", async () => {
 it("reads at the end what the study has read", async () => {
   for (let exploration = 0; exploration < predictions.length; exploration += 1) {
     await go(exploration, framesOf(exploration, "touch").length - 1);
-    await expect.poll(() => words(page, ".reading-answer")).toBe(predictions[exploration]);
+    await soon(() => words(page, ".reading-answer")).toBe(predictions[exploration]);
   }
 });
 
@@ -122,13 +124,13 @@ it("plays and pauses", async () => {
   await page.keyboard.press("Space");
   await page.waitForFunction(() => Number(document.querySelector<HTMLInputElement>(".transport input[type=range]")!.value) > 14);
   await page.keyboard.press("Space");
-  await expect.poll(() => page.getByRole("button", { name: "Play", exact: true }).count()).toBe(1);
+  await soon(() => page.getByRole("button", { name: "Play", exact: true }).count()).toBe(1);
 });
 
 it("tells what neurons and touch sensors stand for", async () => {
   await page.locator(".panel-map [data-cell='112']").click();
   await page.waitForSelector(".nearest li");
-  await page.getByLabel("Touch sensor").selectOption("20");
+  await page.getByLabel("Touch sensor", { exact: true }).selectOption("20");
   await page.waitForSelector(".closer .map-picture");
 });
 

@@ -64,8 +64,8 @@ function castShadows(sun: DirectionalLight): void {
 }
 
 /** Lines every 5 cm on the table, to measure by eye. */
-export function tableLines(line: string): GridHelper {
-  const lines = new GridHelper(16 * kGrid, 16, line, line);
+export function tableLines(): GridHelper {
+  const lines = new GridHelper(16 * kGrid, 16, "white", "white"); // times the material's colour
   lines.rotateX(Math.PI / 2);
   lines.position.z = 0.0006;
   lines.material.transparent = true;

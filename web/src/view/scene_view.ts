@@ -38,7 +38,8 @@ export class SceneView {
     new SphereGeometry(0.0078, 20, 12),
     new MeshBasicMaterial({ wireframe: true }),
   );
-  private lines = tableLines("#888888");
+  private readonly lines = tableLines();
+  private readonly retired: SceneParts[] = [];
   private parts: SceneParts | null = null;
   private chosen: number | null = null;
   private asked = false;
@@ -64,7 +65,7 @@ export class SceneView {
   show(scene: Scene | null, surroundings: Surroundings): void {
     if (this.parts !== null) this.scene.remove(this.parts.root);
     this.ring.removeFromParent();
-    this.parts?.dispose();
+    this.retire(this.parts);
     this.parts = scene === null ? null : new SceneParts(scene, this.simple);
     if (this.parts !== null) this.scene.add(this.parts.root);
     if (scene !== null) this.orbit.begin(scene.camera);
@@ -78,15 +79,19 @@ export class SceneView {
     if (this.ready) return;
     await this.renderer.compileAsync(this.scene, this.camera);
     this.ready = true;
+    this.retire(null);
     this.ask();
+  }
+
+  /** Materials may not be given up while they are compiled. */
+  private retire(parts: SceneParts | null): void {
+    if (parts !== null) this.retired.push(parts);
+    if (this.ready) for (const old of this.retired.splice(0)) old.dispose();
   }
 
   dress({ table, line }: Surroundings): void {
     this.parts?.colourTable(table);
-    this.lines.removeFromParent();
-    this.lines.dispose();
-    this.lines = tableLines(line);
-    this.scene.add(this.lines);
+    this.lines.material.color.set(line);
     this.ask();
   }
 
