@@ -37,6 +37,11 @@ export function fill(to: Element, children: Child[]): void {
   append(to, children);
 }
 
+/** A name that may go on in the next line after each underscore. */
+export function breakable(name: string): Child[] {
+  return name.split(/(?<=[_/])/).flatMap((part, i) => (i === 0 ? [part] : [document.createElement("wbr"), part]));
+}
+
 let lastNumber = 0;
 
 /** A name that no other element of the page has as its id. */

@@ -15,19 +15,31 @@ export interface GraphPicture {
   mark(module: string, words: string): void;
 }
 
-const kBoxWidth = 138;
 const kBoxHeight = 50;
-const kLayerStep = 178;
 const kRowStep = 66;
 const kMargin = 4;
+const kRoom = 880; // about how wide a picture may be before it is scrolled
+
+interface Sizes {
+  box: number; // width of a module
+  step: number; // from layer to layer
+}
+
+/** Generous where there is room for it. */
+function sizesFor(layers: number): Sizes {
+  const box = layers > 5 ? 114 : 138;
+  const step = (kRoom - box) / Math.max(1, layers - 1);
+  return { box, step: Math.max(box + 26, Math.min(box + 44, step)) };
+}
 
 export function graphPicture(graph: GraphData, onChoose?: (module: ModuleData) => void): GraphPicture {
   const layout = graphLayout(graph.modules);
-  const boxes = graph.modules.map((module, i) => boxOf(graph, module, placeOf(layout, i), onChoose));
+  const sizes = sizesFor(layout.layerCount);
+  const boxes = graph.modules.map((module, i) => boxOf(graph, module, placeOf(layout, i, sizes), sizes.box, onChoose));
   const backs = layout.links.filter((link) => link.isBack).length;
-  const width = (layout.layerCount - 1) * kLayerStep + kBoxWidth + 2 * kMargin;
+  const width = (layout.layerCount - 1) * sizes.step + sizes.box + 2 * kMargin;
   const height = (layout.rowCount - 1) * kRowStep + kBoxHeight + backs * 16 + (backs > 0 ? 12 : 0) + 2 * kMargin;
-  const links = shape("g", { class: "graph-links" }, linkPaths(layout));
+  const links = shape("g", { class: "graph-links" }, linkPaths(layout, sizes));
   const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [links, ...boxes]);
   const picture = svg(width, height, `Graph of ${graph.modules.length} modules`, [inner]);
   picture.setAttribute("role", "group");
@@ -37,7 +49,7 @@ export function graphPicture(graph: GraphData, onChoose?: (module: ModuleData) =
     select: (name) => boxOfName.forEach((box, own) => box.classList.toggle("chosen", own === name)),
     mark: (name, words) => {
       const line = boxOfName.get(name)?.querySelector(".module-mark");
-      if (line && line.textContent !== words) line.textContent = shortened(words, kBoxWidth - 18, 10.5);
+      if (line && line.textContent !== words) line.textContent = shortened(words, sizes.box - 18, 10.5);
     },
   };
 }
@@ -47,8 +59,8 @@ interface Place {
   y: number;
 }
 
-function placeOf(layout: GraphLayout, module: number): Place {
-  return { x: (layout.layers[module] ?? 0) * kLayerStep, y: (layout.rows[module] ?? 0) * kRowStep };
+function placeOf(layout: GraphLayout, module: number, { step }: Sizes): Place {
+  return { x: (layout.layers[module] ?? 0) * step, y: (layout.rows[module] ?? 0) * kRowStep };
 }
 
 /** What a module is for: "sense", "code", "learn" or "answer". */
@@ -58,16 +70,22 @@ export function kindOf(graph: GraphData, module: ModuleData): string {
   return module.type === "channel" ? "sense" : "code";
 }
 
-function boxOf(graph: GraphData, module: ModuleData, at: Place, onChoose?: (module: ModuleData) => void): SVGGElement {
+function boxOf(
+  graph: GraphData,
+  module: ModuleData,
+  at: Place,
+  width: number,
+  onChoose?: (module: ModuleData) => void,
+): SVGGElement {
   const words = [module.type.replaceAll("_", " "), shapeWords(module)].filter((one) => one !== "").join(" · ");
   const attributes = { transform: `translate(${rounded(at.x)} ${rounded(at.y)})`, class: `module ${kindOf(graph, module)}` };
   const box = shape("g", attributes, [
     shape("title", {}, [`${module.name}: ${module.text}`]),
-    shape("rect", { width: kBoxWidth, height: kBoxHeight, rx: 5, class: "module-box" }),
+    shape("rect", { width, height: kBoxHeight, rx: 5, class: "module-box" }),
     shape("rect", { width: 4, height: kBoxHeight - 12, x: 6, y: 6, rx: 2, class: "module-kind" }),
-    text(17, 19, shortened(module.name, kBoxWidth - 22, 12), { class: "strong" }),
-    text(17, 32.5, shortened(words, kBoxWidth - 18, 10.5), { class: "muted module-line" }),
-    text(17, 44, shortened(phaseWords(graph, module), kBoxWidth - 18, 10.5), { class: "muted module-line module-mark" }),
+    text(17, 19, shortened(module.name, width - 22, 12), { class: "strong" }),
+    text(17, 32.5, shortened(words, width - 18, 10.5), { class: "muted module-line" }),
+    text(17, 44, shortened(phaseWords(graph, module), width - 18, 10.5), { class: "muted module-line module-mark" }),
   ]);
   if (onChoose) makeButton(box, module, onChoose);
   return box;
@@ -95,15 +113,15 @@ function phaseWords(graph: GraphData, module: ModuleData): string {
   return graph.phases.length > 1 && phase >= 0 ? `learns in phase ${phase + 1}` : "learns";
 }
 
-function linkPaths(layout: GraphLayout): SVGElement[] {
+function linkPaths(layout: GraphLayout, sizes: Sizes): SVGElement[] {
   let loops = 0;
   return layout.links.flatMap((link) => {
-    const [from, to] = [placeOf(layout, link.from), placeOf(layout, link.to)];
-    const start = { x: from.x + kBoxWidth, y: from.y + kBoxHeight / 2 };
+    const [from, to] = [placeOf(layout, link.from, sizes), placeOf(layout, link.to, sizes)];
+    const start = { x: from.x + sizes.box, y: from.y + kBoxHeight / 2 };
     const end = { x: to.x, y: to.y + kBoxHeight / 2 };
     if (link.isBack) return linkShapes(loopPath(layout, start, end, loops++), end, "back");
-    const bends = link.bends.map(({ layer, row }) => ({ x: layer * kLayerStep, y: row * kRowStep + kBoxHeight / 2 }));
-    return linkShapes(forwardPath(start, bends, end), end, "");
+    const bends = link.bends.map(({ layer, row }) => ({ x: layer * sizes.step, y: row * kRowStep + kBoxHeight / 2 }));
+    return linkShapes(forwardPath(start, bends, end, sizes.box), end, "");
   });
 }
 
@@ -115,12 +133,12 @@ function linkShapes(d: string, end: Place, kind: string): SVGElement[] {
   return [shape("path", { d, class: `link ${kind}` }), shape("path", { d: head, class: "link-head" })];
 }
 
-function forwardPath(start: Place, bends: Place[], end: Place): string {
+function forwardPath(start: Place, bends: Place[], end: Place, width: number): string {
   let d = `M${rounded(start.x)} ${rounded(start.y)}`;
   let last = start;
   for (const bend of bends) {
-    d += `${curveTo(last, bend)}H${rounded(bend.x + kBoxWidth)}`;
-    last = { x: bend.x + kBoxWidth, y: bend.y };
+    d += `${curveTo(last, bend)}H${rounded(bend.x + width)}`;
+    last = { x: bend.x + width, y: bend.y };
   }
   return `${d}${curveTo(last, { x: end.x - kArrow + 1, y: end.y })}`;
 }
@@ -133,8 +151,8 @@ function curveTo(from: Place, to: Place): string {
 /** Below everything and back. */
 function loopPath(layout: GraphLayout, start: Place, end: Place, number: number): string {
   const below = rounded((layout.rowCount - 1) * kRowStep + kBoxHeight + 12 + number * 16);
-  const out = 14 + number * 3;
-  const corner = 8;
+  const out = 11 + number * 3;
+  const corner = 7;
   return [
     `M${rounded(start.x)} ${rounded(start.y)}h${out - corner}q${corner} 0 ${corner} ${corner}`,
     `V${below - corner}q0 ${corner} ${-corner} ${corner}H${rounded(end.x - out + corner)}`,

@@ -64,7 +64,7 @@ const kNames = 22;
 const kBar = 44;
 
 function draw(layout: HandLayout, options: HandOptions, colour: (share: number) => string, isHand: boolean): Drawn {
-  const pitch = Math.max(7, Math.min(26, (options.size ?? 320) / layout.width));
+  const pitch = Math.max(7, Math.min(30, (options.size ?? 320) / layout.width));
   const cells = layout.dots.map((dot, i) => cellAt(dot.x * pitch, dot.y * pitch, pitch, i, isHand));
   const rings = shape("g", { class: "map-rings", "data-transient": "" });
   const width = Math.max(160, layout.width * pitch);

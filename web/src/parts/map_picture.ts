@@ -37,6 +37,7 @@ export interface ValuesOptions extends MapOptions {
   unit?: string;
   colour?: (share: number) => string;
   legend?: boolean; // a bar with its ends; unless false
+  none?: string; // what a neuron without a value is called
   tell?: (neuron: number) => string; // more words for the readout
 }
 
@@ -48,7 +49,7 @@ export interface ValuesPicture extends MapPicture {
 
 export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPicture {
   const hasLegend = options.legend !== false;
-  const frame = mapFrame(grid, options.label, cellSize(grid, options.size ?? 420), hasLegend ? 44 : 0);
+  const frame = mapFrame(grid, options.label, cellSize(grid, options.size ?? 420), hasLegend ? 30 : 0);
   const readout = element("output", { class: "readout", "aria-live": "polite" });
   const bar = hasLegend ? colourBar(frame.width, options.unit ?? "", options.colour ?? sequenceColour) : null;
   if (bar) frame.foot.append(bar.group);
@@ -56,7 +57,7 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
   let names: readonly string[] = [];
   let marks: readonly (number | null)[] = [];
   const tell = (neuron: number) => {
-    const value = `${readable(shown[neuron])}${options.unit ? ` ${options.unit}` : ""}`;
+    const value = valueWords(shown[neuron], options);
     const mark = marks[neuron];
     const name = mark === null || mark === undefined ? "" : `, ${names[mark] ?? ""}`;
     return `${placeOf(grid, neuron)}: ${value}${name}${options.tell ? `, ${options.tell(neuron)}` : ""}`;
@@ -81,6 +82,11 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
       drawMarks(frame, classes);
     },
   };
+}
+
+function valueWords(value: number | null | undefined, { none, unit }: ValuesOptions): string {
+  if (none !== undefined && (value === null || value === undefined)) return none;
+  return `${readable(value)}${unit ? ` ${unit}` : ""}`;
 }
 
 function setWinner(frame: MapFrame, neuron: number | null): void {

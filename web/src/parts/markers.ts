@@ -40,6 +40,19 @@ export function markerPath(which: number, x: number, y: number, radius: number):
   return `M${corners.join("L")}Z`;
 }
 
+/** The markers of classes as symbols of Observable Plot. */
+export function plotSymbol(which: number): { draw(context: CanvasPath, size: number): void } {
+  const outline = kOutlines[which % kOutlines.length] ?? [];
+  return {
+    draw: (context, size) => {
+      const radius = Math.sqrt(size / Math.PI);
+      if (outline.length === 0) context.arc(0, 0, radius, 0, 2 * Math.PI);
+      outline.forEach(([x, y], i) => (i === 0 ? context.moveTo(x * radius, y * radius) : context.lineTo(x * radius, y * radius)));
+      context.closePath();
+    },
+  };
+}
+
 function circle(x: number, y: number, radius: number): string {
   const r = rounded(radius);
   const arc = `a${r} ${r} 0 1 0`;
