@@ -124,7 +124,7 @@ export function fakeState(): State {
     ],
     things: [], thing: null, placement: null,
     systems: [{ name: "tensor_chain", text: "Tensor products" }, { name: "shape_and_size", text: "Joints alone" }],
-    system: "tensor_chain", system_problem: null, graph: kGraph,
+    system: "tensor_chain", system_problem: null, graph: structuredClone(kGraph),
     maps: [{ module: "map", grid: kGrid, classes: kThings.map(({ name }) => name),
       neuron_classes: Array.from({ length: kNeurons }, (_, i) => (i % 3 === 0 ? null : nearestHome(i))) }],
     label: "object", training: false, clients: 1, problem: null,

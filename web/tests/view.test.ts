@@ -1,9 +1,6 @@
 // The view page against a server that speaks its protocol: what it shows, what it tells the program,
 // how it fares without one.
 
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 
@@ -12,7 +9,9 @@ import { digits } from "../src/view/numbers";
 import { bodyState, fakeFrame, fakeState, kFrames } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import { FakeServer } from "./fake_server";
-import { complaints, firstFrame, frameShown, kPages, openBrowser, screenshot, words } from "./view_browser";
+import {
+  accessibilityViolations, complaints, firstFrame, frameShown, kPages, launchBrowser, launchFlatBrowser, screenshot, words,
+} from "./view_browser";
 
 let browser: Browser;
 let server: FakeServer;
@@ -20,7 +19,7 @@ let page: Page;
 let heard: string[];
 
 beforeAll(async () => {
-  browser = await openBrowser();
+  browser = await launchBrowser();
 });
 afterAll(() => browser.close());
 afterEach(async () => {
@@ -209,7 +208,7 @@ async function reachedByTab(): Promise<number> {
     const known = await page.evaluate(() => {
       const { seen } = window as unknown as { seen: Set<Element> };
       const at = document.activeElement!;
-      return at === document.body || seen.size === seen.add(at).size;
+      return at !== document.body && seen.size === seen.add(at).size;
     });
     if (known) break;
   }
@@ -250,7 +249,7 @@ describe("when things go wrong", () => {
   it("shows the unfolded hand without WebGL", async () => {
     await open();
     await page.close();
-    const flat = await openBrowser("flat");
+    const flat = await launchFlatBrowser();
     page = await flat.newPage({ viewport: { width: 1280, height: 800 } });
     await page.goto(server.address);
     await firstFrame(page);
@@ -287,8 +286,6 @@ describe("when things go wrong", () => {
 });
 
 describe("for everyone", () => {
-  const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
   for (const colorScheme of ["light", "dark"] as const)
     it(`has no faults that axe finds, ${colorScheme}`, async () => {
       await open(undefined, { colorScheme });
@@ -297,12 +294,7 @@ describe("for everyone", () => {
       await page.locator(".panel-map [data-cell='101']").click();
       await page.waitForSelector(".closer-answer");
       await screenshot(page, `view-${colorScheme}-neuron`);
-      await page.evaluate(axe);
-      const found = await page.evaluate(async () => {
-        const { axe } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> } };
-        return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
-      });
-      expect(found).toEqual([]);
+      expect(await accessibilityViolations(page)).toEqual([]);
     });
 
   it("fits narrow screens without scrolling sideways", async () => {

@@ -1,27 +1,24 @@
-// A browser for the tests of the view, and what they read off the page.
+// What the tests of the view read off its page.
 
-import { mkdirSync } from "node:fs";
-import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { type Browser, chromium, type Page } from "playwright-core";
 
-export const kWebFolder = fileURLToPath(new URL("..", import.meta.url));
+import { screenshotPath } from "./browser";
+
+export { accessibilityViolations, launchBrowser } from "./browser";
 
 /** Where `npm run build` has put the pages. */
-export const kPages = process.env["SOMATO_WEB_OUT"] ?? join(kWebFolder, "dist");
+export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
 
-const kScreenshots = process.env["SOMATO_SCREENSHOTS"] ?? join(kWebFolder, "dist", "screenshots");
-const kDrawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-
-export function openBrowser(drawing: "3d" | "flat" = "3d"): Promise<Browser> {
-  const args = ["--no-sandbox", ...(drawing === "3d" ? kDrawing : ["--disable-gpu", "--disable-3d-apis"])];
-  return chromium.launch({ executablePath: process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium", args });
+/** One that draws nothing in three dimensions. */
+export function launchFlatBrowser(): Promise<Browser> {
+  const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
+  return chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
 }
 
 export async function screenshot(page: Page, name: string): Promise<void> {
-  mkdirSync(kScreenshots, { recursive: true });
-  await page.screenshot({ path: join(kScreenshots, `${name}.png`) });
+  await page.screenshot({ path: screenshotPath(name) });
 }
 
 /** Tells of everything that goes wrong in a page, for tests to expect none. */

@@ -11,7 +11,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 
 import { digits } from "../src/view/numbers";
-import { complaints, firstFrame, frameShown, openBrowser, screenshot, words } from "./view_browser";
+import { complaints, firstFrame, frameShown, launchBrowser, screenshot, words } from "./view_browser";
 
 interface Message {
   topic: string;
@@ -41,7 +41,7 @@ beforeAll(async () => {
   predictions = predicted();
   view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], { stdio: ["ignore", "pipe", "inherit"] });
   const address = await startAddress(view);
-  browser = await openBrowser();
+  browser = await launchBrowser();
   page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   heard = complaints(page);
   await page.goto(address);

@@ -94,7 +94,6 @@ function boxOf(
 function makeButton(box: SVGGElement, module: ModuleData, onChoose: (module: ModuleData) => void): void {
   box.setAttribute("role", "button");
   box.setAttribute("tabindex", "0");
-  box.setAttribute("aria-label", `${module.name}, ${module.type}`);
   box.addEventListener("click", () => onChoose(module));
   box.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== " ") return;

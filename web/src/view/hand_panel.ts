@@ -41,7 +41,7 @@ export class HandPanel {
     this.choice = segments("show", ["3D", "unfolded"], 0, (index) => this.unfold(index === 1));
     this.reset.addEventListener("click", () => this.view?.orbit.reset());
     this.panel.addTools(this.reset, this.choice);
-    const stage = element("div", { class: "stage" }, [this.place, this.unfolded.root, this.readout, this.note, this.legend.root]);
+    const stage = element("div", { class: "stage" }, [this.note, this.place, this.unfolded.root, this.readout, this.legend.root]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
   }
@@ -51,6 +51,7 @@ export class HandPanel {
     model.shownScene.watch((scene) => {
       view?.show(scene, surroundings());
       this.arrange();
+      this.draw(model.frame.value);
     });
     model.sceneKnown.watch(() => this.arrange());
     model.shownState.watch(() => this.arrange());

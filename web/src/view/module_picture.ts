@@ -15,12 +15,13 @@ type Values = Frame["modules"][string];
 export class ModulePicture {
   readonly root = element("div", { class: "module-values" });
   private readonly name = element("h3");
-  private readonly about = element("p", { class: "small muted module-about" });
-  private readonly numbers = element("p", { class: "small number module-numbers" });
+  private readonly about = element("span", { class: "muted module-about" });
+  private readonly numbers = element("p", { class: "number module-numbers" });
   private readonly canvas = element("canvas", { role: "img", class: "module-canvas" });
 
   constructor(private readonly model: Model) {
-    this.root.append(this.name, this.about, this.canvas, this.numbers);
+    const head = element("div", { class: "module-head" }, [this.name, this.about]);
+    this.root.append(head, this.canvas, this.numbers);
     new ResizeObserver(() => this.draw(model.frame.value)).observe(this.canvas);
   }
 
@@ -29,7 +30,7 @@ export class ModulePicture {
     const module = this.model.shownState.value?.graph?.modules.find((one) => one.name === name);
     if (module === undefined) return;
     this.name.textContent = module.name;
-    this.about.textContent = module.text;
+    this.about.textContent = this.about.title = module.text;
     this.canvas.setAttribute("aria-label", `Values of ${module.name}`);
     const values = frame?.modules[module.name];
     this.numbers.textContent = values === undefined ? notHere(module) : wordsOf(module, values);

@@ -99,6 +99,7 @@ export class Transport {
   private showFrame(frame: Frame): void {
     this.showLength(frame.frames);
     if (!this.seeker.busy) this.scrub.value = String(frame.frame);
+    this.choice.value = String(frame.exploration);
     const duration = this.model.shownState.value?.duration ?? null;
     const of = duration === null ? "" : ` / ${seconds(duration)}`;
     this.time.textContent = `${seconds(frame.time)}${of}`;
