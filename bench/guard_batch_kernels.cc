@@ -16,7 +16,7 @@ namespace {
 using kernels::kBlockNeurons;
 using kernels::kTileSamples;
 
-static_assert(kKernels<kernels::BatchTable> == 10, "count each of them");
+static_assert(kKernels<kernels::BatchTable> == 11, "count each of them");
 
 constexpr std::size_t kBlocks = 27;
 constexpr std::size_t kPairs = 32;
@@ -88,6 +88,14 @@ void count_searches(const Counted& counted) {
       "batch.places_up_to",
       [&] { found = table.places_up_to(values.data(), kLines, 0.1F, places.data()); },
       [&] { return digest_of(places, found); });
+  const auto radii = noise<float>(values.size(), 28);
+  std::vector<std::int32_t> marks(values.size());
+  counted(
+      "batch.mark_near",
+      [&] {
+        table.mark_near(values.data(), radii.data(), values.size(), 0.5F, 0.1F, marks.data());
+      },
+      [&] { return digest_of(marks); });
 }
 
 void count_vectors(const Counted& counted) {

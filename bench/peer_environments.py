@@ -1,6 +1,7 @@
 """The Python environments of others' programs below build/peers, each made when it is first needed."""
 
 import hashlib
+import os
 import subprocess
 import sys
 import tomllib
@@ -13,6 +14,11 @@ PEERS = TREE / "bench/peers"
 ENVIRONMENTS = TREE / "build/peers"
 PYTHON = "/usr/bin/python3"
 
+# What is compiled here is compiled for this machine, and may compute faster than exactly: a build by
+# the defaults alone takes somoclu four times as long.
+FLAGS = "-O3 -march=native -ffast-math"
+COMPILING = {**os.environ, "CFLAGS": FLAGS, "CXXFLAGS": FLAGS}
+
 
 def all_peers():
     """What peers.toml says, by peer."""
@@ -21,7 +27,7 @@ def all_peers():
 
 def call(*command):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
-                          stdin=subprocess.DEVNULL, check=False)
+                          stdin=subprocess.DEVNULL, env=COMPILING, check=False)
     if done.returncode != 0:
         raise Failure("cannot be installed: " + last_line(done.stderr + done.stdout))
 
@@ -36,7 +42,7 @@ def stamp_of(requirements):
     for line in text.splitlines():
         if line.startswith("-r "):
             text += stamp_of(requirements.parent / line[3:])
-    return hashlib.sha256(text.encode()).hexdigest()
+    return hashlib.sha256((FLAGS + text).encode()).hexdigest()
 
 
 def install(pip, requirements, settings):

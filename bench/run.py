@@ -73,14 +73,31 @@ def version():
     return described or run([SOMATO, "--version"]).strip()
 
 
+def write_study(system, to):
+    """The system's file with the papers' protocol alone: one training a seed."""
+    lines = system.read_text(encoding="utf-8").splitlines()
+    kept = [line for line in lines if not line.startswith("groups = ")]
+    protocols = [i for i, line in enumerate(kept) if line.startswith("protocols = ")]
+    kept[protocols[0]] = 'protocols = ["train_is_test"]'
+    to.write_text("\n".join(without_claims(kept)) + "\n", encoding="utf-8")
+
+
+def without_claims(lines):
+    return lines[:lines.index("[[claim]]")]
+
+
 def prepare_files(bench, chosen):
     """What the commands read; made once."""
     bench.data.mkdir(parents=True, exist_ok=True)
     recording, large = bench.data / "lucs2.mcap", bench.data / "large.npy"
-    if any("chain" in command.name for command in chosen) and not recording.exists():
+    chains = [command.study for command in chosen if command.study]
+    if chains and not recording.exists():
         bench.say("exploring for the chains")
-        run([SOMATO, "explore", "--body", "lucs2", "--explorations", 30 // (10 if bench.scale > 1 else 1),
-             "--seed", 7, "--output", recording])
+        run([SOMATO, "explore", "--body", "lucs2", "--seed", 7, "--output", recording])
+    for name in chains:
+        # A run that was interrupted would be gone on with.
+        (OUT / name / "unfinished.journal").unlink(missing_ok=True)
+        write_study(TREE / "systems" / f"{name}.toml", bench.data / f"{name}.toml")
     if any(command.name == "large_file" for command in chosen) and not large.exists():
         bench.say("writing a large file")
         run([PROGRAMS / "workloads", "write-large", large, cases.LARGE_ROWS // bench.scale,

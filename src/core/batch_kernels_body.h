@@ -435,6 +435,15 @@ double inner_product_in_double(const float* a, const float* b, std::size_t count
   return sum_in_sixteen(count, AddProducts{a, b});
 }
 
+// Plain, for the compiler to vectorize: the blocks do not depend on each other.
+void mark_near(const float* __restrict scores, const float* __restrict radii, std::size_t count,
+               float reach, float shift, std::int32_t* __restrict marks) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float distance = reach + radii[i];
+    marks[i] |= 2.0F * scores[i] + shift <= distance * distance ? 1 : 0;
+  }
+}
+
 void add_by_winner(const float* values, std::size_t stride, const std::size_t* winners,
                    std::size_t count, double* sums) {
   for (std::size_t i = 0; i < count; ++i, values += stride) {
@@ -477,6 +486,7 @@ extern const BatchTable kBatchTable = {screen,
                                        score,
                                        least,
                                        places_up_to,
+                                       mark_near,
                                        to_integers,
                                        squared_length,
                                        squared_distance_in_double,

@@ -57,6 +57,7 @@ ScreeningRun::ScreeningRun(const Som& som, const ScreenedMap& map, const Samples
   if (!skipping_) return;
   arranged_.resize(integers_.size());
   mean_scores_.resize(kRunSamples * map.mean_blocks() * kBlockNeurons);
+  places_.resize(map.mean_blocks() * kBlockNeurons);
   radii_.assign(map.radii().begin(), map.radii().end());
 }
 
@@ -148,13 +149,17 @@ void ScreeningRun::score_means(std::size_t tiles) {
   }
 }
 
+std::uint32_t ScreeningRun::nearest_block(std::size_t i) {
+  const auto& kernels = kernels::batch_table();
+  const float* scores = mean_scores_of(i);
+  const float least = kernels.least(scores, map_.mean_blocks());
+  kernels.places_up_to(scores, map_.mean_blocks(), least, places_.data());
+  return places_.front();
+}
+
 // Puts the samples in the order of their nearest blocks.
 void ScreeningRun::arrange(std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const float* scores = mean_scores_of(i);
-    const float* nearest = std::min_element(scores, scores + map_.blocks());
-    known_[i].nearest_block = static_cast<std::uint32_t>(nearest - scores);
-  }
+  for (std::size_t i = 0; i < count; ++i) known_[i].nearest_block = nearest_block(i);
   std::sort(known_.begin(), known_.begin() + static_cast<std::ptrdiff_t>(count),
             [](const Known& a, const Known& b) {
               return a.nearest_block != b.nearest_block ? a.nearest_block < b.nearest_block
@@ -188,7 +193,7 @@ std::size_t ScreeningRun::screen_tile(std::size_t number) {
     }
   }
   kernels.screen(map_.neurons(), list_.data(), list_.size(), tile(number));
-  std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+  std::fill(near_.begin(), near_.end(), 0);
   for (std::size_t i = begin; i < begin + kTileSamples; ++i) {
     if (known_[i].sample < samples_.count()) mark_near(i);
   }
@@ -214,11 +219,8 @@ void ScreeningRun::mark_near(std::size_t i) {
   const double farthest = std::sqrt(std::max(0.0, 2.0 * best + from_centre + room));
   const auto reach = static_cast<float>(farthest * (1.0 + 0x1p-20) + 0x1p-20);
   const auto shift = static_cast<float>(from_centre - room);
-  const float* scores = mean_scores_of(known.sample - begin_);
-  for (std::size_t block = 0; block < near_.size(); ++block) {
-    const float distance = reach + radii_[block];
-    near_[block] |= static_cast<std::uint8_t>(2.0F * scores[block] + shift <= distance * distance);
-  }
+  kernels::batch_table().mark_near(mean_scores_of(known.sample - begin_), radii_.data(),
+                                   near_.size(), reach, shift, near_.data());
 }
 
 // The score in double precision, least for the winner.

@@ -62,6 +62,7 @@ class ScreeningRun {
   void screen_all(std::size_t tiles);
   void screen_near(std::size_t tiles);
   void score_means(std::size_t tiles);
+  std::uint32_t nearest_block(std::size_t i);
   void arrange(std::size_t count);
   std::size_t screen_tile(std::size_t number);
   void mark_near(std::size_t i);
@@ -85,8 +86,9 @@ class ScreeningRun {
   std::vector<kernels::Candidates> candidates_;
   AlignedVector<float> mean_scores_;  // by the place a sample had before they were arranged
   std::vector<float> radii_;
-  std::vector<std::uint8_t> near_;
+  std::vector<std::int32_t> near_;  // 1 where a sample of the tile may find its winner
   std::vector<std::uint32_t> list_;
+  std::vector<std::uint32_t> places_;
   std::vector<Scored> scored_;
 };
 

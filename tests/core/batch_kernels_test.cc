@@ -201,6 +201,26 @@ TEST(BatchKernels, FindsTheLeastAndAllUpToALimit) {
   });
 }
 
+TEST(BatchKernels, MarksTheBlocksWithinReachAndLeavesOtherMarks) {
+  Random random(11);
+  constexpr std::size_t kCount = 5 * kBlockNeurons + 3;
+  const std::vector<float> scores = noise(random, kCount);
+  const std::vector<float> radii = noise(random, kCount);
+  for_each_instruction_set([&](InstructionSet /*set*/) {
+    std::vector<std::int32_t> marks(kCount);
+    std::vector<std::int32_t> expected(kCount);
+    marks[7] = 1;
+    batch_table().mark_near(scores.data(), radii.data(), kCount, 0.5F, 0.25F, marks.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const float distance = 0.5F + radii[i];
+      expected[i] = i == 7 || 2.0F * scores[i] + 0.25F <= distance * distance ? 1 : 0;
+    }
+    EXPECT_EQ(marks, expected);
+    EXPECT_GT(std::count(marks.begin(), marks.end(), 1), 8);
+    EXPECT_GT(std::count(marks.begin(), marks.end(), 0), 8);
+  });
+}
+
 TEST(BatchKernels, MixesPlacesByFactorsAndAddsByWinner) {
   constexpr std::size_t kLanes = 8;
   Random random(8);
