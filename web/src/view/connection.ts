@@ -7,7 +7,7 @@ import type { Server } from "./server";
 export type Link =
   | { kind: "connecting" }
   | { kind: "open" }
-  | { kind: "lost"; seconds: number } // until it is tried again
+  | { kind: "lost"; seconds: number; full: boolean } // until it is tried again; too many look on
   | { kind: "refused" }; // the token is not the program's
 
 export interface Listener {
@@ -25,6 +25,7 @@ export class Connection {
   private events: EventSource | null = null;
   private silent = 0;
   private countdown = 0;
+  private full = false;
   private known = false; // whether the scene has been told since connecting
 
   constructor(
@@ -90,20 +91,23 @@ export class Connection {
 
   private async lose(): Promise<void> {
     this.close();
+    this.full = false;
     this.wait(pause);
     const status = await this.server.status();
+    this.full = status === 503;
     if (status !== 401 && status !== 403) return;
     this.close();
     this.listener.link({ kind: "refused" });
   }
 
   private wait(seconds: number): void {
-    this.listener.link({ kind: "lost", seconds });
     let left = seconds;
+    const tell = () => this.listener.link({ kind: "lost", seconds: left, full: this.full });
+    tell();
     this.countdown = window.setInterval(() => {
       left -= 1;
       if (left <= 0) this.open();
-      else this.listener.link({ kind: "lost", seconds: left });
+      else tell();
     }, 1000);
   }
 }

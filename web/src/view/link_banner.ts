@@ -6,6 +6,7 @@ import type { Model } from "./model";
 import { Speaker } from "./speaker";
 
 const kLost = "The program has ended or the connection is lost";
+const kFull = "As many pages look on as the program allows";
 const kRefused =
   "The program does not know this page: its token is missing or of an earlier run. Open the address that somato view printed.";
 
@@ -34,7 +35,7 @@ export class LinkBanner {
 }
 
 function wordsOf(link: Link): string {
-  if (link.kind === "lost") return `${kLost}; trying again in ${link.seconds} s`;
+  if (link.kind === "lost") return `${link.full ? kFull : kLost}; trying again in ${link.seconds} s`;
   if (link.kind === "connecting") return `${kLost}; trying again now`;
   return link.kind === "refused" ? kRefused : "";
 }

@@ -99,7 +99,7 @@ export class MapPanel {
 
   private draw(frame: Frame | null): void {
     const shown = this.map === null ? undefined : frame?.maps[this.map.module];
-    this.nothing.hidden = this.map !== null;
+    this.nothing.hidden = this.map !== null && (shown !== undefined || this.map.classes.length > 0);
     this.nothing.textContent = whyNoMap(this.model.shownState.value);
     if (this.picture === null || !this.panel.isOpen.value) return;
     this.picture.setValues(shown?.activity ?? [], [0, 1]);
@@ -122,5 +122,6 @@ function classLegend(names: readonly string[]): SVGSVGElement {
 function whyNoMap(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system === null) return "No system is chosen.";
+  if (state.graph !== null && state.maps.length === 0) return "None of its maps can be drawn.";
   return "This system has not learned yet: press Learn, and watch its map unfold.";
 }

@@ -19,12 +19,15 @@ export class Server {
     return new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
   }
 
-  /** 200, another status, or 0 where nobody answers. */
+  /** How the stream of events is answered: 200, another status, or 0 where nobody answers. */
   async status(): Promise<number> {
+    const end = new AbortController();
     try {
-      return (await this.fetch("api/state", {})).status;
+      return (await this.fetch("api/events", { signal: end.signal })).status;
     } catch {
       return 0;
+    } finally {
+      end.abort();
     }
   }
 

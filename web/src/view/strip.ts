@@ -67,7 +67,7 @@ export class Strip {
   private kindOf(values: readonly number[] | null): Kind {
     if (values === null) return this.kind ?? "lines";
     if (values.length > this.channel.elements.length) return "wave";
-    return values.length > kMostLines ? "bands" : "lines";
+    return this.channel.elements.length > kMostLines ? "bands" : "lines";
   }
 
   private make(kind: Kind): void {

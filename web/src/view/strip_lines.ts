@@ -9,7 +9,7 @@ import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, tickWords, timeScale } from "./strip_axes";
 import { themeColour } from "./theme_colours";
 
-const kDashes = [[], [6, 3], [2, 2], [8, 3, 2, 3]];
+const kDashes = [[], [5, 2], [2, 2], [6, 2, 1, 2]];
 const kOrder = [0, 1, 2, 3, 5, 4, 7, 6]; // yellow last: it is faint on white
 
 export function lineLook(element: number): { colour: string; dash: number[] } {

@@ -80,10 +80,10 @@ export class TrainingView {
   }
 }
 
-function wordsOf({ module, step, steps, radius, learning_rate, done }: Training): string {
-  const numbers = `radius ${digits(radius)}, learning rate ${learning_rate.toFixed(3)}`;
-  const head = done ? `${module} has learned` : `${module} learns`;
-  return `${head}: step ${step} of ${steps}, ${numbers}`;
+function wordsOf({ module, step, steps, radius, learning_rate, u_matrix, done }: Training): string {
+  const head = `${module || "The system"} ${done ? "has learned" : "learns"}: step ${step} of ${steps}`;
+  if (u_matrix.length === 0) return head; // what comes before the map
+  return `${head}, radius ${digits(radius)}, learning rate ${learning_rate.toFixed(3)}`;
 }
 
 function legendOf(names: readonly string[]): SVGSVGElement {

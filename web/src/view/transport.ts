@@ -18,6 +18,8 @@ export class Transport {
   private readonly time = element("output", { class: "time", "aria-label": "Time" }, ["–"]);
   private readonly choice = element("select", { "aria-label": "Exploration", class: "exploration" });
   private readonly seeker: Seeker;
+  private readonly before = this.moveButton(-1);
+  private readonly after = this.moveButton(1);
   private listed = "";
 
   constructor(private readonly model: Model) {
@@ -27,7 +29,7 @@ export class Transport {
       this.scrub,
       this.time,
       labelled("Speed", this.speed),
-      element("div", { class: "transport-exploration" }, [this.moveButton(-1), this.choice, this.moveButton(1)]),
+      element("div", { class: "transport-exploration" }, [this.before, this.choice, this.after]),
     ]);
     this.watchControls();
     model.shownState.watch((state) => state && this.showState(state));
@@ -59,8 +61,7 @@ export class Transport {
   move(explorations: number): void {
     const state = this.model.shownState.value;
     if (state === null) return;
-    const now = state.explorations.findIndex(({ index }) => index === state.exploration);
-    const next = state.explorations[now + explorations];
+    const next = state.explorations[placeOf(state) + explorations];
     if (next !== undefined) this.seek(0, next.index);
   }
 
@@ -94,6 +95,9 @@ export class Transport {
     this.listed = text;
     this.choice.disabled = state.explorations.length === 0;
     this.choice.value = String(state.exploration ?? "");
+    const place = placeOf(state);
+    this.before.disabled = place <= 0;
+    this.after.disabled = place + 1 >= state.explorations.length;
   }
 
   private showFrame(frame: Frame): void {
@@ -127,6 +131,11 @@ export class Transport {
     button.addEventListener("click", () => this.move(by));
     return button;
   }
+}
+
+/** Which of the explorations plays; -1: none. */
+function placeOf(state: State): number {
+  return state.explorations.findIndex(({ index }) => index === state.exploration);
 }
 
 function iconButton(name: Parameters<typeof icon>[0], words: string, title: string): HTMLButtonElement {
