@@ -16,15 +16,15 @@ export class History {
   }
 
   add(frame: Frame): void {
-    if (frame.exploration !== this.exploration) this.clear(frame.exploration);
+    if (frame.exploration !== this.exploration) this.clear();
+    this.exploration = frame.exploration;
     const place = this.place(frame.frame);
     const known = this.frames[place]?.frame === frame.frame ? 1 : 0;
     // Modules and maps are not kept: they are large.
     this.frames.splice(place, known, { ...frame, modules: {}, maps: {}, poses: [] });
   }
 
-  private clear(exploration: number): void {
-    this.exploration = exploration;
+  clear(): void {
     this.frames.length = 0;
   }
 

@@ -39,6 +39,7 @@ export class Model implements Tell {
   state(state: State): void {
     const before = this.shownState.value;
     if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
+    if (before?.name !== state.name) this.history.clear();
     this.keepChoices(state);
     this.shownState.set(state);
     if (before !== null && before.system !== state.system) this.forget();
@@ -80,6 +81,7 @@ export class Model implements Tell {
       const answered = await answer();
       if (this.question.value === question) this.question.set(answered);
     } catch (problem) {
+      if (this.question.value === question) this.question.set(null);
       this.problem.set(sentenceOf(problem));
     }
   }

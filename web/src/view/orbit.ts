@@ -87,7 +87,10 @@ export class Orbit {
     else this.turn(x * kTurn, y * kTurn);
   }
 
+  /** Where the page scrolls, the wheel is for that until one has come into the picture. */
   private wheel(event: WheelEvent): void {
+    const scrolls = document.documentElement.scrollHeight > window.innerHeight;
+    if (scrolls && document.activeElement !== this.host) return;
     event.preventDefault();
     this.zoom(kZoom ** Math.sign(event.deltaY));
   }
