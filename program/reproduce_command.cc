@@ -214,8 +214,14 @@ class Reproduction {
       if (!ran) return ran;
       first_seed += seeds;
     }
+    if (!request_.given) add_explore_settings(part, found);
     results_.parts.push_back(std::move(found));
     return {};
+  }
+
+  static void add_explore_settings(const ReproductionPart& part, PartResults& found) {
+    const std::vector<Settings> explored = explore_settings(part.explore);
+    found.settings.insert(found.settings.end(), explored.begin(), explored.end());
   }
 
   Result<KeptRecordings::Kept> explored(const ReproductionPart& part, std::size_t index) {

@@ -285,8 +285,10 @@ function claim(system: SystemReport, text: string, name: string, least: number, 
   const values = system.protocols[0]?.metrics[name]?.values ?? [];
   const luck = system.protocols[0]?.metrics[`${name}_by_luck`]?.mean ?? null;
   return {
+    file: system.file,
     system: system.name,
     variation: system.variation,
+    question: system.question,
     text,
     paper: published === null ? "" : "P11 II-C",
     metric: name,

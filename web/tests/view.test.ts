@@ -2,7 +2,7 @@
 // how it fares without one.
 
 import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
 
 import type { State } from "../src/view/data";
 import { digits } from "../src/view/numbers";
@@ -12,6 +12,8 @@ import { FakeServer } from "./fake_server";
 import {
   accessibilityViolations, complaints, firstFrame, frameShown, kPages, launchBrowser, launchFlatBrowser, screenshot, words,
 } from "./view_browser";
+
+vi.setConfig({ testTimeout: 60_000, hookTimeout: 60_000 });
 
 let browser: Browser;
 let server: FakeServer;

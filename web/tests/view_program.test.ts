@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { afterAll, beforeAll, expect, it, vi } from "vitest";
 
 import { digits } from "../src/view/numbers";
 import { complaints, firstFrame, frameShown, launchBrowser, screenshot, words } from "./view_browser";
@@ -22,8 +22,10 @@ const program = process.env["SOMATO_PROGRAM"] ?? "";
 const scripts = process.env["SOMATO_MCAP_SCRIPTS"] ?? "";
 const folder = mkdtempSync(join(tmpdir(), "somato-view-"));
 const recording = join(folder, "hand2.mcap");
-const root = new URL("../..", import.meta.url).pathname;
-const systems = process.env["SOMATO_SYSTEMS"] ?? join(root, "systems");
+const source = process.env["SOMATO_SOURCE"] ?? new URL("../..", import.meta.url).pathname;
+const systems = join(source, "systems");
+
+vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
 
 let browser: Browser;
 let page: Page;
@@ -46,7 +48,7 @@ beforeAll(async () => {
   heard = complaints(page);
   await page.goto(address);
   await firstFrame(page);
-}, 120_000);
+});
 
 afterAll(async () => {
   await browser?.close();

@@ -25,7 +25,7 @@ export interface FigureOptions {
 const kPngScale = 3;
 
 export function figure(options: FigureOptions): HTMLElement {
-  const title = element("h4", {}, [options.title]);
+  const title = element("p", { class: "figure-title" }, [options.title]);
   const header = element("header", {}, [title, saveButtons(options)]);
   const controls = options.controls ? element("div", { class: "controls" }, options.controls) : null;
   const note = options.note ? element("figcaption", {}, [options.note]) : null;

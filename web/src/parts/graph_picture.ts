@@ -18,6 +18,7 @@ export interface GraphPicture {
 const kBoxHeight = 50;
 const kRowStep = 66;
 const kMargin = 4;
+const kLoopRoom = 12; // beside the first and the last layer
 const kRoom = 880; // about how wide a picture may be before it is scrolled
 
 interface Sizes {
@@ -37,10 +38,11 @@ export function graphPicture(graph: GraphData, onChoose?: (module: ModuleData) =
   const sizes = sizesFor(layout.layerCount);
   const boxes = graph.modules.map((module, i) => boxOf(graph, module, placeOf(layout, i, sizes), sizes.box, onChoose));
   const backs = layout.links.filter((link) => link.isBack).length;
-  const width = (layout.layerCount - 1) * sizes.step + sizes.box + 2 * kMargin;
+  const left = backs > 0 ? kLoopRoom + 3 * backs : kMargin;
+  const width = (layout.layerCount - 1) * sizes.step + sizes.box + left + kLoopRoom;
   const height = (layout.rowCount - 1) * kRowStep + kBoxHeight + backs * 16 + (backs > 0 ? 12 : 0) + 2 * kMargin;
   const links = shape("g", { class: "graph-links" }, linkPaths(layout, sizes));
-  const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [links, ...boxes]);
+  const inner = shape("g", { transform: `translate(${left} ${kMargin})` }, [links, ...boxes]);
   const picture = svg(width, height, `Graph of ${graph.modules.length} modules`, [inner]);
   picture.setAttribute("role", "group");
   const boxOfName = new Map(graph.modules.map((module, i) => [module.name, boxes[i]!]));
@@ -80,7 +82,6 @@ function boxOf(
   const words = [module.type.replaceAll("_", " "), shapeWords(module)].filter((one) => one !== "").join(" · ");
   const attributes = { transform: `translate(${rounded(at.x)} ${rounded(at.y)})`, class: `module ${kindOf(graph, module)}` };
   const box = shape("g", attributes, [
-    shape("title", {}, [`${module.name}: ${module.text}`]),
     shape("rect", { width, height: kBoxHeight, rx: 5, class: "module-box" }),
     shape("rect", { width: 4, height: kBoxHeight - 12, x: 6, y: 6, rx: 2, class: "module-kind" }),
     text(17, 19, shortened(module.name, width - 22, 12), { class: "strong" }),
@@ -107,9 +108,9 @@ function shapeWords(module: ModuleData): string {
 }
 
 function phaseWords(graph: GraphData, module: ModuleData): string {
-  if (!module.learns) return module.rate === "exploration" ? "once an exploration" : "every frame";
+  if (!module.learns) return module.rate === "exploration" ? "at the end" : "every frame";
   const phase = graph.phases.findIndex((one) => one.learn.includes(module.name));
-  return graph.phases.length > 1 && phase >= 0 ? `learns in phase ${phase + 1}` : "learns";
+  return graph.phases.length > 1 && phase >= 0 ? `learns, phase ${phase + 1}` : "learns";
 }
 
 function linkPaths(layout: GraphLayout, sizes: Sizes): SVGElement[] {

@@ -37,7 +37,6 @@ export interface ValuesOptions extends MapOptions {
   unit?: string;
   colour?: (share: number) => string;
   legend?: boolean; // a bar with its ends; unless false
-  none?: string; // what a neuron without a value is called
   tell?: (neuron: number) => string; // more words for the readout
 }
 
@@ -57,7 +56,7 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
   let names: readonly string[] = [];
   let marks: readonly (number | null)[] = [];
   const tell = (neuron: number) => {
-    const value = valueWords(shown[neuron], options);
+    const value = `${readable(shown[neuron])}${options.unit ? ` ${options.unit}` : ""}`;
     const mark = marks[neuron];
     const name = mark === null || mark === undefined ? "" : `, ${names[mark] ?? ""}`;
     return `${placeOf(grid, neuron)}: ${value}${name}${options.tell ? `, ${options.tell(neuron)}` : ""}`;
@@ -82,11 +81,6 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
       drawMarks(frame, classes);
     },
   };
-}
-
-function valueWords(value: number | null | undefined, { none, unit }: ValuesOptions): string {
-  if (none !== undefined && (value === null || value === undefined)) return none;
-  return `${readable(value)}${unit ? ` ${unit}` : ""}`;
 }
 
 function setWinner(frame: MapFrame, neuron: number | null): void {

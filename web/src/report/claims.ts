@@ -27,7 +27,7 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
   return figure({
     title: "How the claims hold",
     file,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "region", "aria-label": "Claims" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Claims" }, [table]),
     numbers: () => claimsTable(claims),
     note: "Here: the median over the runs, with the least and the greatest. By luck: the same on wrong groupings.",
     wide: true,

@@ -1,6 +1,5 @@
 // What was named for what: rows are the true classes, columns what was said.
 
-import { segments } from "../parts/controls";
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
 import { attachCursor, type CursorPlace } from "../parts/map_cursor";
@@ -13,21 +12,16 @@ import type { Selection } from "./selection";
 import { runWords } from "./toolbar";
 import { protocolName, systemName } from "./words";
 
-export function confusionFigure(system: SystemReport, selection: Selection): HTMLElement {
-  let isAll = true;
-  const options = {
-    title: "Confusions",
-    file: `${systemName(system)}-confusions`,
-    note: "A row is a true class, a column what was named; the colour is the share of its row.",
-    controls: [
-      segments("Runs", ["all", "the chosen seed"], 0, (index) => {
-        isAll = index === 0;
-        live.redraw();
-      }),
-    ],
-  };
-  const live = liveFigure(options, selection, () => draw(system, selection, isAll));
-  return live.element;
+/** Over all runs, and in the chosen one. */
+export function confusionFigures(system: SystemReport, selection: Selection): HTMLElement[] {
+  return [true, false].map((isAll) => {
+    const options = {
+      title: isAll ? "Confusions over all runs" : "Confusions of the chosen seed",
+      file: `${systemName(system)}-confusions${isAll ? "" : "-of-seed"}`,
+      note: isAll ? "A row is a true class, a column what was named; the colour is the share of its row." : "",
+    };
+    return liveFigure(options, selection, () => draw(system, selection, isAll)).element;
+  });
 }
 
 function draw(system: SystemReport, selection: Selection, isAll: boolean): Drawn {
@@ -35,9 +29,11 @@ function draw(system: SystemReport, selection: Selection, isAll: boolean): Drawn
   if (!protocol || !run) return nothing("There is no run of this protocol.");
   const counts = countsOf(system, selection, isAll ? protocol.runs : [run]);
   if (!counts) return nothing(`What was named is not known for the label ${label} under this protocol.`);
-  const words = `${protocolName(protocol)}, by ${label}, ${isAll ? `all ${protocol.runs.length} runs` : `seed ${runWords(selection)}`}`;
+  const runs = isAll ? `all ${protocol.runs.length} runs` : `seed ${runWords(selection)}`;
+  const words = `${protocolName(protocol)}, by ${label}, ${runs}`;
   const picture = confusionPicture(counts, `Confusions: ${words}`);
-  return { body: [element("p", { class: "small what" }, [words]), picture.element], svg: picture.svg, table: tableOf(counts) };
+  const what = element("p", { class: "small what" }, [words]);
+  return { body: [what, picture.element], svg: picture.svg, table: tableOf(counts) };
 }
 
 interface Counts {

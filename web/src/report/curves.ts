@@ -47,7 +47,7 @@ function curvePlot(curve: CurveReport): HTMLElement {
   const range = metricRange(curve.metric, 0, 0);
   const unit = curve.unit === "" ? "" : ` (${curve.unit})`;
   return plotFigure(curve.title, {
-    height: 300,
+    height: 280,
     x: { label: `${curve.x}${unit}`, grid: false },
     y: { label: metricName(curve.metric), grid: true, ...(range ? { domain: range } : {}), clamp: true },
     marks: [

@@ -17,7 +17,7 @@ export function graphFigure(system: SystemReport): Child {
     picture.select(module.name);
     fill(details, moduleDetails(module));
   });
-  const place = element("div", { class: "graph", role: "region", "aria-label": "Modules", tabindex: 0 }, [picture.svg]);
+  const place = element("div", { class: "graph", role: "group", "aria-label": "Modules", tabindex: 0 }, [picture.svg]);
   return figure({
     title: "Modules",
     file: `${systemName(system)}-modules`,
@@ -52,7 +52,7 @@ function moduleDetails(module: ModuleData): Child[] {
   );
   const table = rows.length === 0 ? null : element("table", {}, [element("tbody", {}, rows)]);
   const words = `${module.text} ${module.inputs.length === 0 ? "" : `It takes ${module.inputs.map((one) => one.module).join(", ")}.`}`;
-  return [element("h4", {}, [module.name]), element("p", { class: "small muted" }, [words]), table];
+  return [element("p", { class: "figure-title" }, [module.name]), element("p", { class: "small muted" }, [words]), table];
 }
 
 function parameterWords(module: ModuleData): string {

@@ -4,16 +4,21 @@ import type { ProtocolData, RunData, SystemReport } from "./data";
 
 /** The labels that samples can be shown by: that of the study, then those of the explorations. */
 export function labelNames(system: SystemReport, protocol: ProtocolData): string[] {
-  const others = (system.samples ?? []).flatMap((sample) => Object.keys(sample));
+  const others = samplesOf(system, protocol).flatMap((sample) => Object.keys(sample));
   return [...new Set([protocol.label, ...others])];
 }
 
 /** The value of `label` for each sample of a run; null where it is not known. */
 export function valuesOf(system: SystemReport, protocol: ProtocolData, run: RunData, label: string): string[] | null {
   if (label === protocol.label) return run.labels;
-  const { samples } = system;
-  if (samples === null || samples.length !== run.winners.length) return null;
+  const samples = samplesOf(system, protocol);
+  if (samples.length === 0 || samples.length !== run.winners.length) return null;
   return samples.map((sample) => sample[label] ?? "(none)");
+}
+
+/** They are those of the recording that was learned from, not of a new one. */
+function samplesOf(system: SystemReport, protocol: ProtocolData): Record<string, string>[] {
+  return protocol.protocol === "test_data" ? [] : (system.samples ?? []);
 }
 
 /** What was named for each sample of a run. */

@@ -43,12 +43,13 @@ export function drawNow(place: Element): void {
 
 /** Draws what waits inside `place`, such as before it is scrolled to. */
 export function drawInside(place: Element): void {
-  for (const one of [...waiting.keys()]) if (place.contains(one)) drawNow(one);
+  // What is drawn may bring parts that wait in their turn.
+  for (const one of waiting.keys()) if (place.contains(one)) drawNow(one);
 }
 
 export function drawAllForPrint(): void {
   const drawAll = () => {
-    while (waiting.size > 0) [...waiting.keys()].forEach(drawNow);
+    for (const one of waiting.keys()) drawNow(one);
   };
   addEventListener("beforeprint", drawAll);
   matchMedia("print").addEventListener("change", (event) => (event.matches ? drawAll() : undefined));

@@ -53,7 +53,7 @@ function systemsFigure(data: ReportData): HTMLElement {
   return figure({
     title: "Systems",
     file: "somato-systems",
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "region", "aria-label": "Systems" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Systems" }, [table]),
     numbers: () => systemsTable(data),
     wide: true,
     note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned.",
@@ -77,7 +77,10 @@ function systemRow(system: SystemReport, index: number, data: ReportData): HTMLE
 }
 
 export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] {
-  return data.claims.filter((claim) => claim.system === system.name && claim.variation === system.variation);
+  return data.claims.filter((claim) => {
+    const isOfFile = claim.file === system.file && claim.question === system.question;
+    return isOfFile && claim.system === system.name && claim.variation === system.variation;
+  });
 }
 
 function claimsWords(claims: ClaimReport[]): string {

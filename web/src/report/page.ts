@@ -5,7 +5,7 @@ import { themeButton } from "../parts/theme";
 import { claimsSection } from "./claims";
 import { curvesSection } from "./curves";
 import type { ReportData, SystemReport } from "./data";
-import { drawInside } from "./lazy";
+import { drawInside, tried } from "./lazy";
 import { overviewSection } from "./overview";
 import { systemSection } from "./system";
 import { countOf, systemName } from "./words";
@@ -20,10 +20,10 @@ export const systemId = (index: number) => `system-${index + 1}`;
 
 export function reportPage(place: HTMLElement, data: ReportData): void {
   const sections = [
-    overviewSection(data, claimsOfData(data)),
-    ...(data.claims.length > 0 ? [claimsSection(data)] : []),
-    ...(data.curves.length > 0 ? [curvesSection(data)] : []),
-    ...data.systems.map((system, i) => systemSection(system, i, data)),
+    ...tried(() => [overviewSection(data, claimsOfData(data))]),
+    ...(data.claims.length > 0 ? tried(() => [claimsSection(data)]) : []),
+    ...(data.curves.length > 0 ? tried(() => [curvesSection(data)]) : []),
+    ...data.systems.flatMap((system, i) => tried(() => [systemSection(system, i, data)])),
   ];
   document.title = titleOf(data);
   const skip = element("a", { class: "skip", href: "#overview" }, ["To the report"]);

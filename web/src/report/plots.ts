@@ -10,7 +10,7 @@ import { shape } from "../parts/svg";
 /** The plot in a place that it fills. */
 export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElement {
   const made = Plot.plot({
-    width: 560,
+    width: 460,
     marginLeft: 48,
     marginBottom: 38,
     ...options,

@@ -1,7 +1,7 @@
 // Reads what `somato report` put into the page. What is missing is filled with what stands for
 // nothing, so that a report of another version of the program shows what it can.
 
-import type { ReportData, SystemReport } from "./data";
+import type { ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
 
 export type Read = { data: ReportData } | { problem: string };
 
@@ -50,9 +50,31 @@ const kEmpty: SystemReport = {
   missing: [],
 };
 
+const kEmptyProtocol: ProtocolData = { protocol: "", label: "", samples: 0, metrics: {}, runs: [] };
+
+const kEmptyTrained: TrainedData = {
+  file: "",
+  seed: null,
+  classes: [],
+  neuron_classes: [],
+  u_matrix: [],
+  hits: [],
+  planes: [],
+  receptive_fields: [],
+};
+
 function completed(system: Record<string, unknown>): SystemReport {
-  const given = Object.entries(system).filter(([, value]) => value !== null && value !== undefined);
-  return { ...kEmpty, ...Object.fromEntries(given) };
+  const whole: SystemReport = { ...kEmpty, ...given(system) };
+  const protocols = listOf(whole.protocols).filter(isObject);
+  return {
+    ...whole,
+    protocols: protocols.map((protocol) => ({ ...kEmptyProtocol, ...given(protocol) })),
+    trained: isObject(whole.trained) ? { ...kEmptyTrained, ...given(whole.trained) } : null,
+  };
+}
+
+function given(from: object): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(from).filter(([, value]) => value !== null && value !== undefined));
 }
 
 function isObject(value: unknown): value is Record<string, unknown> {

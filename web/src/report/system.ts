@@ -2,7 +2,7 @@
 
 import { element, type Child } from "../parts/dom";
 import { claimsFigure } from "./claims";
-import { confusionFigure } from "./confusions";
+import { confusionFigures } from "./confusions";
 import { connectivityFigures } from "./connectivity";
 import type { ReportData, SystemReport } from "./data";
 import { graphFigure } from "./graph";
@@ -47,7 +47,8 @@ function factsOf(system: SystemReport): [string, string][] {
   const facts: [string, string][] = [["Results", system.file]];
   if (grid) facts.push(["Map", `${grid.rows} × ${grid.columns}, ${grid.lattice}, ${grid.topology}`]);
   facts.push(["Samples", String(samples)], ["Runs", String(runs)]);
-  if (recordings.length > 0) facts.push([recordings.length === 1 ? "Recording" : "Recordings", recordingWords(recordings)]);
+  const named = recordings.filter((name) => name !== "");
+  if (named.length > 0) facts.push([named.length === 1 ? "Recording" : "Recordings", recordingWords(named)]);
   if (system.data_hash !== "") facts.push(["Data", system.data_hash]);
   return facts;
 }
@@ -64,11 +65,11 @@ function systemParts(system: SystemReport, data: ReportData, id: string): Child[
   const parts: [string, number, boolean, () => Child[]][] = [
     ["The graph of its modules", 260, system.graph !== null, () => [graphFigure(system)]],
     ["The map", 620, system.protocols.length > 0, () => mapFigures(system, selection)],
-    ["What the neurons stand for", 560, trained !== null && trained.planes.length > 0, () => planeFigures(system, selection)],
+    ["What the neurons stand for", 560, system.grid !== null && (trained?.planes.length ?? 0) > 0, () => planeFigures(system, selection)],
     ["Connectivity", 480, (trained?.receptive_fields.length ?? 0) > 0, () => connectivityFigures(system)],
     ["What the sensors told", 480, system.moments.length > 0, () => momentFigures(system)],
     ["Over the seeds", 420, system.protocols.length > 0, () => [outcomesFigure(system, selection, claims)]],
-    ["What was taken for what", 420, system.protocols.length > 0, () => [confusionFigure(system, selection)]],
+    ["What was taken for what", 420, system.protocols.length > 0, () => figuresOf(confusionFigures(system, selection))],
     ["Claims", 200, claims.length > 0, () => [claimsFigure(claims, `${systemName(system)}-claims`, false)]],
     ["Things and materials", 240, system.things.length > 0, () => [thingsFigure(system)]],
     ["Not given in the papers", 160, system.not_given.length > 0, () => [notGivenFigure(system)]],
@@ -82,6 +83,10 @@ function systemParts(system: SystemReport, data: ReportData, id: string): Child[
   ];
 }
 
+function figuresOf(figures: HTMLElement[]): Child[] {
+  return [element("div", { class: "figures" }, figures)];
+}
+
 function noProtocols(): Child {
   return element("p", { class: "message" }, ["These results have no protocol, so there is nothing to show of a test."]);
 }
@@ -93,8 +98,8 @@ function mapFigures(system: SystemReport, selection: Selection): Child[] {
 }
 
 function block(id: string, title: string, height: number, make: () => Child[]): HTMLElement {
-  return element("section", { class: "block", "aria-labelledby": id }, [
-    element("h3", { id }, [title]),
+  return element("div", { class: "block", id }, [
+    element("h3", {}, [title]),
     lazy(height, make),
   ]);
 }

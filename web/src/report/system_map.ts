@@ -6,7 +6,7 @@ import type { GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { columnOf, neuronCount, rowOf } from "../parts/grid";
-import { rangeOf } from "../parts/numbers";
+import { hitsPicture } from "../parts/map_hits";
 import { labelsPicture, valuesPicture } from "../parts/map_picture";
 import type { SystemReport, TrainedData } from "./data";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
@@ -87,9 +87,7 @@ function className(trained: TrainedData, neuron: number): string | null {
 }
 
 function hitsFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
-  const picture = valuesPicture(grid, { label: "Hits", unit: "samples", size: 300, none: "no sample" });
-  const won = trained.hits.map((count) => count || null);
-  picture.setValues(won, [0, rangeOf(won)?.[1] ?? 1]);
+  const picture = hitsPicture(grid, trained.hits, { label: "Hits", size: 300 });
   return figure({
     title: "Hits",
     file: `${systemName(system)}-hits`,

@@ -25,7 +25,7 @@ function plainTable(label: string, columns: string[], rows: string[][], codes: n
     element("thead", {}, [element("tr", {}, head)]),
     element("tbody", {}, rows.map((row) => element("tr", {}, row.map(cell)))),
   ]);
-  return element("div", { class: "table-wrap", tabindex: 0, role: "region", "aria-label": label }, [table]);
+  return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
 }
 
 /** What is not here and how to get it. */

@@ -23,7 +23,7 @@ export function thingsFigure(system: SystemReport): Child {
   return figure({
     title: "Things",
     file: `${systemName(system)}-things`,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "region", "aria-label": "Things" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Things" }, [table]),
     numbers: () => thingsTable(things),
     note: things.some((thing) => thing.size !== null) ? "All drawn at the same scale; width × depth × height." : "",
     wide: true,

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "somato/codes/standardization.h"
+#include "somato/core/matrix.h"
+#include "somato/graph/system.h"
+
+namespace somato::detail {
+
+/// A weight for each element of what a module gives, or for those at `places` alone, which ascend;
+/// all others are 0.
+struct FoldedWeights {
+  std::size_t size = 0;
+  std::vector<std::uint32_t> places;  ///< Empty: `values` has all elements.
+  std::vector<double> values;
+};
+
+/// Where folding ends: a module, and whether its weights are in the unit of what it gives.
+struct FoldingEnd {
+  std::size_t module = 0;
+  bool unit = false;
+};
+
+/// The way of weights from what the module `input` gives back to channels; see channel_planes().
+class WeightFolding {
+ public:
+  /// `unit`: whether the weights are in the unit of the input. The system must have learned, outlive
+  /// this object, and not change.
+  WeightFolding(const System& system, std::size_t input, bool unit);
+
+  /// In the order of fold(); the input alone where more than 256 ways lead back from it.
+  const std::vector<FoldingEnd>& ends() const { return ends_; }
+
+  /// Whether every element of the input is one of an end.
+  bool is_plain() const { return plain_; }
+
+  /// For each end what the weights come to at its elements.
+  std::vector<std::vector<double>> fold(FoldedWeights weights) const;
+
+ private:
+  // What was met on the way from the map: whether weights are in a unit, and still single ones.
+  struct Way {
+    bool unit = false;
+    bool single = true;
+  };
+  using Rows = std::vector<std::vector<double>>;
+
+  void find_ends(std::size_t module, Way way, std::size_t depth);
+  void remember(std::size_t module);
+  void fold(std::size_t module, FoldedWeights weights, Way way, std::size_t depth,
+            Rows& rows) const;
+  void fold_product(std::size_t module, const FoldedWeights& weights, Way way, std::size_t depth,
+                    Rows& rows) const;
+  void fold_concatenation(std::size_t module, const FoldedWeights& weights, Way way,
+                          std::size_t depth, Rows& rows) const;
+  void fold_t_mpsom(std::size_t module, const FoldedWeights& weights, Way way, std::size_t depth,
+                    Rows& rows) const;
+  std::vector<double> bin_centres(std::size_t module, const FoldedWeights& weights) const;
+  std::vector<double> undone(std::size_t module, const FoldedWeights& weights) const;
+  std::size_t size_of(std::size_t module) const;
+
+  const System& system_;
+  std::size_t input_;
+  Way start_;
+  std::vector<FoldingEnd> ends_;
+  bool plain_ = true;
+  bool whole_ = false;  // too many ways
+  // By module.
+  std::map<std::size_t, Standardization> standardizations_;
+  std::map<std::size_t, std::vector<std::pair<double, double>>> ranges_;
+  std::map<std::size_t, std::vector<Matrix<float>>> heard_;  // by input: shares that add up to 1
+};
+
+}  // namespace somato::detail
