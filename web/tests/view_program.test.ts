@@ -37,7 +37,7 @@ let predictions: string[];
 beforeAll(async () => {
   expect(program, "SOMATO_PROGRAM names the program").not.toBe("");
   expect(scripts, "SOMATO_MCAP_SCRIPTS names where the MCAP reader is").not.toBe("");
-  somato("explore", "--body", "lucs2", "--explorations", "1", "-o", recording);
+  somato("explore", "--body", "lucs2", "--explorations", "2", "-o", recording);
   somato("run", join(systems, "tensor_chain.toml"), "--data", recording, "--out", folder, "--seeds", "1");
   messages = recorded();
   predictions = predicted();

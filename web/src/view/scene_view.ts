@@ -32,7 +32,7 @@ const kClick = 4; // pixels that a click may stray
 export class SceneView {
   readonly orbit: Orbit;
   private readonly scene = new ThreeScene();
-  private readonly camera = new PerspectiveCamera(34, 1, 0.01, 20);
+  private readonly camera = new PerspectiveCamera(38, 1, 0.01, 20);
   private readonly simple: boolean;
   private readonly ring = new ThreeMesh(
     new SphereGeometry(0.0078, 20, 12),

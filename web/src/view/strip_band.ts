@@ -9,7 +9,8 @@ import type { Model } from "./model";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
 
-const kGap = 3; // frames' times that may be missing before there is a gap
+const kGap = 0.06; // share of the whole that may be missing before there is a gap
+const kLast = 0.01; // share of the whole that the last frame takes
 const kTable = Array.from({ length: 256 }, (_, i) => {
   const [red, green, blue] = parsed(sequenceColour(i / 255));
   return 0xff000000 | (blue << 16) | (green << 8) | red;
@@ -38,23 +39,25 @@ function drawBands(plot: uPlot, canvas: HTMLCanvasElement, channel: ChannelData,
   plot.ctx.drawImage(canvas, left, top, wide, height);
 }
 
-/** For each column of pixels the values that held then, or null. */
+/** For each column of pixels the values that held then, or null where nobody has looked. */
 function columnsOf(model: Model, channel: string, width: number, end: number): (readonly number[] | null)[] {
   const times = model.history.times;
   const rows = model.history.rows(channel);
-  const step = usualStep(times);
   let at = -1;
   return Array.from({ length: width }, (_, x) => {
     const time = ((x + 0.5) / width) * end;
     while (at + 1 < times.length && (times[at + 1] ?? 0) <= time) at += 1;
-    const fresh = at >= 0 && time - (times[at] ?? 0) <= kGap * step;
-    return fresh ? (rows[at] ?? null) : null;
+    const seen = at >= 0 && isSeen(times, at, time, end);
+    return seen ? (rows[at] ?? null) : null;
   });
 }
 
-function usualStep(times: readonly number[]): number {
-  const steps = times.slice(1).map((time, i) => time - (times[i] ?? 0)).sort((a, b) => a - b);
-  return steps[Math.floor(steps.length / 2)] ?? 0.1;
+/** Frames that were dropped in between do not make a gap; a jump does. */
+function isSeen(times: readonly number[], at: number, time: number, end: number): boolean {
+  const next = times[at + 1];
+  const begin = times[at] ?? 0;
+  if (next === undefined) return time - begin <= kLast * end;
+  return next - begin <= kGap * end;
 }
 
 function paint(canvas: HTMLCanvasElement, width: number, height: number, columns: (readonly number[] | null)[]): void {
