@@ -1,6 +1,7 @@
 // What the page knows, and what it asks the program. Panels watch it and tell it; they do not know
 // each other.
 
+import type { ChannelData } from "../parts/data";
 import type { Link, Listener } from "./connection";
 import type { Command, Frame, NeuronAnswer, Scene, State, TaxelAnswer, Training } from "./data";
 import { ForceScale } from "./force_scale";
@@ -36,7 +37,8 @@ export class Model implements Tell {
     this.shownLink.set(link);
   }
 
-  state(state: State): void {
+  state(told: State): void {
+    const state = { ...told, channels: told.channels.map(named) };
     const before = this.shownState.value;
     if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
     if (before?.name !== state.name) this.history.clear();
@@ -103,6 +105,13 @@ export class Model implements Tell {
     this.question.set(null);
     this.training.set(null);
   }
+}
+
+/** A channel nothing has come from yet may not know how many elements it has. */
+function named(channel: ChannelData): ChannelData {
+  if (channel.elements.length > 0) return channel;
+  const count = Math.max(1, channel.shape.reduce((product, size) => product * size, 1));
+  return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
 }
 
 /** A memory, where there is one: it shows most. */

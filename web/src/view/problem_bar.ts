@@ -9,7 +9,7 @@ export function problemBar(model: Model): HTMLElement {
   const bar = element("div", { class: "problem-bar", hidden: true }, [words, close]);
   model.problem.watch((problem) => {
     bar.hidden = problem === null;
-    words.textContent = problem ?? "";
+    words.textContent = problem === null ? "" : problem.charAt(0).toUpperCase() + problem.slice(1);
   });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && model.problem.value !== null) model.problem.set(null);

@@ -9,7 +9,8 @@ import type { Model } from "./model";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
 
-const kGap = 0.06; // share of the whole that may be missing before there is a gap
+const kGap = 0.06; // share of the whole that may be missing before there is a gap,
+const kGapTime = 1.5; // or s
 const kLast = 0.01; // share of the whole that the last frame takes
 const kTable = Array.from({ length: 256 }, (_, i) => {
   const [red, green, blue] = parsed(sequenceColour(i / 255));
@@ -57,7 +58,7 @@ function isSeen(times: readonly number[], at: number, time: number, end: number)
   const next = times[at + 1];
   const begin = times[at] ?? 0;
   if (next === undefined) return time - begin <= kLast * end;
-  return next - begin <= kGap * end;
+  return next - begin <= Math.max(kGapTime, kGap * end);
 }
 
 function paint(canvas: HTMLCanvasElement, width: number, height: number, columns: (readonly number[] | null)[]): void {

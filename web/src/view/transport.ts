@@ -76,7 +76,7 @@ export class Transport {
   private watchControls(): void {
     this.play.addEventListener("click", () => this.togglePlaying());
     this.scrub.addEventListener("input", () => this.seek(Number(this.scrub.value)));
-    this.choice.addEventListener("change", () => this.seek(0, Number(this.choice.value)));
+    this.choice.addEventListener("change", () => this.choice.value !== "" && this.seek(0, Number(this.choice.value)));
     this.speed.addEventListener("change", () =>
       void this.model.tell({ command: "speed", speed: Number(this.speed.value) }));
   }
@@ -90,20 +90,27 @@ export class Transport {
   }
 
   private showExplorations(state: State): void {
-    const text = JSON.stringify(state.explorations);
-    if (text !== this.listed) fill(this.choice, state.explorations.map(option));
+    const text = JSON.stringify([state.explorations, state.live]);
+    const now = state.live ? [element("option", { value: "" }, ["exploring now"])] : [];
+    if (text !== this.listed) fill(this.choice, [...state.explorations.map(option), ...now]);
     this.listed = text;
     this.choice.disabled = state.explorations.length === 0;
-    this.choice.value = String(state.exploration ?? "");
+    this.choose(state.exploration);
     const place = placeOf(state);
     this.before.disabled = place <= 0;
     this.after.disabled = place + 1 >= state.explorations.length;
   }
 
+  /** What is explored now is not in the list yet. */
+  private choose(exploration: number | null): void {
+    this.choice.value = String(exploration ?? "");
+    if (this.choice.selectedIndex < 0) this.choice.value = "";
+  }
+
   private showFrame(frame: Frame): void {
     this.showLength(frame.frames);
     if (!this.seeker.busy) this.scrub.value = String(frame.frame);
-    this.choice.value = String(frame.exploration);
+    this.choose(frame.exploration);
     const duration = this.model.shownState.value?.duration ?? null;
     const of = duration === null ? "" : ` / ${seconds(duration)}`;
     this.time.textContent = `${seconds(frame.time)}${of}`;
