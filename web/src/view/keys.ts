@@ -64,6 +64,8 @@ function takesKey(event: KeyboardEvent): boolean {
   if (!(at instanceof Element)) return false;
   if (at.matches("button, summary, a[href], [role=button]")) return event.key === " ";
   if (at.matches("input[type=checkbox]")) return event.key === " ";
-  if (at.matches("input, select, textarea")) return event.key !== "?" || !at.matches("select, input[type=range]");
-  return false;
+  if (at.matches("input[type=range]")) return /^(Arrow|Home|End|Page)/.test(event.key);
+  if (at.matches("input[type=radio]")) return /^(Arrow| )/.test(event.key);
+  if (at.matches("select")) return event.key !== "?";
+  return at.matches("input, textarea");
 }
