@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <utility>
 
-#include "explore_table.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/layout.h"
 #include "somato/studies/own_systems.h"
@@ -48,6 +48,17 @@ std::string body_in(const Table& content) {
   return text != nullptr ? *text : "";
 }
 
+// Of both probes' channels a probe has one.
+bool hears_only(const SystemDescription& description, const std::string& channel) {
+  const auto system = System::build(description, {});
+  if (!system) return false;
+  return std::all_of(system->modules().begin(), system->modules().end(),
+                     [&](const SystemModule& module) {
+                       const auto* source = dynamic_cast<const Source*>(module.module.get());
+                       return source == nullptr || source->channel() == channel;
+                     });
+}
+
 Result<std::vector<ViewSystem>> systems_that(
     const std::function<bool(const Table&, const StudyDescription&)>& fits) {
   auto own = own_systems();
@@ -84,11 +95,12 @@ Result<std::vector<ViewSystem>> systems_for(const Recording& recording) {
 }
 
 Result<std::vector<ViewSystem>> systems_for_body(const std::string& body) {
-  return systems_that([&](const Table& content, const StudyDescription&) {
+  return systems_that([&](const Table& content, const StudyDescription& description) {
     const std::string needed = body_in(content);
-    // Of both probes' channels a probe has one: what needs the other is told when it is chosen.
-    const bool of_probe = (body == "texture" || body == "hardness") && needed == "probes";
-    return needed == body || of_probe;
+    if (needed != "probes") return needed == body;
+    return hears_only(description.system, body == "texture"    ? "sound"
+                                          : body == "hardness" ? "potentiometer"
+                                                               : "");
   });
 }
 

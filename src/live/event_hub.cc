@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace somato::detail {
+namespace somato::live {
 
 void EventHub::publish(EventKind kind, std::string text) {
   auto shared = std::make_shared<const std::string>(std::move(text));
@@ -71,4 +71,4 @@ std::optional<std::vector<EventHub::Event>> EventHub::Seat::next(
   return events;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace somato::detail {
+namespace somato::live {
 
 /// What is told to those who look on, in the order in which it is told when there is more than one.
 enum class EventKind { kState, kScene, kTraining, kFrame };
@@ -79,4 +79,4 @@ class EventHub {
   std::function<void()> changed_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -2,7 +2,7 @@
 
 #include "somato/core/check.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 FoldedSignal fold_signal(const SignalView& signal, const std::vector<std::size_t>& shape,
                          std::size_t most) {
@@ -23,4 +23,4 @@ FoldedSignal fold_signal(const SignalView& signal, const std::vector<std::size_t
   return folded;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

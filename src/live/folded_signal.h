@@ -5,7 +5,7 @@
 
 #include "somato/core/signal.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// A signal made small enough to be shown.
 struct FoldedSignal {
@@ -20,4 +20,4 @@ struct FoldedSignal {
 FoldedSignal fold_signal(const SignalView& signal, const std::vector<std::size_t>& shape,
                          std::size_t most);
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 
 GrowingExploration::GrowingExploration(const BodyDescription& body)
     : frames_(body.sensors.size(), 0) {
@@ -33,4 +33,4 @@ void GrowingExploration::append(const BodyState& state) {
   ++moments_;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -6,7 +6,7 @@
 #include "somato/bodies/body.h"
 #include "somato/recording/recording.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// An exploration as far as a body has come with it.
 class GrowingExploration {
@@ -28,4 +28,4 @@ class GrowingExploration {
   std::size_t moments_ = 0;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

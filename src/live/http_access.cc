@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 
 HttpAccess::HttpAccess(std::vector<std::string> hosts, std::string token)
     : hosts_(std::move(hosts)), token_(std::move(token)) {}
@@ -48,4 +48,4 @@ bool equal_in_constant_time(std::string_view a, std::string_view b) {
   return difference == 0U;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

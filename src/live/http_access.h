@@ -8,7 +8,7 @@
 
 #include "live/http_request.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// Who may ask a server of this machine: only those who came by its start address. A page of
 /// somebody else can send requests to this machine too, and can make its own name point here.
@@ -38,4 +38,4 @@ std::optional<std::string> new_token();
 /// Whether the two are equal, in a time that does not depend on where they differ.
 bool equal_in_constant_time(std::string_view a, std::string_view b);
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -9,7 +9,7 @@
 #include <array>
 #include <cerrno>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 std::string_view reason_of(int status) {
@@ -163,4 +163,4 @@ void HttpConnection::leave() const {
   }
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -9,7 +9,7 @@
 
 #include "live/http_request.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// What is answered. With `stream` the body is what that writes, until it returns.
 struct HttpResponse {
@@ -61,4 +61,4 @@ class HttpConnection {
   Duration patience_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

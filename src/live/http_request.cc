@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
@@ -226,4 +226,4 @@ HttpResult<HttpRequest> parse_http_head(std::string_view head, const HttpLimits&
   return request;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

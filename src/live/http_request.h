@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace somato::detail {
+namespace somato::live {
 
 /// What a request may be made of at most, in bytes and numbers.
 struct HttpLimits {
@@ -55,4 +55,4 @@ HttpResult<HttpRequest> parse_http_head(std::string_view head, const HttpLimits&
 /// whose first line is refused.
 HttpResult<void> check_first_line(std::string_view bytes);
 
-}  // namespace somato::detail
+}  // namespace somato::live

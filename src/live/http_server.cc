@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 // An address of either family as the system wants it.
@@ -152,4 +152,4 @@ void HttpServer::collect() {
   }
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -13,7 +13,7 @@
 #include "live/http_connection.h"
 #include "somato/core/result.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// Answers requests of HTTP, each connection in a thread of its own; see http_request.h for what it
 /// takes. There are at most `connections` at a time: further ones are told to come again.
@@ -73,4 +73,4 @@ class HttpServer {
   std::list<Visit> visits_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace somato::detail {
+namespace somato::live {
 
 KeptScene::KeptScene(Scene scene, std::vector<std::vector<ScenePose>> poses)
     : scene_(std::move(scene)), poses_(std::move(poses)) {}
@@ -16,4 +16,4 @@ std::vector<ScenePose> KeptScene::poses(const Exploration& exploration, std::siz
   return poses_[std::min(frame * poses_.size() / frames, poses_.size() - 1)];
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -6,7 +6,7 @@
 
 #include "somato/bodies/scene.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// A scene that was seen while it happened.
 class KeptScene : public ScenePlayer {
@@ -22,4 +22,4 @@ class KeptScene : public ScenePlayer {
   std::vector<std::vector<ScenePose>> poses_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -13,7 +13,7 @@
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 constexpr std::uint64_t kLooks = 100;
@@ -179,4 +179,4 @@ Result<std::shared_ptr<const SystemModel>> train_visibly(const ViewSystem& syste
   return VisibleTraining(system, recording, seed, eyes).train();
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -12,7 +12,7 @@
 #include "somato/live/view_source.h"
 #include "somato/recording/recording.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// A look at a system that learns.
 struct TrainingLook {
@@ -40,4 +40,4 @@ Result<std::shared_ptr<const SystemModel>> train_visibly(const ViewSystem& syste
                                                          std::uint64_t seed,
                                                          const TrainingEyes& eyes);
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 
 void Narrator::choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout) {
   picture_ = system != nullptr ? picture_of(*system, layout) : SystemPicture{};
@@ -45,4 +45,4 @@ void Narrator::keep(const Error& error) {
   saying_.reset();
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -12,7 +12,7 @@
 #include "live/viewed_system.h"
 #include "somato/live/view_source.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// Says what the chosen system makes of an exploration that goes on; used by one thread.
 class Narrator {
@@ -48,4 +48,4 @@ class Narrator {
   Clock::time_point said_at_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

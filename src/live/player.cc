@@ -8,7 +8,7 @@
 
 #include "live/kept_scene.h"
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 constexpr double kLongestPause = 1.0;       // s, between two moments: nothing was recorded there
@@ -446,4 +446,4 @@ Result<void> Player::keep_pace(double passed) {
   }
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

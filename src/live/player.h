@@ -16,7 +16,7 @@
 #include "live/view_json.h"
 #include "somato/live/view_source.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// Plays explorations, or lets a body explore, and publishes what is to be seen. All of it happens
 /// in one thread, which calls run(); others speak to it through the queue.
@@ -114,4 +114,4 @@ class Player : private ExplorationWatcher {
   std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each exploration
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

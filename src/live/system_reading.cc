@@ -7,7 +7,7 @@
 
 #include "somato/graph/evaluation.h"
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 constexpr std::size_t kMostShown = 4096;
@@ -195,4 +195,4 @@ Result<std::optional<Saying>> SystemReading::say_as_whole(const Exploration& exp
   return std::optional<Saying>(std::move(saying));
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -14,7 +14,7 @@
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// A map's answer to an input.
 struct MapReading {
@@ -82,4 +82,4 @@ class SystemReading {
   std::size_t followed_ = 0;           // frames
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

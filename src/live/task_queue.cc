@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 
 bool TaskQueue::post(Task task) {
   {
@@ -40,4 +40,4 @@ TaskQueue::Woken TaskQueue::wait(std::optional<Clock::time_point> until) {
   return Woken::kTask;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-namespace somato::detail {
+namespace somato::live {
 
 /// What others want one thread to do, and that thread's waiting for it.
 class TaskQueue {
@@ -34,4 +34,4 @@ class TaskQueue {
   bool closed_ = false;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 constexpr double kMostMoments = 60.0;  // a second
@@ -72,4 +72,4 @@ Exploration cut_at(const Exploration& exploration, const Timeline& timeline, std
   return cut;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -5,7 +5,7 @@
 
 #include "somato/recording/recording.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// An exploration in moments that follow each other as one looks on: the frames of its channel with
 /// most frames, or stretches of them where there are more than sixty a second.
@@ -34,4 +34,4 @@ class Timeline {
 /// The exploration as far as it went: what had come when that moment was over.
 Exploration cut_at(const Exploration& exploration, const Timeline& timeline, std::size_t moment);
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -4,7 +4,7 @@
 
 #include "live/view_json.h"
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 Json training_json(const std::string& system, const TrainingLook& look) {
@@ -54,4 +54,4 @@ bool TrainingThread::show(const std::string& system, const TrainingLook& look) {
   return !stopping_;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -11,7 +11,7 @@
 #include "live/event_hub.h"
 #include "live/map_training.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// Trains one system at a time beside what is played, and publishes looks at it. Used by one thread.
 class TrainingThread {
@@ -46,4 +46,4 @@ class TrainingThread {
   std::thread thread_;
 };
 
-}  // namespace somato::detail
+}  // namespace somato::live

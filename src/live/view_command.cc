@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 using Json = nlohmann::json;
@@ -135,4 +135,4 @@ Result<ViewCommand> parse_view_command(std::string_view text) {
   return fail(ErrorKind::kUsage, "there is no such command");
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -9,7 +9,7 @@
 #include "somato/bodies/placement.h"
 #include "somato/core/result.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// What a page may ask for; see docs/formats/view.md.
 struct PlayCommand {};
@@ -45,4 +45,4 @@ using ViewCommand =
 /// are missing, unknown, of another type or out of range.
 Result<ViewCommand> parse_view_command(std::string_view text);
 
-}  // namespace somato::detail
+}  // namespace somato::live

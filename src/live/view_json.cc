@@ -6,7 +6,7 @@
 #include <iterator>
 #include <span>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 bool is_port(const ModuleType& type, const std::string& name) {
@@ -328,4 +328,4 @@ std::string frame_text(const ShownMoment& moment, const SystemModel* model, cons
   return std::move(text).take();
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

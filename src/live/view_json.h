@@ -15,7 +15,7 @@
 #include "somato/recording/layout.h"
 #include "somato/recording/recording.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 using Json = nlohmann::ordered_json;
 
@@ -49,4 +49,4 @@ std::string json_text(const Json& json);
 /// A frame as text in JSON: put together by hand, as it is many numbers many times a second.
 std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying);
 
-}  // namespace somato::detail
+}  // namespace somato::live

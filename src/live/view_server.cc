@@ -17,10 +17,10 @@
 
 namespace somato {
 
-using detail::EventHub;
-using detail::EventKind;
-using detail::HttpRequest;
-using detail::HttpResponse;
+using live::EventHub;
+using live::EventKind;
+using live::HttpRequest;
+using live::HttpResponse;
 
 namespace {
 
@@ -49,12 +49,12 @@ HttpResponse json_response(std::string body, int status = 200) {
 }
 
 HttpResponse refused(int status, std::string sentence) {
-  return detail::response_of({status, std::move(sentence)});
+  return live::response_of({status, std::move(sentence)});
 }
 
 // In JSON, as the page expects it.
 HttpResponse error_response(const Error& error) {
-  return json_response(detail::json_text({{"error", to_string(error)}}), 400);
+  return json_response(live::json_text({{"error", to_string(error)}}), 400);
 }
 
 std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
@@ -85,7 +85,7 @@ class ViewServer::Works {
       : session_(session), pages_(std::move(pages)), settings_(settings) {}
 
   Result<void> start() {
-    auto token = detail::new_token();
+    auto token = live::new_token();
     if (!token) {
       return fail(ErrorKind::kSystem, "the system gave no random numbers", "getrandom");
     }
@@ -191,8 +191,8 @@ class ViewServer::Works {
   ViewServerSettings settings_;
   std::string token_;
   std::vector<std::string> hosts_;
-  std::optional<detail::HttpAccess> access_;
-  detail::HttpServer http_;
+  std::optional<live::HttpAccess> access_;
+  live::HttpServer http_;
 };
 
 Result<std::unique_ptr<ViewServer>> ViewServer::start(ViewSession& session,

@@ -1,12 +1,14 @@
 #include "somato/live/view_session.h"
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <thread>
 #include <utility>
 #include <variant>
 
 #include "live/event_hub.h"
+#include "live/inquiries.h"
 #include "live/player.h"
 #include "live/task_queue.h"
 #include "live/training_thread.h"
@@ -14,7 +16,7 @@
 
 namespace somato {
 
-using detail::TaskQueue;
+using live::TaskQueue;
 
 class ViewSession::Works {
  public:
@@ -42,29 +44,57 @@ class ViewSession::Works {
 
   // Waits until it has been done: the player looks after tasks with every frame.
   Result<void> command(std::string_view json) {
-    auto command = detail::parse_view_command(json);
+    auto command = live::parse_view_command(json);
     if (!command) return fail(std::move(command.error()));
-    auto done = std::make_shared<std::promise<Result<void>>>();
-    auto result = done->get_future();
-    const bool posted = queue_.post([this, done, command = std::move(*command)] {
-      done->set_value(handle(command));
+    return ask<void>([this, command = std::move(*command)] {
+      auto handled = handle(command);
       player_.publish_state();
+      return handled;
     });
+  }
+
+  // What takes long is done by the thread that asks.
+  Result<std::string> neuron(const std::string& map, std::size_t neuron) {
+    return asked_system().and_then(
+        [&](const live::InquiredSystem& asked) { return inquiries_.neuron(asked, map, neuron); });
+  }
+  Result<std::string> taxel(std::size_t element) {
+    return asked_system().and_then(
+        [&](const live::InquiredSystem& asked) { return inquiries_.taxel(asked, element); });
+  }
+
+  live::EventHub& hub() { return hub_; }
+  const Recording& recording() const { return player_.source().recording; }
+
+ private:
+  static constexpr auto kPatience = std::chrono::seconds(5);
+
+  // Has the player's thread do something, and waits until it has.
+  template <typename T>
+  Result<T> ask(std::function<Result<T>()> question) {
+    auto answer = std::make_shared<std::promise<Result<T>>>();
+    auto result = answer->get_future();
+    const bool posted = queue_.post(
+        [answer, question = std::move(question)] { answer->set_value(question()); });
     if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
       return fail(ErrorKind::kUsage, "the view is busy or about to end");
     }
     return result.get();
   }
 
-  detail::EventHub& hub() { return hub_; }
-  const Recording& recording() const { return player_.source().recording; }
+  Result<live::InquiredSystem> asked_system() {
+    return ask<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
+      const ViewSystem* system = player_.system();
+      if (system != nullptr && system->trained) {
+        return live::InquiredSystem{system->trained, to_learn_from()};
+      }
+      return fail(ErrorKind::kUsage, "no system that has learned is chosen");
+    });
+  }
 
- private:
-  static constexpr auto kPatience = std::chrono::seconds(5);
-
-  Result<void> handle(const detail::ViewCommand& command) {
-    if (std::holds_alternative<detail::TrainCommand>(command)) return train();
-    if (std::holds_alternative<detail::StopTrainingCommand>(command)) {
+  Result<void> handle(const live::ViewCommand& command) {
+    if (std::holds_alternative<live::TrainCommand>(command)) return train();
+    if (std::holds_alternative<live::StopTrainingCommand>(command)) {
       training_.ask_to_stop();
       return {};
     }
@@ -101,15 +131,16 @@ class ViewSession::Works {
     if (trained) {
       player_.take_trained(name, *trained);
     } else if (trained.error().kind != ErrorKind::kInterrupted) {
-      player_.show_problem(detail::sentence_of(trained.error()));
+      player_.show_problem(live::sentence_of(trained.error()));
     }
     player_.show_training(false);
   }
 
-  detail::EventHub hub_;
+  live::EventHub hub_;
   TaskQueue queue_;
-  detail::Player player_;
-  detail::TrainingThread training_;
+  live::Player player_;
+  live::TrainingThread training_;
+  live::Inquiries inquiries_;
   std::thread thread_;
 };
 
@@ -136,15 +167,15 @@ Result<void> ViewSession::command(std::string_view json) {
   return works_->command(json);
 }
 
-Result<std::string> ViewSession::neuron(const std::string& /*map*/, std::size_t /*neuron*/) {
-  return fail(ErrorKind::kUsage, "there is no system that has learned");
+Result<std::string> ViewSession::neuron(const std::string& map, std::size_t neuron) {
+  return works_->neuron(map, neuron);
 }
 
-Result<std::string> ViewSession::taxel(std::size_t /*element*/) {
-  return fail(ErrorKind::kUsage, "there is no system that has learned");
+Result<std::string> ViewSession::taxel(std::size_t element) {
+  return works_->taxel(element);
 }
 
-detail::EventHub& ViewSession::hub() {
+live::EventHub& ViewSession::hub() {
   return works_->hub();
 }
 

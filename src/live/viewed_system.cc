@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace somato::detail {
+namespace somato::live {
 namespace {
 
 // The channels must be what they were when the system learned.
@@ -67,4 +67,4 @@ std::string sentence_of(const Error& error) {
   return text;
 }
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -10,7 +10,7 @@
 #include "somato/live/view_source.h"
 #include "somato/recording/layout.h"
 
-namespace somato::detail {
+namespace somato::live {
 
 /// The map of a system that answers: the one that is named, or else its last.
 Result<std::string> answering_map(const System& system, const std::string& named);
@@ -30,4 +30,4 @@ SystemPicture picture_of(const ViewSystem& system, const std::optional<Recording
 /// An error as a sentence for a page.
 std::string sentence_of(const Error& error);
 
-}  // namespace somato::detail
+}  // namespace somato::live

@@ -10,9 +10,9 @@
 
 namespace somato {
 
-namespace detail {
+namespace live {
 class EventHub;
-}  // namespace detail
+}  // namespace live
 
 /// Explorations before everybody's eyes: plays them, or has a body explore, says what a system makes
 /// of them, and trains systems. It runs in a thread of its own and never waits for who looks on.
@@ -45,7 +45,7 @@ class ViewSession {
   Result<std::string> taxel(std::size_t element);
 
   /// For whoever tells others.
-  detail::EventHub& hub();
+  live::EventHub& hub();
 
  private:
   class Works;
