@@ -1,10 +1,14 @@
-// The range of the colours of the taxels: from 0 to a round number not below the largest value seen,
-// of the exploration or, while it is held, of whatever it was when it was held.
+// The range of the colours of the taxels: from 0 to a round number not below the largest value seen
+// of the exploration or, while it is held, to what it was when it was held. Noise is no touch: the
+// range has a least size where the unit tells.
+
+const kLeast: Record<string, number | undefined> = { N: 1 };
 
 export class ForceScale {
   private most = 0;
   private exploration = -1;
   held = false;
+  unit = "";
 
   /** Told of every frame that is drawn. */
   see(exploration: number, values: readonly number[]): void {
@@ -15,7 +19,7 @@ export class ForceScale {
   }
 
   get end(): number {
-    return roundNumber(this.most);
+    return roundNumber(Math.max(this.most, kLeast[this.unit] ?? 0));
   }
 
   share(value: number): number {

@@ -43,6 +43,7 @@ export class Model implements Tell {
     if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
     if (before?.name !== state.name) this.history.clear();
     this.keepChoices(state);
+    this.scale.unit = state.channels.find(({ name }) => name === "touch")?.unit ?? "";
     this.shownState.set(state);
     if (before !== null && before.system !== state.system) this.forget();
   }

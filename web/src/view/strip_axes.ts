@@ -11,12 +11,15 @@ const kFont = "10px system-ui, 'Noto Sans', 'Liberation Sans', sans-serif";
 export function timeScale(model: Model): uPlot.Scale {
   return {
     time: false,
-    range: () => {
-      const known = model.shownState.value?.duration ?? null;
-      const seen = model.history.times.at(-1) ?? 0;
-      return [0, Math.max(known ?? kLeast, seen, 0.1)];
-    },
+    range: () => [0, timeEnd(model)],
   };
+}
+
+/** The time that the strips end at. */
+export function timeEnd(model: Model): number {
+  const known = model.shownState.value?.duration ?? null;
+  const seen = model.history.times.at(-1) ?? 0;
+  return Math.max(known ?? kLeast, seen, 0.1);
 }
 
 export function axes(y: Partial<uPlot.Axis> = {}): uPlot.Axis[] {

@@ -5,12 +5,11 @@ import type uPlot from "uplot";
 
 import { parsed, sequenceColour } from "../parts/colour_maps";
 import type { ChannelData } from "../parts/data";
+import { isGap } from "./gaps";
 import type { Model } from "./model";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
 
-const kGap = 0.06; // share of the whole that may be missing before there is a gap,
-const kGapTime = 1.5; // or s
 const kLast = 0.01; // share of the whole that the last frame takes
 const kTable = Array.from({ length: 256 }, (_, i) => {
   const [red, green, blue] = parsed(sequenceColour(i / 255));
@@ -53,12 +52,9 @@ function columnsOf(model: Model, channel: string, width: number, end: number): (
   });
 }
 
-/** Frames that were dropped in between do not make a gap; a jump does. */
 function isSeen(times: readonly number[], at: number, time: number, end: number): boolean {
-  const next = times[at + 1];
-  const begin = times[at] ?? 0;
-  if (next === undefined) return time - begin <= kLast * end;
-  return next - begin <= Math.max(kGapTime, kGap * end);
+  if (at + 1 < times.length) return !isGap(times, at, end);
+  return time - (times[at] ?? 0) <= kLast * end;
 }
 
 function paint(canvas: HTMLCanvasElement, width: number, height: number, columns: (readonly number[] | null)[]): void {

@@ -4,9 +4,10 @@ import type uPlot from "uplot";
 
 import type { ChannelData } from "../parts/data";
 import { kClassColours } from "../parts/colour_maps";
+import { isGap } from "./gaps";
 import type { Model } from "./model";
 import type { Plot } from "./strip";
-import { axes, drawMoment, kCursor, tickWords, timeScale } from "./strip_axes";
+import { axes, drawMoment, kCursor, tickWords, timeEnd, timeScale } from "./strip_axes";
 import { themeColour } from "./theme_colours";
 
 const kDashes = [[], [5, 2], [2, 2], [6, 2, 1, 2]];
@@ -20,7 +21,7 @@ export function lineLook(element: number): { colour: string; dash: number[] } {
 export function linePlot(channel: ChannelData, model: Model): Plot {
   const series = channel.elements.map((name, i): uPlot.Series => {
     const { colour, dash } = lineLook(i);
-    return { label: name, stroke: colour, dash, width: 1.5, points: { show: false }, spanGaps: true };
+    return { label: name, stroke: colour, dash, width: 1.5, points: { show: fewPoints, size: 4 } };
   });
   const options = {
     scales: { x: timeScale(model), y: { range: comfortable } },
@@ -39,8 +40,17 @@ function comfortable(_: uPlot, low: number | null, high: number | null): [number
   return [low - air, high + air];
 }
 
+/** Where few frames have been seen, each is a dot. */
+function fewPoints(_: uPlot, __: number, first: number, last: number): boolean {
+  return last - first < 16;
+}
+
+/** With nothing in the middle of a gap, so that no line is drawn over it. */
 function columns(channel: ChannelData, model: Model): uPlot.AlignedData {
+  const { times } = model.history;
   const rows = model.history.rows(channel.name);
-  const column = (i: number) => rows.map((row) => row[i] ?? null);
-  return [model.history.times, ...channel.elements.map((_, i) => column(i))];
+  const end = timeEnd(model);
+  const cuts = times.map((time, i) => (isGap(times, i, end) ? [time, (time + times[i + 1]!) / 2] : [time]));
+  const column = (element: number) => cuts.flatMap(({ length }, i) => [rows[i]?.[element] ?? null, null].slice(0, length));
+  return [cuts.flat(), ...channel.elements.map((_, i) => column(i))];
 }

@@ -4,6 +4,7 @@ import { describe, expect, test } from "vitest";
 
 import type { Frame } from "../../src/view/data";
 import { ForceScale, roundNumber } from "../../src/view/force_scale";
+import { isGap } from "../../src/view/gaps";
 import { geometryOf } from "../../src/view/geometry";
 import { History } from "../../src/view/history";
 import { describe as describeLabels } from "../../src/view/labels";
@@ -48,6 +49,19 @@ describe("the scale of touch", () => {
     scale.see(1, [40]);
     expect(scale.end).toBe(0.2);
   });
+
+  test("does not show the noise of a force as if it were touch", () => {
+    const scale = new ForceScale();
+    scale.unit = "N";
+    scale.see(0, [0.05]);
+    expect(scale.end).toBe(1);
+  });
+});
+
+test("a jump makes a gap, a dropped frame none", () => {
+  const times = [0, 0.1, 0.4, 3, 3.1];
+  expect(times.map((_, i) => isGap(times, i, 20))).toEqual([false, false, true, false, false]);
+  expect(isGap([0, 3], 0, 60)).toBe(false);
 });
 
 test("a neuron's class is the one that it won most of", () => {
