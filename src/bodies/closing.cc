@@ -51,13 +51,14 @@ class Stillness {
 
 class ClosingHand {
  public:
-  ClosingHand(Body& body, const Closing& closing, std::size_t joints)
+  ClosingHand(Body& body, const Closing& closing, std::size_t joints,
+              const AfterFrames& after_frames)
       : body_(body),
         closing_(closing),
         joints_(joints),
         fingers_(finger_servos(body.description())),
         targets_(present_targets(body)),
-        log_(body.description()) {}
+        log_(body.description(), after_frames) {}
 
   Result<void> open() {
     if (fingers_.empty()) {
@@ -167,10 +168,11 @@ const Declarations<Closing>& Closing::declarations() {
   return declared;
 }
 
-Result<Exploration> explore_by_closing(Body& body, const Closing& closing) {
+Result<Exploration> explore_by_closing(Body& body, const Closing& closing,
+                                       const AfterFrames& after_frames) {
   const auto joints = find_sensor(body.description(), "joints");
   if (!joints) return fail(joints.error());
-  ClosingHand hand(body, closing, *joints);
+  ClosingHand hand(body, closing, *joints, after_frames);
   auto closed = hand.open().and_then([&] { return hand.close(); });
   if (!closed) return fail(std::move(closed.error()));
   return std::move(hand).explored();

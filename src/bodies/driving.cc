@@ -19,11 +19,11 @@ bool has_arrived(const Body& body, std::size_t servo, double target) {
 }
 
 Result<void> let_pass(Body& body, double seconds, double step,
-                      const std::function<void()>& after_step) {
+                      const std::function<Result<void>()>& after_step) {
   const auto steps = std::llround(std::ceil(seconds / step));
   for (std::int64_t i = 0; i < steps; ++i) {
     if (auto stepped = body.step(seconds / static_cast<double>(steps)); !stepped) return stepped;
-    after_step();
+    if (auto went_on = after_step(); !went_on) return went_on;
   }
   return {};
 }

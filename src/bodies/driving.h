@@ -14,7 +14,7 @@ bool has_arrived(const Body& body, std::size_t servo, double target);
 
 /// Lets `seconds` above 0 pass in equal steps of at most `step`, and calls `after_step` after each.
 Result<void> let_pass(Body& body, double seconds, double step,
-                      const std::function<void()>& after_step);
+                      const std::function<Result<void>()>& after_step);
 
 /// The channel of a sensor without frames.
 Channel empty_channel(const ChannelDescription& sensor);

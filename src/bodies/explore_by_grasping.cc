@@ -12,14 +12,14 @@ namespace {
 class GraspingHand {
  public:
   GraspingHand(Body& body, const HandLayout& hand, const GuardedGrasp& grasp, std::size_t height,
-               std::size_t wrist)
+               std::size_t wrist, const AfterFrames& after_frames)
       : body_(body),
         hand_(hand),
         grasp_(grasp),
         height_(height),
         wrist_(wrist),
         targets_(present_targets(body)),
-        log_(body.description()) {}
+        log_(body.description(), after_frames) {}
 
   Result<void> open() {
     for (const Finger& finger : hand_.fingers) {
@@ -66,7 +66,8 @@ tl::unexpected<Error> in_grasp(Error error, const std::vector<GraspPose>& poses,
 }  // namespace
 
 Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
-                                        const GuardedGrasp& grasp, const AfterGrasp& after_grasp) {
+                                        const GuardedGrasp& grasp, const AfterGrasp& after_grasp,
+                                        const AfterFrames& after_frames) {
   const auto poses = grasp_poses(plan);
   if (!poses) return fail(poses.error());
   const auto layout = hand_layout(body.description());
@@ -75,7 +76,7 @@ Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
   if (!height) return fail(height.error());
   const auto wrist = find_degree_of_freedom(body.description(), "wrist");
   if (!wrist) return fail(wrist.error());
-  GraspingHand hand(body, *layout, grasp, *height, *wrist);
+  GraspingHand hand(body, *layout, grasp, *height, *wrist, after_frames);
   if (auto opened = hand.open(); !opened) return fail(std::move(opened.error()));
   for (std::size_t i = 0; i < poses->size(); ++i) {
     auto grasped = hand.grasp_at((*poses)[i])

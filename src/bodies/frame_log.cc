@@ -21,7 +21,8 @@ std::size_t elements_of(const ChannelDescription& sensor) {
 
 }  // namespace
 
-FrameLog::FrameLog(const BodyDescription& description) {
+FrameLog::FrameLog(const BodyDescription& description, AfterFrames after_frames)
+    : after_frames_(std::move(after_frames)) {
   sensors_.reserve(description.sensors.size());
   for (const ChannelDescription& sensor : description.sensors) {
     Channel channel = detail::empty_channel(sensor);
@@ -37,7 +38,7 @@ Result<void> FrameLog::append(const BodyState& state) {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     if (auto added = append(sensors_[i], state.readings[i], state.time); !added) return added;
   }
-  return {};
+  return after_frames_ ? after_frames_(state) : Result<void>();
 }
 
 Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, double end) {

@@ -48,7 +48,7 @@ Result<float> read_once(Body& body, std::size_t sensor, double seconds) {
 }
 
 Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, double target,
-                           const P& parameters) {
+                           const P& parameters, const AfterFrames& after_frames) {
   std::vector<float> readings;
   std::size_t rests = 0;
   const double until = body.state().time + parameters.patience;
@@ -56,6 +56,7 @@ Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, do
     const auto reading = read_once(body, sensor, parameters.step);
     if (!reading) return fail(reading.error());
     readings.push_back(*reading);
+    if (auto told = after_frames ? after_frames(body.state()) : Result<void>(); !told) return told;
     const bool still =
         detail::has_arrived(body, stick, target) && looks_at_rest(readings, parameters.readings);
     rests = still ? rests + 1 : 0;
@@ -98,7 +99,8 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<Exploration> explore_by_pressing(Body& body, const P& parameters) {
+Result<Exploration> explore_by_pressing(Body& body, const P& parameters,
+                                        const AfterFrames& after_frames) {
   if (auto ranges = detail::check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto stick = find_degree_of_freedom(body.description(), "stick");
   if (!stick) return fail(stick.error());
@@ -106,7 +108,7 @@ Result<Exploration> explore_by_pressing(Body& body, const P& parameters) {
   if (!sensor) return fail(sensor.error());
   const double target = parameters.to.value_or(body.description().degrees_of_freedom[*stick].most);
   if (auto sent = detail::drive_one(body, *stick, target); !sent) return fail(sent.error());
-  if (auto rests = wait_for_rest(body, *stick, *sensor, target, parameters); !rests) {
+  if (auto rests = wait_for_rest(body, *stick, *sensor, target, parameters, after_frames); !rests) {
     return fail(rests.error());
   }
   return exploration_of(body.description().sensors[*sensor], body.state().readings[*sensor]);

@@ -64,7 +64,8 @@ Result<void> go_to_start(Body& body, const Stroke& stroke, const P& parameters) 
   const double away = std::abs(body.state().positions[stroke.lever] - parameters.from);
   if (auto sent = detail::drive_one(body, stroke.lever, parameters.from); !sent) return sent;
   const double seconds = away / body.description().degrees_of_freedom[stroke.lever].fastest;
-  if (auto passed = detail::let_pass(body, seconds + parameters.settle, parameters.step, [] {});
+  if (auto passed = detail::let_pass(body, seconds + parameters.settle, parameters.step,
+                                     []() -> Result<void> { return {}; });
       !passed) {
     return passed;
   }
@@ -72,14 +73,16 @@ Result<void> go_to_start(Body& body, const Stroke& stroke, const P& parameters) 
 }
 
 // What is heard on the way to the end of the stroke.
-Result<std::vector<float>> listen(Body& body, const Stroke& stroke, const P& parameters) {
+Result<std::vector<float>> listen(Body& body, const Stroke& stroke, const P& parameters,
+                                  const AfterFrames& after_frames) {
   if (auto sent = detail::drive_one(body, stroke.lever, parameters.to); !sent) {
     return fail(sent.error());
   }
   std::vector<float> heard;
-  auto passed = detail::let_pass(body, stroke.seconds, parameters.step, [&] {
+  auto passed = detail::let_pass(body, stroke.seconds, parameters.step, [&]() -> Result<void> {
     const auto values = body.state().readings[stroke.sound].values();
     heard.insert(heard.end(), values.begin(), values.end());
+    return after_frames ? after_frames(body.state()) : Result<void>();
   });
   if (!passed) return fail(passed.error());
   if (auto arrived = check_arrival(body, stroke.lever, parameters.to); !arrived) {
@@ -108,11 +111,12 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<Exploration> explore_by_stroking(Body& body, const P& parameters) {
+Result<Exploration> explore_by_stroking(Body& body, const P& parameters,
+                                        const AfterFrames& after_frames) {
   const auto stroke = plan_stroke(body.description(), parameters);
   if (!stroke) return fail(stroke.error());
   if (auto ready = go_to_start(body, *stroke, parameters); !ready) return fail(ready.error());
-  auto heard = listen(body, *stroke, parameters);
+  auto heard = listen(body, *stroke, parameters, after_frames);
   if (!heard) return fail(std::move(heard.error()));
   Channel channel = detail::empty_channel(body.description().sensors[stroke->sound]);
   const std::size_t elements = body.state().readings[stroke->sound].columns();

@@ -70,6 +70,8 @@ struct LiveSystem::State {
   SomWorkspace workspace;             // the map itself is asked
   bool has_frame = false;
 
+  void add_all(std::size_t map);
+  bool is_working(std::size_t module) const;
   Result<void> add(std::size_t module);
   Result<void> add_source(Working& added);
   void start();
@@ -95,6 +97,23 @@ Result<void> LiveSystem::State::add(std::size_t module) {
   added.inputs.resize(system.modules()[module].inputs.size());
   working.push_back(std::move(added));
   return {};
+}
+
+bool LiveSystem::State::is_working(std::size_t module) const {
+  return std::any_of(working.begin(), working.end(),
+                     [&](const Working& one) { return one.module == module; });
+}
+
+// Those that nothing needs, as far as they can run; what they listen to is at work before them.
+void LiveSystem::State::add_all(std::size_t map) {
+  for (const auto& group : system.wiring().groups()) {
+    const std::size_t module = group.front();
+    if (system.wiring().is_loop(group) || module == map || is_working(module)) continue;
+    const std::vector<std::size_t>& inputs = system.modules()[module].inputs;
+    const bool heard = std::all_of(inputs.begin(), inputs.end(),
+                                   [&](std::size_t input) { return is_working(input); });
+    if (heard) (void)add(module);
+  }
 }
 
 Result<void> LiveSystem::State::add_source(Working& added) {
@@ -153,7 +172,7 @@ Result<SignalView> LiveSystem::State::output_of(Working& one,
   return one.stepper->advance(one.inputs);
 }
 
-Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map) {
+Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map, LiveModules modules) {
   const Som* som = som_of(system, map);
   require(som != nullptr && som->neurons() > 0, "a live system needs a map that has learned");
   auto state = std::make_unique<State>(system, map);
@@ -172,6 +191,7 @@ Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map) {
     }
     if (auto added = state->add(group.front()); !added) return fail(std::move(added.error()));
   }
+  if (modules == LiveModules::kAll) state->add_all(map);
   state->start();
   return LiveSystem(std::move(state));
 }
@@ -191,6 +211,11 @@ void LiveSystem::start() {
 
 Result<void> LiveSystem::step(std::span<const std::span<const float>> frame) {
   return state_->step(frame);
+}
+
+std::optional<SignalView> LiveSystem::output(std::size_t module) const {
+  if (!state_->has_frame || !state_->is_working(module)) return {};
+  return state_->outputs[module];
 }
 
 std::size_t LiveSystem::winner() {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "somato/bodies/frame_log.h"
 #include "somato/bodies/motion.h"
 #include "somato/core/parameter.h"
 #include "somato/recording/recording.h"
@@ -29,7 +30,8 @@ struct Closing {
 /// times of the body's clock; there are no labels.
 /// Errors: kData when it takes longer than the longest time ("never closed"), or when `joints`
 /// gives no frame; kUsage for a body without a sensor `joints` or without fingers; those of
-/// move_to().
-Result<Exploration> explore_by_closing(Body& body, const Closing& closing);
+/// move_to() and of `after_frames`.
+Result<Exploration> explore_by_closing(Body& body, const Closing& closing,
+                                       const AfterFrames& after_frames = {});
 
 }  // namespace somato

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "somato/bodies/body.h"
@@ -7,13 +8,16 @@
 
 namespace somato {
 
+/// Called after each step whose frames belong to an exploration. An error ends it with that error.
+using AfterFrames = std::function<Result<void>(const BodyState& state)>;
+
 /// Keeps what a body felt during the steps that it is told of.
 class FrameLog {
  public:
-  explicit FrameLog(const BodyDescription& description);
+  explicit FrameLog(const BodyDescription& description, AfterFrames after_frames = {});
 
   /// Adds the frames that were taken during the last step. Errors (kData) name a sensor whose
-  /// readings do not fit its description or those before.
+  /// readings do not fit its description or those before; those of `after_frames`.
   Result<void> append(const BodyState& state);
 
   /// A channel for each sensor, with the time of each frame in seconds of the body's clock: a step
@@ -31,6 +35,7 @@ class FrameLog {
   static Result<void> append(Sensor& sensor, const Matrix<float>& frames, double end);
 
   std::vector<Sensor> sensors_;
+  AfterFrames after_frames_;
 };
 
 }  // namespace somato

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "somato/bodies/body.h"
+#include "somato/bodies/frame_log.h"
 #include "somato/core/parameter.h"
 #include "somato/recording/recording.h"
 
@@ -29,7 +30,9 @@ struct PressParameters {
 ///
 /// Errors: kUsage for a body without that degree of freedom or sensor and parameters out of range;
 /// kData for a target beyond the stick's limits and a stick that does not come to rest before
-/// patience ends; what the body says.
-Result<Exploration> explore_by_pressing(Body& body, const PressParameters& parameters = {});
+/// patience ends; what the body says, and `after_frames`, which is called after each reading,
+/// of which the last belongs to the exploration.
+Result<Exploration> explore_by_pressing(Body& body, const PressParameters& parameters = {},
+                                        const AfterFrames& after_frames = {});
 
 }  // namespace somato

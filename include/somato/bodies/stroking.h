@@ -1,6 +1,7 @@
 #pragma once
 
 #include "somato/bodies/body.h"
+#include "somato/bodies/frame_log.h"
 #include "somato/core/parameter.h"
 #include "somato/recording/recording.h"
 
@@ -22,7 +23,9 @@ struct StrokeParameters {
 ///
 /// Errors: kUsage for a body without that degree of freedom or sensor, parameters out of range and
 /// a stroke shorter than a frame; kData for a start or end beyond the lever's limits, a sensor
-/// without a rate or with too few frames and a lever that does not arrive; what the body says.
-Result<Exploration> explore_by_stroking(Body& body, const StrokeParameters& parameters = {});
+/// without a rate or with too few frames and a lever that does not arrive; what the body says, and
+/// `after_frames`, which is called after each step of the stroke.
+Result<Exploration> explore_by_stroking(Body& body, const StrokeParameters& parameters = {},
+                                        const AfterFrames& after_frames = {});
 
 }  // namespace somato

@@ -6,6 +6,7 @@
 
 #include "somato/bodies/body.h"
 #include "somato/bodies/object.h"
+#include "somato/bodies/placement.h"
 #include "somato/core/random.h"
 #include "somato/simulation/simulation_parameters.h"
 
@@ -13,15 +14,6 @@ namespace somato {
 
 /// The hands that can be simulated: models/lucs_haptic_hand_2.xml and ..._3.xml.
 enum class Hand { kLucs2, kLucs3 };
-
-/// How an object stands off its place. Before Hand II: along the table's axes. Hand III has it with
-/// its wider side against the palm: shifted along it, and away by the size of `y`. Either way
-/// turned about the vertical.
-struct Placement {
-  double x = 0.0;     ///< mm.
-  double y = 0.0;     ///< mm.
-  double turn = 0.0;  ///< deg.
-};
 
 /// A placement drawn with the standard deviations of the parameters.
 Placement draw_placement(const SimulationParameters& parameters, Random& random);

@@ -1,0 +1,74 @@
+#include "live/event_hub.h"
+
+#include <algorithm>
+
+namespace somato::live {
+
+void EventHub::publish(EventKind kind, std::string text) {
+  auto shared = std::make_shared<const std::string>(std::move(text));
+  {
+    const std::lock_guard lock(mutex_);
+    latest_[static_cast<std::size_t>(kind)] = {std::move(shared), ++published_};
+  }
+  news_.notify_all();
+}
+
+EventHub::Text EventHub::latest(EventKind kind) const {
+  const std::lock_guard lock(mutex_);
+  return latest_[static_cast<std::size_t>(kind)].text;
+}
+
+std::size_t EventHub::lookers_on() const {
+  const std::lock_guard lock(mutex_);
+  return lookers_on_;
+}
+
+void EventHub::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+  }
+  news_.notify_all();
+}
+
+std::unique_ptr<EventHub::Seat> EventHub::take_seat(std::size_t most) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (lookers_on_ >= most || closed_) return nullptr;
+    ++lookers_on_;
+  }
+  if (changed_) changed_();
+  return std::make_unique<Seat>(*this);
+}
+
+void EventHub::leave() {
+  {
+    const std::lock_guard lock(mutex_);
+    --lookers_on_;
+  }
+  if (changed_) changed_();
+}
+
+bool EventHub::has_news(const std::array<std::uint64_t, kEventKinds>& seen) const {
+  for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
+    if (latest_[kind].number > seen[kind]) return true;
+  }
+  return false;
+}
+
+std::optional<std::vector<EventHub::Event>> EventHub::Seat::next(
+    std::chrono::milliseconds patience) {
+  std::unique_lock lock(hub_.mutex_);
+  hub_.news_.wait_for(lock, patience, [&] { return hub_.closed_ || hub_.has_news(seen_); });
+  if (hub_.closed_) return {};
+  std::vector<Event> events;
+  for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
+    const Latest& latest = hub_.latest_[kind];
+    if (latest.number <= seen_[kind]) continue;
+    seen_[kind] = latest.number;
+    events.emplace_back(static_cast<EventKind>(kind), latest.text);
+  }
+  return events;
+}
+
+}  // namespace somato::live

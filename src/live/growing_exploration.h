@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "somato/bodies/body.h"
+#include "somato/recording/recording.h"
+
+namespace somato::live {
+
+/// An exploration as far as a body has come with it.
+class GrowingExploration {
+ public:
+  /// Of no body.
+  GrowingExploration() = default;
+  explicit GrowingExploration(const BodyDescription& body);
+
+  /// Adds the frames that were taken during the last step: one moment.
+  void append(const BodyState& state);
+
+  const Exploration& so_far() const { return exploration_; }
+  const std::vector<std::size_t>& frames() const { return frames_; }  ///< Of each channel.
+  std::size_t moments() const { return moments_; }
+
+ private:
+  Exploration exploration_;
+  std::vector<std::size_t> frames_;
+  std::size_t moments_ = 0;
+};
+
+}  // namespace somato::live

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "live/http_request.h"
+
+namespace somato::live {
+
+/// Who may ask a server of this machine: only those who came by its start address. A page of
+/// somebody else can send requests to this machine too, and can make its own name point here.
+class HttpAccess {
+ public:
+  /// `hosts` are those that the server answers to, with their ports, exactly as a Host header has
+  /// them; pages that they serve are our own.
+  HttpAccess(std::vector<std::string> hosts, std::string token);
+
+  /// Refuses (403) another host, or none; and with POST another origin, or none.
+  HttpResult<void> check_host(const HttpRequest& request) const;
+  HttpResult<void> check_origin(const HttpRequest& request) const;
+
+  /// Refuses (403) a request without the token, as the parameter `token` or the header
+  /// X-Somato-Token.
+  HttpResult<void> check_token(const HttpRequest& request) const;
+
+ private:
+  std::vector<std::string> hosts_;
+  std::string token_;
+};
+
+/// A secret of 128 random bits in 32 hexadecimal digits, from the system's source of randomness;
+/// nothing where that fails.
+std::optional<std::string> new_token();
+
+/// Whether the two are equal, in a time that does not depend on where they differ.
+bool equal_in_constant_time(std::string_view a, std::string_view b);
+
+}  // namespace somato::live

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "live/http_request.h"
+
+namespace somato::live {
+
+/// What is answered. With `stream` the body is what that writes, until it returns.
+struct HttpResponse {
+  /// Sends a part of the body; false once nobody takes it any more.
+  using Write = std::function<bool(std::string_view)>;
+
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  std::string body;
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  std::function<void(const Write&)> stream = {};
+};
+
+/// The response that tells a refusal.
+HttpResponse response_of(const HttpRefusal& refusal);
+
+/// A connection that brings one request and takes one response. It owns the socket.
+class HttpConnection {
+ public:
+  using Duration = std::chrono::milliseconds;
+
+  /// `patience` is how long a request may take as a whole, and any part of a response.
+  HttpConnection(int socket, Duration patience);
+  HttpConnection(const HttpConnection&) = delete;
+  HttpConnection(HttpConnection&&) = delete;
+  HttpConnection& operator=(const HttpConnection&) = delete;
+  HttpConnection& operator=(HttpConnection&&) = delete;
+  ~HttpConnection();
+
+  /// Waits for a request. Refusals: those of parse_http_head(), and 408 for one that takes too long
+  /// or ends before its end.
+  HttpResult<HttpRequest> read(const HttpLimits& limits = {});
+
+  /// Sends the response; for HEAD without its body. Returns whether all was taken.
+  bool write(const HttpResponse& response, bool head_only);
+
+  /// Makes whoever reads or writes here stop; from any thread, as long as this object lives.
+  void interrupt() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool wait(short event, Clock::time_point until) const;
+  bool receive(std::string& bytes, Clock::time_point until) const;
+  bool send_all(std::string_view bytes) const;
+  void leave() const;
+
+  int socket_;
+  Duration patience_;
+};
+
+}  // namespace somato::live

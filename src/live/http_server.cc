@@ -1,0 +1,155 @@
+#include "live/http_server.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+namespace somato::live {
+namespace {
+
+// An address of either family as the system wants it.
+struct SocketAddress {
+  sockaddr_storage storage{};
+  socklen_t size = 0;
+
+  sockaddr* get() { return reinterpret_cast<sockaddr*>(&storage); }
+  sockaddr_in& v4() { return reinterpret_cast<sockaddr_in&>(storage); }
+  sockaddr_in6& v6() { return reinterpret_cast<sockaddr_in6&>(storage); }
+};
+
+Result<SocketAddress> socket_address(const std::string& text, std::uint16_t port) {
+  SocketAddress address;
+  if (inet_pton(AF_INET, text.c_str(), &address.v4().sin_addr) == 1) {
+    address.v4().sin_family = AF_INET;
+    address.v4().sin_port = htons(port);
+    address.size = sizeof(sockaddr_in);
+    return address;
+  }
+  if (inet_pton(AF_INET6, text.c_str(), &address.v6().sin6_addr) == 1) {
+    address.v6().sin6_family = AF_INET6;
+    address.v6().sin6_port = htons(port);
+    address.size = sizeof(sockaddr_in6);
+    return address;
+  }
+  return fail(ErrorKind::kUsage, fmt::format("'{}' is no address", text), {},
+              "give one in digits, such as 127.0.0.1");
+}
+
+tl::unexpected<Error> system_refused(const HttpServer::Settings& settings) {
+  return fail(ErrorKind::kSystem, std::generic_category().message(errno),
+              fmt::format("{}:{}", settings.address, settings.port),
+              errno == EADDRINUSE ? "take another port, or none for any that is free" : "");
+}
+
+}  // namespace
+
+HttpServer::~HttpServer() {
+  stop();
+  if (socket_ >= 0) ::close(socket_);
+}
+
+Result<void> HttpServer::bind(const Settings& settings) {
+  settings_ = settings;
+  auto address = socket_address(settings.address, settings.port);
+  if (!address) return fail(std::move(address.error()));
+  socket_ = ::socket(address->storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (socket_ < 0) return system_refused(settings);
+  // A port that was ours a minute ago may be ours again.
+  const int yes = 1;
+  ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  if (::bind(socket_, address->get(), address->size) != 0) return system_refused(settings);
+  if (::listen(socket_, SOMAXCONN) != 0) return system_refused(settings);
+  if (::getsockname(socket_, address->get(), &address->size) != 0) return system_refused(settings);
+  // The port stands at the same place in both families.
+  port_ = ntohs(address->v4().sin_port);
+  return {};
+}
+
+void HttpServer::start(Answer answer) {
+  answer_ = std::move(answer);
+  acceptor_ = std::thread([this] { accept_all(); });
+}
+
+void HttpServer::stop() {
+  stopping_ = true;
+  if (acceptor_.joinable()) acceptor_.join();
+  const std::lock_guard lock(mutex_);
+  for (Visit& visit : visits_) visit.connection.interrupt();
+  for (Visit& visit : visits_) visit.thread.join();
+  visits_.clear();
+}
+
+void HttpServer::accept_all() {
+  constexpr int kLook = 50;  // ms; how often it is asked whether to stop
+  while (!stopping_) {
+    pollfd waiting{socket_, POLLIN, 0};
+    if (::poll(&waiting, 1, kLook) > 0) accept_one();
+    collect();
+  }
+}
+
+void HttpServer::accept_one() {
+  const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+  if (socket < 0) {
+    // Too many files are open: somebody has to leave first.
+    if (errno == EMFILE || errno == ENFILE) std::this_thread::sleep_for(settings_.patience / 100);
+    return;
+  }
+  collect();
+  const std::lock_guard lock(mutex_);
+  if (visits_.size() >= settings_.connections) return turn_away(socket);
+  Visit& visit = visits_.emplace_back(socket, settings_.patience);
+  try {
+    visit.thread = std::thread([this, &visit] { serve(visit); });
+  } catch (const std::system_error&) {
+    visits_.pop_back();
+  }
+}
+
+// Without waiting for anything: this thread has to accept others.
+void HttpServer::turn_away(int socket) const {
+  constexpr std::string_view kSay =
+      "HTTP/1.1 503 Service Unavailable\r\nContent-Type: text/plain\r\nConnection: close\r\n"
+      "Content-Length: 42\r\n\r\nToo many are here already. Come back soon.";
+  (void)::send(socket, kSay.data(), kSay.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  ::close(socket);
+}
+
+void HttpServer::serve(Visit& visit) {
+  const auto request = visit.connection.read();
+  const bool head_only = request && request->method == "HEAD";
+  visit.connection.write(request ? answer_to(*request) : response_of(request.error()), head_only);
+  visit.done = true;
+}
+
+// A mistake of ours must not end the run.
+HttpResponse HttpServer::answer_to(const HttpRequest& request) const {
+  try {
+    return answer_(request);
+  } catch (const std::exception&) {
+    return response_of({500, "Something went wrong here."});
+  }
+}
+
+void HttpServer::collect() {
+  const std::lock_guard lock(mutex_);
+  for (auto visit = visits_.begin(); visit != visits_.end();) {
+    if (!visit->done) {
+      ++visit;
+      continue;
+    }
+    visit->thread.join();
+    visit = visits_.erase(visit);
+  }
+}
+
+}  // namespace somato::live

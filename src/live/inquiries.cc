@@ -1,0 +1,138 @@
+#include "live/inquiries.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "live/view_json.h"
+#include "somato/graph/evaluation.h"
+
+namespace somato::live {
+namespace {
+
+constexpr std::size_t kMostExplorations = 2000;
+constexpr std::size_t kNearest = 10;
+
+Json plane_json(const ChannelPlanes& planes, std::size_t neuron) {
+  const auto row = planes.values.row(neuron);
+  const Json values(std::vector<double>(row.begin(), row.end()));
+  return {{"channel",
+           {{"name", planes.name},
+            {"unit", planes.unit},
+            {"elements", planes.elements},
+            {"shape", planes.shape}}},
+          {"unit", planes.value_unit},
+          {"values", Json::array({values})}};
+}
+
+Json nearest_json(const Som& som, const Samples& inputs, const Recording& recording,
+                  std::size_t neuron) {
+  SomWorkspace workspace;
+  std::vector<std::pair<double, std::size_t>> distances;
+  for (std::size_t i = 0; i < inputs.count(); ++i) {
+    distances.emplace_back(som.distance(inputs[i], neuron, workspace), i);
+  }
+  std::sort(distances.begin(), distances.end());
+  Json nearest = Json::array();
+  for (std::size_t i = 0; i < std::min(kNearest, distances.size()); ++i) {
+    const auto& [distance, exploration] = distances[i];
+    nearest.push_back({{"exploration", exploration},
+                       {"labels", labels_json(recording.explorations[exploration].labels)},
+                       {"distance", distance}});
+  }
+  return nearest;
+}
+
+Signal owned(const SignalView& view) {
+  std::vector<float> values(view.values.begin(), view.values.end());
+  if (!view.sparse) return Signal::dense(std::move(values));
+  return Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()}, std::move(values));
+}
+
+}  // namespace
+
+void Inquiries::turn_to(const InquiredSystem& asked) {
+  const std::size_t explorations = asked.recording->explorations.size();
+  const bool is_known = asked_.model == asked.model && explorations_ == explorations;
+  asked_ = asked;
+  if (is_known) return;
+  explorations_ = explorations;
+  maps_.clear();
+  for (std::size_t i = 0; i < asked_.model->system.modules().size(); ++i) {
+    if (som_of(asked_.model->system, i) == nullptr) continue;
+    maps_.push_back({i, channel_planes(asked_.model->system, i), false, {}});
+  }
+}
+
+Inquiries::KnownMap* Inquiries::find(const std::string& map) {
+  const auto found = std::find_if(maps_.begin(), maps_.end(), [&](const KnownMap& one) {
+    return asked_.model->system.modules()[one.module].name == map;
+  });
+  return found == maps_.end() ? nullptr : &*found;
+}
+
+// What does not fit the system has no inputs, and nothing is near.
+void Inquiries::find_inputs(KnownMap& map) const {
+  if (std::exchange(map.has_inputs, true)) return;
+  const System& system = asked_.model->system;
+  if (system.modules()[map.module].output.rate == Rate::kFrame) return;
+  const std::size_t input = system.modules()[map.module].inputs.front();
+  std::vector<std::size_t> all(std::min(explorations_, kMostExplorations));
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Activations activations(system.modules().size(), explorations_);
+  if (!evaluate(system, *asked_.recording, all, {input}, 1, activations)) return;
+  std::vector<Signal> signals;
+  signals.reserve(all.size());
+  for (const std::size_t exploration : all) {
+    signals.push_back(owned(activations.find(input, exploration)->values[0]));
+  }
+  if (!signals.empty()) map.inputs = Samples::from_signals(signals);
+}
+
+Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::string& map,
+                                      std::size_t neuron) {
+  const std::lock_guard lock(mutex_);
+  turn_to(asked);
+  KnownMap* known = find(map);
+  if (known == nullptr) return fail(ErrorKind::kUsage, "there is no such map");
+  const Som& som = *som_of(asked_.model->system, known->module);
+  if (neuron >= som.neurons()) {
+    return fail(ErrorKind::kUsage, fmt::format("the map has {} neurons", som.neurons()));
+  }
+  find_inputs(*known);
+  const auto& answer = asked_.model->answer;
+  const bool answers = answer && answer->map == map && answer->labels[neuron];
+  Json planes = Json::array();
+  for (const ChannelPlanes& one : known->planes) planes.push_back(plane_json(one, neuron));
+  return json_text({{"map", map},
+                    {"neuron", neuron},
+                    {"answer", answers ? Json(answer->classes[*answer->labels[neuron]]) : Json()},
+                    {"planes", std::move(planes)},
+                    {"nearest", nearest_json(som, known->inputs, *asked_.recording, neuron)}});
+}
+
+Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t element) {
+  const std::lock_guard lock(mutex_);
+  turn_to(asked);
+  Json maps = Json::object();
+  std::string name;
+  for (const KnownMap& one : maps_) {
+    for (const ChannelPlanes& planes : one.planes) {
+      if (planes.name != "touch" || element >= planes.values.columns()) continue;
+      if (element < planes.elements.size()) name = planes.elements[element];
+      Json weights = Json::array();
+      for (std::size_t neuron = 0; neuron < planes.values.rows(); ++neuron) {
+        const double weight = planes.values(neuron, element);
+        weights.push_back(std::isfinite(weight) ? weight : 0.0);
+      }
+      maps[asked_.model->system.modules()[one.module].name] = std::move(weights);
+    }
+  }
+  if (maps.empty()) return fail(ErrorKind::kUsage, "no map of this system knows such a taxel");
+  return json_text({{"element", element}, {"name", name}, {"maps", std::move(maps)}});
+}
+
+}  // namespace somato::live

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "somato/bodies/scene.h"
+
+namespace somato::live {
+
+/// A scene that was seen while it happened.
+class KeptScene : public ScenePlayer {
+ public:
+  /// `poses` are those of moments evenly spread over the exploration.
+  KeptScene(Scene scene, std::vector<std::vector<ScenePose>> poses);
+
+  const Scene& scene() const override { return scene_; }
+  std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override;
+
+ private:
+  Scene scene_;
+  std::vector<std::vector<ScenePose>> poses_;
+};
+
+}  // namespace somato::live

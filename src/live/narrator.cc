@@ -1,0 +1,48 @@
+#include "live/narrator.h"
+
+#include <utility>
+
+namespace somato::live {
+
+void Narrator::choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout) {
+  picture_ = system != nullptr ? picture_of(*system, layout) : SystemPicture{};
+  problem_ = picture_.problem;
+  reading_.reset();
+  saying_.reset();
+  if (system == nullptr || !system->trained || !problem_.empty()) return;
+  auto reading = SystemReading::build(system->trained);
+  if (!reading) return keep(reading.error());
+  reading_ = std::make_unique<SystemReading>(std::move(*reading));
+  start();
+}
+
+void Narrator::start() {
+  saying_.reset();
+  said_at_ = {};
+  problem_ = picture_.problem;
+  if (reading_) reading_->start();
+}
+
+void Narrator::follow(const Exploration& exploration, const std::vector<std::size_t>& frames) {
+  if (!reading_ || !problem_.empty()) return;
+  if (auto followed = reading_->follow(exploration, frames); !followed) keep(followed.error());
+}
+
+const Saying* Narrator::say(bool now, const std::function<Exploration()>& so_far) {
+  constexpr auto kPatience = std::chrono::milliseconds(250);
+  if (!reading_ || !problem_.empty()) return nullptr;
+  const bool is_due = now || !reading_->is_costly() || Clock::now() - said_at_ >= kPatience;
+  if (!is_due) return saying_ ? &*saying_ : nullptr;
+  auto said = reading_->say(so_far);
+  said_at_ = Clock::now();
+  // A costly system may need more of the exploration than there is yet.
+  saying_ = said ? std::move(*said) : std::nullopt;
+  return saying_ ? &*saying_ : nullptr;
+}
+
+void Narrator::keep(const Error& error) {
+  problem_ = sentence_of(error);
+  saying_.reset();
+}
+
+}  // namespace somato::live

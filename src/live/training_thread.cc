@@ -1,0 +1,56 @@
+#include "live/training_thread.h"
+
+#include <utility>
+
+#include "live/view_json.h"
+
+namespace somato::live {
+namespace {
+
+Json training_json(const std::string& system, const TrainingLook& look) {
+  Json winners = Json::array();
+  for (std::size_t i = 0; i < look.winners.size(); ++i) {
+    winners.push_back({{"sample", i}, {"winner", look.winners[i]}, {"class", look.classes[i]}});
+  }
+  return {{"system", system},
+          {"module", look.module},
+          {"step", look.step},
+          {"steps", look.steps},
+          {"radius", look.radius},
+          {"learning_rate", look.learning_rate},
+          {"winners", std::move(winners)},
+          {"u_matrix", look.u_matrix},
+          {"done", look.done}};
+}
+
+}  // namespace
+
+void TrainingThread::start(ViewSystem system, std::shared_ptr<const Recording> recording,
+                           std::uint64_t seed, Done done) {
+  stop();
+  stopping_ = false;
+  thread_ = std::thread([this, seed, system = std::move(system), recording = std::move(recording),
+                         done = std::move(done)] {
+    done(train_visibly(system, *recording, seed,
+                       [&](const TrainingLook& look) { return show(system.name, look); }));
+  });
+}
+
+void TrainingThread::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+// A look at the map is worth a pause; that other modules learn is told ten times a second.
+bool TrainingThread::show(const std::string& system, const TrainingLook& look) {
+  constexpr auto kSeldom = std::chrono::milliseconds(100);
+  const auto now = std::chrono::steady_clock::now();
+  if (!look.winners.empty() || now - shown_at_ >= kSeldom) {
+    shown_at_ = now;
+    hub_.publish(EventKind::kTraining, json_text(training_json(system, look)));
+    if (!look.winners.empty()) std::this_thread::sleep_for(pause_);
+  }
+  return !stopping_;
+}
+
+}  // namespace somato::live

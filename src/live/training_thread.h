@@ -1,0 +1,50 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "live/event_hub.h"
+#include "live/map_training.h"
+
+namespace somato::live {
+
+/// Trains one system at a time beside what is played, and publishes looks at it. Used by one
+/// thread.
+class TrainingThread {
+ public:
+  /// Called at the end, by the thread that trained.
+  using Done = std::function<void(Result<std::shared_ptr<const SystemModel>>)>;
+
+  TrainingThread(EventHub& hub, std::chrono::duration<double> pause) : hub_(hub), pause_(pause) {}
+  TrainingThread(const TrainingThread&) = delete;
+  TrainingThread(TrainingThread&&) = delete;
+  TrainingThread& operator=(const TrainingThread&) = delete;
+  TrainingThread& operator=(TrainingThread&&) = delete;
+  ~TrainingThread() { stop(); }
+
+  /// Stops what was trained, and trains this.
+  void start(ViewSystem system, std::shared_ptr<const Recording> recording, std::uint64_t seed,
+             Done done);
+
+  /// Asks it to stop; it will be done soon.
+  void ask_to_stop() { stopping_ = true; }
+
+  /// Stops and waits.
+  void stop();
+
+ private:
+  bool show(const std::string& system, const TrainingLook& look);
+
+  EventHub& hub_;
+  std::chrono::duration<double> pause_;
+  std::atomic<bool> stopping_ = false;
+  std::chrono::steady_clock::time_point shown_at_;
+  std::thread thread_;
+};
+
+}  // namespace somato::live

@@ -1,0 +1,141 @@
+#include "live/view_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace somato::live {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kMostFrames = 1e9;
+constexpr double kFarthest = 1000.0;  // mm
+constexpr double kLongestName = 256;
+
+// The fields of a command, taken one after the other; the first that is wrong is kept.
+class Fields {
+ public:
+  explicit Fields(const Json& json) : json_(json) {}
+
+  double number(const std::string& name, double least, double most) {
+    const Json* field = take(name);
+    if (!field) return least;
+    const double value = field->is_number() ? field->get<double>() : least - 1.0;
+    if (value >= least && value <= most) return value;
+    keep(fmt::format("'{}' must be a number from {:g} to {:g}", name, least, most));
+    return least;
+  }
+
+  double whole(const std::string& name, double least, double most) {
+    const double value = number(name, least, most);
+    if (value != std::floor(value)) keep(fmt::format("'{}' must be a whole number", name));
+    return value;
+  }
+
+  std::string text(const std::string& name) {
+    const Json* field = take(name);
+    if (!field) return {};
+    if (field->is_string() &&
+        static_cast<double>(field->get_ref<const std::string&>().size()) <= kLongestName) {
+      return field->get<std::string>();
+    }
+    keep(fmt::format("'{}' must be a text of at most {} bytes", name, kLongestName));
+    return {};
+  }
+
+  // After all known fields.
+  Result<void> finish() {
+    for (const auto& [name, field] : json_.items()) {
+      if (std::find(taken_.begin(), taken_.end(), name) == taken_.end()) {
+        keep("there is a field too many");
+      }
+    }
+    if (problem_.empty()) return {};
+    return fail(ErrorKind::kUsage, problem_);
+  }
+
+ private:
+  const Json* take(const std::string& name) {
+    taken_.push_back(name);
+    const auto found = json_.find(name);
+    if (found != json_.end()) return &*found;
+    keep(fmt::format("'{}' is missing", name));
+    return nullptr;
+  }
+
+  void keep(std::string problem) {
+    if (problem_.empty()) problem_ = std::move(problem);
+  }
+
+  const Json& json_;
+  std::vector<std::string> taken_;
+  std::string problem_;
+};
+
+ViewCommand step_of(Fields& fields) {
+  return StepCommand{static_cast<std::int64_t>(fields.whole("frames", -kMostFrames, kMostFrames))};
+}
+
+ViewCommand seek_of(Fields& fields) {
+  SeekCommand seek;
+  seek.exploration = static_cast<std::size_t>(fields.whole("exploration", 0, kMostFrames));
+  seek.frame = static_cast<std::size_t>(fields.whole("frame", 0, kMostFrames));
+  return seek;
+}
+
+ViewCommand placement_of(Fields& fields) {
+  PlacementCommand command;
+  command.placement.x = fields.number("x", -kFarthest, kFarthest);
+  command.placement.y = fields.number("y", -kFarthest, kFarthest);
+  command.placement.turn = fields.number("turn", -360, 360);
+  return command;
+}
+
+using Reader = ViewCommand (*)(Fields&);
+
+const std::vector<std::pair<std::string, Reader>>& readers() {
+  static const std::vector<std::pair<std::string, Reader>> all = {
+      {"play", [](Fields&) -> ViewCommand { return PlayCommand{}; }},
+      {"pause", [](Fields&) -> ViewCommand { return PauseCommand{}; }},
+      {"step", step_of},
+      {"seek", seek_of},
+      {"speed",
+       [](Fields& fields) -> ViewCommand {
+         return SpeedCommand{fields.number("speed", 0.05, 100)};
+       }},
+      {"thing", [](Fields& fields) -> ViewCommand { return ThingCommand{fields.text("name")}; }},
+      {"placement", placement_of},
+      {"explore", [](Fields&) -> ViewCommand { return ExploreCommand{}; }},
+      {"system", [](Fields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
+      {"train", [](Fields&) -> ViewCommand { return TrainCommand{}; }},
+      {"stop_training", [](Fields&) -> ViewCommand { return StopTrainingCommand{}; }}};
+  return all;
+}
+
+// A command is flat; what is nested deeply only keeps a parser busy.
+bool is_flat(std::string_view text) {
+  return std::count_if(text.begin(), text.end(), [](char c) { return c == '{' || c == '['; }) <= 2;
+}
+
+}  // namespace
+
+Result<ViewCommand> parse_view_command(std::string_view text) {
+  const Json json = is_flat(text) ? Json::parse(text, nullptr, false) : Json();
+  if (!json.is_object()) return fail(ErrorKind::kUsage, "a command is an object in JSON");
+  Fields fields(json);
+  const std::string name = fields.text("command");
+  for (const auto& [known, read] : readers()) {
+    if (known != name) continue;
+    ViewCommand command = read(fields);
+    if (auto finished = fields.finish(); !finished) return fail(std::move(finished.error()));
+    return command;
+  }
+  return fail(ErrorKind::kUsage, "there is no such command");
+}
+
+}  // namespace somato::live

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "somato/bodies/placement.h"
+#include "somato/core/result.h"
+
+namespace somato::live {
+
+/// What a page may ask for; see docs/formats/view.md.
+struct PlayCommand {};
+struct PauseCommand {};
+struct StepCommand {
+  std::int64_t frames = 1;
+};
+struct SeekCommand {
+  std::size_t exploration = 0;
+  std::size_t frame = 0;
+};
+struct SpeedCommand {
+  double speed = 1.0;
+};
+struct ThingCommand {
+  std::string name;
+};
+struct PlacementCommand {
+  Placement placement;
+};
+struct ExploreCommand {};
+struct SystemCommand {
+  std::string name;
+};
+struct TrainCommand {};
+struct StopTrainingCommand {};
+
+using ViewCommand = std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand,
+                                 ThingCommand, PlacementCommand, ExploreCommand, SystemCommand,
+                                 TrainCommand, StopTrainingCommand>;
+
+/// The command that a text in JSON holds. Errors (kUsage): no JSON, no known command, fields that
+/// are missing, unknown, of another type or out of range.
+Result<ViewCommand> parse_view_command(std::string_view text);
+
+}  // namespace somato::live

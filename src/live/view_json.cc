@@ -1,0 +1,330 @@
+#include "live/view_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+namespace somato::live {
+namespace {
+
+bool is_port(const ModuleType& type, const std::string& name) {
+  return std::any_of(type.ports.begin(), type.ports.end(),
+                     [&](const InputPort& port) { return port.name == name; });
+}
+
+// As the description gives them, or else their defaults.
+Json parameters_json(const ModuleType& type, const Table& settings) {
+  Json parameters = Json::object();
+  for (const ParameterInfo& info : type.parameters) parameters[info.name] = info.default_text;
+  for (const Table::Entry& entry : settings.entries) {
+    const Value* value = std::get_if<Value>(&entry.content);
+    if (value == nullptr || entry.name == "type" || is_port(type, entry.name)) continue;
+    parameters[entry.name] = to_toml(*value);
+  }
+  return parameters;
+}
+
+Json not_given_json(const ModuleType& type) {
+  Json names = Json::array();
+  for (const ParameterInfo& info : type.parameters) {
+    if (info.text.find("ot given in the paper") != std::string::npos) names.push_back(info.name);
+  }
+  return names;
+}
+
+Json inputs_json(const System& system, const SystemModule& module) {
+  Json inputs = Json::array();
+  for (std::size_t i = 0; i < module.inputs.size(); ++i) {
+    inputs.push_back(
+        {{"port", module.ports[i]}, {"module", system.modules()[module.inputs[i]].name}});
+  }
+  return inputs;
+}
+
+Json module_json(const System& system, std::size_t number) {
+  const SystemModule& module = system.modules()[number];
+  Json json{{"name", module.name},
+            {"type", module.type->name},
+            {"text", module.type->text},
+            {"inputs", inputs_json(system, module)},
+            {"shape", module.output.shape},
+            {"sparse", module.output.sparse},
+            {"rate", choice_name(module.output.rate)},
+            {"learns", module.module->learner() != nullptr}};
+  if (const auto* source = dynamic_cast<const Source*>(module.module.get())) {
+    json["channel"] = source->channel();
+  }
+  json["parameters"] = parameters_json(*module.type, system.description().modules[number].settings);
+  json["not_given"] = not_given_json(*module.type);
+  return json;
+}
+
+Json phase_json(const System& system, const Phase& phase) {
+  Json learn = Json::array();
+  for (const std::size_t module : phase.learners) learn.push_back(system.modules()[module].name);
+  return {{"learn", std::move(learn)},
+          {"draws", phase.draws ? Json(*phase.draws) : Json()},
+          {"of", phase.of == Rate::kFrame ? "frames" : "explorations"}};
+}
+
+Json elements_json(const Channel& channel) {
+  if (!channel.element_names.empty()) return channel.element_names;
+  Json names = Json::array();
+  for (std::size_t i = 1; i <= channel.frames.columns(); ++i) names.push_back(std::to_string(i));
+  return names;
+}
+
+Json geom_json(const SceneGeom& geom) {
+  Json json{{"body", geom.body ? static_cast<int>(*geom.body) : -1},
+            {"name", geom.name},
+            {"type", choice_name(geom.shape)},
+            {"size", geom.size},
+            {"position", geom.pose.position},
+            {"quaternion", geom.pose.turn},
+            {"colour", geom.colour},
+            {"role", choice_name(geom.role)},
+            {"taxel", geom.taxel ? Json(*geom.taxel) : Json()}};
+  if (geom.shape != GeomShape::kMesh) return json;
+  json["vertices"] = geom.vertices;
+  json["faces"] = geom.faces;
+  return json;
+}
+
+// Text that grows, number by number.
+class FrameText {
+ public:
+  template <typename... Arguments>
+  FrameText& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+    return *this;
+  }
+
+  // A name may hold anything.
+  FrameText& key(const std::string& name) {
+    separate();
+    return add("{}:", json_text(Json(name)));
+  }
+
+  FrameText& open(char bracket) {
+    text_.push_back(bracket);
+    first_ = true;
+    return *this;
+  }
+  FrameText& close(char bracket) {
+    text_.push_back(bracket);
+    first_ = false;
+    return *this;
+  }
+  void separate() {
+    if (!first_) text_.push_back(',');
+    first_ = false;
+  }
+
+  // Five digits are more than a picture shows; most of what is sparse is 0.
+  FrameText& numbers(std::span<const float> values) {
+    open('[');
+    for (const float value : values) {
+      separate();
+      if (value == 0.0F) {
+        text_.push_back('0');
+      } else {
+        add("{:.5g}", value);
+      }
+    }
+    return close(']');
+  }
+
+  FrameText& exact_numbers(std::span<const float> values) {
+    open('[');
+    for (const float value : values) {
+      separate();
+      add("{}", value);
+    }
+    return close(']');
+  }
+
+  std::string take() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+  bool first_ = true;
+};
+
+void add_channels(FrameText& text, const ShownMoment& moment) {
+  text.key("channels").open('{');
+  for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
+  text.close('}');
+}
+
+void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
+  text.key("poses").open('[');
+  for (const ScenePose& pose : poses) {
+    for (const double value : pose.position) {
+      text.separate();
+      text.add("{:.6g}", value);
+    }
+    for (const double value : pose.turn) {
+      text.separate();
+      text.add("{:.6g}", value);
+    }
+  }
+  text.close(']');
+}
+
+void add_modules(FrameText& text, const SystemModel* model, const Saying* saying) {
+  text.key("modules").open('{');
+  if (saying != nullptr) {
+    for (const auto& [module, output] : saying->modules) {
+      text.key(model->system.modules()[module].name).open('{');
+      text.key("shape").add("[{}]", fmt::join(output.shape, ","));
+      text.key("values").numbers(output.values);
+      text.key("folded").add("{}", output.folded);
+      text.close('}');
+    }
+  }
+  text.close('}');
+}
+
+void add_maps(FrameText& text, const SystemModel* model, const Saying* saying) {
+  text.key("maps").open('{');
+  if (saying != nullptr) {
+    for (const auto& [module, map] : saying->maps) {
+      text.key(model->system.modules()[module].name).open('{');
+      text.key("winner").add("{}", map.winner);
+      text.key("activity").numbers(map.activity);
+      text.close('}');
+    }
+  }
+  text.close('}');
+}
+
+void add_reading(FrameText& text, const SystemModel* model, const Saying* saying) {
+  text.key("reading");
+  if (saying == nullptr || saying->candidates.empty()) {
+    text.add("null");
+    return;
+  }
+  const std::vector<std::string>& classes = model->answer->classes;
+  const auto name = [&](const Candidate& one) { return json_text(Json(classes[one.number])); };
+  text.open('{');
+  text.key("answer").add("{}", name(saying->candidates.front()));
+  text.key("confidence").add("{:.6g}", saying->confidence());
+  text.key("candidates").open('[');
+  for (const Candidate& one : saying->candidates) {
+    text.separate();
+    text.add("{{\"name\":{},\"distance\":{:.6g}}}", name(one), one.distance);
+  }
+  text.close(']').close('}');
+}
+
+}  // namespace
+
+std::string json_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::span<const float> shown_values(const Channel& channel, std::size_t come) {
+  constexpr std::size_t kStretch = 512;
+  constexpr double kFast = 60.0;  // frames a second
+  if (come == 0) return {};
+  const std::size_t columns = channel.frames.columns();
+  const bool fast = columns == 1 && channel.frame_rate() > kFast;
+  const std::size_t first = fast && come > kStretch ? come - kStretch : fast ? 0 : come - 1;
+  return channel.frames.values().subspan(first * columns, (come - first) * columns);
+}
+
+Json labels_json(const std::vector<Label>& labels) {
+  Json json = Json::object();
+  for (const Label& label : labels) json[label.name] = label.value;
+  return json;
+}
+
+Json channel_json(const Channel& channel) {
+  return {{"name", channel.name},
+          {"unit", channel.unit},
+          {"elements", elements_json(channel)},
+          {"shape", channel.frame_shape()}};
+}
+
+Json thing_json(const ShownThing& thing) {
+  Json json{{"name", thing.name},
+            {"shape", nullptr},
+            {"size", nullptr},
+            {"top_diameter", 0.0},
+            {"material", thing.material.name},
+            {"hardness", choice_name(thing.material.hardness)},
+            {"colour", nullptr},
+            {"mass", nullptr}};
+  if (!thing.object) return json;
+  json["shape"] = choice_name(thing.object->shape);
+  json["size"] = thing.object->size;
+  json["top_diameter"] = thing.object->top_diameter;
+  if (thing.object->mass > 0.0) json["mass"] = thing.object->mass;
+  return json;
+}
+
+Json shown_grid_json(const Grid& grid) {
+  return {{"rows", grid.rows()},
+          {"columns", grid.columns()},
+          {"lattice", choice_name(grid.lattice())},
+          {"topology", choice_name(grid.topology())}};
+}
+
+Json graph_json(const System& system, const std::string& map) {
+  Json modules = Json::array();
+  for (std::size_t i = 0; i < system.modules().size(); ++i) {
+    modules.push_back(module_json(system, i));
+  }
+  Json phases = Json::array();
+  for (const Phase& phase : system.phases()) phases.push_back(phase_json(system, phase));
+  return {{"modules", std::move(modules)}, {"map", map}, {"phases", std::move(phases)}};
+}
+
+Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) {
+  Json maps = Json::array();
+  for (std::size_t i = 0; i < system.modules().size(); ++i) {
+    if (som_of(system, i) == nullptr) continue;
+    const Grid grid = grid_of(system, i);
+    const std::string& name = system.modules()[i].name;
+    const bool answers = answer && answer->map == name;
+    Json neurons = Json::array();
+    for (std::size_t neuron = 0; neuron < grid.size(); ++neuron) {
+      const auto label = answers ? answer->labels[neuron] : std::nullopt;
+      neurons.push_back(label ? Json(*label) : Json());
+    }
+    maps.push_back({{"module", name},
+                    {"grid", shown_grid_json(grid)},
+                    {"classes", answers ? Json(answer->classes) : Json::array()},
+                    {"neuron_classes", std::move(neurons)}});
+  }
+  return maps;
+}
+
+Json scene_json(const Scene& scene) {
+  Json geoms = Json::array();
+  for (const SceneGeom& geom : scene.geoms) geoms.push_back(geom_json(geom));
+  return {{"bodies", scene.bodies},
+          {"geoms", std::move(geoms)},
+          {"camera", {{"position", scene.camera}, {"target", scene.target}}}};
+}
+
+std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying) {
+  FrameText text;
+  text.open('{');
+  text.key("exploration").add("{}", moment.exploration);
+  text.key("frame").add("{}", moment.frame);
+  text.key("frames").add("{}", moment.frames ? std::to_string(*moment.frames) : "null");
+  text.key("time").add("{:.6g}", moment.time);
+  text.key("last").add("{}", moment.last);
+  add_channels(text, moment);
+  add_poses(text, moment.poses);
+  add_modules(text, model, saying);
+  add_maps(text, model, saying);
+  add_reading(text, model, saying);
+  text.close('}');
+  return std::move(text).take();
+}
+
+}  // namespace somato::live

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "live/system_reading.h"
+#include "somato/bodies/scene.h"
+#include "somato/bodies/watched_body.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/layout.h"
+#include "somato/recording/recording.h"
+
+namespace somato::live {
+
+using Json = nlohmann::ordered_json;
+
+/// The parts of what a page is told (docs/formats/view.md), each as JSON.
+Json labels_json(const std::vector<Label>& labels);
+Json channel_json(const Channel& channel);
+Json thing_json(const ShownThing& thing);
+Json shown_grid_json(const Grid& grid);
+Json graph_json(const System& system, const std::string& map);
+Json maps_json(const System& system, const std::optional<SystemAnswer>& answer);
+Json scene_json(const Scene& scene);
+
+/// A moment of an exploration, in the words of a page.
+struct ShownMoment {
+  std::size_t exploration = 0;
+  std::size_t frame = 0;
+  std::optional<std::size_t> frames;
+  double time = 0.0;
+  bool last = false;
+  std::vector<std::pair<std::string, std::span<const float>>> channels = {};
+  std::vector<ScenePose> poses = {};
+};
+
+/// What is shown of a channel of which so many frames have come: the latest, or of what comes too
+/// fast for frames the latest stretch.
+std::span<const float> shown_values(const Channel& channel, std::size_t come);
+
+/// The JSON as text; what is no UTF-8 is replaced.
+std::string json_text(const Json& json);
+
+/// A frame as text in JSON: put together by hand, as it is many numbers many times a second.
+std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying);
+
+}  // namespace somato::live

@@ -1,0 +1,225 @@
+#include "somato/live/view_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "live/event_hub.h"
+#include "live/http_access.h"
+#include "live/http_server.h"
+#include "live/view_json.h"
+
+namespace somato {
+
+using live::EventHub;
+using live::EventKind;
+using live::HttpRequest;
+using live::HttpResponse;
+
+namespace {
+
+constexpr auto kBetweenPings = std::chrono::milliseconds(2000);
+
+std::string_view name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::kState:
+      return "state";
+    case EventKind::kScene:
+      return "scene";
+    case EventKind::kTraining:
+      return "training";
+    case EventKind::kFrame:
+      break;
+  }
+  return "frame";
+}
+
+HttpResponse json_response(std::string body, int status = 200) {
+  HttpResponse response;
+  response.status = status;
+  response.type = "application/json";
+  response.body = std::move(body);
+  return response;
+}
+
+HttpResponse refused(int status, std::string sentence) {
+  return live::response_of({status, std::move(sentence)});
+}
+
+// In JSON, as the page expects it.
+HttpResponse error_response(const Error& error) {
+  return json_response(live::json_text({{"error", to_string(error)}}), 400);
+}
+
+std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
+  const auto text = request.parameter(name);
+  std::size_t number = 0;
+  if (!text) return {};
+  const char* end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(text->data(), end, number);
+  if (error != std::errc() || stop != end) return {};
+  return number;
+}
+
+// A host as browsers write it: the names of the loopback interface, or another address that was
+// asked for.
+std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port) {
+  const bool is_v6 = address.find(':') != std::string::npos;
+  std::vector<std::string> hosts{is_v6 ? fmt::format("[{}]:{}", address, port)
+                                       : fmt::format("{}:{}", address, port)};
+  if (address == "127.0.0.1" || address == "::1")
+    hosts.push_back(fmt::format("localhost:{}", port));
+  return hosts;
+}
+
+}  // namespace
+
+class ViewServer::Works {
+ public:
+  Works(ViewSession& session, std::vector<ViewPage> pages, const ViewServerSettings& settings)
+      : session_(session), pages_(std::move(pages)), settings_(settings) {}
+
+  Result<void> start() {
+    auto token = live::new_token();
+    if (!token) {
+      return fail(ErrorKind::kSystem, "the system gave no random numbers", "getrandom");
+    }
+    token_ = std::move(*token);
+    auto bound = http_.bind({settings_.address, settings_.port, settings_.connections,
+                             std::chrono::milliseconds(settings_.patience)});
+    if (!bound) return bound;
+    hosts_ = hosts_at(settings_.address, http_.port());
+    access_.emplace(hosts_, token_);
+    http_.start([this](const HttpRequest& request) { return answer(request); });
+    return {};
+  }
+
+  void stop() {
+    session_.hub().close();
+    http_.stop();
+  }
+
+  std::string start_address() const {
+    return fmt::format("http://{}/?token={}", hosts_.front(), token_);
+  }
+  std::uint16_t port() const { return http_.port(); }
+  const std::string& token() const { return token_; }
+
+ private:
+  // The page's own files hold nothing secret: they alone need no token.
+  HttpResponse answer(const HttpRequest& request) {
+    auto allowed = access_->check_host(request);
+    if (!allowed) return response_of(allowed.error());
+    if (request.method == "POST") return answer_post(request);
+    for (const ViewPage& page : pages_) {
+      if (page.path == request.path) return {200, page.type, page.text};
+    }
+    allowed = access_->check_token(request);
+    if (!allowed) return response_of(allowed.error());
+    return answer_get(request);
+  }
+
+  HttpResponse answer_post(const HttpRequest& request) {
+    const auto allowed =
+        access_->check_origin(request).and_then([&] { return access_->check_token(request); });
+    if (!allowed) return response_of(allowed.error());
+    if (request.path != "/api/command") return refused(404, "There is no such thing to be told.");
+    if (request.header("content-type") != "application/json") {
+      return refused(415, "Send a command as application/json.");
+    }
+    const auto done = session_.command(request.body);
+    return done ? json_response(R"({"ok":true})") : error_response(done.error());
+  }
+
+  HttpResponse answer_get(const HttpRequest& request) {
+    if (request.path == "/api/state") return latest(EventKind::kState);
+    if (request.path == "/api/scene") return latest(EventKind::kScene);
+    if (request.path == "/api/neuron") return neuron(request);
+    if (request.path == "/api/taxel") return taxel(request);
+    if (request.path == "/api/events") return events();
+    if (request.path == "/api/command") return refused(405, "A command is told by POST.");
+    return refused(404, "There is nothing here.");
+  }
+
+  HttpResponse latest(EventKind kind) {
+    const EventHub::Text text = session_.hub().latest(kind);
+    return json_response(text ? *text : "null");
+  }
+
+  HttpResponse neuron(const HttpRequest& request) {
+    const auto map = request.parameter("map");
+    const auto number = number_in(request, "neuron");
+    if (!map || !number) return refused(400, "Ask for map=NAME&neuron=NUMBER.");
+    const auto answer = session_.neuron(*map, *number);
+    return answer ? json_response(*answer) : error_response(answer.error());
+  }
+
+  HttpResponse taxel(const HttpRequest& request) {
+    const auto number = number_in(request, "element");
+    if (!number) return refused(400, "Ask for element=NUMBER.");
+    const auto answer = session_.taxel(*number);
+    return answer ? json_response(*answer) : error_response(answer.error());
+  }
+
+  // A seat is taken here and left when the stream ends, or nobody took it.
+  HttpResponse events() {
+    std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
+    if (!seat) return refused(503, "As many as may look on at a time are here already.");
+    HttpResponse response;
+    response.type = "text/event-stream";
+    response.stream = [seat](const HttpResponse::Write& write) { tell(*seat, write); };
+    return response;
+  }
+
+  static void tell(EventHub::Seat& seat, const HttpResponse::Write& write) {
+    while (const auto events = seat.next(kBetweenPings)) {
+      if (events->empty() && !write("event: ping\ndata: {}\n\n")) return;
+      for (const auto& [kind, text] : *events) {
+        const std::string told = fmt::format("event: {}\ndata: {}\n\n", name_of(kind), *text);
+        if (!write(told)) return;
+      }
+    }
+  }
+
+  ViewSession& session_;
+  std::vector<ViewPage> pages_;
+  ViewServerSettings settings_;
+  std::string token_;
+  std::vector<std::string> hosts_;
+  std::optional<live::HttpAccess> access_;
+  live::HttpServer http_;
+};
+
+Result<std::unique_ptr<ViewServer>> ViewServer::start(ViewSession& session,
+                                                      std::vector<ViewPage> pages,
+                                                      const ViewServerSettings& settings) {
+  auto works = std::make_unique<Works>(session, std::move(pages), settings);
+  if (auto started = works->start(); !started) return fail(std::move(started.error()));
+  return std::unique_ptr<ViewServer>(new ViewServer(std::move(works)));
+}
+
+ViewServer::ViewServer(std::unique_ptr<Works> works) : works_(std::move(works)) {}
+
+ViewServer::~ViewServer() {
+  works_->stop();
+}
+
+std::string ViewServer::start_address() const {
+  return works_->start_address();
+}
+
+std::uint16_t ViewServer::port() const {
+  return works_->port();
+}
+
+const std::string& ViewServer::token() const {
+  return works_->token();
+}
+
+}  // namespace somato

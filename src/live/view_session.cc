@@ -1,0 +1,182 @@
+#include "somato/live/view_session.h"
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include "live/event_hub.h"
+#include "live/inquiries.h"
+#include "live/player.h"
+#include "live/task_queue.h"
+#include "live/training_thread.h"
+#include "live/viewed_system.h"
+
+namespace somato {
+
+using live::TaskQueue;
+
+class ViewSession::Works {
+ public:
+  Works(ViewSource source, const ViewSettings& settings)
+      : player_(std::move(source), settings, hub_, queue_),
+        training_(hub_, std::chrono::duration<double>(settings.training_pause)) {
+    hub_.on_change([this] {
+      queue_.post([this] {
+        if (hub_.lookers_on() > 0) player_.welcome();
+        player_.publish_state();
+      });
+    });
+  }
+
+  void start() {
+    thread_ = std::thread([this] { player_.run(); });
+  }
+
+  void stop() {
+    hub_.close();
+    queue_.close();
+    if (thread_.joinable()) thread_.join();
+    training_.stop();
+  }
+
+  // Waits until it has been done: the player looks after tasks with every frame.
+  Result<void> command(std::string_view json) {
+    auto command = live::parse_view_command(json);
+    if (!command) return fail(std::move(command.error()));
+    return ask<void>([this, command = std::move(*command)] {
+      auto handled = handle(command);
+      player_.publish_state();
+      return handled;
+    });
+  }
+
+  // What takes long is done by the thread that asks.
+  Result<std::string> neuron(const std::string& map, std::size_t neuron) {
+    return asked_system().and_then(
+        [&](const live::InquiredSystem& asked) { return inquiries_.neuron(asked, map, neuron); });
+  }
+  Result<std::string> taxel(std::size_t element) {
+    return asked_system().and_then(
+        [&](const live::InquiredSystem& asked) { return inquiries_.taxel(asked, element); });
+  }
+
+  live::EventHub& hub() { return hub_; }
+  const Recording& recording() const { return player_.source().recording; }
+
+ private:
+  static constexpr auto kPatience = std::chrono::seconds(5);
+
+  // Has the player's thread do something, and waits until it has.
+  template <typename T>
+  Result<T> ask(std::function<Result<T>()> question) {
+    auto answer = std::make_shared<std::promise<Result<T>>>();
+    auto result = answer->get_future();
+    const bool posted =
+        queue_.post([answer, question = std::move(question)] { answer->set_value(question()); });
+    if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
+      return fail(ErrorKind::kUsage, "the view is busy or about to end");
+    }
+    return result.get();
+  }
+
+  Result<live::InquiredSystem> asked_system() {
+    return ask<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
+      const ViewSystem* system = player_.system();
+      if (system != nullptr && system->trained) {
+        return live::InquiredSystem{system->trained, to_learn_from()};
+      }
+      return fail(ErrorKind::kUsage, "no system that has learned is chosen");
+    });
+  }
+
+  Result<void> handle(const live::ViewCommand& command) {
+    if (std::holds_alternative<live::TrainCommand>(command)) return train();
+    if (std::holds_alternative<live::StopTrainingCommand>(command)) {
+      training_.ask_to_stop();
+      return {};
+    }
+    return player_.handle(command);
+  }
+
+  // What a body has explored grows meanwhile; a recording stays as it is.
+  std::shared_ptr<const Recording> to_learn_from() const {
+    const ViewSource& source = player_.source();
+    if (source.body) return std::make_shared<const Recording>(source.recording);
+    return {std::shared_ptr<const Recording>(), &source.recording};
+  }
+
+  Result<void> train() {
+    const ViewSystem* system = player_.system();
+    if (system == nullptr) return fail(ErrorKind::kUsage, "choose a system first");
+    if (system->description.modules.empty()) {
+      return fail(ErrorKind::kUsage, "this system has learned already");
+    }
+    if (player_.source().recording.explorations.empty()) {
+      return fail(ErrorKind::kUsage, "there is nothing to learn from yet");
+    }
+    player_.show_problem({});
+    player_.show_training(true);
+    training_.start(*system, to_learn_from(), player_.source().seed,
+                    [this, name = system->name](auto trained) {
+                      queue_.post([this, name, trained] { end_training(name, trained); });
+                    });
+    return {};
+  }
+
+  void end_training(const std::string& name,
+                    const Result<std::shared_ptr<const SystemModel>>& trained) {
+    if (trained) {
+      player_.take_trained(name, *trained);
+    } else if (trained.error().kind != ErrorKind::kInterrupted) {
+      player_.show_problem(live::sentence_of(trained.error()));
+    }
+    player_.show_training(false);
+  }
+
+  live::EventHub hub_;
+  TaskQueue queue_;
+  live::Player player_;
+  live::TrainingThread training_;
+  live::Inquiries inquiries_;
+  std::thread thread_;
+};
+
+ViewSession::ViewSession(ViewSource source, const ViewSettings& settings)
+    : works_(std::make_unique<Works>(std::move(source), settings)) {}
+
+ViewSession::~ViewSession() {
+  stop();
+}
+
+void ViewSession::start() {
+  works_->start();
+}
+
+void ViewSession::stop() {
+  works_->stop();
+}
+
+const Recording& ViewSession::recording() const {
+  return works_->recording();
+}
+
+Result<void> ViewSession::command(std::string_view json) {
+  return works_->command(json);
+}
+
+Result<std::string> ViewSession::neuron(const std::string& map, std::size_t neuron) {
+  return works_->neuron(map, neuron);
+}
+
+Result<std::string> ViewSession::taxel(std::size_t element) {
+  return works_->taxel(element);
+}
+
+live::EventHub& ViewSession::hub() {
+  return works_->hub();
+}
+
+}  // namespace somato
