@@ -21,6 +21,7 @@ bool is_of_system(const Settings& part) {
 template <typename Parameters>
 std::vector<ParameterInfo> declared() {
   std::vector<ParameterInfo> infos;
+  infos.reserve(Parameters::declarations().all().size());
   for (const auto& parameter : Parameters::declarations().all()) infos.push_back(parameter.info);
   return infos;
 }

@@ -113,8 +113,7 @@ TEST_F(Curves, TwoPointsOrMixedChangesAreNone) {
   auto both = noise("2.0");
   both[0].settings[1].value = "\"shape\"";
   add("a", "both", both, {1, 1});
-  auto text = noise("\"much\"");
-  add("a", "text", text, {1, 1});
+  add("a", "text", noise("\"much\""), {1, 1});
   auto more = noise("3.0");
   more.push_back({"explore", {{"body", "\"lucs2\""}}});
   add("a", "more", more, {1, 1});

@@ -220,7 +220,6 @@ TEST(Report, AModelOfAnotherSeedIsToldApart) {
 }
 
 TEST(Report, AnotherRecordingIsNotUsed) {
-  ReportSources sources = small().sources();
   const MadeStudy other(small_study("none"), grasps(3, 4, 2));
   const Json system = report_of({small().file()}, other.sources())["systems"][0];
   EXPECT_TRUE(system["samples"].is_null());
