@@ -14,7 +14,8 @@ export function contentSecurityPolicy(): Plugin {
     enforce: "post",
     generateBundle(_, bundle) {
       for (const file of Object.values(bundle)) {
-        if (file.type === "asset" && file.fileName.endsWith(".html")) file.source = withPolicy(String(file.source));
+        if (file.type === "asset" && file.fileName.endsWith(".html"))
+          file.source = withPolicy(String(file.source));
       }
     },
   };

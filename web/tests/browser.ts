@@ -57,6 +57,12 @@ export async function accessibilityViolations(page: Page): Promise<string[]> {
       nodes: { target: string[]; failureSummary?: string }[];
     }
     const { violations } = await axe.run();
-    return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => `${node.target.join(" ")} (${node.failureSummary ?? ""})`).join("; ")}`);
+    return violations.map(
+      ({ id, nodes }) =>
+        `${id}: ${nodes
+          .slice(0, 3)
+          .map((node) => `${node.target.join(" ")} (${node.failureSummary ?? ""})`)
+          .join("; ")}`,
+    );
   });
 }

@@ -27,8 +27,15 @@ interface Opened {
   problems: string[];
 }
 
-async function open(of: ReportData | string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<Opened> {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+async function open(
+  of: ReportData | string,
+  options: Parameters<Browser["newPage"]>[0] = {},
+): Promise<Opened> {
+  const page = await browser.newPage({
+    viewport: { width: 1280, height: 800 },
+    acceptDownloads: true,
+    ...options,
+  });
   const problems: string[] = [];
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
@@ -57,7 +64,11 @@ async function saved(figure: Locator, kind: string): Promise<{ download: Downloa
 
 async function savedRows(figure: Locator): Promise<string[][]> {
   const { bytes } = await saved(figure, "CSV");
-  return bytes.toString("utf8").trimEnd().split("\r\n").map((line) => line.split(","));
+  return bytes
+    .toString("utf8")
+    .trimEnd()
+    .split("\r\n")
+    .map((line) => line.split(","));
 }
 
 async function readoutAt(figure: Locator, cell: number): Promise<string> {
@@ -70,9 +81,13 @@ describe("what it shows", () => {
     const { page, problems } = await open(data);
     const rows = page.locator("#overview tbody tr");
     expect(await rows.count()).toBe(data.systems.filter((system) => system.question === "").length);
-    expect(await page.locator(".question h2").allTextContents()).toEqual(["Does the size of the map matter?"]);
+    expect(await page.locator(".question h2").allTextContents()).toEqual([
+      "Does the size of the map matter?",
+    ]);
     const accuracy = hand.protocols[0]!.metrics["accuracy"]!;
-    expect(await rows.first().textContent()).toContain(`${accuracy.mean.toFixed(2)} ± ${accuracy.sd.toFixed(2)}`);
+    expect(await rows.first().textContent()).toContain(
+      `${accuracy.mean.toFixed(2)} ± ${accuracy.sd.toFixed(2)}`,
+    );
     const claims = page.locator("#claims tbody tr:has(td)");
     expect(await claims.count()).toBe(data.claims.length);
     expect(await claims.first().textContent()).toContain(`${Math.round(data.claims[0]!.share * 100)} %`);
@@ -113,11 +128,15 @@ describe("what it shows", () => {
     const { page } = await open(data);
     const section = await goTo(page, 1);
     const outcomes = await savedRows(figureOf(section, "Outcomes"));
-    const accuracies = outcomes.filter((row) => row[0] === "accuracy" && row[1] === "here").map((row) => Number(row[3]));
+    const accuracies = outcomes
+      .filter((row) => row[0] === "accuracy" && row[1] === "here")
+      .map((row) => Number(row[3]));
     expect(accuracies).toEqual(hand.protocols[0]!.metrics["accuracy"]!.values);
     expect(outcomes.some((row) => row[0] === "with_own" && row[1] === "paper" && row[3] === "29")).toBe(true);
     const confusions = await savedRows(figureOf(section, "Confusions over all runs"));
-    const right = hand.protocols[0]!.runs.flatMap((run) => run.labels.filter((one, i) => one === "boccia" && run.predictions[i] === one));
+    const right = hand.protocols[0]!.runs.flatMap((run) =>
+      run.labels.filter((one, i) => one === "boccia" && run.predictions[i] === one),
+    );
     expect(Number(confusions[1]![1])).toBe(right.length);
     await page.close();
   });
@@ -129,7 +148,9 @@ describe("what it shows", () => {
     expect(await figureOf(first, "Touch at a moment").locator("[data-cell]").count()).toBe(45);
     expect(await figureOf(first, "What hand hears of wrist").locator("image").count()).toBe(1);
     const field = await savedRows(figureOf(first, "Receptive field"));
-    expect(field.slice(1).map((row) => Number(row[1]))).toEqual(hand.trained!.receptive_fields[0]!.weights[12]);
+    expect(field.slice(1).map((row) => Number(row[1]))).toEqual(
+      hand.trained!.receptive_fields[0]!.weights[12],
+    );
     const second = await goTo(page, 2);
     const d = await figureOf(second, "Winners").locator("[data-cell]").first().getAttribute("d");
     expect(d!.split(/[ML]/).length).toBe(7); // six corners
@@ -151,7 +172,9 @@ describe("what is chosen", () => {
     await section.getByRole("radio", { name: "shape" }).check();
     expect(await winners.locator(".what").textContent()).toContain("by shape");
     expect(await winners.locator(".marker-legend text").count()).toBe(3);
-    await section.getByRole("combobox", { name: "Protocol" }).selectOption({ label: "Leave out each object" });
+    await section
+      .getByRole("combobox", { name: "Protocol" })
+      .selectOption({ label: "Leave out each object" });
     const held = hand.protocols[1]!.runs[4]!;
     expect((await savedRows(winners)).slice(1).map((row) => Number(row[1]) - 1)).toEqual(held.winners);
     expect(await winners.locator(".area-border").count()).toBe(0);
@@ -216,7 +239,15 @@ describe("what is saved", () => {
   test("SVG stands alone and PNG is a picture", async () => {
     const { page } = await open(data, { colorScheme: "dark" });
     const section = await goTo(page, 1);
-    for (const title of ["Winners", "U-matrix", "Modules", "Outcomes", "Joints over time", "What hand hears of wrist", "Touch at a moment"]) {
+    for (const title of [
+      "Winners",
+      "U-matrix",
+      "Modules",
+      "Outcomes",
+      "Joints over time",
+      "What hand hears of wrist",
+      "Touch at a moment",
+    ]) {
       const figure = figureOf(section, title);
       const svg = await saved(figure, "SVG");
       const text = svg.bytes.toString("utf8");
@@ -236,7 +267,9 @@ describe("what is saved", () => {
     const { bytes } = await saved(figureOf(await goTo(page, 1), "Winners"), "SVG");
     const alone = await browser.newPage();
     await alone.setContent(`<img src="data:image/svg+xml;base64,${bytes.toString("base64")}">`);
-    const width = await alone.locator("img").evaluate(async (image: HTMLImageElement) => (await image.decode(), image.naturalWidth));
+    const width = await alone
+      .locator("img")
+      .evaluate(async (image: HTMLImageElement) => (await image.decode(), image.naturalWidth));
     expect(width).toBeGreaterThan(300);
     await alone.locator("img").screenshot({ path: screenshotPath("report-saved-winners") });
     await alone.close();
@@ -250,7 +283,11 @@ describe("who reads it", () => {
     for (const system of [1, 2, 3, 4]) await goTo(page, system);
     expect(await accessibilityViolations(page)).toEqual([]);
     await page.setViewportSize({ width: 1280, height: 1400 });
-    await (await goTo(page, 1)).locator(".map-row").screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
+    await (
+      await goTo(page, 1)
+    )
+      .locator(".map-row")
+      .screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
     await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
     await page.close();
   });
@@ -272,7 +309,9 @@ describe("who reads it", () => {
     await planes.getByRole("application").focus();
     await page.keyboard.press("Home");
     await page.keyboard.press("Enter");
-    expect(await figureOf(section, "One neuron on the hand").locator(".what").textContent()).toBe("Neuron at row 1, column 1");
+    expect(await figureOf(section, "One neuron on the hand").locator(".what").textContent()).toBe(
+      "Neuron at row 1, column 1",
+    );
     await page.close();
   });
 
@@ -299,11 +338,15 @@ describe("who reads it", () => {
     const { page } = await open(data, { colorScheme: "dark" });
     await page.emulateMedia({ media: "print", colorScheme: "dark" });
     await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
-    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe("rgb(255, 255, 255)");
+    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(
+      "rgb(255, 255, 255)",
+    );
     expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
     // On A4 with margins of 14 mm no figure is taller than a page; tables may go over pages.
     await page.setViewportSize({ width: 688, height: 1017 });
-    const heights = await page.locator("figure:not(:has(table))").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+    const heights = await page
+      .locator("figure:not(:has(table))")
+      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
     expect(Math.max(...heights)).toBeLessThan(1017);
     const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
     expect(cut).toBe("page");
@@ -342,7 +385,11 @@ describe("what goes wrong", () => {
   });
 
   test("a system with half its fields is shown as far as it goes", async () => {
-    const half = { version: 1, somato: "1", systems: [{ name: "half", protocols: [{ protocol: "train_is_test" }], trained: { planes: [{}] } }] };
+    const half = {
+      version: 1,
+      somato: "1",
+      systems: [{ name: "half", protocols: [{ protocol: "train_is_test" }], trained: { planes: [{}] } }],
+    };
     const { page, problems } = await open(JSON.stringify(half));
     expect(await page.locator("#system-1 h2").textContent()).toBe("half");
     await goTo(page, 1);

@@ -1,8 +1,26 @@
 // Makes a report that has every field, the same every time: a hand on a rectangular plane, probes on
 // a hexagonal torus, a variation, and one system of which little is known.
 
-import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData, ReceptiveFields, ThingData } from "../src/parts/data";
-import type { ClaimReport, CurveReport, MetricData, MomentData, ProtocolData, ReportData, RunData, SystemReport, TrainedData } from "../src/report/data";
+import type {
+  ChannelData,
+  ChannelPlanes,
+  GraphData,
+  GridData,
+  ModuleData,
+  ReceptiveFields,
+  ThingData,
+} from "../src/parts/data";
+import type {
+  ClaimReport,
+  CurveReport,
+  MetricData,
+  MomentData,
+  ProtocolData,
+  ReportData,
+  RunData,
+  SystemReport,
+  TrainedData,
+} from "../src/report/data";
 
 /** Random numbers from 0 to 1 by mulberry32, so that the fixture never changes. */
 export function randomNumbers(seed: number): () => number {
@@ -26,14 +44,20 @@ export function metric(values: number[]): MetricData {
 
 const kObjects = ["boccia", "boule", "cylinder", "block_1", "block_2", "block_3"];
 const kShapeOf: Record<string, string> = {
-  boccia: "sphere", boule: "sphere", cylinder: "cylinder", block_1: "block", block_2: "block", block_3: "block",
+  boccia: "sphere",
+  boule: "sphere",
+  cylinder: "cylinder",
+  block_1: "block",
+  block_2: "block",
+  block_3: "block",
 };
 
 export function touchElements(): string[] {
   return [1, 2, 3].flatMap((finger) =>
-    [["proximal", 7], ["distal", 8]].flatMap(([segment, count]) =>
-      range(Number(count)).map((i) => `finger${finger}_${segment}_${i + 1}`),
-    ),
+    [
+      ["proximal", 7],
+      ["distal", 8],
+    ].flatMap(([segment, count]) => range(Number(count)).map((i) => `finger${finger}_${segment}_${i + 1}`)),
   );
 }
 
@@ -45,7 +69,12 @@ const kJoints: ChannelData = {
   shape: [6],
 };
 
-function clusteredRun(seed: number, grid: GridData, classes: string[], label: (name: string) => string): RunData {
+function clusteredRun(
+  seed: number,
+  grid: GridData,
+  classes: string[],
+  label: (name: string) => string,
+): RunData {
   const random = randomNumbers(seed);
   const neurons = grid.rows * grid.columns;
   const labels = classes.flatMap((name) => range(5).map(() => name));
@@ -57,12 +86,22 @@ function clusteredRun(seed: number, grid: GridData, classes: string[], label: (n
     const clamp = (value: number, size: number) => Math.min(size - 1, Math.max(0, value));
     return clamp(row, grid.rows) * grid.columns + clamp(column, grid.columns);
   });
-  const predictions = labels.map((name) => (random() < 0.85 ? name : (classes[Math.floor(random() * classes.length)] ?? name)));
-  return { seed, recording: 0, winners, labels, predictions, other_predictions: { shape: predictions.map(label) } };
+  const predictions = labels.map((name) =>
+    random() < 0.85 ? name : (classes[Math.floor(random() * classes.length)] ?? name),
+  );
+  return {
+    seed,
+    recording: 0,
+    winners,
+    labels,
+    predictions,
+    other_predictions: { shape: predictions.map(label) },
+  };
 }
 
 function protocol(name: string, group: string | undefined, label: string, runs: RunData[]): ProtocolData {
-  const shares = (run: RunData) => run.predictions.filter((one, i) => one === run.labels[i]).length / run.labels.length;
+  const shares = (run: RunData) =>
+    run.predictions.filter((one, i) => one === run.labels[i]).length / run.labels.length;
   const random = randomNumbers(runs.length + name.length);
   const some = (scale: number) => metric(runs.map(() => round(random() * scale)));
   const either = (share: number) => metric(runs.map(() => (random() < share ? 1 : 0)));
@@ -97,7 +136,13 @@ function protocol(name: string, group: string | undefined, label: string, runs: 
   return { protocol: name, ...(group ? { group } : {}), label, samples, metrics, runs };
 }
 
-function module(name: string, type: string, inputs: string[], shape: number[], more: Partial<ModuleData> = {}): ModuleData {
+function module(
+  name: string,
+  type: string,
+  inputs: string[],
+  shape: number[],
+  more: Partial<ModuleData> = {},
+): ModuleData {
   return {
     name,
     type,
@@ -133,7 +178,11 @@ function handGraph(): GraphData {
       module("before", "delay", ["sum"], [46, 23]),
       module("sum", "addition", ["felt", "before"], [46, 23]),
       module("memory", "accumulate", ["sum"], [46, 23], { rate: "exploration" }),
-      module("map", "som", ["memory"], [15, 15], { learns: true, rate: "exploration", parameters: { rows: "15", columns: "15" } }),
+      module("map", "som", ["memory"], [15, 15], {
+        learns: true,
+        rate: "exploration",
+        parameters: { rows: "15", columns: "15" },
+      }),
     ],
     map: "map",
     phases: [
@@ -147,22 +196,41 @@ function planes(grid: GridData, channel: ChannelData, unit: string, seed: number
   const random = randomNumbers(seed);
   const peaks = channel.elements.map(() => [random() * grid.rows, random() * grid.columns]);
   const value = (neuron: number, [row, column]: number[]) => {
-    const square = (Math.floor(neuron / grid.columns) - (row ?? 0)) ** 2 + ((neuron % grid.columns) - (column ?? 0)) ** 2;
+    const square =
+      (Math.floor(neuron / grid.columns) - (row ?? 0)) ** 2 + ((neuron % grid.columns) - (column ?? 0)) ** 2;
     return round(Math.exp(-square / 18));
   };
-  return { channel, unit, values: range(grid.rows * grid.columns).map((neuron) => peaks.map((peak) => value(neuron, peak))) };
+  return {
+    channel,
+    unit,
+    values: range(grid.rows * grid.columns).map((neuron) => peaks.map((peak) => value(neuron, peak))),
+  };
 }
 
-function fields(name: string, shape: [number, number], input: string, axis: 0 | 1, elements: number): ReceptiveFields {
+function fields(
+  name: string,
+  shape: [number, number],
+  input: string,
+  axis: 0 | 1,
+  elements: number,
+): ReceptiveFields {
   const neurons = range(shape[0] * shape[1]);
-  const place = (neuron: number) => (axis === 0 ? Math.floor(neuron / shape[1]) / shape[0] : (neuron % shape[1]) / shape[1]);
+  const place = (neuron: number) =>
+    axis === 0 ? Math.floor(neuron / shape[1]) / shape[0] : (neuron % shape[1]) / shape[1];
   const weights = neurons.map((neuron) =>
-    range(elements).map((one) => round(Math.exp(-((one - (place(neuron) + 0.5 / shape[axis]) * elements) ** 2) / 4))),
+    range(elements).map((one) =>
+      round(Math.exp(-((one - (place(neuron) + 0.5 / shape[axis]) * elements) ** 2) / 4)),
+    ),
   );
   return { module: name, shape, input, axis, elements, neurons, weights };
 }
 
-function trained(grid: GridData, classes: string[], allPlanes: ChannelPlanes[], receptive: ReceptiveFields[]): TrainedData {
+function trained(
+  grid: GridData,
+  classes: string[],
+  allPlanes: ChannelPlanes[],
+  receptive: ReceptiveFields[],
+): TrainedData {
   const random = randomNumbers(9);
   const neurons = range(grid.rows * grid.columns);
   return {
@@ -181,11 +249,50 @@ const kNoThing = { top_diameter: 0, material: "wood", hardness: "", colour: null
 
 function things(): ThingData[] {
   return [
-    { ...kNoThing, name: "boccia", shape: "sphere", size: [80, 80, 80], material: "plastic", hardness: "hard", colour: [0.75, 0.2, 0.18], mass: 0.28 },
-    { ...kNoThing, name: "boule", shape: "sphere", size: [74, 74, 74], material: "steel", hardness: "hard", colour: [0.62, 0.64, 0.67], mass: 0.7 },
-    { ...kNoThing, name: "cylinder", shape: "cylinder", size: [70, 70, 150], colour: [0.76, 0.6, 0.38], mass: 0.4 },
-    { ...kNoThing, name: "block_1", shape: "block", size: [90, 60, 150], colour: [0.35, 0.5, 0.62], mass: 0.6 },
-    { ...kNoThing, name: "cone", shape: "cone", size: [80, 80, 120], top_diameter: 30, colour: [0.45, 0.6, 0.4] },
+    {
+      ...kNoThing,
+      name: "boccia",
+      shape: "sphere",
+      size: [80, 80, 80],
+      material: "plastic",
+      hardness: "hard",
+      colour: [0.75, 0.2, 0.18],
+      mass: 0.28,
+    },
+    {
+      ...kNoThing,
+      name: "boule",
+      shape: "sphere",
+      size: [74, 74, 74],
+      material: "steel",
+      hardness: "hard",
+      colour: [0.62, 0.64, 0.67],
+      mass: 0.7,
+    },
+    {
+      ...kNoThing,
+      name: "cylinder",
+      shape: "cylinder",
+      size: [70, 70, 150],
+      colour: [0.76, 0.6, 0.38],
+      mass: 0.4,
+    },
+    {
+      ...kNoThing,
+      name: "block_1",
+      shape: "block",
+      size: [90, 60, 150],
+      colour: [0.35, 0.5, 0.62],
+      mass: 0.6,
+    },
+    {
+      ...kNoThing,
+      name: "cone",
+      shape: "cone",
+      size: [80, 80, 120],
+      top_diameter: 30,
+      colour: [0.45, 0.6, 0.4],
+    },
     { ...kNoThing, name: "egg", shape: "ellipsoid", size: [60, 60, 90] },
     { ...kNoThing, name: "pill", shape: "capsule", size: [50, 50, 120], colour: [0.85, 0.75, 0.3] },
     { ...kNoThing, name: "a mesh", shape: "mesh", size: [70, 50, 60] },
@@ -198,14 +305,30 @@ function moment(name: string, seed: number): MomentData {
   const times = range(60).map((i) => round(i * 0.1));
   const peaks = kTouch.elements.map(() => (random() < 0.35 ? 1 + 4 * random() : 0));
   const touch = times.map((time) => peaks.map((peak) => round(peak / (1 + Math.exp(-(time - 3.5) * 3)))));
-  const joints = times.map((time) => kJoints.elements.map((_, i) => round(30 * Math.min(1, time / 4) - (i % 2) * 70 * (1 - time / 6))));
+  const joints = times.map((time) =>
+    kJoints.elements.map((_, i) => round(30 * Math.min(1, time / 4) - (i % 2) * 70 * (1 - time / 6))),
+  );
   return {
     labels: { object: name, shape: kShapeOf[name] ?? "", trial: "1" },
     channels: [
       { channel: kTouch, rate: 10, frame: 50, values: touch[50] ?? [], times, series: touch },
       { channel: kJoints, rate: 10, frame: 50, values: joints[50] ?? [], times, series: joints },
-      { channel: { name: "height", unit: "mm", elements: ["1"], shape: [1] }, rate: 10, frame: 50, values: [148], times, series: times.map((_, i) => [i < 30 ? 126 : 148]) },
-      { channel: { name: "spectrum", unit: "", elements: range(100).map((i) => String(i + 1)), shape: [100] }, rate: 10, frame: 50, values: range(100).map((i) => round(1 / (1 + i))), times: [], series: [] },
+      {
+        channel: { name: "height", unit: "mm", elements: ["1"], shape: [1] },
+        rate: 10,
+        frame: 50,
+        values: [148],
+        times,
+        series: times.map((_, i) => [i < 30 ? 126 : 148]),
+      },
+      {
+        channel: { name: "spectrum", unit: "", elements: range(100).map((i) => String(i + 1)), shape: [100] },
+        rate: 10,
+        frame: 50,
+        values: range(100).map((i) => round(1 / (1 + i))),
+        times: [],
+        series: [],
+      },
     ],
   };
 }
@@ -216,7 +339,9 @@ const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topo
 function handSystem(): SystemReport {
   const shapeOf = (name: string) => kShapeOf[name] ?? "";
   const runs = range(20).map((i) => clusteredRun(i + 1, kRectangular, kObjects, shapeOf));
-  const outs = range(20).map((i) => clusteredRun(i + 101, kRectangular, kObjects, shapeOf)).map((run, i) => ({ ...run, seed: i + 1 }));
+  const outs = range(20)
+    .map((i) => clusteredRun(i + 101, kRectangular, kObjects, shapeOf))
+    .map((run, i) => ({ ...run, seed: i + 1 }));
   const labels = runs[0]?.labels ?? [];
   return {
     file: "out/results.json",
@@ -226,27 +351,56 @@ function handSystem(): SystemReport {
     settings: { study: { label: "object", seeds: "20" }, "module.map": { rows: "15", columns: "15" } },
     data_hash: "fnv1a64:a32cd4b13db36891",
     recordings: ["lucs2.mcap"],
-    protocols: [protocol("train_is_test", undefined, "object", runs), protocol("leave_group_out", "object", "object", outs)],
+    protocols: [
+      protocol("train_is_test", undefined, "object", runs),
+      protocol("leave_group_out", "object", "object", outs),
+    ],
     graph: handGraph(),
     grid: kRectangular,
     samples: labels.map((object, i) => ({ object, shape: shapeOf(object), trial: String((i % 5) + 1) })),
     things: things(),
     not_given: [
-      { part: "module.hand", name: "arbor_sigma", value: "1.0", text: "Width of the arbor in neurons; not given in the papers." },
-      { part: "module.map", name: "learning_rate_start", value: "0.3", text: "Learning rate at the start; not given in the papers." },
+      {
+        part: "module.hand",
+        name: "arbor_sigma",
+        value: "1.0",
+        text: "Width of the arbor in neurons; not given in the papers.",
+      },
+      {
+        part: "module.map",
+        name: "learning_rate_start",
+        value: "0.3",
+        text: "Learning rate at the start; not given in the papers.",
+      },
     ],
-    trained: trained(kRectangular, kObjects, [planes(kRectangular, kTouch, "N", 3), planes(kRectangular, kJoints, "", 4)], [
-      fields("hand", [5, 5], "wrist", 0, 10),
-      fields("posture", [6, 15], "joints", 1, 60),
-    ]),
+    trained: trained(
+      kRectangular,
+      kObjects,
+      [planes(kRectangular, kTouch, "N", 3), planes(kRectangular, kJoints, "", 4)],
+      [fields("hand", [5, 5], "wrist", 0, 10), fields("posture", [6, 15], "joints", 1, 60)],
+    ),
     moments: kObjects.map((name, i) => moment(name, 50 + i)),
     missing: [],
   };
 }
 
 function probeSystem(variation: string): SystemReport {
-  const materials = ["cloth", "foam", "sandpaper", "wood", "glass", "rubber", "cardboard", "steel", "leather", "cork"];
-  const runs = range(6).map((i) => ({ ...clusteredRun(i + 7, kHexagonal, materials, (name) => (name < "m" ? "soft" : "hard")), recording: i % 2 }));
+  const materials = [
+    "cloth",
+    "foam",
+    "sandpaper",
+    "wood",
+    "glass",
+    "rubber",
+    "cardboard",
+    "steel",
+    "leather",
+    "cork",
+  ];
+  const runs = range(6).map((i) => ({
+    ...clusteredRun(i + 7, kHexagonal, materials, (name) => (name < "m" ? "soft" : "hard")),
+    recording: i % 2,
+  }));
   return {
     ...handSystem(),
     name: "hardness",
@@ -257,7 +411,19 @@ function probeSystem(variation: string): SystemReport {
     graph: null,
     grid: kHexagonal,
     samples: null,
-    trained: trained(kHexagonal, materials, [planes(kHexagonal, { name: "bits", unit: "", elements: range(18).map((i) => String(i + 1)), shape: [18] }, "", 5)], []),
+    trained: trained(
+      kHexagonal,
+      materials,
+      [
+        planes(
+          kHexagonal,
+          { name: "bits", unit: "", elements: range(18).map((i) => String(i + 1)), shape: [18] },
+          "",
+          5,
+        ),
+      ],
+      [],
+    ),
     moments: [],
     not_given: [],
     missing: [],
@@ -277,11 +443,19 @@ function bareSystem(): SystemReport {
     trained: null,
     moments: [],
     settings: {},
-    missing: ["The trained system is not here: run somato run with --out and keep system.somato beside results.json."],
+    missing: [
+      "The trained system is not here: run somato run with --out and keep system.somato beside results.json.",
+    ],
   };
 }
 
-function claim(system: SystemReport, text: string, name: string, least: number, published: number | null): ClaimReport {
+function claim(
+  system: SystemReport,
+  text: string,
+  name: string,
+  least: number,
+  published: number | null,
+): ClaimReport {
   const values = system.protocols[0]?.metrics[name]?.values ?? [];
   const luck = system.protocols[0]?.metrics[`${name}_by_luck`]?.mean ?? null;
   return {
@@ -313,8 +487,20 @@ function curves(): CurveReport[] {
       return { x, ...metric(values) };
     }),
   });
-  const lines = [line("tensor_chain", 0.04), line("t_mpsom_multiplied", 0.07), line("nearest neighbour", 0.02)];
-  return [{ title: "Named rightly by how carefully things are placed", x: "placement noise", unit: "mm", metric: "accuracy", lines }];
+  const lines = [
+    line("tensor_chain", 0.04),
+    line("t_mpsom_multiplied", 0.07),
+    line("nearest neighbour", 0.02),
+  ];
+  return [
+    {
+      title: "Named rightly by how carefully things are placed",
+      x: "placement noise",
+      unit: "mm",
+      metric: "accuracy",
+      lines,
+    },
+  ];
 }
 
 export function reportFixture(): ReportData {
@@ -338,11 +524,14 @@ export function hostileFixture(): ReportData {
   const none = null as unknown as number;
   if (first) {
     first.metrics["accuracy"] = { mean: none, sd: none, values: [none, 0.5, none] };
-    first.runs = first.runs.slice(0, 3).map((run) => ({ ...run, labels: run.labels.map((one) => (one === "boccia" ? nasty : one)) }));
+    first.runs = first.runs
+      .slice(0, 3)
+      .map((run) => ({ ...run, labels: run.labels.map((one) => (one === "boccia" ? nasty : one)) }));
   }
   const touch = system.trained?.planes[0];
   if (touch?.values[0]) touch.values[0] = touch.values[0].map(() => none);
-  if (system.trained) system.trained.u_matrix = system.trained.u_matrix.map((value, i) => (i < 30 ? none : value));
+  if (system.trained)
+    system.trained.u_matrix = system.trained.u_matrix.map((value, i) => (i < 30 ? none : value));
   const hostile: SystemReport = {
     ...system,
     name: nasty,
@@ -353,9 +542,28 @@ export function hostileFixture(): ReportData {
     missing: [nasty],
     moments: [{ labels: { object: nasty }, channels: [] }],
   };
-  const empty: SystemReport = { ...bareSystem(), name: "", file: "", question: nasty, missing: [], protocols: [{ protocol: "train_is_test", label: "", samples: 0, metrics: {}, runs: [] }], things: [] };
-  const nastyClaim: ClaimReport = { ...claim(hostile, nasty, "accuracy", 1, 1), share: none, values: [none], published: none };
-  return { version: 1, somato: nasty, systems: [hostile, empty], claims: [nastyClaim], curves: [{ title: nasty, x: nasty, unit: nasty, metric: nasty, lines: [{ name: nasty, points: [] }] }] };
+  const empty: SystemReport = {
+    ...bareSystem(),
+    name: "",
+    file: "",
+    question: nasty,
+    missing: [],
+    protocols: [{ protocol: "train_is_test", label: "", samples: 0, metrics: {}, runs: [] }],
+    things: [],
+  };
+  const nastyClaim: ClaimReport = {
+    ...claim(hostile, nasty, "accuracy", 1, 1),
+    share: none,
+    values: [none],
+    published: none,
+  };
+  return {
+    version: 1,
+    somato: nasty,
+    systems: [hostile, empty],
+    claims: [nastyClaim],
+    curves: [{ title: nasty, x: nasty, unit: nasty, metric: nasty, lines: [{ name: nasty, points: [] }] }],
+  };
 }
 
 /** Many and large systems. */

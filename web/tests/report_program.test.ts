@@ -41,7 +41,11 @@ iterations = 300
 `;
 
 interface Results {
-  systems: { protocol: string; metrics: Record<string, { values: number[] }>; runs: { winners: number[]; predictions: string[] }[] }[];
+  systems: {
+    protocol: string;
+    metrics: Record<string, { values: number[] }>;
+    runs: { winners: number[]; predictions: string[] }[];
+  }[];
 }
 
 let browser: Browser;
@@ -67,7 +71,9 @@ beforeAll(async () => {
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
   await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#system-1`);
-  await page.waitForFunction(() => document.querySelector("#system-1 .lazy") && !document.querySelector("#system-1 .lazy:empty"));
+  await page.waitForFunction(
+    () => document.querySelector("#system-1 .lazy") && !document.querySelector("#system-1 .lazy:empty"),
+  );
 });
 
 afterAll(async () => {
@@ -78,7 +84,11 @@ async function savedRows(figure: Locator): Promise<string[][]> {
   const waiting = page.waitForEvent("download");
   await figure.getByRole("button", { name: /^CSV:/ }).click();
   const bytes = readFileSync(await (await waiting).path());
-  return bytes.toString("utf8").trimEnd().split("\r\n").map((line) => line.split(","));
+  return bytes
+    .toString("utf8")
+    .trimEnd()
+    .split("\r\n")
+    .map((line) => line.split(","));
 }
 
 test("has the winners and what was named of results.json, for every protocol and seed", async () => {
@@ -97,14 +107,18 @@ test("has the winners and what was named of results.json, for every protocol and
 test("has the outcomes of results.json", async () => {
   await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 0 });
   const rows = await savedRows(page.locator('figure[aria-label="Outcomes"]'));
-  const values = rows.filter((row) => row[0] === "quantization_error" && row[1] === "here").map((row) => Number(row[3]));
+  const values = rows
+    .filter((row) => row[0] === "quantization_error" && row[1] === "here")
+    .map((row) => Number(row[3]));
   expect(values).toEqual(results.systems[0]!.metrics["quantization_error"]!.values);
 });
 
 test("has the graph, the trained map, the moments and the materials", async () => {
   expect(await page.locator('figure[aria-label="Modules"] .module').count()).toBe(3);
   expect(await page.locator('figure[aria-label="U-matrix"] [data-cell]').count()).toBe(48);
-  expect(await page.locator('figure[aria-label="Potentiometer at the end"] dd').textContent()).toContain("counts");
+  expect(await page.locator('figure[aria-label="Potentiometer at the end"] dd').textContent()).toContain(
+    "counts",
+  );
   expect(await page.locator(".things tbody tr").count()).toBe(8);
 });
 

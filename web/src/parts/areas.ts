@@ -18,7 +18,10 @@ export function areasOf(
 }
 
 /** For each neuron that won, how many samples of each class. */
-export function wonBy(winners: readonly number[], classes: readonly number[]): Map<number, Map<number, number>> {
+export function wonBy(
+  winners: readonly number[],
+  classes: readonly number[],
+): Map<number, Map<number, number>> {
   const won = new Map<number, Map<number, number>>();
   winners.forEach((winner, i) => {
     const counts = won.get(winner) ?? new Map<number, number>();

@@ -39,7 +39,9 @@ export function fill(to: Element, children: Child[]): void {
 
 /** A name that may go on in the next line after each underscore. */
 export function breakable(name: string): Child[] {
-  return name.split(/(?<=[_/])/).flatMap((part, i) => (i === 0 ? [part] : [document.createElement("wbr"), part]));
+  return name
+    .split(/(?<=[_/])/)
+    .flatMap((part, i) => (i === 0 ? [part] : [document.createElement("wbr"), part]));
 }
 
 let lastNumber = 0;

@@ -30,7 +30,12 @@ export function figure(options: FigureOptions): HTMLElement {
   const controls = options.controls ? element("div", { class: "controls" }, options.controls) : null;
   const note = options.note ? element("figcaption", {}, [options.note]) : null;
   const kind = options.wide ? "figure wide" : "figure";
-  return element("figure", { class: kind, "aria-label": options.title }, [header, controls, options.body, note]);
+  return element("figure", { class: kind, "aria-label": options.title }, [
+    header,
+    controls,
+    options.body,
+    note,
+  ]);
 }
 
 function saveButtons(options: FigureOptions): HTMLElement {
@@ -48,9 +53,11 @@ function saveButtons(options: FigureOptions): HTMLElement {
 
 function saver(kind: string, title: string, save: () => Promise<void>): HTMLElement {
   const label = `${kind}: save ${title}`;
-  const button = element("button", { type: "button", class: "quiet", "aria-label": label, title: `Save as ${kind}` }, [
-    kind,
-  ]);
+  const button = element(
+    "button",
+    { type: "button", class: "quiet", "aria-label": label, title: `Save as ${kind}` },
+    [kind],
+  );
   button.addEventListener("click", () => {
     save().catch(() => {
       button.textContent = `${kind} failed`;

@@ -90,7 +90,13 @@ interface Station {
 
 /** A station for each module, and one for each layer that a link passes through. */
 function withBends(layers: number[], links: Link[]): Station[] {
-  const made = (layer: number, link: Link | null): Station => ({ layer, row: 0, link, before: [], after: [] });
+  const made = (layer: number, link: Link | null): Station => ({
+    layer,
+    row: 0,
+    link,
+    before: [],
+    after: [],
+  });
   const nodes = layers.map((layer) => made(layer, null));
   for (const link of links.filter((one) => !one.isBack)) {
     const end = nodes[link.to]!;
@@ -122,7 +128,9 @@ function orderedLayers(nodes: Station[]): Station[][] {
   for (let sweep = 0; sweep < kSweeps; sweep += 1) {
     const isForward = sweep % 2 === 0;
     for (const layer of isForward ? order : [...order].reverse()) {
-      const wanted = new Map(layer.map((node) => [node, meanRow(isForward ? node.before : node.after, node.row)]));
+      const wanted = new Map(
+        layer.map((node) => [node, meanRow(isForward ? node.before : node.after, node.row)]),
+      );
       layer.sort((one, other) => wanted.get(one)! - wanted.get(other)!);
       layer.forEach((node, i) => (node.row = i));
     }

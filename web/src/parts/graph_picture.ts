@@ -36,11 +36,14 @@ function sizesFor(layers: number): Sizes {
 export function graphPicture(graph: GraphData, onChoose?: (module: ModuleData) => void): GraphPicture {
   const layout = graphLayout(graph.modules);
   const sizes = sizesFor(layout.layerCount);
-  const boxes = graph.modules.map((module, i) => boxOf(graph, module, placeOf(layout, i, sizes), sizes.box, onChoose));
+  const boxes = graph.modules.map((module, i) =>
+    boxOf(graph, module, placeOf(layout, i, sizes), sizes.box, onChoose),
+  );
   const backs = layout.links.filter((link) => link.isBack).length;
   const left = backs > 0 ? kLoopRoom + 3 * backs : kMargin;
   const width = (layout.layerCount - 1) * sizes.step + sizes.box + left + kLoopRoom;
-  const height = (layout.rowCount - 1) * kRowStep + kBoxHeight + backs * 16 + (backs > 0 ? 12 : 0) + 2 * kMargin;
+  const height =
+    (layout.rowCount - 1) * kRowStep + kBoxHeight + backs * 16 + (backs > 0 ? 12 : 0) + 2 * kMargin;
   const links = shape("g", { class: "graph-links" }, linkPaths(layout, sizes));
   const inner = shape("g", { transform: `translate(${left} ${kMargin})` }, [links, ...boxes]);
   const picture = svg(width, height, `Graph of ${graph.modules.length} modules`, [inner]);
@@ -79,14 +82,21 @@ function boxOf(
   width: number,
   onChoose?: (module: ModuleData) => void,
 ): SVGGElement {
-  const words = [module.type.replaceAll("_", " "), shapeWords(module)].filter((one) => one !== "").join(" · ");
-  const attributes = { transform: `translate(${rounded(at.x)} ${rounded(at.y)})`, class: `module ${kindOf(graph, module)}` };
+  const words = [module.type.replaceAll("_", " "), shapeWords(module)]
+    .filter((one) => one !== "")
+    .join(" · ");
+  const attributes = {
+    transform: `translate(${rounded(at.x)} ${rounded(at.y)})`,
+    class: `module ${kindOf(graph, module)}`,
+  };
   const box = shape("g", attributes, [
     shape("rect", { width, height: kBoxHeight, rx: 5, class: "module-box" }),
     shape("rect", { width: 4, height: kBoxHeight - 12, x: 6, y: 6, rx: 2, class: "module-kind" }),
     text(17, 19, shortened(module.name, width - 22, 12), { class: "strong" }),
     text(17, 32.5, shortened(words, width - 18, 10.5), { class: "muted module-line" }),
-    text(17, 44, shortened(phaseWords(graph, module), width - 18, 10.5), { class: "muted module-line module-mark" }),
+    text(17, 44, shortened(phaseWords(graph, module), width - 18, 10.5), {
+      class: "muted module-line module-mark",
+    }),
   ]);
   if (onChoose) makeButton(box, module, onChoose);
   return box;
@@ -120,7 +130,10 @@ function linkPaths(layout: GraphLayout, sizes: Sizes): SVGElement[] {
     const start = { x: from.x + sizes.box, y: from.y + kBoxHeight / 2 };
     const end = { x: to.x, y: to.y + kBoxHeight / 2 };
     if (link.isBack) return linkShapes(loopPath(layout, start, end, loops++), end, "back");
-    const bends = link.bends.map(({ layer, row }) => ({ x: layer * sizes.step, y: row * kRowStep + kBoxHeight / 2 }));
+    const bends = link.bends.map(({ layer, row }) => ({
+      x: layer * sizes.step,
+      y: row * kRowStep + kBoxHeight / 2,
+    }));
     return linkShapes(forwardPath(start, bends, end, sizes.box), end, "");
   });
 }

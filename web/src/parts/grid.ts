@@ -7,9 +7,19 @@ export type Point = readonly [number, number];
 
 const kRowStep = Math.sqrt(3) / 2;
 const kSide = 1 / Math.sqrt(3);
-const kSquare: readonly Point[] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
+const kSquare: readonly Point[] = [
+  [-0.5, -0.5],
+  [0.5, -0.5],
+  [0.5, 0.5],
+  [-0.5, 0.5],
+];
 const kHexagon: readonly Point[] = [
-  [0, -kSide], [0.5, -kSide / 2], [0.5, kSide / 2], [0, kSide], [-0.5, kSide / 2], [-0.5, -kSide / 2],
+  [0, -kSide],
+  [0.5, -kSide / 2],
+  [0.5, kSide / 2],
+  [0, kSide],
+  [-0.5, kSide / 2],
+  [-0.5, -kSide / 2],
 ];
 
 export const isHexagonal = (grid: GridData) => grid.lattice === "hexagonal";
@@ -74,7 +84,10 @@ export interface Edge {
 }
 
 /** The edges between cells of different areas, and those around the map. */
-export function borders(grid: GridData, areas: readonly (number | null)[]): { between: Edge[]; outside: Edge[] } {
+export function borders(
+  grid: GridData,
+  areas: readonly (number | null)[],
+): { between: Edge[]; outside: Edge[] } {
   const seen = new Map<string, { edge: Edge; area: number | null; paired: boolean; differs: boolean }>();
   for (let neuron = 0; neuron < neuronCount(grid); neuron += 1) {
     const corners = cornersOf(grid, neuron);
@@ -91,7 +104,10 @@ export function borders(grid: GridData, areas: readonly (number | null)[]): { be
 type Sides = Map<string, { edge: Edge; area: number | null; paired: boolean; differs: boolean }>;
 
 function addEdge(seen: Sides, edge: Edge, area: number | null): void {
-  const key = [edge.from, edge.to].map(([x, y]) => `${Math.round(x * 1e4)} ${Math.round(y * 1e4)}`).sort().join();
+  const key = [edge.from, edge.to]
+    .map(([x, y]) => `${Math.round(x * 1e4)} ${Math.round(y * 1e4)}`)
+    .sort()
+    .join();
   const other = seen.get(key);
   if (other === undefined) seen.set(key, { edge, area, paired: false, differs: false });
   else Object.assign(other, { paired: true, differs: other.area !== area });

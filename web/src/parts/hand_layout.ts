@@ -34,7 +34,10 @@ const kBetweenFingers = 0.75;
 export function handLayout(elements: readonly string[]): HandLayout | null {
   const parts = elements.map(partOf);
   if (elements.length < 2 || parts.some((part) => part === null)) return null;
-  return laidOut(parts.filter((part) => part !== null), elements.length);
+  return laidOut(
+    parts.filter((part) => part !== null),
+    elements.length,
+  );
 }
 
 function partOf(name: string, element: number): Part | null {
@@ -71,7 +74,13 @@ function fingersOf(parts: Part[]): string[] {
 function segmentsOf(parts: Part[], finger: string): Segment[] {
   const own = parts.filter((part) => part.finger === finger);
   const names = kSegments.filter((name) => own.some((part) => part.segment === name));
-  return names.map((name) => ({ name, rows: rowsOf(own.filter((part) => part.segment === name), name) }));
+  return names.map((name) => ({
+    name,
+    rows: rowsOf(
+      own.filter((part) => part.segment === name),
+      name,
+    ),
+  }));
 }
 
 /** From the palm outwards. */
@@ -95,7 +104,10 @@ const widthOf = (rows: Part[][]) => Math.max(...rows.map((row) => row.length));
 const segmentHeight = (segment: Segment) => segment.rows.length + 2 * kPad;
 
 function heightOf(segments: Segment[]): number {
-  return segments.reduce((sum, segment) => sum + segmentHeight(segment) + kBetweenSegments, -kBetweenSegments);
+  return segments.reduce(
+    (sum, segment) => sum + segmentHeight(segment) + kBetweenSegments,
+    -kBetweenSegments,
+  );
 }
 
 function placeFinger(layout: HandLayout, segments: Segment[], x: number, width: number, floor: number): void {
@@ -116,7 +128,10 @@ function placeRow(layout: HandLayout, row: Part[], middle: number, y: number): v
 
 /** Elements without such names, in a grid by the shape of their channel. */
 export function gridLayout(count: number, shape: readonly number[]): HandLayout {
-  const columns = Math.max(1, Math.min(count, shape.length > 1 ? (shape.at(-1) ?? count) : Math.ceil(Math.sqrt(count * 2))));
+  const columns = Math.max(
+    1,
+    Math.min(count, shape.length > 1 ? (shape.at(-1) ?? count) : Math.ceil(Math.sqrt(count * 2))),
+  );
   const dots = Array.from({ length: count }, (_, i) => ({
     x: (i % columns) + 0.5,
     y: Math.floor(i / columns) + 0.5,

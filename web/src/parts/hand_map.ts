@@ -36,7 +36,8 @@ export function handMap(channel: ChannelData, options: HandOptions): HandPicture
   const drawn = draw(layout, options, colour, hand !== null);
   const readout = element("output", { class: "readout", "aria-live": "polite" });
   let shown: readonly (number | null)[] = [];
-  const tell = (i: number) => `${channel.elements[i] ?? ""}: ${readable(shown[i])} ${options.unit ?? ""}`.trim();
+  const tell = (i: number) =>
+    `${channel.elements[i] ?? ""}: ${readable(shown[i])} ${options.unit ?? ""}`.trim();
   const cursor = attachCursor(drawn.place, readout, tell, options);
   const paint = painter(drawn.place.cells, colour);
   return {
@@ -63,7 +64,12 @@ const kMargin = 4;
 const kNames = 22;
 const kBar = 44;
 
-function draw(layout: HandLayout, options: HandOptions, colour: (share: number) => string, isHand: boolean): Drawn {
+function draw(
+  layout: HandLayout,
+  options: HandOptions,
+  colour: (share: number) => string,
+  isHand: boolean,
+): Drawn {
   const pitch = Math.max(7, Math.min(30, (options.size ?? 320) / layout.width));
   const cells = layout.dots.map((dot, i) => cellAt(dot.x * pitch, dot.y * pitch, pitch, i, isHand));
   const rings = shape("g", { class: "map-rings", "data-transient": "" });
@@ -72,9 +78,17 @@ function draw(layout: HandLayout, options: HandOptions, colour: (share: number) 
   const bar = colourBar(width, options.unit ?? "", colour);
   bar.group.setAttribute("transform", `translate(0 ${rounded(below)})`);
   const bones = layout.segments.map((segment) => boneAt(segment, pitch));
-  const names = layout.fingers.map(({ name, x, y }) => text(x * pitch, y * pitch + 15, name, { class: "middle muted" }));
+  const names = layout.fingers.map(({ name, x, y }) =>
+    text(x * pitch, y * pitch + 15, name, { class: "middle muted" }),
+  );
   const layer = shape("g", { class: isHand ? "taxels" : "map-cells" }, cells);
-  const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [...bones, ...names, layer, rings, bar.group]);
+  const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [
+    ...bones,
+    ...names,
+    layer,
+    rings,
+    bar.group,
+  ]);
   const picture = svg(width + 2 * kMargin, below + kBar - 14 + 2 * kMargin, options.label, [inner]);
   const step = (at: number, rows: number, columns: number) => nearestTowards(layout, at, columns, rows);
   const place = { svg: picture, cells, rings, kind: isHand ? "hand" : "grid", cellName: "elements", step };
@@ -82,7 +96,11 @@ function draw(layout: HandLayout, options: HandOptions, colour: (share: number) 
 }
 
 function cellAt(x: number, y: number, pitch: number, i: number, isHand: boolean): SVGPathElement {
-  return shape("path", { d: markerPath(isHand ? 0 : 1, x, y, pitch * (isHand ? 0.42 : 0.56)), fill: "none", "data-cell": i });
+  return shape("path", {
+    d: markerPath(isHand ? 0 : 1, x, y, pitch * (isHand ? 0.42 : 0.56)),
+    fill: "none",
+    "data-cell": i,
+  });
 }
 
 function boneAt(box: { x: number; y: number; width: number; height: number }, pitch: number): SVGRectElement {

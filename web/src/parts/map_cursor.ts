@@ -23,6 +23,16 @@ export interface Cursor {
   refresh(): void; // says again what is pointed at, after values have changed
 }
 
+export function attachCursor(
+  place: CursorPlace,
+  readout: HTMLElement,
+  tell: (cell: number) => string,
+  options: CursorOptions,
+): Cursor {
+  const cursor = new CellCursor(place, readout, tell, options);
+  return { select: (cell) => cursor.select(cell), refresh: () => cursor.say() };
+}
+
 const kSteps: Record<string, [number, number]> = {
   ArrowUp: [-1, 0],
   ArrowDown: [1, 0],
@@ -30,55 +40,64 @@ const kSteps: Record<string, [number, number]> = {
   ArrowRight: [0, 1],
 };
 
-export function attachCursor(
-  frame: CursorPlace,
-  readout: HTMLElement,
-  tell: (cell: number) => string,
-  options: CursorOptions,
-): Cursor {
-  let pointed: number | null = null;
-  let selected: number | null = null;
-  const say = () => {
-    const at = pointed ?? selected;
-    const words = at === null ? "" : tell(at);
-    if (readout.textContent !== words) readout.textContent = words;
-  };
-  const point = (cell: number | null) => {
-    if (pointed === cell) return;
-    pointed = cell;
-    drawRings(frame, pointed, selected);
-    say();
-    options.onPoint?.(cell);
-  };
-  const select = (cell: number | null) => {
-    selected = cell;
-    drawRings(frame, pointed, selected);
-    say();
-  };
-  const choose = (cell: number) => {
-    select(cell);
-    options.onChoose?.(cell);
-  };
-  const { svg } = frame;
-  prepare(frame, options);
-  svg.addEventListener("pointermove", (event) => point(cellAt(event)));
-  svg.addEventListener("pointerleave", () => point(null));
-  svg.addEventListener("click", (event) => {
-    const cell = cellAt(event);
-    if (cell !== null) choose(cell);
-  });
-  svg.addEventListener("focus", () => point(pointed ?? selected ?? 0));
-  svg.addEventListener("blur", () => point(null));
-  svg.addEventListener("keydown", (event) => {
-    const at = pointed ?? selected ?? 0;
-    const to = target(frame, at, event.key);
-    if (to !== null) point(to);
-    else if (event.key === "Enter" || event.key === " ") choose(at);
+class CellCursor {
+  private pointed: number | null = null;
+  private selected: number | null = null;
+
+  constructor(
+    private readonly place: CursorPlace,
+    private readonly readout: HTMLElement,
+    private readonly tell: (cell: number) => string,
+    private readonly options: CursorOptions,
+  ) {
+    prepare(place, options);
+    this.listen(place.svg);
+  }
+
+  select(cell: number | null): void {
+    this.selected = cell;
+    drawRings(this.place, this.pointed, this.selected);
+    this.say();
+  }
+
+  say(): void {
+    const at = this.pointed ?? this.selected;
+    const words = at === null ? "" : this.tell(at);
+    if (this.readout.textContent !== words) this.readout.textContent = words;
+  }
+
+  private listen(svg: SVGSVGElement): void {
+    svg.addEventListener("pointermove", (event) => this.point(cellAt(event)));
+    svg.addEventListener("pointerleave", () => this.point(null));
+    svg.addEventListener("click", (event) => this.choose(cellAt(event)));
+    svg.addEventListener("focus", () => this.point(this.pointed ?? this.selected ?? 0));
+    svg.addEventListener("blur", () => this.point(null));
+    svg.addEventListener("keydown", (event) => this.press(event));
+  }
+
+  private point(cell: number | null): void {
+    if (this.pointed === cell) return;
+    this.pointed = cell;
+    drawRings(this.place, this.pointed, this.selected);
+    this.say();
+    this.options.onPoint?.(cell);
+  }
+
+  private choose(cell: number | null): void {
+    if (cell === null) return;
+    this.select(cell);
+    this.options.onChoose?.(cell);
+  }
+
+  private press(event: KeyboardEvent): void {
+    const at = this.pointed ?? this.selected ?? 0;
+    const to = target(this.place, at, event.key);
+    if (to !== null) this.point(to);
+    else if (event.key === "Enter" || event.key === " ") this.choose(at);
     else return;
     event.preventDefault();
     event.stopPropagation();
-  });
-  return { select, refresh: say };
+  }
 }
 
 function prepare({ svg, kind, cellName }: CursorPlace, options: CursorOptions): void {
@@ -95,19 +114,22 @@ function cellAt(event: Event): number | null {
   return number === null || number === undefined ? null : Number(number);
 }
 
-function target(frame: CursorPlace, at: number, key: string): number | null {
+function target(place: CursorPlace, at: number, key: string): number | null {
   if (key === "Home") return 0;
-  if (key === "End") return frame.cells.length - 1;
+  if (key === "End") return place.cells.length - 1;
   const step = kSteps[key];
-  return step ? frame.step(at, step[0], step[1]) : null;
+  return step ? place.step(at, step[0], step[1]) : null;
 }
 
-function drawRings(frame: CursorPlace, pointed: number | null, selected: number | null): void {
+function drawRings(place: CursorPlace, pointed: number | null, selected: number | null): void {
   const drawn: SVGElement[] = [];
-  for (const [cell, kind] of [[selected, "map-ring"], [pointed, "map-ring pointed"]] as const) {
-    const d = cell === null ? null : (frame.cells[cell]?.getAttribute("d") ?? null);
+  for (const [cell, kind] of [
+    [selected, "map-ring"],
+    [pointed, "map-ring pointed"],
+  ] as const) {
+    const d = cell === null ? null : (place.cells[cell]?.getAttribute("d") ?? null);
     if (d === null) continue;
     drawn.push(shape("path", { d, class: "map-ring-back" }), shape("path", { d, class: kind }));
   }
-  frame.rings.replaceChildren(...drawn);
+  place.rings.replaceChildren(...drawn);
 }

@@ -68,8 +68,14 @@ function drawWon(frame: MapFrame, neuron: number, counts: Map<number, number>): 
   const each = [...counts].sort(([one], [other]) => one - other);
   const samples = each.flatMap(([number, count]) => Array.from({ length: count }, () => number));
   const spacing = spacingOf(frame, samples.length);
-  if (samples.length === 1 || radiusFor(spacing) >= kLeastRadius) return drawMarkers(frame, neuron, samples, []);
-  drawMarkers(frame, neuron, each.map(([number]) => number), each.map(([, count]) => count));
+  if (samples.length === 1 || radiusFor(spacing) >= kLeastRadius)
+    return drawMarkers(frame, neuron, samples, []);
+  drawMarkers(
+    frame,
+    neuron,
+    each.map(([number]) => number),
+    each.map(([, count]) => count),
+  );
 }
 
 function drawMarkers(frame: MapFrame, neuron: number, numbers: number[], counts: number[]): void {
@@ -81,7 +87,8 @@ function drawMarkers(frame: MapFrame, neuron: number, numbers: number[], counts:
     const [dx, dy] = offsetOf(i, numbers.length, spacing);
     const [at, above] = [x * frame.cell + dx, y * frame.cell + dy];
     frame.marks.append(marker(number, at, isCounted ? above - spacing * 0.2 : above, radius));
-    if (isCounted) frame.marks.append(text(at, above + spacing * 0.45, String(counts[i]), { class: "middle note" }));
+    if (isCounted)
+      frame.marks.append(text(at, above + spacing * 0.45, String(counts[i]), { class: "middle note" }));
   });
 }
 

@@ -5,9 +5,24 @@
 //   saveFile(name, blob)
 
 const kProperties = [
-  "fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linecap",
-  "stroke-linejoin", "opacity", "font-family", "font-size", "font-weight", "font-style",
-  "font-variant-numeric", "text-anchor", "dominant-baseline", "letter-spacing", "paint-order",
+  "fill",
+  "fill-opacity",
+  "stroke",
+  "stroke-width",
+  "stroke-opacity",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "opacity",
+  "font-family",
+  "font-size",
+  "font-weight",
+  "font-style",
+  "font-variant-numeric",
+  "text-anchor",
+  "dominant-baseline",
+  "letter-spacing",
+  "paint-order",
 ];
 
 /** The picture with every colour and font written out, on white. */

@@ -17,9 +17,10 @@ export function thingPicture(thing: ThingData, scale: number): SVGSVGElement {
   const [w, d, h] = [width * scale, depth * scale, height * scale];
   const top = (thing.top_diameter || 0) * scale;
   const colour = cssColour(thing, 1);
-  const faces = thing.shape === "block" || thing.size === null || thing.shape === null
-    ? blockFaces(w, d, h, thing)
-    : roundFaces(thing, pointsOf(thing.shape, w, d, h, top), w, d, h, top);
+  const faces =
+    thing.shape === "block" || thing.size === null || thing.shape === null
+      ? blockFaces(w, d, h, thing)
+      : roundFaces(thing, pointsOf(thing.shape, w, d, h, top), w, d, h, top);
   const all = hull(pointsOf(thing.shape ?? "block", w, d, h, top));
   const [left, up, right, down] = boundsOf(all);
   const label = `${thing.name}: ${thing.shape ?? "a sample of material"}`;
@@ -71,21 +72,52 @@ function ball(a: number, b: number, c: number, middle: number): Point3[] {
 }
 
 function corners(w: number, d: number, h: number): Point3[] {
-  return [0, h].flatMap((z) => [-1, 1].flatMap((x) => [-1, 1].map((y): Point3 => [(x * w) / 2, (y * d) / 2, z])));
+  return [0, h].flatMap((z) =>
+    [-1, 1].flatMap((x) => [-1, 1].map((y): Point3 => [(x * w) / 2, (y * d) / 2, z])),
+  );
 }
 
 function blockFaces(w: number, d: number, h: number, thing: ThingData): SVGElement[] {
   const [x, y] = [w / 2, d / 2];
-  const top: Point3[] = [[-x, -y, h], [x, -y, h], [x, y, h], [-x, y, h]];
-  const left: Point3[] = [[-x, y, h], [x, y, h], [x, y, 0], [-x, y, 0]];
-  const right: Point3[] = [[x, -y, h], [x, y, h], [x, y, 0], [x, -y, 0]];
-  return [face(top.map(project), cssColour(thing, 1.12)), face(left.map(project), cssColour(thing, 0.92)),
-    face(right.map(project), cssColour(thing, 0.74))];
+  const top: Point3[] = [
+    [-x, -y, h],
+    [x, -y, h],
+    [x, y, h],
+    [-x, y, h],
+  ];
+  const left: Point3[] = [
+    [-x, y, h],
+    [x, y, h],
+    [x, y, 0],
+    [-x, y, 0],
+  ];
+  const right: Point3[] = [
+    [x, -y, h],
+    [x, y, h],
+    [x, y, 0],
+    [x, -y, 0],
+  ];
+  return [
+    face(top.map(project), cssColour(thing, 1.12)),
+    face(left.map(project), cssColour(thing, 0.92)),
+    face(right.map(project), cssColour(thing, 0.74)),
+  ];
 }
 
-function roundFaces(thing: ThingData, points: Point2[], w: number, d: number, h: number, top: number): SVGElement[] {
+function roundFaces(
+  thing: ThingData,
+  points: Point2[],
+  w: number,
+  d: number,
+  h: number,
+  top: number,
+): SVGElement[] {
   const id = uniqueId("light");
-  const stops = [[0, 1.12], [0.35, 1.04], [1, 0.66]].map(([offset, light]) =>
+  const stops = [
+    [0, 1.12],
+    [0.35, 1.04],
+    [1, 0.66],
+  ].map(([offset, light]) =>
     shape("stop", { offset: offset ?? 0, "stop-color": cssColour(thing, light ?? 1) }),
   );
   const isBall = thing.shape === "sphere" || thing.shape === "ellipsoid";
@@ -105,7 +137,9 @@ function face(points: readonly Point2[], fill: string): SVGPathElement {
 }
 
 function cssColour(thing: ThingData, light: number): string {
-  const parts = (thing.colour ?? kNoColour).map((part) => Math.round(Math.min(1, Math.max(0, part * light)) * 255));
+  const parts = (thing.colour ?? kNoColour).map((part) =>
+    Math.round(Math.min(1, Math.max(0, part * light)) * 255),
+  );
   return `rgb(${parts.join(" ")})`;
 }
 

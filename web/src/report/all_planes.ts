@@ -33,7 +33,9 @@ export function allPlanesFigure(
     if (number !== null) onChoose(Number(number));
   });
   return figure({
-    title: hand ? `The map by every element of ${channel.name}, each at its place on the hand` : `The map by every element of ${channel.name}`,
+    title: hand
+      ? `The map by every element of ${channel.name}, each at its place on the hand`
+      : `The map by every element of ${channel.name}`,
     file: `${file}-planes`,
     body: element("div", { class: "all-planes" }, [picture]),
     picture: () => picture,
@@ -43,16 +45,35 @@ export function allPlanesFigure(
   });
 }
 
-function draw(grid: GridData, planes: ChannelPlanes, range: [number, number], layout: HandLayout, isNamed: boolean): SVGSVGElement {
+function draw(
+  grid: GridData,
+  planes: ChannelPlanes,
+  range: [number, number],
+  layout: HandLayout,
+  isNamed: boolean,
+): SVGSVGElement {
   const { channel, unit } = planes;
   const tall = kPitch + (isNamed ? kName : 0);
   const [width, height] = [layout.width * kPitch, layout.height * tall];
   const bones = layout.segments.map((one) =>
-    shape("rect", { x: rounded(one.x * kPitch), y: rounded(one.y * tall), width: rounded(one.width * kPitch), height: rounded(one.height * tall), rx: 14, class: "bone" }),
+    shape("rect", {
+      x: rounded(one.x * kPitch),
+      y: rounded(one.y * tall),
+      width: rounded(one.width * kPitch),
+      height: rounded(one.height * tall),
+      rx: 14,
+      class: "bone",
+    }),
   );
-  const maps = layout.dots.map(({ x, y }, i) => planeAt(grid, planes, range, i, (x - 0.5) * kPitch, (y - 0.5) * tall));
-  const words = isNamed ? layout.dots.map(({ x, y }, i) => nameAt(channel.elements[i] ?? "", x * kPitch, (y + 0.5) * tall - 5)) : [];
-  const fingers = layout.fingers.map(({ name, x, y }) => text(x * kPitch, y * tall + 16, name, { class: "middle muted" }));
+  const maps = layout.dots.map(({ x, y }, i) =>
+    planeAt(grid, planes, range, i, (x - 0.5) * kPitch, (y - 0.5) * tall),
+  );
+  const words = isNamed
+    ? layout.dots.map(({ x, y }, i) => nameAt(channel.elements[i] ?? "", x * kPitch, (y + 0.5) * tall - 5))
+    : [];
+  const fingers = layout.fingers.map(({ name, x, y }) =>
+    text(x * kPitch, y * tall + 16, name, { class: "middle muted" }),
+  );
   const below = height + (layout.fingers.length > 0 ? 30 : 8);
   const bar = colourBar(Math.min(320, Math.max(180, width)), unit, sequenceColour);
   bar.setRange(range[0], range[1]);
@@ -65,8 +86,19 @@ function nameAt(name: string, x: number, y: number): SVGTextElement {
   return text(x, y, shortened(name, kPitch, 10), { class: "middle muted note" });
 }
 
-function planeAt(grid: GridData, planes: ChannelPlanes, range: [number, number], which: number, x: number, y: number): SVGElement {
-  const href = pixels(grid, planes.values.map((values) => values[which] ?? null), range);
+function planeAt(
+  grid: GridData,
+  planes: ChannelPlanes,
+  range: [number, number],
+  which: number,
+  x: number,
+  y: number,
+): SVGElement {
+  const href = pixels(
+    grid,
+    planes.values.map((values) => values[which] ?? null),
+    range,
+  );
   const side = kPitch - kGap;
   const image = shape("image", {
     x: rounded(x + kGap / 2),

@@ -18,7 +18,9 @@ export function claimsSection(data: ReportData): HTMLElement {
 }
 
 export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boolean): HTMLElement {
-  const head = kColumns.map((name) => element("th", { scope: "col", class: kNumbers.has(name) ? "number" : "" }, [name]));
+  const head = kColumns.map((name) =>
+    element("th", { scope: "col", class: kNumbers.has(name) ? "number" : "" }, [name]),
+  );
   const table = element("table", { class: "wide-table" }, [
     element("thead", {}, [element("tr", {}, head)]),
     ...(hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))]),
@@ -26,7 +28,9 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
   return figure({
     title: "How the claims hold",
     file,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Claims" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Claims" }, [
+      table,
+    ]),
     numbers: () => claimsTable(claims),
     note: "Here: the median over the runs, with the least and the greatest. By luck: the same on wrong groupings.",
     wide: true,
@@ -41,7 +45,11 @@ function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
     groups.set(name, [...(groups.get(name) ?? []), claim]);
   }
   return [...groups].map(([name, own]) => {
-    const title = element("th", { scope: "rowgroup", colspan: kColumns.length, class: "group" }, breakable(name));
+    const title = element(
+      "th",
+      { scope: "rowgroup", colspan: kColumns.length, class: "group" },
+      breakable(name),
+    );
     return element("tbody", {}, [element("tr", {}, [title]), ...own.map(claimRow)]);
   });
 }
@@ -80,7 +88,9 @@ function hereWords(values: (number | null)[]): Child[] {
   if (sorted.length === 0) return ["–"];
   const [low, high] = [sorted[0], sorted.at(-1)];
   const middle = readable(median(sorted));
-  return low === high ? [middle] : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
+  return low === high
+    ? [middle]
+    : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
 }
 
 /** Of numbers in order. */
@@ -101,9 +111,41 @@ function shareBar(share: number): HTMLElement {
 }
 
 function claimsTable(claims: ClaimReport[]): Table {
-  const columns = ["file", "question", "system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
-    "at_most", "by_luck", "share", "values"];
-  const rows = claims.map((claim) => [claim.file ?? null, claim.question ?? null, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
-    claim.group, claim.than, claim.published, claim.at_least, claim.at_most, claim.by_luck, claim.share, claim.values.join(" ")]);
+  const columns = [
+    "file",
+    "question",
+    "system",
+    "variation",
+    "claim",
+    "paper",
+    "metric",
+    "protocol",
+    "group",
+    "than",
+    "published",
+    "at_least",
+    "at_most",
+    "by_luck",
+    "share",
+    "values",
+  ];
+  const rows = claims.map((claim) => [
+    claim.file ?? null,
+    claim.question ?? null,
+    claim.system,
+    claim.variation,
+    claim.text,
+    claim.paper,
+    claim.metric,
+    claim.protocol,
+    claim.group,
+    claim.than,
+    claim.published,
+    claim.at_least,
+    claim.at_most,
+    claim.by_luck,
+    claim.share,
+    claim.values.join(" "),
+  ]);
   return { columns, rows };
 }

@@ -50,7 +50,10 @@ class Fields {
     const id = uniqueId("neuron");
     this.slider = element("input", { type: "range", id, min: 0, max: last, step: 1 });
     this.slider.addEventListener("input", () => this.setRow(Number(this.slider.value)));
-    this.sliderPlace = element("span", { class: "control" }, [element("label", { for: id }, ["Neuron"]), this.slider]);
+    this.sliderPlace = element("span", { class: "control" }, [
+      element("label", { for: id }, ["Neuron"]),
+      this.slider,
+    ]);
     this.setRow(Math.floor(last / 2));
   }
 
@@ -65,7 +68,10 @@ class Fields {
         file: `${name}-connectivity`,
         body: this.matrix.svg,
         picture: () => this.matrix.svg,
-        numbers: () => ({ columns: ["neuron", ...elementNames(fields)], rows: fields.weights.map((weights, i) => [(fields.neurons[i] ?? 0) + 1, ...weights]) }),
+        numbers: () => ({
+          columns: ["neuron", ...elementNames(fields)],
+          rows: fields.weights.map((weights, i) => [(fields.neurons[i] ?? 0) + 1, ...weights]),
+        }),
         note: `A row is one of the ${rows} × ${columns} neurons${some}; ${fields.input} lies along ${fields.axis === 0 ? "the rows" : "the columns"} of neurons.`,
       }),
       figure({
@@ -74,7 +80,10 @@ class Fields {
         controls: [this.sliderPlace],
         body: element("div", {}, [this.title, this.plot]),
         picture: () => plotPicture(this.plot, []),
-        numbers: () => ({ columns: ["element", "weight"], rows: (fields.weights[this.row] ?? []).map((weight, i) => [i + 1, weight]) }),
+        numbers: () => ({
+          columns: ["element", "weight"],
+          rows: (fields.weights[this.row] ?? []).map((weight, i) => [i + 1, weight]),
+        }),
         note: "The weights of one neuron along its input.",
       }),
     ];

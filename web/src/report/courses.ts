@@ -24,14 +24,21 @@ export function courseFigure(system: SystemReport, of: MomentChannel, name: stri
     file: `${systemName(system)}-${channel.name}-course`,
     body,
     picture: () => (isFew ? plotPicture(body, channel.elements) : body.querySelector("svg")),
-    numbers: () => ({ columns: ["time (s)", ...channel.elements], rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]) }),
-    note: isFew ? `${name}. The upright line is the moment shown on the hand.` : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
+    numbers: () => ({
+      columns: ["time (s)", ...channel.elements],
+      rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]),
+    }),
+    note: isFew
+      ? `${name}. The upright line is the moment shown on the hand.`
+      : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
   });
 }
 
 function linesOf(of: MomentChannel, name: string): HTMLElement {
   const { channel } = of;
-  const points = of.series.flatMap((values, i) => values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })));
+  const points = of.series.flatMap((values, i) =>
+    values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })),
+  );
   const marksApart = Math.max(8, Math.floor(of.series.length / 5));
   const plot = plotFigure(`${channel.name} while feeling ${name}`, {
     height: 250,
@@ -40,16 +47,28 @@ function linesOf(of: MomentChannel, name: string): HTMLElement {
     color: { type: "identity" },
     marks: [
       Plot.ruleX([momentTime(of)], { stroke: "var(--line-strong)", strokeDasharray: "4 3" }),
-      Plot.lineY(points, { x: "time", y: "value", z: "line", stroke: (point: { line: number }) => strokeOf(point.line), strokeWidth: 1.6 }),
-      Plot.dot(points.filter(({ frame, line }) => (frame + 4 * line) % marksApart === 0), {
+      Plot.lineY(points, {
         x: "time",
         y: "value",
-        r: 3.5,
-        fill: (point: { line: number }) => strokeOf(point.line),
-        symbol: "line",
+        z: "line",
+        stroke: (point: { line: number }) => strokeOf(point.line),
+        strokeWidth: 1.6,
       }),
+      Plot.dot(
+        points.filter(({ frame, line }) => (frame + 4 * line) % marksApart === 0),
+        {
+          x: "time",
+          y: "value",
+          r: 3.5,
+          fill: (point: { line: number }) => strokeOf(point.line),
+          symbol: "line",
+        },
+      ),
     ],
-    symbol: { domain: channel.elements.map((_, i) => i), range: channel.elements.map((_, i) => plotSymbol(markerShape(i))) },
+    symbol: {
+      domain: channel.elements.map((_, i) => i),
+      range: channel.elements.map((_, i) => plotSymbol(markerShape(i))),
+    },
   });
   return element("div", {}, channel.elements.length > 1 ? [seriesLegend(channel.elements), plot] : [plot]);
 }

@@ -19,7 +19,13 @@ export function curvesSection(data: ReportData): HTMLElement {
     element("p", { class: "muted lead" }, [
       "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
     ]),
-    lazy(360, () => [element("div", { class: "figures" }, data.curves.map((curve, i) => curveFigure(curve, i)))]),
+    lazy(360, () => [
+      element(
+        "div",
+        { class: "figures" },
+        data.curves.map((curve, i) => curveFigure(curve, i)),
+      ),
+    ]),
   ]);
 }
 
@@ -29,7 +35,11 @@ function curveFigure(curve: CurveReport, index: number): Child {
     title: curve.title,
     file: `curve-${index + 1}-${curve.title}`,
     body: element("div", {}, [seriesLegend(curve.lines.map((line) => line.name)), plot]),
-    picture: () => plotPicture(plot, curve.lines.map((line) => line.name)),
+    picture: () =>
+      plotPicture(
+        plot,
+        curve.lines.map((line) => line.name),
+      ),
     numbers: () => curveTable(curve),
   });
 }
@@ -46,20 +56,50 @@ function curvePlot(curve: CurveReport): HTMLElement {
   const points = curve.lines.flatMap(({ points: all }, line): Point[] =>
     all.map(({ x, mean, sd }) => ({ line, x, mean, low: mean - (sd ?? 0), high: mean + (sd ?? 0) })),
   );
-  const dots = curve.lines.flatMap(({ points: all }, line) => all.flatMap(({ x, values }) => values.map((y) => ({ line, x, y }))));
+  const dots = curve.lines.flatMap(({ points: all }, line) =>
+    all.flatMap(({ x, values }) => values.map((y) => ({ line, x, y }))),
+  );
   const range = metricRange(curve.metric, 0, 0);
   const unit = curve.unit === "" ? "" : ` (${curve.unit})`;
   return plotFigure(curve.title, {
     height: 280,
     x: { label: shortened(`${curve.x}${unit}`, 380, 12), grid: false },
-    y: { label: shortened(metricName(curve.metric), 380, 12), grid: true, ...(range ? { domain: range } : {}), clamp: true },
+    y: {
+      label: shortened(metricName(curve.metric), 380, 12),
+      grid: true,
+      ...(range ? { domain: range } : {}),
+      clamp: true,
+    },
     marks: [
-      Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: "line", fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.13 }),
+      Plot.areaY(points, {
+        x: "x",
+        y1: "low",
+        y2: "high",
+        z: "line",
+        fill: (d: Point) => strokeOf(d.line),
+        fillOpacity: 0.13,
+      }),
       Plot.dot(dots, { x: "x", y: "y", r: 1.6, fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.35 }),
-      Plot.lineY(points, { x: "x", y: "mean", z: "line", stroke: (d: Point) => strokeOf(d.line), strokeWidth: 2 }),
-      Plot.dot(points, { x: "x", y: "mean", r: 3.5, fill: (d: Point) => strokeOf(d.line), symbol: "line", title: pointWords(curve) }),
+      Plot.lineY(points, {
+        x: "x",
+        y: "mean",
+        z: "line",
+        stroke: (d: Point) => strokeOf(d.line),
+        strokeWidth: 2,
+      }),
+      Plot.dot(points, {
+        x: "x",
+        y: "mean",
+        r: 3.5,
+        fill: (d: Point) => strokeOf(d.line),
+        symbol: "line",
+        title: pointWords(curve),
+      }),
     ],
-    symbol: { domain: curve.lines.map((_, line) => line), range: curve.lines.map((_, line) => plotSymbol(markerShape(line))) },
+    symbol: {
+      domain: curve.lines.map((_, line) => line),
+      range: curve.lines.map((_, line) => plotSymbol(markerShape(line))),
+    },
     color: { type: "identity" },
   });
 }

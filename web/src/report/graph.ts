@@ -17,7 +17,9 @@ export function graphFigure(system: SystemReport): Child {
     picture.select(module.name);
     fill(details, moduleDetails(module));
   });
-  const place = element("div", { class: "graph", role: "group", "aria-label": "Modules", tabindex: 0 }, [picture.svg]);
+  const place = element("div", { class: "graph", role: "group", "aria-label": "Modules", tabindex: 0 }, [
+    picture.svg,
+  ]);
   return figure({
     title: "Modules",
     file: `${systemName(system)}-modules`,
@@ -25,8 +27,15 @@ export function graphFigure(system: SystemReport): Child {
     picture: () => picture.svg,
     numbers: () => ({
       columns: ["module", "type", "inputs", "shape", "rate", "learns", "parameters"],
-      rows: graph.modules.map((module) => [module.name, module.type, module.inputs.map((one) => one.module).join(" "),
-        module.shape.join(" x "), module.rate, module.learns ? "yes" : "no", parameterWords(module)]),
+      rows: graph.modules.map((module) => [
+        module.name,
+        module.type,
+        module.inputs.map((one) => one.module).join(" "),
+        module.shape.join(" x "),
+        module.rate,
+        module.learns ? "yes" : "no",
+        parameterWords(module),
+      ]),
     }),
     note: phaseNote(system),
     wide: true,
@@ -39,7 +48,9 @@ function phaseNote(system: SystemReport): string {
     return `${i + 1}: ${learn.join(", ")}${count}`;
   });
   if (phases.length === 0) return "";
-  return phases.length === 1 ? `It learns in one phase, ${phases[0]?.slice(3) ?? ""}.` : `It learns in phases: ${phases.join("; ")}.`;
+  return phases.length === 1
+    ? `It learns in one phase, ${phases[0]?.slice(3) ?? ""}.`
+    : `It learns in phases: ${phases.join("; ")}.`;
 }
 
 function moduleDetails(module: ModuleData): Child[] {
@@ -52,7 +63,11 @@ function moduleDetails(module: ModuleData): Child[] {
   );
   const table = rows.length === 0 ? null : element("table", {}, [element("tbody", {}, rows)]);
   const words = `${module.text} ${module.inputs.length === 0 ? "" : `It takes ${module.inputs.map((one) => one.module).join(", ")}.`}`;
-  return [element("p", { class: "figure-title" }, [module.name]), element("p", { class: "small muted" }, [words]), table];
+  return [
+    element("p", { class: "figure-title" }, [module.name]),
+    element("p", { class: "small muted" }, [words]),
+    table,
+  ];
 }
 
 function parameterWords(module: ModuleData): string {

@@ -9,7 +9,12 @@ export function labelNames(system: SystemReport, protocol: ProtocolData): string
 }
 
 /** The value of `label` for each sample of a run; null where it is not known. */
-export function valuesOf(system: SystemReport, protocol: ProtocolData, run: RunData, label: string): string[] | null {
+export function valuesOf(
+  system: SystemReport,
+  protocol: ProtocolData,
+  run: RunData,
+  label: string,
+): string[] | null {
   if (label === protocol.label) return run.labels;
   const samples = samplesOf(system, protocol);
   if (samples.length === 0 || samples.length !== run.winners.length) return null;

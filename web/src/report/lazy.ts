@@ -8,7 +8,8 @@ const watcher =
   typeof IntersectionObserver === "undefined"
     ? null
     : new IntersectionObserver(
-        (entries) => entries.filter((entry) => entry.isIntersecting).forEach((entry) => drawNow(entry.target)),
+        (entries) =>
+          entries.filter((entry) => entry.isIntersecting).forEach((entry) => drawNow(entry.target)),
         { rootMargin: "600px" },
       );
 

@@ -26,13 +26,24 @@ export interface MatrixOptions {
 const kLeft = 34;
 const kTop = 8;
 
-export function matrixPicture(values: readonly (readonly (number | null)[])[], options: MatrixOptions): MatrixPicture {
+export function matrixPicture(
+  values: readonly (readonly (number | null)[])[],
+  options: MatrixOptions,
+): MatrixPicture {
   const rows = values.length;
   const columns = Math.max(1, ...values.map((row) => row.length));
   const [width, height] = [options.width ?? 460, options.height ?? Math.max(80, Math.min(380, rows * 12))];
   const [low, high] = rangeOf(values.flatMap((row) => rangeOf(row) ?? [])) ?? [0, 1];
   const href = pixels(values, rows, columns, low, high);
-  const image = shape("image", { x: kLeft, y: kTop, width, height, href, preserveAspectRatio: "none", style: "image-rendering:pixelated" });
+  const image = shape("image", {
+    x: kLeft,
+    y: kTop,
+    width,
+    height,
+    href,
+    preserveAspectRatio: "none",
+    style: "image-rendering:pixelated",
+  });
   const line = shape("rect", { class: "matrix-mark", "data-transient": "" });
   const bar = colourBar(width, options.unit, sequenceColour);
   bar.setRange(low, high);
@@ -47,13 +58,26 @@ export function matrixPicture(values: readonly (readonly (number | null)[])[], o
     sideways(options.rowEnds[1], kTop + height, ""),
   ];
   const frame = shape("rect", { x: kLeft, y: kTop, width, height, class: "rule" });
-  const picture = svg(kLeft + width + 6, kTop + height + 66, options.label, [image, frame, line, ...words, bar.group]);
+  const picture = svg(kLeft + width + 6, kTop + height + 66, options.label, [
+    image,
+    frame,
+    line,
+    ...words,
+    bar.group,
+  ]);
   if (options.onRow) listen(picture, image, rows, options.onRow);
-  return { svg: picture, markRow: (row) => mark(line, rows, row, width, height), markColumn: (column) => markColumn(line, columns, column, width, height) };
+  return {
+    svg: picture,
+    markRow: (row) => mark(line, rows, row, width, height),
+    markColumn: (column) => markColumn(line, columns, column, width, height),
+  };
 }
 
 function sideways(words: string, y: number, anchor: string): SVGTextElement {
-  return text(0, 0, words, { class: `muted ${anchor}`, transform: `translate(${kLeft - 9} ${rounded(y)}) rotate(-90)` });
+  return text(0, 0, words, {
+    class: `muted ${anchor}`,
+    transform: `translate(${kLeft - 9} ${rounded(y)}) rotate(-90)`,
+  });
 }
 
 function mark(line: SVGRectElement, rows: number, row: number, width: number, height: number): void {
@@ -61,16 +85,28 @@ function mark(line: SVGRectElement, rows: number, row: number, width: number, he
   place(line, kLeft - 2, kTop + ((row + 0.5) * height) / rows - tall / 2, width + 4, tall);
 }
 
-function markColumn(line: SVGRectElement, columns: number, column: number, width: number, height: number): void {
+function markColumn(
+  line: SVGRectElement,
+  columns: number,
+  column: number,
+  width: number,
+  height: number,
+): void {
   const wide = Math.max(2.5, width / columns);
   place(line, kLeft + ((column + 0.5) * width) / columns - wide / 2, kTop - 2, wide, height + 4);
 }
 
 function place(line: SVGRectElement, x: number, y: number, width: number, height: number): void {
-  for (const [name, value] of Object.entries({ x, y, width, height })) line.setAttribute(name, String(rounded(value)));
+  for (const [name, value] of Object.entries({ x, y, width, height }))
+    line.setAttribute(name, String(rounded(value)));
 }
 
-function listen(picture: SVGSVGElement, image: SVGImageElement, rows: number, onRow: (row: number) => void): void {
+function listen(
+  picture: SVGSVGElement,
+  image: SVGImageElement,
+  rows: number,
+  onRow: (row: number) => void,
+): void {
   picture.style.cursor = "crosshair";
   picture.addEventListener("click", (event) => {
     const box = image.getBoundingClientRect();
@@ -79,7 +115,13 @@ function listen(picture: SVGSVGElement, image: SVGImageElement, rows: number, on
   });
 }
 
-function pixels(values: readonly (readonly (number | null)[])[], rows: number, columns: number, low: number, high: number): string {
+function pixels(
+  values: readonly (readonly (number | null)[])[],
+  rows: number,
+  columns: number,
+  low: number,
+  high: number,
+): string {
   const canvas = document.createElement("canvas");
   canvas.width = columns;
   canvas.height = Math.max(1, rows);

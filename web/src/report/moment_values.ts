@@ -12,7 +12,9 @@ import { plotFigure, plotPicture } from "./plots";
 import { systemName } from "./words";
 
 export function valuesFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  return of.channel.elements.length <= kFewValues ? fewValues(system, of, name) : manyValues(system, of, name);
+  return of.channel.elements.length <= kFewValues
+    ? fewValues(system, of, name)
+    : manyValues(system, of, name);
 }
 
 const kFewValues = 4;
@@ -21,7 +23,10 @@ function fewValues(system: SystemReport, of: MomentChannel, name: string): Child
   const { channel } = of;
   const values = channel.elements.map((one, i) => {
     const words = `${readable(of.values[i])} ${channel.unit}`.trim();
-    return element("div", {}, [element("dt", {}, [one === "1" ? channel.name : one]), element("dd", {}, [words])]);
+    return element("div", {}, [
+      element("dt", {}, [one === "1" ? channel.name : one]),
+      element("dd", {}, [words]),
+    ]);
   });
   return figure({
     title: `${capital(channel.name)} at the end`,
@@ -33,7 +38,10 @@ function fewValues(system: SystemReport, of: MomentChannel, name: string): Child
 }
 
 export function valuesTable({ channel, values }: MomentChannel): Table {
-  return { columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, values[i] ?? null]) };
+  return {
+    columns: ["element", channel.unit || "value"],
+    rows: channel.elements.map((one, i) => [one, values[i] ?? null]),
+  };
 }
 
 function manyValues(system: SystemReport, of: MomentChannel, name: string): Child {
@@ -43,7 +51,11 @@ function manyValues(system: SystemReport, of: MomentChannel, name: string): Chil
     height: 220,
     x: { label: "element", grid: false },
     y: { label: channel.unit || "value", grid: true, nice: true },
-    marks: [points.length > 120 ? Plot.lineY(points, { x: "x", y: "value", stroke: "var(--class-0)" }) : Plot.ruleX(points, { x: "x", y: "value", stroke: "var(--class-0)", strokeWidth: 2 })],
+    marks: [
+      points.length > 120
+        ? Plot.lineY(points, { x: "x", y: "value", stroke: "var(--class-0)" })
+        : Plot.ruleX(points, { x: "x", y: "value", stroke: "var(--class-0)", strokeWidth: 2 }),
+    ],
   });
   return figure({
     title: `${capital(channel.name)} at a moment`,

@@ -27,7 +27,8 @@ export function momentFigures(system: SystemReport): Child[] {
 
 /** By the label of the study, where it is known: explorations may have many more. */
 function momentName(system: SystemReport, { labels }: MomentData, index: number): string {
-  const own = labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
+  const own =
+    labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
   return labels["trial"] === undefined ? own : `${own}, trial ${labels["trial"]}`;
 }
 
@@ -50,7 +51,11 @@ function figuresOf(system: SystemReport, moment: MomentData, name: string): Chil
 /** The hand at a moment that a slider chooses, where there is more than one. */
 function handFigure(system: SystemReport, of: MomentChannel, name: string): Child {
   const { channel, series, times } = of;
-  const picture = handMap(channel, { label: `${channel.name} while feeling ${name}`, unit: channel.unit, size: 380 });
+  const picture = handMap(channel, {
+    label: `${channel.name} while feeling ${name}`,
+    unit: channel.unit,
+    size: 380,
+  });
   const range = rangeOf(series.flatMap((values) => rangeOf(values) ?? [])) ?? rangeOf(of.values) ?? [0, 1];
   const frames = [...series.map((values, i) => ({ time: times[i] ?? 0, values }))];
   let shown = { time: momentTime(of), values: of.values };
@@ -60,7 +65,8 @@ function handFigure(system: SystemReport, of: MomentChannel, name: string): Chil
     title.textContent = `${name}, at ${readable(shown.time)} s`;
   };
   show();
-  const slider = frames.length < 2 ? [] : [timeSlider(of, (index) => ((shown = frames[index] ?? shown), show()))];
+  const slider =
+    frames.length < 2 ? [] : [timeSlider(of, (index) => ((shown = frames[index] ?? shown), show()))];
   return figure({
     title: `${capital(channel.name)} at a moment`,
     file: `${systemName(system)}-${channel.name}-moment`,

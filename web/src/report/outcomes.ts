@@ -9,7 +9,11 @@ import type { Selection } from "./selection";
 import { stripsPicture, type Strip } from "./strips";
 import { metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
 
-export function outcomesFigure(system: SystemReport, selection: Selection, claims: ClaimReport[]): HTMLElement {
+export function outcomesFigure(
+  system: SystemReport,
+  selection: Selection,
+  claims: ClaimReport[],
+): HTMLElement {
   const options = {
     title: "Outcomes",
     file: `${systemName(system)}-outcomes`,
@@ -27,12 +31,21 @@ function draw(system: SystemReport, selection: Selection, claims: ClaimReport[])
   const words = `${protocolName(protocol)}, ${label}, ${protocol.runs.length} runs of ${protocol.samples} samples`;
   const picture = stripsPicture(strips, `Outcomes: ${words}`);
   const seeds = protocol.runs.map((run) => run.seed);
-  return { body: [element("p", { class: "small what" }, [words]), picture], svg: picture, table: stripsTable(strips, seeds) };
+  return {
+    body: [element("p", { class: "small what" }, [words]), picture],
+    svg: picture,
+    table: stripsTable(strips, seeds),
+  };
 }
 
 const kBeside = /^baseline_|_by_luck$/;
 
-function stripsOf(system: SystemReport, protocol: ProtocolData, label: string, claims: ClaimReport[]): Strip[] {
+function stripsOf(
+  system: SystemReport,
+  protocol: ProtocolData,
+  label: string,
+  claims: ClaimReport[],
+): Strip[] {
   const prefix = label === protocol.label ? "" : label;
   const classes = classesOf(system, label).length;
   return Object.entries(protocol.metrics).flatMap(([metric, data]) => {
@@ -42,7 +55,13 @@ function stripsOf(system: SystemReport, protocol: ProtocolData, label: string, c
   });
 }
 
-function stripOf(protocol: ProtocolData, metric: string, data: MetricData, range: [number, number] | null, claims: ClaimReport[]): Strip {
+function stripOf(
+  protocol: ProtocolData,
+  metric: string,
+  data: MetricData,
+  range: [number, number] | null,
+  claims: ClaimReport[],
+): Strip {
   const [prefix, name] = splitMetric(metric);
   const other = (own: string) => protocol.metrics[prefix === "" ? own : `${prefix}.${own}`];
   const claim = claims.find((one) => one.metric === metric && one.than === "" && isOf(one, protocol));

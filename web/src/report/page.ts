@@ -79,7 +79,9 @@ function navigation(data: ReportData): HTMLElement {
 function entryList(title: string, entries: Entry[]): HTMLElement[] {
   if (entries.length === 0) return [];
   const links = entries.map(({ id, name, isVariation }) =>
-    element("li", { class: isVariation ? "variation" : "" }, [element("a", { href: `#${id}` }, breakable(name))]),
+    element("li", { class: isVariation ? "variation" : "" }, [
+      element("a", { href: `#${id}` }, breakable(name)),
+    ]),
   );
   const list = element("ul", {}, links);
   return title === "" ? [list] : [element("p", { class: "list-title" }, [title]), list];

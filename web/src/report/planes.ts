@@ -54,10 +54,16 @@ class LinkedPlanes {
     this.neuron = busiest(planes);
     this.element = strongest(planes.values[this.neuron] ?? []);
     const mapLabel = `Component plane of ${channel.name}`;
-    const keep = { onChoose: (neuron: number) => this.setNeuron(neuron), onPoint: (neuron: number | null) => this.preview(neuron) };
+    const keep = {
+      onChoose: (neuron: number) => this.setNeuron(neuron),
+      onPoint: (neuron: number | null) => this.preview(neuron),
+    };
     this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
     const handLabel = `What a neuron stands for at ${channel.name}`;
-    const keepElement = { onChoose: (one: number) => this.setElement(one), onPoint: (one: number | null) => this.previewPlane(one) };
+    const keepElement = {
+      onChoose: (one: number) => this.setElement(one),
+      onPoint: (one: number | null) => this.previewPlane(one),
+    };
     this.hand = handMap(channel, { label: handLabel, unit, size: 380, ...keepElement });
     this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
     this.setElement(this.element);
@@ -75,8 +81,11 @@ class LinkedPlanes {
         controls: isOne ? [] : [this.elements.element],
         body: element("div", {}, [this.mapTitle, this.map.element]),
         picture: () => this.map.svg,
-        numbers: () => neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
-        note: isOne ? "" : "Choose a neuron to see what it stands for. The CSV has the planes of all elements.",
+        numbers: () =>
+          neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
+        note: isOne
+          ? ""
+          : "Choose a neuron to see what it stands for. The CSV has the planes of all elements.",
       }),
       figure({
         title: this.hand.isHand ? "One neuron on the hand" : "One neuron, all elements",
@@ -88,7 +97,9 @@ class LinkedPlanes {
       }),
     ];
     if (isOne) return figures.slice(0, 1);
-    const all = allPlanesFigure(this.grid, this.planes, rangeOfAll(this.planes), name, (one) => this.setElement(one));
+    const all = allPlanesFigure(this.grid, this.planes, rangeOfAll(this.planes), name, (one) =>
+      this.setElement(one),
+    );
     return [...figures, all];
   }
 
@@ -133,7 +144,10 @@ function rangeOfAll(planes: ChannelPlanes): [number, number] {
   const known = ranges.get(planes);
   if (known) return known;
   const ends = planes.values.map((values) => rangeOf(values)).filter((range) => range !== null);
-  const range: [number, number] = ends.length === 0 ? [0, 1] : [Math.min(...ends.map(([low]) => low)), Math.max(...ends.map(([, high]) => high))];
+  const range: [number, number] =
+    ends.length === 0
+      ? [0, 1]
+      : [Math.min(...ends.map(([low]) => low)), Math.max(...ends.map(([, high]) => high))];
   ranges.set(planes, range);
   return range;
 }

@@ -38,13 +38,16 @@ export function plotPicture(place: HTMLElement, names: readonly string[]): SVGSV
   const [, , width = 0, height = 0] = sizeOf(plot);
   const legend = markerLegend(width, names);
   const copy = plot.cloneNode(true) as SVGSVGElement;
-  for (const [name, value] of Object.entries({ y: legend.height + 10, width, height })) copy.setAttribute(name, String(value));
+  for (const [name, value] of Object.entries({ y: legend.height + 10, width, height }))
+    copy.setAttribute(name, String(value));
   return svg(width, height + legend.height + 10, plot.getAttribute("aria-label") ?? "", [legend.group, copy]);
 }
 
 export function seriesLegend(names: readonly string[]): HTMLElement {
   const entries = names.map((name, i) => {
-    const sign = shape("svg", { width: 16, height: 16, viewBox: "0 0 16 16", "aria-hidden": "true" }, [marker(i, 8, 8, 4.5)]);
+    const sign = shape("svg", { width: 16, height: 16, viewBox: "0 0 16 16", "aria-hidden": "true" }, [
+      marker(i, 8, 8, 4.5),
+    ]);
     return element("li", {}, [sign, name]);
   });
   return element("ul", { class: "series-legend" }, entries);

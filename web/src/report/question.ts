@@ -5,7 +5,7 @@ import { claimsFigure } from "./claims";
 import type { ReportData } from "./data";
 import type { Question } from "./groups";
 import { drawInside } from "./lazy";
-import { claimsOf, systemsFigure } from "./overview";
+import { claimsOf, systemsFigure } from "./systems_table";
 import { systemSection } from "./system";
 import { countOf, systemName } from "./words";
 

@@ -24,11 +24,21 @@ function checked(parsed: unknown): Read {
   if (!isObject(parsed)) return { problem: `The results in this page are not a report. ${kMakeAnother}` };
   if (parsed["version"] !== 1) {
     const version = String(parsed["version"]);
-    return { problem: `The results in this page are of version ${version}; this page reads version 1. ${kMakeAnother}` };
+    return {
+      problem: `The results in this page are of version ${version}; this page reads version 1. ${kMakeAnother}`,
+    };
   }
   const systems = listOf(parsed["systems"]).filter(isObject).map(completed);
   const [claims, curves] = [listOf(parsed["claims"]), listOf(parsed["curves"])];
-  return { data: { ...parsed, somato: String(parsed["somato"] ?? ""), systems, claims, curves } as unknown as ReportData };
+  return {
+    data: {
+      ...parsed,
+      somato: String(parsed["somato"] ?? ""),
+      systems,
+      claims,
+      curves,
+    } as unknown as ReportData,
+  };
 }
 
 const kEmpty: SystemReport = {
@@ -74,7 +84,9 @@ function completed(system: Record<string, unknown>): SystemReport {
 }
 
 function given(from: object): Record<string, unknown> {
-  return Object.fromEntries(Object.entries(from).filter(([, value]) => value !== null && value !== undefined));
+  return Object.fromEntries(
+    Object.entries(from).filter(([, value]) => value !== null && value !== undefined),
+  );
 }
 
 function isObject(value: unknown): value is Record<string, unknown> {

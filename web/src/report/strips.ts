@@ -38,7 +38,10 @@ function legend(): SVGGElement {
   const drawn = entries.map(([name, sign]) => {
     const at = x;
     x += 26 + name.length * 6.4;
-    const group = shape("g", { transform: `translate(${rounded(at + 5)} 10)` }, [sign, text(11, 4, name, { class: "muted note" })]);
+    const group = shape("g", { transform: `translate(${rounded(at + 5)} 10)` }, [
+      sign,
+      text(11, 4, name, { class: "muted note" }),
+    ]);
     return group;
   });
   return shape("g", { class: "strip-legend" }, drawn);
@@ -57,9 +60,11 @@ function row(strip: Strip, y: number): SVGGElement {
     text(kNames + kWidth, 46, readable(high), { class: "muted note end" }),
   ]);
   group.append(...dots(strip.luck, x, 27, 3, "luck"), ...dots(strip.values, x, 14, 3.2, "run"));
-  if (strip.baseline !== null) group.append(shape("path", { d: `M${rounded(x(strip.baseline))} 3V25`, class: "baseline" }));
+  if (strip.baseline !== null)
+    group.append(shape("path", { d: `M${rounded(x(strip.baseline))} 3V25`, class: "baseline" }));
   if (middle !== null) group.append(shape("path", { d: `M${rounded(x(middle))} 2V26`, class: "median" }));
-  if (strip.published !== null) group.append(shape("path", { d: diamond(x(strip.published), 1), class: "published" }));
+  if (strip.published !== null)
+    group.append(shape("path", { d: diamond(x(strip.published), 1), class: "published" }));
   return group;
 }
 
@@ -75,7 +80,13 @@ function domainOf(strip: Strip): [number, number] {
 
 const kBins = 125; // runs that come within 4 pixels are one dot
 
-function dots(values: (number | null)[], x: (value: number) => number, y: number, radius: number, kind: string): SVGElement[] {
+function dots(
+  values: (number | null)[],
+  x: (value: number) => number,
+  y: number,
+  radius: number,
+  kind: string,
+): SVGElement[] {
   const bins = new Map<number, number[]>();
   for (const value of numbers(values)) {
     const bin = Math.round(((x(value) - kNames) / kWidth) * kBins);
@@ -84,7 +95,11 @@ function dots(values: (number | null)[], x: (value: number) => number, y: number
   return [...bins.values()].map((together) => {
     const mean = together.reduce((sum, value) => sum + value, 0) / together.length;
     const made = dot(x(mean), y, radiusFor(radius, together.length), kind);
-    made.append(shape("title", {}, [`${readable(mean)}: ${together.length === 1 ? "1 run" : `${together.length} runs`}`]));
+    made.append(
+      shape("title", {}, [
+        `${readable(mean)}: ${together.length === 1 ? "1 run" : `${together.length} runs`}`,
+      ]),
+    );
     return made;
   });
 }

@@ -10,7 +10,7 @@ import { graphFigure } from "./graph";
 import { lazy } from "./lazy";
 import { momentFigures } from "./moments";
 import { outcomesFigure } from "./outcomes";
-import { claimsOf } from "./overview";
+import { claimsOf } from "./systems_table";
 import { planeFigures } from "./planes";
 import { Selection } from "./selection";
 import { mapFigure, savedMapFigures } from "./system_map";
@@ -30,10 +30,16 @@ export function systemSection(system: SystemReport, index: number, data: ReportD
 
 function systemHeader(system: SystemReport, id: string): HTMLElement {
   // Below the heading of a question it is one of a lower level.
-  const title = element(system.question === "" ? "h2" : "h3", { id, class: "system-title" }, [systemName(system)]);
+  const title = element(system.question === "" ? "h2" : "h3", { id, class: "system-title" }, [
+    systemName(system),
+  ]);
   return element("header", { class: "system-header" }, [
     title,
-    element("dl", { class: "facts" }, factsOf(system).flatMap(([name, value]) => fact(name, value))),
+    element(
+      "dl",
+      { class: "facts" },
+      factsOf(system).flatMap(([name, value]) => fact(name, value)),
+    ),
   ]);
 }
 
@@ -66,16 +72,28 @@ function systemParts(system: SystemReport, data: ReportData, id: string): Child[
   const parts: [string, number, boolean, () => Child[]][] = [
     ["The graph of its modules", 260, system.graph !== null, () => [graphFigure(system)]],
     ["The map", 620, system.protocols.length > 0, () => mapFigures(system, selection)],
-    ["What the neurons stand for", 560, system.grid !== null && (trained?.planes.length ?? 0) > 0, () => planeFigures(system, selection)],
+    [
+      "What the neurons stand for",
+      560,
+      system.grid !== null && (trained?.planes.length ?? 0) > 0,
+      () => planeFigures(system, selection),
+    ],
     ["Connectivity", 480, (trained?.receptive_fields.length ?? 0) > 0, () => connectivityFigures(system)],
     ["What the sensors told", 480, system.moments.length > 0, () => momentFigures(system)],
     ["Over the seeds", 420, system.protocols.length > 0, () => [outcomesFigure(system, selection, claims)]],
-    ["What was taken for what", 420, system.protocols.length > 0, () => figuresOf(confusionFigures(system, selection))],
+    [
+      "What was taken for what",
+      420,
+      system.protocols.length > 0,
+      () => figuresOf(confusionFigures(system, selection)),
+    ],
     ["Claims", 200, claims.length > 0, () => [claimsFigure(claims, `${systemName(system)}-claims`, false)]],
     ["Things and materials", 240, system.things.length > 0, () => [thingsFigure(system)]],
     ["Not given in the papers", 160, system.not_given.length > 0, () => [notGivenFigure(system)]],
   ];
-  const blocks = parts.filter(([, , isThere]) => isThere).map(([title, height, , make], i) => block(`${id}-part-${i}`, title, height, make));
+  const blocks = parts
+    .filter(([, , isThere]) => isThere)
+    .map(([title, height, , make], i) => block(`${id}-part-${i}`, title, height, make));
   return [
     ...missingList(system),
     system.protocols.length > 0 ? toolbar(selection) : noProtocols(),
@@ -89,7 +107,9 @@ function figuresOf(figures: HTMLElement[]): Child[] {
 }
 
 function noProtocols(): Child {
-  return element("p", { class: "message" }, ["These results have no protocol, so there is nothing to show of a test."]);
+  return element("p", { class: "message" }, [
+    "These results have no protocol, so there is nothing to show of a test.",
+  ]);
 }
 
 function mapFigures(system: SystemReport, selection: Selection): Child[] {
@@ -99,8 +119,5 @@ function mapFigures(system: SystemReport, selection: Selection): Child[] {
 }
 
 function block(id: string, title: string, height: number, make: () => Child[]): HTMLElement {
-  return element("div", { class: "block", id }, [
-    element("h3", {}, [title]),
-    lazy(height, make),
-  ]);
+  return element("div", { class: "block", id }, [element("h3", {}, [title]), lazy(height, make)]);
 }

@@ -35,11 +35,22 @@ function drawMap(system: SystemReport, selection: Selection): Drawn {
   const classes = numbered(values, names);
   const isOneMap = hasOneMap(protocol);
   const words = `${protocolName(protocol)}, by ${label}, seed ${runWords(selection)}`;
-  const shown = { label: `Winners: ${words}`, names, winners: run.winners, classes, areas: isOneMap, size: 520 };
+  const shown = {
+    label: `Winners: ${words}`,
+    names,
+    winners: run.winners,
+    classes,
+    areas: isOneMap,
+    size: 520,
+  };
   const picture = labelsPicture(grid, shown);
   const folds = isOneMap ? null : element("p", { class: "small muted" }, [kManyMaps]);
   const table = mapTable(grid, run.winners, values, predictionsOf(protocol, run, label));
-  return { body: [element("p", { class: "small what" }, [words]), picture.element, folds], svg: picture.svg, table };
+  return {
+    body: [element("p", { class: "small what" }, [words]), picture.element, folds],
+    svg: picture.svg,
+    table,
+  };
 }
 
 const kManyMaps =
@@ -47,8 +58,14 @@ const kManyMaps =
 
 function mapTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
   const columns = ["sample", "winner", "row", "column", "class", "named"];
-  const rows = winners.map((winner, i) => [i + 1, winner + 1, rowOf(grid, winner) + 1, columnOf(grid, winner) + 1,
-    values[i] ?? "", named?.[i] ?? null]);
+  const rows = winners.map((winner, i) => [
+    i + 1,
+    winner + 1,
+    rowOf(grid, winner) + 1,
+    columnOf(grid, winner) + 1,
+    values[i] ?? "",
+    named?.[i] ?? null,
+  ]);
   return { columns, rows };
 }
 
@@ -69,7 +86,9 @@ function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedDat
   // The same marks as on the map of winners: classes numbered as there.
   const label = system.protocols[0]?.label ?? "";
   const names = [...new Set([...classesOf(system, label), ...trained.classes])];
-  const classes = trained.neuron_classes.map((one) => (one === null ? null : names.indexOf(trained.classes[one] ?? "")));
+  const classes = trained.neuron_classes.map((one) =>
+    one === null ? null : names.indexOf(trained.classes[one] ?? ""),
+  );
   picture.setMarks(classes, names);
   return figure({
     title: "U-matrix",
@@ -77,7 +96,8 @@ function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedDat
     note: `The mean distance of a neuron's weights from its neighbours', ${seed}: light ridges part what differs. A marker is the class that a neuron is labelled with.`,
     body: picture.element,
     picture: () => picture.svg,
-    numbers: () => neuronTable(grid, ["distance", "class"], (i) => [trained.u_matrix[i] ?? null, className(trained, i)]),
+    numbers: () =>
+      neuronTable(grid, ["distance", "class"], (i) => [trained.u_matrix[i] ?? null, className(trained, i)]),
   });
 }
 
@@ -103,6 +123,11 @@ export function neuronTable(
   columns: string[],
   cells: (neuron: number) => (string | number | null)[],
 ): Table {
-  const rows = Array.from({ length: neuronCount(grid) }, (_, i) => [i + 1, rowOf(grid, i) + 1, columnOf(grid, i) + 1, ...cells(i)]);
+  const rows = Array.from({ length: neuronCount(grid) }, (_, i) => [
+    i + 1,
+    rowOf(grid, i) + 1,
+    columnOf(grid, i) + 1,
+    ...cells(i),
+  ]);
   return { columns: ["neuron", "row", "column", ...columns], rows };
 }

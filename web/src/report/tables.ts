@@ -20,10 +20,15 @@ export function notGivenFigure(system: SystemReport): Child {
 /** A table of words; the first `codes` columns are as in the file. */
 function plainTable(label: string, columns: string[], rows: string[][], codes: number): HTMLElement {
   const head = columns.map((name) => element("th", { scope: "col" }, [name]));
-  const cell = (words: string, i: number) => element("td", {}, [i < codes ? element("code", {}, [words]) : words]);
+  const cell = (words: string, i: number) =>
+    element("td", {}, [i < codes ? element("code", {}, [words]) : words]);
   const table = element("table", {}, [
     element("thead", {}, [element("tr", {}, head)]),
-    element("tbody", {}, rows.map((row) => element("tr", {}, row.map(cell)))),
+    element(
+      "tbody",
+      {},
+      rows.map((row) => element("tr", {}, row.map(cell))),
+    ),
   ]);
   return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
 }
@@ -43,7 +48,9 @@ export function missingList(system: SystemReport): Child[] {
 export function settingsList(system: SystemReport): Child[] {
   const parts = Object.entries(system.settings);
   if (parts.length === 0) return [];
-  const rows = parts.flatMap(([part, settings]) => Object.entries(settings).map(([name, value]) => [part, name, String(value)]));
+  const rows = parts.flatMap(([part, settings]) =>
+    Object.entries(settings).map(([name, value]) => [part, name, String(value)]),
+  );
   return [
     element("details", { class: "settings" }, [
       element("summary", {}, [`All ${rows.length} settings`]),

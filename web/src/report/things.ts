@@ -15,17 +15,27 @@ export function thingsFigure(system: SystemReport): Child {
   const { things } = system;
   const scale = commonScale(things, kSize);
   const columns = columnsOf(things);
-  const head = columns.map(({ name, isNumber }) => element("th", { scope: "col", class: isNumber ? "number" : "" }, [name]));
+  const head = columns.map(({ name, isNumber }) =>
+    element("th", { scope: "col", class: isNumber ? "number" : "" }, [name]),
+  );
   const table = element("table", { class: "things" }, [
     element("thead", {}, [element("tr", {}, [element("td", {}), ...head])]),
-    element("tbody", {}, things.map((thing) => thingRow(thing, scale, columns))),
+    element(
+      "tbody",
+      {},
+      things.map((thing) => thingRow(thing, scale, columns)),
+    ),
   ]);
   return figure({
     title: "Things",
     file: `${systemName(system)}-things`,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Things" }, [table]),
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Things" }, [
+      table,
+    ]),
     numbers: () => thingsTable(things),
-    note: things.some((thing) => thing.size !== null) ? "All drawn at the same scale; width × depth × height." : "",
+    note: things.some((thing) => thing.size !== null)
+      ? "All drawn at the same scale; width × depth × height."
+      : "",
     wide: true,
   });
 }
@@ -42,7 +52,11 @@ const kColumns: Column[] = [
   { name: "size, mm", isNumber: true, value: sizeWords },
   { name: "material", isNumber: false, value: (thing) => thing.material.replaceAll("_", " ") },
   { name: "hardness", isNumber: false, value: (thing) => thing.hardness },
-  { name: "mass, g", isNumber: true, value: (thing) => (thing.mass === null ? "" : readable(thing.mass * 1000)) },
+  {
+    name: "mass, g",
+    isNumber: true,
+    value: (thing) => (thing.mass === null ? "" : readable(thing.mass * 1000)),
+  },
 ];
 
 /** Those columns in which something stands. */
@@ -66,8 +80,25 @@ function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLEleme
 }
 
 function thingsTable(things: ThingData[]): Table {
-  const columns = ["name", "shape", "width (mm)", "depth (mm)", "height (mm)", "top diameter (mm)", "material", "hardness", "mass (kg)"];
-  const rows = things.map((thing) => [thing.name, thing.shape, ...(thing.size ?? [null, null, null]), thing.top_diameter,
-    thing.material, thing.hardness, thing.mass]);
+  const columns = [
+    "name",
+    "shape",
+    "width (mm)",
+    "depth (mm)",
+    "height (mm)",
+    "top diameter (mm)",
+    "material",
+    "hardness",
+    "mass (kg)",
+  ];
+  const rows = things.map((thing) => [
+    thing.name,
+    thing.shape,
+    ...(thing.size ?? [null, null, null]),
+    thing.top_diameter,
+    thing.material,
+    thing.hardness,
+    thing.mass,
+  ]);
   return { columns, rows };
 }

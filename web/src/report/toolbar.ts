@@ -8,7 +8,9 @@ import { protocolName } from "./words";
 
 export function toolbar(selection: Selection): HTMLElement {
   const names = selection.system.protocols.map(protocolName);
-  const protocols = choice("Protocol", names, selection.protocolIndex, (index) => selection.setProtocol(index));
+  const protocols = choice("Protocol", names, selection.protocolIndex, (index) =>
+    selection.setProtocol(index),
+  );
   const labels = element("span", { class: "control-place" });
   const runs = element("span", { class: "control-place" });
   const redraw = () => {
@@ -56,6 +58,7 @@ function runControl(selection: Selection): Child {
 export function runWords(selection: Selection): string {
   const { run, system } = selection;
   if (!run) return "no run";
-  const recording = system.recordings.length > 1 ? `, ${system.recordings[run.recording] ?? "recording ?"}` : "";
+  const recording =
+    system.recordings.length > 1 ? `, ${system.recordings[run.recording] ?? "recording ?"}` : "";
   return `${run.seed}${recording}`;
 }

@@ -1,6 +1,14 @@
 import { describe, expect, test } from "vitest";
 
-import { classHex, divergingColour, kClassColours, lightness, parsed, sequenceColour, type Colour } from "../../src/parts/colour_maps";
+import {
+  classHex,
+  divergingColour,
+  kClassColours,
+  lightness,
+  parsed,
+  sequenceColour,
+  type Colour,
+} from "../../src/parts/colour_maps";
 import { markerPath, markerShape } from "../../src/parts/markers";
 
 const shares = Array.from({ length: 101 }, (_, i) => i / 100);
@@ -10,8 +18,16 @@ const lightnessOf = (text: string) => lightness(parsed(text));
 function seenBy(colour: Colour, kind: "deuteranope" | "protanope"): number[] {
   const [r, g, b] = colour.map((part) => (part / 255) ** 2.2) as [number, number, number];
   const rows = {
-    protanope: [[0.11238, 0.88762, 0], [0.11238, 0.88762, 0], [0.00401, -0.00401, 1]],
-    deuteranope: [[0.29275, 0.70725, 0], [0.29275, 0.70725, 0], [-0.02234, 0.02234, 1]],
+    protanope: [
+      [0.11238, 0.88762, 0],
+      [0.11238, 0.88762, 0],
+      [0.00401, -0.00401, 1],
+    ],
+    deuteranope: [
+      [0.29275, 0.70725, 0],
+      [0.29275, 0.70725, 0],
+      [-0.02234, 0.02234, 1],
+    ],
   }[kind];
   return rows.map(([x, y, z]) => Math.max(0, (x ?? 0) * r + (y ?? 0) * g + (z ?? 0) * b) ** (1 / 2.2) * 255);
 }

@@ -5,7 +5,11 @@ import { fileName } from "../../src/parts/figure";
 import { percent, rangeOf, readable } from "../../src/parts/numbers";
 
 test("fields are quoted where they must be", () => {
-  const rows = [['a "b"', "c,d"], ["line\nbreak", 1.5], [null, Number.NaN]];
+  const rows = [
+    ['a "b"', "c,d"],
+    ["line\nbreak", 1.5],
+    [null, Number.NaN],
+  ];
   expect(csv({ columns: ["x", "y"], rows })).toBe('x,y\r\n"a ""b""","c,d"\r\n"line\nbreak",1.5\r\n,\r\n');
 });
 

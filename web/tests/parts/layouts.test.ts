@@ -9,13 +9,30 @@ import { randomNumbers, reportFixture, touchElements } from "../report_fixture";
 
 function module(name: string, inputs: string[], type = "code"): ModuleData {
   const ports = inputs.map((one, i) => ({ port: String(i), module: one }));
-  return { name, type, text: "", inputs: ports, shape: [], sparse: false, rate: "frame", learns: false, parameters: {}, not_given: [] };
+  return {
+    name,
+    type,
+    text: "",
+    inputs: ports,
+    shape: [],
+    sparse: false,
+    rate: "frame",
+    learns: false,
+    parameters: {},
+    not_given: [],
+  };
 }
 
 function overlaps(modules: ModuleData[]): string[] {
   const { layers, rows } = graphLayout(modules);
   return modules.flatMap((one, i) =>
-    modules.slice(0, i).flatMap((other, j) => (layers[i] === layers[j] && Math.abs(rows[i]! - rows[j]!) < 0.999 ? [`${one.name} on ${other.name}`] : [])),
+    modules
+      .slice(0, i)
+      .flatMap((other, j) =>
+        layers[i] === layers[j] && Math.abs(rows[i]! - rows[j]!) < 0.999
+          ? [`${one.name} on ${other.name}`]
+          : [],
+      ),
   );
 }
 
@@ -28,7 +45,12 @@ describe("the layout of a graph", () => {
   });
 
   test("draws backwards what enters a delay, and nothing else", () => {
-    const loop = [module("a", []), module("sum", ["a", "late"]), module("late", ["sum"], "delay"), module("map", ["sum"])];
+    const loop = [
+      module("a", []),
+      module("sum", ["a", "late"]),
+      module("late", ["sum"], "delay"),
+      module("map", ["sum"]),
+    ];
     const back = graphLayout(loop).links.filter((link) => link.isBack);
     expect(back.map((link) => [loop[link.from]!.name, loop[link.to]!.name])).toEqual([["sum", "late"]]);
   });
@@ -43,7 +65,13 @@ describe("the layout of a graph", () => {
     const random = randomNumbers(5);
     for (let round = 0; round < 60; round += 1) {
       const modules = Array.from({ length: 2 + Math.floor(random() * 25) }, (_, i) =>
-        module(`m${i}`, Array.from({ length: i === 0 ? 0 : Math.floor(random() * 4) }, () => `m${Math.floor(random() * i)}`)),
+        module(
+          `m${i}`,
+          Array.from(
+            { length: i === 0 ? 0 : Math.floor(random() * 4) },
+            () => `m${Math.floor(random() * i)}`,
+          ),
+        ),
       );
       expect(overlaps(modules)).toEqual([]);
       for (const row of graphLayout(modules).rows) expect(row).toBeGreaterThanOrEqual(0);
@@ -72,15 +100,27 @@ describe("the layout of a hand", () => {
 
   test.each([
     ["Hand II", touchElements()],
-    ["Hand III", ["thumb", "index", "middle", "ring", "little"].flatMap((finger) =>
-      [["proximal", finger === "thumb" ? 2 : 3], ["middle", finger === "thumb" ? 0 : 2], ["distal", 3]].flatMap(([segment, count]) =>
-        Array.from({ length: Number(count) }, (_, i) => `${finger}_${segment}_${i + 1}`)))],
+    [
+      "Hand III",
+      ["thumb", "index", "middle", "ring", "little"].flatMap((finger) =>
+        [
+          ["proximal", finger === "thumb" ? 2 : 3],
+          ["middle", finger === "thumb" ? 0 : 2],
+          ["distal", 3],
+        ].flatMap(([segment, count]) =>
+          Array.from({ length: Number(count) }, (_, i) => `${finger}_${segment}_${i + 1}`),
+        ),
+      ),
+    ],
   ])("has no two elements of %s on each other, and all on a segment", (_, names) => {
     const layout = handLayout(names)!;
     layout.dots.forEach((dot, i) => {
-      const within = layout.segments.filter(({ x, y, width, height }) => dot.x > x && dot.x < x + width && dot.y > y && dot.y < y + height);
+      const within = layout.segments.filter(
+        ({ x, y, width, height }) => dot.x > x && dot.x < x + width && dot.y > y && dot.y < y + height,
+      );
       expect(within.length).toBe(1);
-      for (const other of layout.dots.slice(0, i)) expect(Math.hypot(dot.x - other.x, dot.y - other.y)).toBeGreaterThan(0.95);
+      for (const other of layout.dots.slice(0, i))
+        expect(Math.hypot(dot.x - other.x, dot.y - other.y)).toBeGreaterThan(0.95);
     });
   });
 
@@ -94,12 +134,26 @@ describe("the layout of a hand", () => {
   test("is walked by arrow keys from end to end", () => {
     const layout = handLayout(touchElements())!;
     const seen = new Set([0]);
-    for (const at of seen) for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) seen.add(nearestTowards(layout, at, dx!, dy!));
+    for (const at of seen)
+      for (const [dx, dy] of [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+        [0, -1],
+      ])
+        seen.add(nearestTowards(layout, at, dx!, dy!));
     expect(seen.size).toBe(45);
   });
 });
 
 test("a hull goes around all points and through corners alone", () => {
-  const square = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1], [1, 0]] as [number, number][];
+  const square = [
+    [0, 0],
+    [2, 0],
+    [2, 2],
+    [0, 2],
+    [1, 1],
+    [1, 0],
+  ] as [number, number][];
   expect(hull(square).length).toBe(4);
 });

@@ -2,7 +2,15 @@ import { describe, expect, test } from "vitest";
 
 import { areasOf } from "../../src/parts/areas";
 import type { GridData } from "../../src/parts/data";
-import { borders, centreOf, heightOf, neuronCount, squaredDistance, stepFrom, widthOf } from "../../src/parts/grid";
+import {
+  borders,
+  centreOf,
+  heightOf,
+  neuronCount,
+  squaredDistance,
+  stepFrom,
+  widthOf,
+} from "../../src/parts/grid";
 
 const grids: GridData[] = (["rectangular", "hexagonal"] as const).flatMap((lattice) =>
   (["plane", "torus"] as const).map((topology) => ({ rows: 4, columns: 5, lattice, topology })),
@@ -21,7 +29,8 @@ describe.each(grids)("a map: $lattice, $topology", (grid) => {
   });
 
   test("has as many neighbours as its lattice says", () => {
-    const neighbours = (i: number) => Array.from({ length: 20 }, (_, j) => j).filter((j) => j !== i && squaredDistance(grid, i, j) < 1.001);
+    const neighbours = (i: number) =>
+      Array.from({ length: 20 }, (_, j) => j).filter((j) => j !== i && squaredDistance(grid, i, j) < 1.001);
     const most = grid.lattice === "hexagonal" ? 6 : 4;
     expect(neighbours(7).length).toBe(most);
     if (grid.topology === "torus") for (let i = 0; i < 20; i += 1) expect(neighbours(i).length).toBe(most);
