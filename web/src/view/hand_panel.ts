@@ -1,4 +1,5 @@
-// The hand: in three dimensions, or unfolded; its taxels coloured by how strongly they are touched.
+// The body, mostly a hand: in three dimensions, or unfolded; its taxels coloured by how strongly they
+// are touched.
 
 import { segments } from "../parts/controls";
 import { element } from "../parts/dom";
@@ -13,11 +14,11 @@ import { themeColour } from "./theme_colours";
 import { UnfoldedHand } from "./unfolded_hand";
 
 const kLabel =
-  "The hand in three dimensions. Arrow keys turn it, with Shift they move it, plus and minus bring it nearer, 0 shows it as at first.";
+  "The body in three dimensions. Arrow keys turn it, with Shift they move it, plus and minus bring it nearer, 0 shows it as at first.";
 const kNoWebGl = "This browser cannot draw in three dimensions (WebGL), so the hand is shown unfolded.";
 
 export class HandPanel {
-  readonly panel = new Panel(1, "hand", "Hand");
+  readonly panel = new Panel(1, "hand", "Body");
   readonly view: SceneView | null;
   private readonly place = element("div", { class: "scene", tabindex: 0, role: "application",
     "aria-roledescription": "three-dimensional picture", "aria-label": kLabel });
@@ -71,12 +72,13 @@ export class HandPanel {
   }
 
   private get isFlat(): boolean {
-    return this.wantsUnfolded || this.view === null || this.model.shownScene.value === null;
+    const unfolded = this.wantsUnfolded && hasTouch(this.model.shownState.value);
+    return unfolded || this.view === null || this.model.shownScene.value === null;
   }
 
   private arrange(): void {
     const solid = this.view !== null && this.model.shownScene.value !== null;
-    this.choice.hidden = !solid;
+    this.choice.hidden = !solid || !hasTouch(this.model.shownState.value);
     this.reset.hidden = this.isFlat;
     this.place.hidden = this.isFlat;
     this.unfolded.root.hidden = !this.isFlat;
@@ -87,7 +89,7 @@ export class HandPanel {
 
   private words(): string {
     const state = this.model.shownState.value;
-    if (state === null || !this.model.sceneKnown.value) return "Waiting for the hand …";
+    if (state === null || !this.model.sceneKnown.value) return "Waiting for the body …";
     if (state.explorations.length === 0 && !state.live && this.model.frame.value === null) return nothingYet(state);
     if (this.model.shownScene.value === null) return hasTouch(state) ? "Nobody said which body made this recording; its touch sensors are shown unfolded." : "This has no body to be drawn and no touch sensors.";
     return this.view === null ? kNoWebGl : "";

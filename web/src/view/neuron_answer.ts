@@ -10,6 +10,7 @@ import { describe } from "./labels";
 import type { Model } from "./model";
 
 const kWidth = 230;
+const kMostNear = 5;
 
 export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): HTMLElement[] {
   const map = state.maps.find(({ module }) => module === answer.map);
@@ -22,7 +23,7 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
 
 function nearest({ nearest: near }: NeuronAnswer, model: Model): HTMLElement[] {
   if (near.length === 0) return [];
-  const items = near.map(({ exploration, labels, distance }) => {
+  const items = near.slice(0, kMostNear).map(({ exploration, labels, distance }) => {
     const go = () => void model.tell({ command: "seek", exploration, frame: 0 });
     const words = describe(labels) || `exploration ${exploration + 1}`;
     const button = element("button", { type: "button", class: "quiet link-button", title: "Play it", onclick: go }, [words]);
