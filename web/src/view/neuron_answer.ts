@@ -17,7 +17,7 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
   const where = map === undefined ? `neuron ${answer.neuron + 1}` : placeOf(map.grid, answer.neuron);
   const head = element("h3", {}, [`Neuron in ${where}`]);
   const says = answer.answer === null ? "It stands for none of the classes." : `It stands for ${answer.answer}.`;
-  const planes = answer.planes.map(plane).filter((one) => one !== null);
+  const planes = [...answer.planes].sort((one, other) => rank(one) - rank(other)).map(plane).filter((one) => one !== null);
   return [head, element("p", { class: "closer-answer" }, [says]), ...nearest(answer, model), ...planes];
 }
 
@@ -32,9 +32,15 @@ function nearest({ nearest: near }: NeuronAnswer, model: Model): HTMLElement[] {
   return [element("h4", {}, ["Nearest explorations"]), element("ol", { class: "nearest" }, items)];
 }
 
+/** Touch first, then what has most elements. */
+function rank({ channel }: ChannelPlanes): number {
+  return channel.name === "touch" ? Number.NEGATIVE_INFINITY : -channel.elements.length;
+}
+
 function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {
   const own = values[0];
   if (own === undefined || own.length === 0) return null;
+  if (own.length === 1) return element("p", { class: "small" }, [`${channel.name}: ${readable(own[0])} ${unit}`.trim()]);
   const label = `What it expects of ${channel.name}`;
   const picture = handMap(channel, { label, unit, size: kWidth });
   picture.setValues(own);
