@@ -72,8 +72,14 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   auto systems = systems_for_body((*watched)->name());
   if (!systems) return fail(std::move(systems.error()));
   ViewSource source;
+  if (arguments.has("RECORDING")) {
+    auto recording = read_study_data(RecordingFormat::kAutomatic, arguments.text("RECORDING"));
+    if (!recording) return fail(std::move(recording.error()));
+    source.recording = std::move(*recording);
+  }
   source.name = (*watched)->name();
   source.body = std::move(*watched);
+  source.scenes = hand_scenes();
   source.thing = *thing;
   source.systems = std::move(*systems);
   return source;
@@ -94,7 +100,7 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
 }
 
 Result<void> check_flags(const Arguments& arguments) {
-  if (arguments.has("RECORDING") == arguments.has("body")) {
+  if (!arguments.has("RECORDING") && !arguments.has("body")) {
     return fail(ErrorKind::kUsage, "name a recording to play, or a body that explores", "view",
                 "somato view FILE.mcap, or somato view --body lucs2 --object 'boccia boule'");
   }
@@ -166,7 +172,10 @@ Result<void> run(const Arguments& arguments) {
 Command view_command() {
   return {"view",
           "Look at explorations in a browser of this machine",
-          {{"RECORDING", "The recording to play: its file, or a folder of original files", false}},
+          {{"RECORDING",
+            "The recording to play: its file, or a folder of original files; with --body, what "
+            "systems learn from",
+            false}},
           {{"--body",
             "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or "
             "hardness"},

@@ -14,7 +14,7 @@ TEST_F(View, RefusesWhatItCannotShow) {
   write("nothing.mcap", "nothing");
   expect_refused(
       2, {{{"view"}, {"name a recording to play, or a body"}},
-          {{"view", "a.mcap", "--body", "lucs2"}, {"name a recording to play, or a body"}},
+          {{"view", "a.mcap", "--body", "lucs9"}, {"lucs9"}},
           {{"view", "--body", "lucs4"}, {"lucs4", "did you mean", "lucs"}},
           {{"view", "--body", "probes"}, {"only one body"}},
           {{"view", "--body", "lucs2", "--object", "boul"}, {"boul", "did you mean 'boule'"}},
