@@ -136,6 +136,10 @@ Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
   settings.port = static_cast<std::uint16_t>(port->value_or(0));
   if (!arguments.has("address")) return settings;
   settings.address = arguments.text("address");
+  if (settings.address == "0.0.0.0" || settings.address == "::") {
+    return fail(ErrorKind::kUsage, "the view answers to one address alone", "--address",
+                "give that of the interface that others come by");
+  }
   const bool is_loopback = settings.address == "127.0.0.1" || settings.address == "::1";
   if (is_loopback || arguments.has("allow-others")) return settings;
   return fail(ErrorKind::kUsage, "others could reach this address", "--address",
@@ -151,10 +155,10 @@ void wait_for_interrupt() {
 Result<void> run(const Arguments& arguments) {
   auto settings = read_server_settings(arguments);
   if (!settings) return fail(std::move(settings.error()));
-  auto served = view_pages();
-  if (!served) return fail(std::move(served.error()));
   auto source = read_source(arguments);
   if (!source) return fail(std::move(source.error()));
+  auto served = view_pages();
+  if (!served) return fail(std::move(served.error()));
   ViewSession session(std::move(*source));
   session.start();
   auto server = ViewServer::start(session, std::move(*served), *settings);

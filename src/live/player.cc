@@ -202,7 +202,9 @@ Result<void> Player::step(std::int64_t frames) {
     steps_left_ = static_cast<std::size_t>(frames);
     return {};
   }
-  if (!exploration_) return not_now("there is nothing to step through");
+  if (!exploration_ || timeline_.moments() == 0) {
+    return not_now("there is nothing to step through");
+  }
   const auto last = static_cast<std::int64_t>(timeline_.moments()) - 1;
   const auto shown = static_cast<std::int64_t>(next_) - 1;
   show(static_cast<std::size_t>(std::clamp<std::int64_t>(shown + frames, 0, last)));
