@@ -13,8 +13,9 @@ namespace {
 
 std::vector<Object> known_objects() {
   std::vector<Object> all;
-  for (const auto& table : {lucs2_objects(declared_materials()), lucs3_objects(declared_materials()),
-                            lucs3_new_objects(declared_materials())}) {
+  for (const auto& table :
+       {lucs2_objects(declared_materials()), lucs3_objects(declared_materials()),
+        lucs3_new_objects(declared_materials())}) {
     if (table) all.insert(all.end(), table->begin(), table->end());
   }
   return all;

@@ -108,8 +108,7 @@ Result<Exploration> explore_by_pressing(Body& body, const P& parameters,
   if (!sensor) return fail(sensor.error());
   const double target = parameters.to.value_or(body.description().degrees_of_freedom[*stick].most);
   if (auto sent = detail::drive_one(body, *stick, target); !sent) return fail(sent.error());
-  if (auto rests = wait_for_rest(body, *stick, *sensor, target, parameters, after_frames);
-      !rests) {
+  if (auto rests = wait_for_rest(body, *stick, *sensor, target, parameters, after_frames); !rests) {
     return fail(rests.error());
   }
   return exploration_of(body.description().sensors[*sensor], body.state().readings[*sensor]);

@@ -4,9 +4,12 @@ namespace somato {
 
 const std::vector<std::pair<GeomShape, std::string>>& Choices<GeomShape>::all() {
   static const std::vector<std::pair<GeomShape, std::string>> choices = {
-      {GeomShape::kBox, "box"},           {GeomShape::kSphere, "sphere"},
-      {GeomShape::kCapsule, "capsule"},   {GeomShape::kCylinder, "cylinder"},
-      {GeomShape::kEllipsoid, "ellipsoid"}, {GeomShape::kMesh, "mesh"}};
+      {GeomShape::kBox, "box"},
+      {GeomShape::kSphere, "sphere"},
+      {GeomShape::kCapsule, "capsule"},
+      {GeomShape::kCylinder, "cylinder"},
+      {GeomShape::kEllipsoid, "ellipsoid"},
+      {GeomShape::kMesh, "mesh"}};
   return choices;
 }
 

@@ -65,7 +65,7 @@ Result<void> go_to_start(Body& body, const Stroke& stroke, const P& parameters) 
   if (auto sent = detail::drive_one(body, stroke.lever, parameters.from); !sent) return sent;
   const double seconds = away / body.description().degrees_of_freedom[stroke.lever].fastest;
   if (auto passed = detail::let_pass(body, seconds + parameters.settle, parameters.step,
-                                    []() -> Result<void> { return {}; });
+                                     []() -> Result<void> { return {}; });
       !passed) {
     return passed;
   }

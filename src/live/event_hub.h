@@ -49,8 +49,8 @@ class EventHub {
     Seat& operator=(Seat&&) = delete;
     ~Seat() { hub_.leave(); }
 
-    /// What has come since the last call: of each kind the latest alone. Empty when nothing has come
-    /// for `patience`; nothing once the hub is closed.
+    /// What has come since the last call: of each kind the latest alone. Empty when nothing has
+    /// come for `patience`; nothing once the hub is closed.
     std::optional<std::vector<Event>> next(std::chrono::milliseconds patience);
 
    private:

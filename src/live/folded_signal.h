@@ -14,8 +14,8 @@ struct FoldedSignal {
   bool folded = false;        ///< Whether values were added up.
 };
 
-/// The signal of that shape in at most `most` numbers: summed over as many of its leading axes as it
-/// takes; a last axis that is still longer, over stretches of neighbours, the last one shorter.
+/// The signal of that shape in at most `most` numbers: summed over as many of its leading axes as
+/// it takes; a last axis that is still longer, over stretches of neighbours, the last one shorter.
 /// Throws InvalidArgument when `most` is 0.
 FoldedSignal fold_signal(const SignalView& signal, const std::vector<std::size_t>& shape,
                          std::size_t most);

@@ -57,9 +57,8 @@ constexpr std::string_view kSafety =
     "Connection: close\r\n";
 
 std::string head_of(const HttpResponse& response) {
-  std::string head =
-      fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\n{}", response.status,
-                  reason_of(response.status), response.type, kSafety);
+  std::string head = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\n{}", response.status,
+                                 reason_of(response.status), response.type, kSafety);
   for (const auto& [name, value] : response.headers) {
     head += fmt::format("{}: {}\r\n", name, value);
   }
@@ -132,8 +131,7 @@ bool HttpConnection::send_all(std::string_view bytes) const {
   const auto until = Clock::now() + patience_;
   while (!bytes.empty()) {
     if (!wait(POLLOUT, until)) return false;
-    const ssize_t count =
-        ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR && errno != EAGAIN) return false;
     bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   }
@@ -147,7 +145,8 @@ bool HttpConnection::write(const HttpResponse& response, bool head_only) {
   } else if (taken && !head_only) {
     taken = send_all(response.body);
   }
-  leave();
+  // Whoever has been silent for too long has nothing left to say.
+  if (response.status != 408) leave();
   return taken;
 }
 

@@ -107,12 +107,11 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
   const bool answers = answer && answer->map == map && answer->labels[neuron];
   Json planes = Json::array();
   for (const ChannelPlanes& one : known->planes) planes.push_back(plane_json(one, neuron));
-  return json_text(
-      {{"map", map},
-       {"neuron", neuron},
-       {"answer", answers ? Json(answer->classes[*answer->labels[neuron]]) : Json()},
-       {"planes", std::move(planes)},
-       {"nearest", nearest_json(som, known->inputs, *asked_.recording, neuron)}});
+  return json_text({{"map", map},
+                    {"neuron", neuron},
+                    {"answer", answers ? Json(answer->classes[*answer->labels[neuron]]) : Json()},
+                    {"planes", std::move(planes)},
+                    {"nearest", nearest_json(som, known->inputs, *asked_.recording, neuron)}});
 }
 
 Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t element) {

@@ -20,8 +20,8 @@ struct InquiredSystem {
   std::shared_ptr<const Recording> recording;
 };
 
-/// Answers questions about a system that has learned, in JSON as docs/formats/view.md says. From any
-/// thread, one at a time; what takes long is kept for the next question about the same system.
+/// Answers questions about a system that has learned, in JSON as docs/formats/view.md says. From
+/// any thread, one at a time; what takes long is kept for the next question about the same system.
 class Inquiries {
  public:
   /// What a neuron of a map stands for, and which explorations are nearest to it. Errors (kUsage):
@@ -29,8 +29,8 @@ class Inquiries {
   Result<std::string> neuron(const InquiredSystem& asked, const std::string& map,
                              std::size_t neuron);
 
-  /// For each map the weights of its neurons for an element of the channel `touch`. Errors (kUsage):
-  /// no map knows such an element.
+  /// For each map the weights of its neurons for an element of the channel `touch`. Errors
+  /// (kUsage): no map knows such an element.
   Result<std::string> taxel(const InquiredSystem& asked, std::size_t element);
 
  private:

@@ -150,7 +150,8 @@ class VisibleTraining {
       winners.push_back(som.winner(samples_[i], workspace));
     }
     look_.done = true;
-    if (!look_at(som, look_.steps, look_.steps, look_.learning_rate, look_.radius)) return stopped();
+    if (!look_at(som, look_.steps, look_.steps, look_.learning_rate, look_.radius))
+      return stopped();
     auto labels = NeuronLabels::by_majority(winners, classes_.of_sample, som.neurons());
     SystemAnswer answer{look_.module, wanted_.label, classes_.names, std::move(labels)};
     return std::make_shared<const SystemModel>(SystemModel{std::move(system_), std::move(answer)});

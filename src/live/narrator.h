@@ -26,8 +26,8 @@ class Narrator {
   /// Follows the exploration until the channels have given so many frames each.
   void follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
 
-  /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of a
-  /// second ago, unless it is wanted `now`.
+  /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of
+  /// a second ago, unless it is wanted `now`.
   const Saying* say(bool now, const std::function<Exploration()>& so_far);
 
   const SystemModel* model() const { return reading_ ? &reading_->model() : nullptr; }

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "live/kept_scene.h"
+#include "live/view_state.h"
 
 namespace somato::live {
 namespace {
 
-constexpr double kLongestPause = 1.0;       // s, between two moments: nothing was recorded there
+constexpr double kLongestPause = 1.0;         // s, between two moments: nothing was recorded there
 constexpr double kBetweenExplorations = 1.5;  // s
 constexpr auto kMostLate = std::chrono::milliseconds(250);
 
@@ -38,7 +39,9 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       system_(source_.system),
       welcomed_(!settings.wait_for_viewer),
       speed_(settings.speed),
-      thing_(source_.thing) {}
+      thing_(source_.thing) {
+  explored_scenes_.resize(source_.recording.explorations.size());
+}
 
 void Player::run() {
   tell_narrator();
@@ -99,11 +102,8 @@ void Player::begin_exploration(std::size_t exploration) {
   next_ = 0;
   followed_ = 0;
   narrator_.start();
-  if (exploration < explored_scenes_.size()) {
-    scene_ = explored_scenes_[exploration];
-  } else {
-    scene_ = source_.scenes ? source_.scenes(chosen) : nullptr;
-  }
+  scene_ = exploration < explored_scenes_.size() ? explored_scenes_[exploration] : nullptr;
+  if (!scene_ && source_.scenes) scene_ = source_.scenes(chosen);
   publish_scene(scene_ ? &scene_->scene() : nullptr);
 }
 
@@ -148,8 +148,7 @@ void Player::show_again() {
   show(next_ == 0 ? 0 : next_ - 1);
 }
 
-void Player::publish_frame(const ShownMoment& moment,
-                           const std::function<Exploration()>& so_far) {
+void Player::publish_frame(const ShownMoment& moment, const std::function<Exploration()>& so_far) {
   const std::string problem = narrator_.problem();
   const Saying* saying = narrator_.say(moment.last || !playing_, so_far);
   hub_.publish(EventKind::kFrame, frame_text(moment, narrator_.model(), saying));
@@ -203,7 +202,9 @@ Result<void> Player::step(std::int64_t frames) {
     steps_left_ = static_cast<std::size_t>(frames);
     return {};
   }
-  if (!exploration_) return not_now("there is nothing to step through");
+  if (!exploration_ || timeline_.moments() == 0) {
+    return not_now("there is nothing to step through");
+  }
   const auto last = static_cast<std::int64_t>(timeline_.moments()) - 1;
   const auto shown = static_cast<std::int64_t>(next_) - 1;
   show(static_cast<std::size_t>(std::clamp<std::int64_t>(shown + frames, 0, last)));
@@ -292,62 +293,29 @@ std::optional<RecordingLayout> Player::layout() const {
   return layout_of(source_.recording);
 }
 
-Json Player::explorations_json() const {
-  Json explorations = Json::array();
-  for (const Exploration& one : source_.recording.explorations) {
-    explorations.push_back({{"index", explorations.size()}, {"labels", labels_json(one.labels)}});
-  }
-  return explorations;
-}
-
-Json Player::state_json() const {
-  const bool playable = !live_ && timeline_.moments() > 0;
-  const Exploration* shown = live_           ? &growing_.so_far()
-                             : exploration_ ? &source_.recording.explorations[*exploration_]
-                                            : nullptr;
-  Json json{{"version", 1},
-            {"source", source_.body ? "body" : "recording"},
-            {"name", source_.name},
-            {"explorations", explorations_json()},
-            {"exploration", exploration_ ? Json(*exploration_) : Json()},
-            {"frame", live_ ? growing_.moments() : next_},
-            {"frames", playable ? Json(timeline_.moments()) : Json()},
-            {"duration", playable ? Json(timeline_.time(timeline_.moments() - 1)) : Json()},
-            {"playing", playing_},
-            {"speed", speed_},
-            {"live", live_}};
-  json["channels"] = Json::array();
-  for (const Channel& channel : shown != nullptr ? shown->channels : std::vector<Channel>{}) {
-    json["channels"].push_back(channel_json(channel));
-  }
-  json["things"] = Json::array();
-  json["thing"] = nullptr;
-  json["placement"] = nullptr;
-  if (source_.body) {
-    for (const ShownThing& thing : source_.body->things()) json["things"].push_back(thing_json(thing));
-    json["thing"] = source_.body->things()[thing_].name;
-    if (source_.body->takes_placement()) {
-      json["placement"] = {{"x", placement_.x}, {"y", placement_.y}, {"turn", placement_.turn}};
-    }
-  }
-  json["systems"] = Json::array();
-  for (const ViewSystem& one : source_.systems) {
-    json["systems"].push_back({{"name", one.name}, {"text", one.text}});
-  }
-  const SystemPicture& picture = narrator_.picture();
-  json["system"] = system_ ? Json(source_.systems[*system_].name) : Json();
-  json["system_problem"] = narrator_.problem().empty() ? Json() : Json(narrator_.problem());
-  json["graph"] = picture.graph;
-  json["maps"] = picture.maps;
-  json["label"] = picture.label.empty() ? Json() : Json(picture.label);
-  json["training"] = training_;
-  json["clients"] = hub_.lookers_on();
-  json["problem"] = problem_.empty() ? Json() : Json(problem_);
-  return json;
+const Exploration* Player::shown() const {
+  if (live_) return &growing_.so_far();
+  return exploration_ ? &source_.recording.explorations[*exploration_] : nullptr;
 }
 
 void Player::publish_state() {
-  hub_.publish(EventKind::kState, json_text(state_json()));
+  ViewState state{source_, narrator_.picture(), shown(), exploration_};
+  state.frame = live_ ? growing_.moments() : next_;
+  if (!live_ && timeline_.moments() > 0) {
+    state.frames = timeline_.moments();
+    state.duration = timeline_.time(timeline_.moments() - 1);
+  }
+  state.playing = playing_;
+  state.speed = speed_;
+  state.live = live_;
+  state.thing = thing_;
+  state.placement = placement_;
+  state.system = system_;
+  state.system_problem = narrator_.problem();
+  state.training = training_;
+  state.clients = hub_.lookers_on();
+  state.problem = problem_;
+  hub_.publish(EventKind::kState, json_text(state_json(state)));
 }
 
 void Player::explore() {
@@ -365,15 +333,26 @@ void Player::explore() {
   if (explored) {
     keep_explored(std::move(*explored));
   } else {
-    exploration_.reset();
-    timeline_ = {};
     if (explored.error().kind != ErrorKind::kInterrupted) problem_ = sentence_of(explored.error());
+    lose_exploration();
   }
   publish_state();
 }
 
+void Player::lose_exploration() {
+  exploration_.reset();
+  timeline_ = {};
+  next_ = 0;
+}
+
 void Player::keep_explored(Exploration exploration) {
-  source_.recording.explorations.push_back(std::move(exploration));
+  auto& explorations = source_.recording.explorations;
+  explorations.push_back(std::move(exploration));
+  if (auto valid = validate(source_.recording); !valid) {
+    explorations.pop_back();
+    problem_ = sentence_of(valid.error());
+    return lose_exploration();
+  }
   explored_scenes_.push_back(
       std::make_shared<KeptScene>(std::move(live_scene_), std::move(live_poses_)));
   begin_exploration(source_.recording.explorations.size() - 1);

@@ -55,7 +55,6 @@ class Player : private ExplorationWatcher {
   void publish_scene(const Scene* scene);
   void advance();
   std::optional<Clock::time_point> due() const;
-  std::size_t moments() const { return live_ ? growing_.moments() : timeline_.moments(); }
 
   Result<void> seek(const SeekCommand& seek);
   Result<void> step(std::int64_t frames);
@@ -66,11 +65,11 @@ class Player : private ExplorationWatcher {
   Result<void> choose_system(const std::string& name);
   void tell_narrator();
   std::optional<RecordingLayout> layout() const;
-  Json explorations_json() const;
-  Json state_json() const;
+  const Exploration* shown() const;
 
   void explore();
   void keep_explored(Exploration exploration);
+  void lose_exploration();
   Result<void> keep_pace(double passed);
   void publish_live();
   void begins(const BodyDescription& body, const Scene& scene) override;
@@ -109,9 +108,9 @@ class Player : private ExplorationWatcher {
   double time_ = 0.0;                          // by the body's clock
   double begun_ = 0.0;
   Scene live_scene_;
-  std::vector<ScenePose> poses_;                              // after the last step
-  std::vector<std::vector<ScenePose>> live_poses_;            // of each moment
-  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each exploration
+  std::vector<ScenePose> poses_;                               // after the last step
+  std::vector<std::vector<ScenePose>> live_poses_;             // of each moment
+  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each, or nullptr
 };
 
 }  // namespace somato::live

@@ -1,5 +1,7 @@
 #include "live/system_reading.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -74,21 +76,38 @@ Result<void> SystemReading::follow(const Exploration& exploration,
     followed_ = frames.empty() ? 0 : *std::min_element(frames.begin(), frames.end());
     return {};
   }
-  channels_.clear();
-  for (const std::string& name : live_->channels()) {
-    const auto found = std::find_if(exploration.channels.begin(), exploration.channels.end(),
-                                    [&](const Channel& channel) { return channel.name == name; });
-    if (found == exploration.channels.end()) {
-      return fail(ErrorKind::kData, "the channel '" + name + "' is missing");
-    }
-    channels_.push_back(static_cast<std::size_t>(found - exploration.channels.begin()));
-  }
+  if (auto found = find_channels(exploration); !found) return found;
   std::size_t come = channels_.empty() ? 0 : frames[channels_.front()];
   for (const std::size_t channel : channels_) come = std::min(come, frames[channel]);
   for (; followed_ < come; ++followed_) {
     if (auto stepped = step(exploration, followed_); !stepped) return stepped;
   }
   return {};
+}
+
+Result<void> SystemReading::find_channels(const Exploration& exploration) {
+  channels_.clear();
+  for (const std::string& name : live_->channels()) {
+    const auto found = std::find_if(
+        exploration.channels.begin(), exploration.channels.end(), [&](const Channel& channel) {
+          return channel.name == name &&
+                 (channel.frames.empty() || channel.frames.columns() == elements_of(name));
+        });
+    if (found == exploration.channels.end()) {
+      return fail(ErrorKind::kData,
+                  fmt::format("there is no channel '{}' of {} elements", name, elements_of(name)));
+    }
+    channels_.push_back(static_cast<std::size_t>(found - exploration.channels.begin()));
+  }
+  return {};
+}
+
+std::size_t SystemReading::elements_of(const std::string& channel) const {
+  for (const SystemModule& module : model_->system.modules()) {
+    const auto* source = dynamic_cast<const Source*>(module.module.get());
+    if (source != nullptr && source->channel() == channel) return source->channel_elements();
+  }
+  return 0;
 }
 
 Result<void> SystemReading::step(const Exploration& exploration, std::size_t frame) {
@@ -150,8 +169,7 @@ Saying SystemReading::say_live() {
       saying.maps.emplace_back(module, read_map(module, *input));
     }
   }
-  MapReading answer{live_->winner(),
-                    std::vector<float>(som_of(model_->system, map_)->neurons())};
+  MapReading answer{live_->winner(), std::vector<float>(som_of(model_->system, map_)->neurons())};
   live_->activity(answer.activity);
   scale_to_one(answer.activity);
   saying.maps.emplace_back(map_, std::move(answer));

@@ -66,6 +66,8 @@ class SystemReading {
  private:
   SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map);
 
+  Result<void> find_channels(const Exploration& exploration);
+  std::size_t elements_of(const std::string& channel) const;
   Result<void> step(const Exploration& exploration, std::size_t frame);
   Saying say_live();
   Result<std::optional<Saying>> say_as_whole(const Exploration& exploration) const;

@@ -44,8 +44,7 @@ Timeline::Timeline(const Exploration& exploration) {
   moments_ = (most_frames_ + stretch_ - 1) / stretch_;
   times_.reserve(moments_);
   for (std::size_t moment = 0; moment < moments_; ++moment) {
-    times_.push_back(
-        time_of(*main, std::min((moment + 1) * stretch_, most_frames_) - 1, moment));
+    times_.push_back(time_of(*main, std::min((moment + 1) * stretch_, most_frames_) - 1, moment));
   }
 }
 
@@ -65,7 +64,9 @@ Exploration cut_at(const Exploration& exploration, const Timeline& timeline, std
     const std::size_t rows = timeline.frames(i, moment);
     Channel channel{whole.name, whole.unit, whole.element_names, first_rows(whole.frames, rows),
                     {},         whole.rate, whole.shape,         {}};
-    if (!whole.times.empty()) channel.times.assign(whole.times.begin(), whole.times.begin() + static_cast<std::ptrdiff_t>(rows));
+    if (!whole.times.empty())
+      channel.times.assign(whole.times.begin(),
+                           whole.times.begin() + static_cast<std::ptrdiff_t>(rows));
     if (!whole.valid.empty()) channel.valid = first_rows(whole.valid, rows);
     cut.channels.push_back(std::move(channel));
   }

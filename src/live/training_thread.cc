@@ -31,9 +31,8 @@ void TrainingThread::start(ViewSystem system, std::shared_ptr<const Recording> r
   stopping_ = false;
   thread_ = std::thread([this, seed, system = std::move(system), recording = std::move(recording),
                          done = std::move(done)] {
-    done(train_visibly(system, *recording, seed, [&](const TrainingLook& look) {
-      return show(system.name, look);
-    }));
+    done(train_visibly(system, *recording, seed,
+                       [&](const TrainingLook& look) { return show(system.name, look); }));
   });
 }
 

@@ -13,7 +13,8 @@
 
 namespace somato::live {
 
-/// Trains one system at a time beside what is played, and publishes looks at it. Used by one thread.
+/// Trains one system at a time beside what is played, and publishes looks at it. Used by one
+/// thread.
 class TrainingThread {
  public:
   /// Called at the end, by the thread that trained.

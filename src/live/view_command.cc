@@ -40,7 +40,8 @@ class Fields {
   std::string text(const std::string& name) {
     const Json* field = take(name);
     if (!field) return {};
-    if (field->is_string() && static_cast<double>(field->get_ref<const std::string&>().size()) <= kLongestName) {
+    if (field->is_string() &&
+        static_cast<double>(field->get_ref<const std::string&>().size()) <= kLongestName) {
       return field->get<std::string>();
     }
     keep(fmt::format("'{}' must be a text of at most {} bytes", name, kLongestName));
@@ -104,7 +105,9 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
       {"step", step_of},
       {"seek", seek_of},
       {"speed",
-       [](Fields& fields) -> ViewCommand { return SpeedCommand{fields.number("speed", 0.05, 100)}; }},
+       [](Fields& fields) -> ViewCommand {
+         return SpeedCommand{fields.number("speed", 0.05, 100)};
+       }},
       {"thing", [](Fields& fields) -> ViewCommand { return ThingCommand{fields.text("name")}; }},
       {"placement", placement_of},
       {"explore", [](Fields&) -> ViewCommand { return ExploreCommand{}; }},

@@ -37,9 +37,9 @@ struct SystemCommand {
 struct TrainCommand {};
 struct StopTrainingCommand {};
 
-using ViewCommand =
-    std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand, ThingCommand,
-                 PlacementCommand, ExploreCommand, SystemCommand, TrainCommand, StopTrainingCommand>;
+using ViewCommand = std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand,
+                                 ThingCommand, PlacementCommand, ExploreCommand, SystemCommand,
+                                 TrainCommand, StopTrainingCommand>;
 
 /// The command that a text in JSON holds. Errors (kUsage): no JSON, no known command, fields that
 /// are missing, unknown, of another type or out of range.

@@ -56,8 +56,7 @@ Json module_json(const System& system, std::size_t number) {
   if (const auto* source = dynamic_cast<const Source*>(module.module.get())) {
     json["channel"] = source->channel();
   }
-  json["parameters"] =
-      parameters_json(*module.type, system.description().modules[number].settings);
+  json["parameters"] = parameters_json(*module.type, system.description().modules[number].settings);
   json["not_given"] = not_given_json(*module.type);
   return json;
 }

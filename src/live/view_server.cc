@@ -73,7 +73,8 @@ std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port
   const bool is_v6 = address.find(':') != std::string::npos;
   std::vector<std::string> hosts{is_v6 ? fmt::format("[{}]:{}", address, port)
                                        : fmt::format("{}:{}", address, port)};
-  if (address == "127.0.0.1" || address == "::1") hosts.push_back(fmt::format("localhost:{}", port));
+  if (address == "127.0.0.1" || address == "::1")
+    hosts.push_back(fmt::format("localhost:{}", port));
   return hosts;
 }
 
@@ -125,8 +126,8 @@ class ViewServer::Works {
   }
 
   HttpResponse answer_post(const HttpRequest& request) {
-    const auto allowed = access_->check_origin(request).and_then(
-        [&] { return access_->check_token(request); });
+    const auto allowed =
+        access_->check_origin(request).and_then([&] { return access_->check_token(request); });
     if (!allowed) return response_of(allowed.error());
     if (request.path != "/api/command") return refused(404, "There is no such thing to be told.");
     if (request.header("content-type") != "application/json") {

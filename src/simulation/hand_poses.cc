@@ -114,7 +114,8 @@ std::vector<ScenePose> poses_in(const mjModel& model, const mjData& data) {
   std::vector<ScenePose> poses;
   poses.reserve(static_cast<std::size_t>(model.nbody));
   for (int body = 1; body < static_cast<int>(model.nbody); ++body) {
-    poses.push_back({numbers<3>(row_of(data.xpos, body, 3)), numbers<4>(row_of(data.xquat, body, 4))});
+    poses.push_back(
+        {numbers<3>(row_of(data.xpos, body, 3)), numbers<4>(row_of(data.xquat, body, 4))});
   }
   return poses;
 }
@@ -151,8 +152,7 @@ double yielding(const mjModel& model, int joint, double lever) {
 void pull(const mjModel& model, int tendon, mjData& data) {
   const int first = model.tendon_adr[tendon];
   const int last = first + model.tendon_num[tendon];
-  const double pulled =
-      -model.wrap_prm[first] * joint_of(model, data, model.wrap_objid[first]);
+  const double pulled = -model.wrap_prm[first] * joint_of(model, data, model.wrap_objid[first]);
   double give = 0.0;
   for (int wrap = first + 1; wrap < last; ++wrap) {
     give += model.wrap_prm[wrap] * yielding(model, model.wrap_objid[wrap], model.wrap_prm[wrap]);
@@ -169,9 +169,7 @@ class HandPlayer : public ScenePlayer {
  public:
   HandPlayer(std::shared_ptr<const HandScene::Parts> parts, detail::PhysicsData data,
              bool with_object)
-      : parts_(std::move(parts)),
-        data_(std::move(data)),
-        scene_(scene_of_parts(*parts_)) {
+      : parts_(std::move(parts)), data_(std::move(data)), scene_(scene_of_parts(*parts_)) {
     detail::put_object(*parts_, detail::object_pose(*parts_, {}), *data_);
     if (with_object) return;
     std::erase_if(scene_.geoms,
@@ -182,10 +180,12 @@ class HandPlayer : public ScenePlayer {
 
   std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override {
     const mjModel& model = *parts_->model;
-    std::size_t servo = parts_->hand == Hand::kLucs2 ? 0 : 1;  // the wrist of Hand III tells nothing
+    std::size_t servo =
+        parts_->hand == Hand::kLucs2 ? 0 : 1;  // the wrist of Hand III tells nothing
     for (const NeededChannel& needed : channels_of(parts_->hand)) {
       const Channel* channel = channel_of(exploration, needed.name, needed.elements);
-      require(channel != nullptr && frame < channel->frames.rows(), "this hand recorded no such frame");
+      require(channel != nullptr && frame < channel->frames.rows(),
+              "this hand recorded no such frame");
       for (const float value : channel->frames.row(frame)) set_servo(servo++, double{value});
     }
     for (int tendon = 0; tendon < static_cast<int>(model.ntendon); ++tendon) {

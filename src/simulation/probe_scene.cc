@@ -1,11 +1,11 @@
 #include "simulation/probe_scene.h"
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "simulation/units.h"
+#include "somato/core/elementary.h"
 
 namespace somato::detail {
 namespace {
@@ -57,7 +57,8 @@ Scene bench(const Material& material) {
   SceneGeom slab = box(material.name, {0.09, 0.09, kSlab}, {0.0, 0.0, -kSlab}, colour_of(material));
   slab.role = GeomRole::kObject;
   scene.geoms.push_back(slab);
-  SceneGeom table = box("table", {0.3, 0.3, 0.01}, {0.0, 0.0, -2 * kSlab - 0.01}, {0.9, 0.9, 0.88, 1.0});
+  SceneGeom table =
+      box("table", {0.3, 0.3, 0.01}, {0.0, 0.0, -2 * kSlab - 0.01}, {0.9, 0.9, 0.88, 1.0});
   table.role = GeomRole::kTable;
   scene.geoms.push_back(table);
   scene.camera = {0.22, -0.30, 0.24};
@@ -100,10 +101,10 @@ Scene hardness_probe_scene(const Material& material) {
 
 // The lever turns about the vertical, half of its stroke to either side.
 std::vector<ScenePose> texture_probe_poses(double degrees) {
-  const double half = (degrees - 18.0) * kRadians / 2;
+  const double half = (degrees - 18.0) / 720.0;  // turns
   ScenePose pose;
   pose.position = {-kLever, 0.0, 0.0};
-  pose.turn = {std::cos(half), 0.0, 0.0, std::sin(half)};
+  pose.turn = {cosine_of_turns(half), 0.0, 0.0, cosine_of_turns(half - 0.25)};
   return {pose};
 }
 

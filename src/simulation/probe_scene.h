@@ -7,8 +7,8 @@
 
 namespace somato::detail {
 
-/// Simple pictures of the probes, on a slab in the colour of their material. They are twice as large
-/// as they are, for they are small.
+/// Simple pictures of the probes, on a slab in the colour of their material. They are twice as
+/// large as they are, for they are small.
 Scene texture_probe_scene(const Material& material);
 Scene hardness_probe_scene(const Material& material);
 

@@ -124,9 +124,8 @@ class WatchedTextureProbe : public WatchedProbe {
                                     {world(), seed_for(what, Draws::kTexture)});
     if (!probe) return fail(std::move(probe.error()));
     watcher.begins((*probe)->description(), detail::texture_probe_scene(material));
-    SeenBody seen(**probe, watcher, [&] {
-      return detail::texture_probe_poses((*probe)->state().positions.front());
-    });
+    SeenBody seen(**probe, watcher,
+                  [&] { return detail::texture_probe_poses((*probe)->state().positions.front()); });
     auto explored = explore_by_stroking(seen, parameters().stroke, told_to(watcher));
     if (explored) explored->labels = labels(material, what.trial);
     return explored;

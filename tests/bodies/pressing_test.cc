@@ -61,6 +61,21 @@ TEST(Pressing, ReadsOnceAndOnlyWhenItRests) {
   EXPECT_LT(body.state().time, 8.0);
 }
 
+TEST(Pressing, TellsOfEachReading) {
+  SayingBody body([](double time) { return time < 6.0 ? 1000.0 * time : 6000.0; });
+  float last = 0.0F;
+  const auto explored = explore_by_pressing(body, {}, [&](const BodyState& state) {
+    last = state.readings[0](0, 0);
+    return Result<void>();
+  });
+  ASSERT_TRUE(explored);
+  EXPECT_EQ(last, explored->channels[0].frames(0, 0));
+  const auto ended = explore_by_pressing(body, {}, [](const BodyState&) {
+    return Result<void>(fail(ErrorKind::kInterrupted, "enough"));
+  });
+  EXPECT_EQ(ended.error().kind, ErrorKind::kInterrupted);
+}
+
 TEST(Pressing, WaitsForTheDriverToo) {
   SayingBody body([](double) { return 100.0; });
   ASSERT_TRUE(explore_by_pressing(body));

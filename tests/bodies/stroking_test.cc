@@ -76,6 +76,28 @@ TEST(Stroking, RecordsTheFramesOfTheStrokeAlone) {
   }
 }
 
+TEST(Stroking, TellsOfEachStepOfTheStroke) {
+  CountingBody body;
+  StrokeParameters parameters;
+  parameters.from = 5.0;
+  parameters.to = 35.0;
+  parameters.step = 0.5;
+  std::size_t frames = 0;
+  std::size_t steps = 0;
+  const auto explored = explore_by_stroking(body, parameters, [&](const BodyState& state) {
+    ++steps;
+    frames += state.readings[1].rows();
+    return Result<void>();
+  });
+  ASSERT_TRUE(explored);
+  EXPECT_EQ(steps, 6U);
+  EXPECT_EQ(frames, explored->channels[0].frames.rows());
+  const auto ended = explore_by_stroking(body, parameters, [](const BodyState&) {
+    return Result<void>(fail(ErrorKind::kInterrupted, "enough"));
+  });
+  EXPECT_EQ(ended.error().kind, ErrorKind::kInterrupted);
+}
+
 TEST(Stroking, AStrokeMayGoBackwards) {
   CountingBody body;
   StrokeParameters parameters;

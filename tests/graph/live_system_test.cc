@@ -235,5 +235,35 @@ TEST(LiveSystem, RefusesToAnswerBeforeTheFirstFrameAndFramesOfAnotherSize) {
   EXPECT_THROW((void)LiveSystem::build(system, *system.find("unit")), InvalidArgument);
 }
 
+// The outputs of all modules, which the answer itself does not need, and the same answer.
+TEST(LiveSystem, GivesTheOutputOfEveryModuleWhenAllAreAtWork) {
+  const Recording recording = hand_recording(kExplorations, 4);
+  const System system =
+      testing::trained(testing::build(summed("l2"), recording), recording, kLearned, 4);
+  const std::size_t map = *system.find("map");
+  auto all = LiveSystem::build(system, map, LiveModules::kAll).value();
+  auto needed = LiveSystem::build(system, map).value();
+  EXPECT_FALSE(all.output(*system.find("unit")));
+  for (std::size_t frame = 0; frame < 2; ++frame) {
+    ASSERT_TRUE(all.step(frame_of(all, recording, 0, frame)));
+    ASSERT_TRUE(needed.step(frame_of(needed, recording, 0, frame)));
+    EXPECT_EQ(all.winner(), needed.winner());
+    EXPECT_EQ(all.distance(all.winner()), needed.distance(needed.winner()));
+    for (const char* name : {"joints", "joints_code", "crossed", "memory", "unit"}) {
+      const Sequence whole = testing::output_of(system, cut(recording, frame + 1), name, 0);
+      const auto output = all.output(*system.find(name));
+      ASSERT_TRUE(output) << name;
+      std::vector<float> expected(whole.values.size());
+      std::vector<float> given(output->size);
+      write_dense(whole.values[whole.values.count() - 1], expected);
+      write_dense(*output, given);
+      ASSERT_EQ(given.size(), expected.size());
+      for (std::size_t i = 0; i < given.size(); ++i) EXPECT_NEAR(given[i], expected[i], 1e-6);
+    }
+  }
+  EXPECT_FALSE(all.output(map));
+  EXPECT_FALSE(needed.output(*system.find("unit")));
+}
+
 }  // namespace
 }  // namespace somato

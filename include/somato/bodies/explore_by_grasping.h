@@ -16,8 +16,8 @@ using AfterGrasp = std::function<Result<void>(std::size_t grasp)>;
 /// `wrist` (deg) go there, the hand grasps, and opens again. The channels are the body's sensors
 /// with the frames of the grasps' iterations alone, at the times of the body's clock; there are no
 /// labels.
-/// Errors: those of the parts, of `after_grasp` and `after_frames`, naming the grasp; kData when no segment of any
-/// grasp was stopped by what it felt: the hand never touched the object.
+/// Errors: those of the parts, of `after_grasp` and `after_frames`, naming the grasp; kData when no
+/// segment of any grasp was stopped by what it felt: the hand never touched the object.
 Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
                                         const GuardedGrasp& grasp,
                                         const AfterGrasp& after_grasp = {},

@@ -41,7 +41,7 @@ struct SceneGeom {
   /// m: half sizes of a box and an ellipsoid; radius of a sphere; radius and half length (along z)
   /// of a capsule or cylinder.
   std::array<double, 3> size{};
-  ScenePose pose = {};  ///< Off its body.
+  ScenePose pose = {};                               ///< Off its body.
   std::array<double, 4> colour{0.7, 0.7, 0.7, 1.0};  ///< Red, green, blue, opacity; 0 to 1.
   GeomRole role = GeomRole::kHand;
   std::optional<std::size_t> taxel = {};  ///< Element of the channel `touch`.

@@ -31,9 +31,9 @@ enum class LiveModules {
 class LiveSystem {
  public:
   /// For the map that is number `map` of the system, which must outlive this object and not change.
-  /// What only `modules` asks for and cannot run live is left out. Errors (kUsage): a module that needs explorations as a whole, a loop, or channels whose frames
-  /// are not taken together, before the map. Throws InvalidArgument when the module is no map, or
-  /// has not learned.
+  /// What only `modules` asks for and cannot run live is left out. Errors (kUsage): a module that
+  /// needs explorations as a whole, a loop, or channels whose frames are not taken together, before
+  /// the map. Throws InvalidArgument when the module is no map, or has not learned.
   static Result<LiveSystem> build(const System& system, std::size_t map,
                                   LiveModules modules = LiveModules::kNeeded);
 

@@ -30,8 +30,8 @@ struct ViewServerSettings {
 /// the start address is refused.
 class ViewServer {
  public:
-  /// Takes a port and begins to serve. The session must outlive the server, and be stopped after it.
-  /// Errors: kUsage for an address that is none; kSystem with the system's reason.
+  /// Takes a port and begins to serve. The session must outlive the server, and be stopped after
+  /// it. Errors: kUsage for an address that is none; kSystem with the system's reason.
   static Result<std::unique_ptr<ViewServer>> start(ViewSession& session,
                                                    std::vector<ViewPage> pages,
                                                    const ViewServerSettings& settings = {});

@@ -14,9 +14,9 @@ namespace live {
 class EventHub;
 }  // namespace live
 
-/// Explorations before everybody's eyes: plays them, or has a body explore, says what a system makes
-/// of them, and trains systems. It runs in a thread of its own and never waits for who looks on.
-/// What a page is told and may ask for is in docs/formats/view.md.
+/// Explorations before everybody's eyes: plays them, or has a body explore, says what a system
+/// makes of them, and trains systems. It runs in a thread of its own and never waits for who looks
+/// on. What a page is told and may ask for is in docs/formats/view.md.
 class ViewSession {
  public:
   ViewSession(ViewSource source, const ViewSettings& settings = {});

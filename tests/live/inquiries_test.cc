@@ -1,0 +1,77 @@
+#include "live/inquiries.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "live/view_systems.h"
+
+namespace somato::live {
+namespace {
+
+using nlohmann::json;
+
+InquiredSystem asked_system() {
+  auto recording = std::make_shared<const Recording>(testing::hand_recording(6, 2));
+  return {testing::trained_model(testing::crossed_system(), *recording), recording};
+}
+
+TEST(Inquiries, TellWhatANeuronStandsFor) {
+  Inquiries inquiries;
+  const InquiredSystem asked = asked_system();
+  const json answer = json::parse(inquiries.neuron(asked, "map", 5).value());
+  EXPECT_EQ(answer["map"], "map");
+  EXPECT_EQ(answer["neuron"], 5);
+  std::map<std::string, std::size_t> elements;
+  for (const json& plane : answer["planes"]) {
+    ASSERT_EQ(plane["values"].size(), 1U);
+    elements[plane["channel"]["name"]] = plane["values"][0].size();
+  }
+  EXPECT_EQ(elements["joints"], 3U);
+  EXPECT_EQ(elements["touch"], 4U);
+}
+
+TEST(Inquiries, OrderExplorationsByTheirDistance) {
+  Inquiries inquiries;
+  const InquiredSystem asked = asked_system();
+  const System& system = asked.model->system;
+  const Som& som = *som_of(system, *system.find("map"));
+  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+    const json nearest = json::parse(inquiries.neuron(asked, "map", neuron).value())["nearest"];
+    ASSERT_EQ(nearest.size(), 6U);
+    double before = 0.0;
+    for (const json& one : nearest) {
+      const std::size_t exploration = one["exploration"];
+      const Sequence seen = testing::output_of(system, *asked.recording, "unit", exploration);
+      SomWorkspace workspace;
+      EXPECT_NEAR(one["distance"], som.distance(seen.values[0], neuron, workspace), 1e-6);
+      EXPECT_GE(one["distance"], before);
+      before = one["distance"];
+    }
+  }
+}
+
+TEST(Inquiries, TellWhereATaxelMatters) {
+  Inquiries inquiries;
+  const InquiredSystem asked = asked_system();
+  const json answer = json::parse(inquiries.taxel(asked, 2).value());
+  ASSERT_EQ(answer["maps"]["map"].size(), 12U);
+  // The weights of an element of touch, summed over the code that it is crossed with.
+  const Som& som = *som_of(asked.model->system, *asked.model->system.find("map"));
+  double sum = 0.0;
+  for (std::size_t code = 0; code < 12; ++code) sum += double{som.weight(7, code * 4 + 2)};
+  EXPECT_NEAR(answer["maps"]["map"][7], sum, 1e-6);
+}
+
+TEST(Inquiries, RefuseWhatIsNotThere) {
+  Inquiries inquiries;
+  const InquiredSystem asked = asked_system();
+  EXPECT_FALSE(inquiries.neuron(asked, "none", 0));
+  EXPECT_FALSE(inquiries.neuron(asked, "map", 12));
+  EXPECT_FALSE(inquiries.taxel(asked, 4));
+}
+
+}  // namespace
+}  // namespace somato::live

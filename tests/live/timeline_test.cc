@@ -1,0 +1,65 @@
+#include "live/timeline.h"
+
+#include <gtest/gtest.h>
+
+namespace somato::live {
+namespace {
+
+Channel channel(std::size_t frames, double rate = 0.0, std::vector<double> times = {}) {
+  Channel made;
+  made.name = "c" + std::to_string(frames);
+  made.frames = Matrix<float>(frames, 1, 1.0F);
+  made.rate = rate;
+  made.times = std::move(times);
+  return made;
+}
+
+TEST(Timeline, HasAMomentAFrame) {
+  const Timeline timeline(Exploration{{}, {}, {channel(3, 0.0, {5.0, 5.5, 7.0})}});
+  ASSERT_EQ(timeline.moments(), 3U);
+  EXPECT_DOUBLE_EQ(timeline.time(0), 0.0);
+  EXPECT_DOUBLE_EQ(timeline.time(2), 2.0);
+  EXPECT_EQ(timeline.frames(0, 1), 2U);
+}
+
+TEST(Timeline, TakesTenMomentsASecondWhereNobodyKnows) {
+  const Timeline timeline(Exploration{{}, {}, {channel(5)}});
+  EXPECT_DOUBLE_EQ(timeline.time(4), 0.4);
+}
+
+TEST(Timeline, GathersFastFramesInStretches) {
+  const Timeline timeline(Exploration{{}, {}, {channel(8192, 8192.0), channel(1)}});
+  ASSERT_EQ(timeline.moments(), 16U);
+  EXPECT_EQ(timeline.frames(0, 0), 512U);
+  EXPECT_EQ(timeline.frames(0, 15), 8192U);
+  EXPECT_NEAR(timeline.time(7), 0.5, 1e-3);
+  // What there is one of comes at the end.
+  EXPECT_EQ(timeline.frames(1, 14), 0U);
+  EXPECT_EQ(timeline.frames(1, 15), 1U);
+}
+
+TEST(Timeline, EndsWithAShorterStretch) {
+  const Timeline timeline(Exploration{{}, {}, {channel(1000, 1000.0)}});
+  EXPECT_EQ(timeline.frames(0, timeline.moments() - 1), 1000U);
+}
+
+TEST(Timeline, HasNoMomentWithoutFrames) {
+  EXPECT_EQ(Timeline(Exploration{}).moments(), 0U);
+  EXPECT_EQ(Timeline(Exploration{{}, {}, {channel(0)}}).moments(), 0U);
+}
+
+TEST(Timeline, CutsAnExplorationWhereItIs) {
+  Exploration whole{{{"object", "cup"}}, "file", {channel(3, 0.0, {1.0, 2.0, 3.0}), channel(1)}};
+  whole.channels[0].frames = Matrix<float>(3, 1, std::vector<float>{4, 5, 6});
+  whole.channels[0].valid = Matrix<std::uint8_t>(3, 1, std::vector<std::uint8_t>{1, 0, 1});
+  const Exploration cut = cut_at(whole, Timeline(whole), 1);
+  EXPECT_EQ(cut.labels, whole.labels);
+  EXPECT_EQ(cut.channels[0].frames, Matrix<float>(2, 1, std::vector<float>{4, 5}));
+  EXPECT_EQ(cut.channels[0].times, (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(cut.channels[0].valid.rows(), 2U);
+  EXPECT_EQ(cut.channels[1].frames.rows(), 0U);
+  EXPECT_EQ(cut_at(whole, Timeline(whole), 2), whole);
+}
+
+}  // namespace
+}  // namespace somato::live

@@ -1,0 +1,56 @@
+#include "live/view_command.h"
+
+#include <gtest/gtest.h>
+
+namespace somato::live {
+namespace {
+
+template <typename Command>
+Command read(const std::string& text) {
+  const auto command = parse_view_command(text);
+  EXPECT_TRUE(command) << text;
+  return std::get<Command>(*command);
+}
+
+std::string refusal(const std::string& text) {
+  const auto command = parse_view_command(text);
+  EXPECT_FALSE(command) << text;
+  return command ? "" : command.error().what;
+}
+
+TEST(ViewCommand, IsReadFromJson) {
+  read<PlayCommand>(R"({"command":"play"})");
+  read<PauseCommand>(R"({"command":"pause"})");
+  read<ExploreCommand>(R"({"command":"explore"})");
+  read<TrainCommand>(R"({"command":"train"})");
+  read<StopTrainingCommand>(R"({"command":"stop_training"})");
+  EXPECT_EQ(read<StepCommand>(R"({"command":"step","frames":-2})").frames, -2);
+  EXPECT_EQ(read<SeekCommand>(R"({"command":"seek","exploration":3,"frame":4})").frame, 4U);
+  EXPECT_EQ(read<SpeedCommand>(R"({"speed":0.05,"command":"speed"})").speed, 0.05);
+  EXPECT_EQ(read<ThingCommand>(R"({"command":"thing","name":"a \"b\""})").name, "a \"b\"");
+  EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
+  EXPECT_EQ(
+      read<PlacementCommand>(R"({"command":"placement","x":1,"y":-2.5,"turn":90})").placement.y,
+      -2.5);
+}
+
+TEST(ViewCommand, SaysWhatIsWrong) {
+  EXPECT_EQ(refusal("[]"), "a command is an object in JSON");
+  EXPECT_EQ(refusal(R"({"command":"fly"})"), "there is no such command");
+  EXPECT_EQ(refusal(R"({"command":"step"})"), "'frames' is missing");
+  EXPECT_EQ(refusal(R"({"command":"step","frames":1.5})"), "'frames' must be a whole number");
+  EXPECT_EQ(refusal(R"({"command":"speed","speed":101})"),
+            "'speed' must be a number from 0.05 to 100");
+  EXPECT_EQ(refusal(R"({"command":"speed","speed":"1"})"),
+            "'speed' must be a number from 0.05 to 100");
+  EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "there is a field too many");
+  EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(257, 'a') + "\"}"),
+            "'name' must be a text of at most 256 bytes");
+}
+
+TEST(ViewCommand, IsNeverNested) {
+  EXPECT_EQ(refusal(R"({"command":"thing","name":{"a":[1]}})"), "a command is an object in JSON");
+}
+
+}  // namespace
+}  // namespace somato::live

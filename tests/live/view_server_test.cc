@@ -1,0 +1,184 @@
+#include "somato/live/view_server.h"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "live/hostile_requests.h"
+#include "live/viewing.h"
+
+namespace somato {
+namespace {
+
+using nlohmann::json;
+using testing::ask;
+using testing::body_of;
+using testing::get_request;
+using testing::HttpClient;
+using testing::post_request;
+using testing::status_of;
+using testing::Viewing;
+
+// Paused at its first frame, so that each seek brings one frame more.
+class ServerThread : public ::testing::Test {
+ protected:
+  Viewing viewing_{testing::hand_source(), {true, 1.0, 0.0}};
+};
+
+// Listens to events for as long as it lives.
+class Listener {
+ public:
+  explicit Listener(const Viewing& viewing) : client_(viewing.port()) {
+    client_.send(get_request(viewing.port(), viewing.with_token("/api/events")));
+  }
+  std::string until(const std::string& text) const { return client_.receive_until(text); }
+
+ private:
+  HttpClient client_;
+};
+
+TEST_F(ServerThread, RefusesEachHostileRequestWhileAGoodOneGetsFrames) {
+  const auto requests = testing::HostileRequests(viewing_.port(), viewing_.token()).all();
+  EXPECT_GE(requests.size(), 100U);
+  const Listener good(viewing_);
+  EXPECT_NE(good.until("event: frame").find("event: state"), std::string::npos);
+  ASSERT_TRUE(viewing_.session().command(R"({"command":"pause"})"));
+  std::size_t frame = 0;
+  for (const testing::HostileRequest& hostile : requests) {
+    SCOPED_TRACE(hostile.name);
+    const HttpClient client(viewing_.port());
+    client.send(hostile.bytes);
+    if (hostile.ends) client.finish();
+    const std::string response = client.receive();
+    EXPECT_EQ(status_of(response), hostile.status) << response.substr(0, 400);
+    EXPECT_NE(response.find("Content-Security-Policy: default-src 'none'"), std::string::npos);
+    EXPECT_FALSE(body_of(response).empty());
+    frame = 1 - frame;
+    ASSERT_TRUE(viewing_.session().command(
+        fmt::format(R"({{"command":"seek","exploration":0,"frame":{}}})", frame)));
+    const std::string told = fmt::format(R"({{"exploration":0,"frame":{},)", frame);
+    EXPECT_NE(good.until(told).find(told), std::string::npos);
+  }
+}
+
+TEST_F(ServerThread, ServesItsPageWithoutTokenAndAllElseWithOne) {
+  const std::string page = ask(viewing_.port(), get_request(viewing_.port(), "/"));
+  EXPECT_EQ(status_of(page), 200);
+  EXPECT_EQ(body_of(page), "<p>page</p>");
+  const std::string state = viewing_.get("/api/state");
+  EXPECT_EQ(status_of(state), 200);
+  EXPECT_EQ(json::parse(body_of(state))["name"], "hand.mcap");
+  EXPECT_EQ(body_of(viewing_.get("/api/scene")), "null");
+  const std::string by_header =
+      ask(viewing_.port(),
+          get_request(viewing_.port(), "/api/state", {"X-Somato-Token: " + viewing_.token()}));
+  EXPECT_EQ(status_of(by_header), 200);
+}
+
+TEST_F(ServerThread, AnswersToLocalhostToo) {
+  const std::string request = fmt::format("GET {} HTTP/1.1\r\nHost: localhost:{}\r\n\r\n",
+                                          viewing_.with_token("/api/state"), viewing_.port());
+  EXPECT_EQ(status_of(ask(viewing_.port(), request)), 200);
+}
+
+TEST_F(ServerThread, AnswersHeadWithoutABody) {
+  const std::string request =
+      fmt::format("HEAD / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n", viewing_.port());
+  const std::string response = ask(viewing_.port(), request);
+  EXPECT_EQ(status_of(response), 200);
+  EXPECT_NE(response.find("Content-Length: 11"), std::string::npos);
+  EXPECT_EQ(body_of(response), "");
+}
+
+TEST_F(ServerThread, TellsTheBrowserToTrustNobodyElse) {
+  const std::string response = ask(viewing_.port(), get_request(viewing_.port(), "/"));
+  for (const char* header :
+       {"Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'",
+        "frame-ancestors 'none'", "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
+        "Cache-Control: no-store", "Cross-Origin-Opener-Policy: same-origin",
+        "Cross-Origin-Resource-Policy: same-origin"}) {
+    EXPECT_NE(response.find(header), std::string::npos) << header;
+  }
+  EXPECT_EQ(response.find("Access-Control"), std::string::npos);
+}
+
+TEST_F(ServerThread, DoesWhatACommandSays) {
+  const std::string done = viewing_.command(R"({"command":"seek","exploration":1,"frame":1})");
+  EXPECT_EQ(status_of(done), 200);
+  EXPECT_EQ(json::parse(body_of(done))["ok"], true);
+  EXPECT_EQ(json::parse(body_of(viewing_.get("/api/state")))["exploration"], 1);
+  const std::string refused = viewing_.command(R"({"command":"seek","exploration":9,"frame":1})");
+  EXPECT_EQ(json::parse(body_of(refused))["error"], "there are 3 explorations");
+}
+
+TEST_F(ServerThread, TakesNoMoreViewersThanItMay) {
+  std::vector<std::unique_ptr<Listener>> listeners;
+  for (int i = 0; i < 16; ++i) {
+    listeners.push_back(std::make_unique<Listener>(viewing_));
+    ASSERT_NE(listeners.back()->until("event: state"), "");
+  }
+  EXPECT_EQ(status_of(viewing_.get("/api/events")), 503);
+  EXPECT_EQ(status_of(viewing_.get("/api/state")), 200);
+}
+
+TEST_F(ServerThread, SurvivesManyWhoAreSlow) {
+  const Listener good(viewing_);
+  ASSERT_NE(good.until("event: frame"), "");
+  ASSERT_TRUE(viewing_.session().command(R"({"command":"pause"})"));
+  std::vector<std::unique_ptr<HttpClient>> slow;
+  for (int i = 0; i < 80; ++i) {
+    slow.push_back(std::make_unique<HttpClient>(viewing_.port()));
+    slow.back()->send("GET / HTTP/1.1\r\nHost: ");
+  }
+  ASSERT_TRUE(viewing_.session().command(R"({"command":"seek","exploration":0,"frame":1})"));
+  const std::string told = R"({"exploration":0,"frame":1,)";
+  EXPECT_NE(good.until(told).find(told), std::string::npos);
+  // They are sent away after their second, and others come in again.
+  for (const auto& one : slow) {
+    const int status = status_of(one->receive());
+    EXPECT_TRUE(status == 408 || status == 503) << status;
+  }
+  slow.clear();
+  int status = 0;
+  for (int i = 0; i < 1000 && status != 200; ++i) status = status_of(viewing_.get("/api/state"));
+  EXPECT_EQ(status, 200);
+}
+
+TEST_F(ServerThread, SaysThatItIsStillThere) {
+  const Listener listener(viewing_);
+  EXPECT_NE(listener.until("event: ping\ndata: {}\n\n").find("event: ping"), std::string::npos);
+}
+
+TEST(ServerStartThread, MakesATokenOfItsOwn) {
+  const Viewing one(testing::hand_source());
+  const Viewing other(testing::hand_source());
+  EXPECT_EQ(one.token().size(), 32U);
+  EXPECT_NE(one.token(), other.token());
+  EXPECT_NE(one.port(), other.port());
+}
+
+TEST(ServerStartThread, RefusesAnAddressThatIsNone) {
+  ViewSession session(testing::hand_source(), testing::at_once());
+  ViewServerSettings settings;
+  settings.address = "localhost";
+  const auto server = ViewServer::start(session, {}, settings);
+  ASSERT_FALSE(server);
+  EXPECT_EQ(server.error().kind, ErrorKind::kUsage);
+}
+
+TEST(ServerStartThread, RefusesAPortThatIsTaken) {
+  const Viewing first(testing::hand_source());
+  ViewSession session(testing::hand_source(), testing::at_once());
+  ViewServerSettings settings;
+  settings.port = first.port();
+  const auto server = ViewServer::start(session, {}, settings);
+  ASSERT_FALSE(server);
+  EXPECT_EQ(server.error().kind, ErrorKind::kSystem);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,311 @@
+#include "somato/live/view_session.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <vector>
+
+#include "live/fake_watched_body.h"
+#include "live/view_systems.h"
+#include "live/viewing.h"
+
+namespace somato {
+namespace {
+
+using live::EventKind;
+using nlohmann::json;
+using testing::Viewing;
+
+json latest(ViewSession& session, EventKind kind) {
+  const auto text = session.hub().latest(kind);
+  return text ? json::parse(*text) : json();
+}
+json state_of(ViewSession& session) {
+  return latest(session, EventKind::kState);
+}
+json frame_of(ViewSession& session) {
+  return latest(session, EventKind::kFrame);
+}
+
+// Looks until it holds, for as long as a slow machine may take.
+bool eventually(const std::function<bool()>& holds) {
+  for (int i = 0; i < 6000; ++i) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+bool command(ViewSession& session, const std::string& text) {
+  const auto done = session.command(text);
+  EXPECT_TRUE(done) << text << ": " << (done ? "" : done.error().what);
+  return done.has_value();
+}
+
+ViewSource body_source(std::size_t steps = 10) {
+  ViewSource source;
+  source.name = "fake";
+  source.body = std::make_unique<testing::FakeWatchedBody>(steps);
+  return source;
+}
+
+ViewSource source_with_systems() {
+  ViewSource source = testing::hand_source(6);
+  source.systems = {testing::view_system(testing::crossed_system(), "crossed"),
+                    testing::view_system(testing::sound_system(), "sound")};
+  source.system = 0;
+  return source;
+}
+
+// Begins with nobody there to look on, and rests.
+class SessionThread : public ::testing::Test {
+ protected:
+  static ViewSettings resting() { return {true, 1.0, 0.0}; }
+};
+
+TEST_F(SessionThread, BeginsAtTheFirstFrameAndTellsWhatThereIs) {
+  ViewSession session(testing::hand_source(), resting());
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
+  const json state = state_of(session);
+  EXPECT_EQ(state["version"], 1);
+  EXPECT_EQ(state["source"], "recording");
+  EXPECT_EQ(state["explorations"].size(), 3U);
+  EXPECT_EQ(state["explorations"][1]["labels"]["object"], "object 1");
+  EXPECT_EQ(state["exploration"], 0);
+  EXPECT_EQ(state["frame"], 1);
+  EXPECT_EQ(state["playing"], false);
+  EXPECT_EQ(state["channels"][2]["name"], "joints");
+  EXPECT_EQ(state["channels"][2]["elements"], (json{"1", "2", "3"}));
+  const json frame = frame_of(session);
+  EXPECT_EQ(frame["frame"], 0);
+  EXPECT_EQ(frame["reading"], nullptr);
+}
+
+TEST_F(SessionThread, StepsAndSeeksToAndFro) {
+  ViewSource source = testing::hand_source();
+  const Recording recording = source.recording;
+  ViewSession session(std::move(source), resting());
+  session.start();
+  command(session, R"({"command":"seek","exploration":1,"frame":2})");
+  EXPECT_EQ(frame_of(session)["exploration"], 1);
+  EXPECT_EQ(frame_of(session)["frame"], 2);
+  command(session, R"({"command":"step","frames":-1})");
+  EXPECT_EQ(frame_of(session)["frame"], 1);
+  command(session, R"({"command":"step","frames":100})");
+  const json last = frame_of(session);
+  EXPECT_EQ(last["last"], true);
+  EXPECT_EQ(last["frames"], last["frame"].get<int>() + 1);
+  // All has come by now: the last values are the channel's.
+  const auto& joints = testing::frames_of(recording, "joints", 1);
+  const auto row = joints.row(joints.rows() - 1);
+  EXPECT_EQ(last["channels"]["joints"].get<std::vector<float>>(),
+            std::vector<float>(row.begin(), row.end()));
+  command(session, R"({"command":"step","frames":-100})");
+  EXPECT_EQ(frame_of(session)["frame"], 0);
+}
+
+TEST_F(SessionThread, PlaysAllExplorationsToTheirEnd) {
+  ViewSession session(testing::hand_source(), testing::at_once());
+  session.start();
+  ASSERT_TRUE(eventually([&] {
+    const json state = state_of(session);
+    return !state.is_null() && state["exploration"] == 2 && state["playing"] == false;
+  }));
+  EXPECT_EQ(frame_of(session)["last"], true);
+}
+
+TEST_F(SessionThread, WaitsForSomebodyToLookOn) {
+  ViewSession session(testing::hand_source(), {true, 100.0, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
+  EXPECT_EQ(state_of(session)["playing"], false);
+  const auto seat = session.hub().take_seat(1);
+  EXPECT_TRUE(eventually([&] { return state_of(session)["exploration"] == 2; }));
+  EXPECT_EQ(state_of(session)["clients"], 1);
+}
+
+TEST_F(SessionThread, RefusesWhatCannotBeDone) {
+  ViewSession session(testing::hand_source(), resting());
+  session.start();
+  for (const char* text :
+       {R"({"command":"explore"})", R"({"command":"thing","name":"ball"})",
+        R"({"command":"train"})", R"({"command":"placement","x":0,"y":0,"turn":0})",
+        R"({"command":"system","name":"x"})", R"({"command":"seek","exploration":3,"frame":0})"}) {
+    const auto done = session.command(text);
+    ASSERT_FALSE(done) << text;
+    EXPECT_EQ(done.error().kind, ErrorKind::kUsage);
+  }
+}
+
+TEST_F(SessionThread, TrainsASystemAndReadsWithIt) {
+  ViewSession session(source_with_systems(), resting());
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
+  EXPECT_NE(state_of(session)["system_problem"], nullptr);
+  EXPECT_EQ(state_of(session)["graph"]["map"], "map");
+  EXPECT_FALSE(session.neuron("map", 0));
+  command(session, R"({"command":"train"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["training"] == false; }));
+  EXPECT_EQ(state_of(session)["system_problem"], nullptr);
+  const json training = latest(session, EventKind::kTraining);
+  EXPECT_EQ(training["done"], true);
+  EXPECT_EQ(training["winners"].size(), 6U);
+  command(session, R"({"command":"seek","exploration":1,"frame":2})");
+  const json frame = frame_of(session);
+  EXPECT_TRUE(frame["reading"]["answer"].is_string());
+  EXPECT_EQ(frame["maps"]["map"]["activity"].size(), 12U);
+  EXPECT_EQ(frame["modules"]["code"]["shape"], (json{3, 4}));
+  EXPECT_TRUE(session.neuron("map", 0));
+  EXPECT_TRUE(session.taxel(0));
+}
+
+TEST_F(SessionThread, StopsTrainingWhenItIsTold) {
+  ViewSession session(source_with_systems(), {true, 1.0, 30.0 / 1000.0});
+  session.start();
+  command(session, R"({"command":"train"})");
+  EXPECT_EQ(state_of(session)["training"], true);
+  command(session, R"({"command":"stop_training"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["training"] == false; }));
+  EXPECT_NE(state_of(session)["system_problem"], nullptr);
+}
+
+TEST_F(SessionThread, GivesTheSameReadingHoweverAFrameIsReached) {
+  ViewSource source = source_with_systems();
+  source.systems[0].trained = testing::trained_model(testing::crossed_system(), source.recording);
+  ViewSession session(std::move(source), resting());
+  session.start();
+  command(session, R"({"command":"seek","exploration":2,"frame":2})");
+  const json sought = frame_of(session);
+  command(session, R"({"command":"seek","exploration":2,"frame":0})");
+  command(session, R"({"command":"step","frames":1})");
+  command(session, R"({"command":"step","frames":1})");
+  EXPECT_EQ(frame_of(session), sought);
+  command(session, R"({"command":"step","frames":1})");
+  command(session, R"({"command":"step","frames":-1})");
+  EXPECT_EQ(frame_of(session), sought);
+}
+
+TEST_F(SessionThread, SaysWhyASystemDoesNotFit) {
+  ViewSource source = testing::hand_source();
+  Recording other = testing::hand_recording(6, 9);
+  ViewSystem given = testing::view_system(testing::crossed_system(), "given");
+  given.trained = testing::trained_model(testing::crossed_system(), other);
+  for (Exploration& one : source.recording.explorations) {
+    one.channels[2].frames = Matrix<float>(one.channels[2].frames.rows(), 5);
+    one.channels[2].shape = {5};
+  }
+  source.systems.push_back(std::move(given));
+  source.system = 0;
+  ViewSession session(std::move(source), resting());
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
+  const std::string problem = state_of(session)["system_problem"];
+  EXPECT_NE(problem.find("do not fit"), std::string::npos) << problem;
+  EXPECT_EQ(frame_of(session)["reading"], nullptr);
+}
+
+// What a body explores until it has done so three times.
+struct Explored {
+  Recording recording;
+  json last_frame;
+};
+
+Explored explore_three_times(ViewSession& session) {
+  session.start();
+  for (std::size_t count = 1; count <= 3; ++count) {
+    EXPECT_TRUE(eventually([&] {
+      const json state = state_of(session);
+      return !state.is_null() && state["explorations"].size() == count && state["live"] == false;
+    }));
+    if (count < 3) command(session, R"({"command":"explore"})");
+  }
+  const json frame = frame_of(session);
+  session.stop();
+  return {session.recording(), frame};
+}
+
+ViewSource reading_body() {
+  ViewSource source = body_source();
+  ViewSystem system = testing::view_system(testing::crossed_system(), "crossed");
+  system.trained = testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2));
+  source.systems.push_back(std::move(system));
+  source.system = 0;
+  return source;
+}
+
+TEST_F(SessionThread, YieldsTheSameBitsWithEightViewersOfWhomOneIsStalledAsWithNone) {
+  ViewSession alone(reading_body(), testing::at_once());
+  const Explored expected = explore_three_times(alone);
+  ViewSession watched(reading_body(), testing::at_once());
+  const auto server = ViewServer::start(watched, {}).value();
+  const std::string events =
+      testing::get_request(server->port(), "/api/events?token=" + server->token());
+  std::vector<std::unique_ptr<testing::HttpClient>> clients;
+  std::vector<std::thread> readers;
+  for (int i = 0; i < 8; ++i) {
+    clients.push_back(std::make_unique<testing::HttpClient>(server->port()));
+    clients.back()->send(events);
+    // The first one never reads.
+    if (i > 0) readers.emplace_back([&client = *clients.back()] { client.receive(); });
+  }
+  const Explored seen = explore_three_times(watched);
+  for (std::thread& reader : readers) reader.join();
+  EXPECT_EQ(seen.recording, expected.recording);
+  EXPECT_EQ(seen.last_frame, expected.last_frame);
+  EXPECT_TRUE(expected.last_frame["reading"]["answer"].is_string());
+}
+
+TEST_F(SessionThread, ShowsABodyWhileItExplores) {
+  ViewSession session(body_source(1000), {false, 1.0, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !frame_of(session).is_null(); }));
+  command(session, R"({"command":"pause"})");
+  const json state = state_of(session);
+  EXPECT_EQ(state["live"], true);
+  EXPECT_EQ(state["frames"], nullptr);
+  EXPECT_EQ(state["things"].size(), 2U);
+  EXPECT_EQ(latest(session, EventKind::kScene)["bodies"], (json{"finger"}));
+  const std::size_t before = frame_of(session)["frame"];
+  command(session, R"({"command":"step","frames":3})");
+  EXPECT_TRUE(eventually([&] { return frame_of(session)["frame"] >= before + 2; }));
+  EXPECT_EQ(frame_of(session)["poses"].size(), 7U);
+  EXPECT_FALSE(session.command(R"({"command":"step","frames":-1})"));
+  EXPECT_FALSE(session.command(R"({"command":"seek","exploration":0,"frame":0})"));
+}
+
+TEST_F(SessionThread, ExploresWhatIsChosen) {
+  ViewSession session(body_source(), testing::at_once());
+  session.start();
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
+  command(session, R"({"command":"thing","name":"cube"})");
+  command(session, R"({"command":"placement","x":5,"y":-5,"turn":10})");
+  command(session, R"({"command":"explore"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 2; }));
+  const json state = state_of(session);
+  EXPECT_EQ(state["explorations"][1]["labels"]["object"], "cube");
+  EXPECT_EQ(state["placement"]["turn"], 10);
+  command(session, R"({"command":"placement","x":500,"y":0,"turn":0})");
+  command(session, R"({"command":"explore"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["problem"] != nullptr; }));
+  EXPECT_EQ(state_of(session)["problem"], "the object is out of reach.");
+  // What was explored before can still be looked at, as it was seen.
+  command(session, R"({"command":"seek","exploration":0,"frame":1})");
+  EXPECT_EQ(frame_of(session)["poses"][0], 3.0);
+}
+
+TEST_F(SessionThread, EndsWhileABodyExplores) {
+  ViewSession session(body_source(100000), {false, 0.05, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
+  session.stop();
+  EXPECT_TRUE(session.recording().explorations.empty());
+  EXPECT_FALSE(session.command(R"({"command":"play"})"));
+}
+
+}  // namespace
+}  // namespace somato
