@@ -109,6 +109,10 @@ Result<Report> make(const Arguments& arguments) {
   return make_report(*files, sources);
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 Result<void> run(const Arguments& arguments) {
   const auto page = find_page();
   if (!page) return fail(page.error());
@@ -119,7 +123,8 @@ Result<void> run(const Arguments& arguments) {
   if (!whole) return fail(whole.error());
   const std::string output = arguments.text("output");
   if (auto saved = save_whole(output, *whole); !saved) return saved;
-  fmt::print("{}: {} systems, {} claims\n", output, report->systems, report->claims);
+  fmt::print("{}: {}, {}\n", output, counted(report->systems, "system"),
+             counted(report->claims, "claim"));
   for (const std::string& sentence : report->missing) fmt::print("  {}\n", sentence);
   return {};
 }

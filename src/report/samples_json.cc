@@ -157,12 +157,16 @@ std::size_t frame_of(const Channel& channel, const Channel* touch) {
   return nearest_frame(channel, time_of(*touch, most));
 }
 
-std::vector<std::size_t> evenly_chosen(std::size_t frames) {
+// From the first to the last, the moment among them.
+std::vector<std::size_t> evenly_chosen(std::size_t frames, std::size_t moment) {
   const std::size_t count = std::min(frames, kMostFrames);
   std::vector<std::size_t> chosen(count);
   for (std::size_t i = 0; i < count; ++i) {
     chosen[i] = count == 1 ? 0 : i * (frames - 1) / (count - 1);
   }
+  if (count < 3 || moment == 0 || moment + 1 == frames) return chosen;
+  const auto after = std::lower_bound(chosen.begin(), chosen.end(), moment);
+  *std::min(after, chosen.end() - 2) = moment;
   return chosen;
 }
 
@@ -170,7 +174,7 @@ Json moment_channel(const Channel& channel, const Channel* touch) {
   const std::size_t moment = frame_of(channel, touch);
   Json times = Json::array();
   Json series = Json::array();
-  for (const std::size_t frame : evenly_chosen(channel.frames.rows())) {
+  for (const std::size_t frame : evenly_chosen(channel.frames.rows(), moment)) {
     times.push_back(short_number(time_of(channel, frame)));
     if (channel.frames.columns() > kMostElements) continue;
     series.push_back(short_numbers(channel.frames.row(frame)));

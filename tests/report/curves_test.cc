@@ -91,6 +91,21 @@ TEST_F(Curves, OneNumberOfSeveralModulesIsOne) {
   EXPECT_EQ(curves[0]["lines"][0]["points"][0]["x"], 0.5);
 }
 
+TEST_F(Curves, SchedulesThatFollowTheLengthOfTrainingAreNoOtherChange) {
+  const auto settings = [](const std::string& iterations, const std::string& reached) {
+    return std::vector<Settings>{
+        {"module.map", {{"iterations", iterations}, {"radius_reached_at", reached}}}};
+  };
+  add("a", "", settings("100", "100"), {1, 1});
+  add("a", "longer", settings("200", "200"), {1, 1});
+  add("a", "longest", settings("300", "300"), {1, 1});
+  ASSERT_EQ(curves_json(parts_, {}, {}).size(), 1U);
+  EXPECT_EQ(curves_json(parts_, {}, {})[0]["x"], "iterations");
+  parts_.pop_back();
+  add("b", "longest", settings("300", "250"), {1, 1});
+  EXPECT_EQ(curves_json(parts_, {}, {}), Json::array());
+}
+
 TEST_F(Curves, TwoPointsOrMixedChangesAreNone) {
   add("a", "", noise("0.0"), {1, 1});
   add("a", "other", noise("1.0"), {1, 1});

@@ -88,11 +88,9 @@ TEST(RebuiltStudy, WhatATrainedBatchMapDecidedDoesNotHinder) {
 TEST(RebuiltStudy, SettingsThatAreNoneAreRefused) {
   EXPECT_FALSE(rebuilt_study({}));
   EXPECT_FALSE(rebuilt_study({{"study", {{"name", "\"a\""}, {"nonsense", "1"}}}}));
-  EXPECT_FALSE(rebuilt_study({{"study", {{"name", "\"a\""}}}, {"module.x", {{"type", "1"}}}}) &&
-               System::build(rebuilt_study({{"study", {{"name", "\"a\""}}},
-                                            {"module.x", {{"type", "1"}}}})
-                                 ->system,
-                             {}));
+  const auto study = rebuilt_study({{"study", {{"name", "\"a\""}}}, {"module.x", {{"type", "1"}}}});
+  ASSERT_TRUE(study);
+  EXPECT_FALSE(System::build(study->system, {}));
 }
 
 TEST(RebuiltStudy, FindsSettings) {

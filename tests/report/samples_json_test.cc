@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -115,6 +116,24 @@ TEST_F(SamplesJson, AtMost200FramesFromFirstToLastAreShown) {
   EXPECT_EQ(channels[1]["series"], Json::array());
   EXPECT_EQ(channels[1]["values"].size(), 65U);
   EXPECT_EQ(channels[2]["times"].size(), 1U);
+}
+
+TEST_F(SamplesJson, TheMomentIsAmongTheFramesShown) {
+  evidence_.explorations = {0};
+  for (const std::size_t moment : {0U, 1U, 998U, 999U, 500U, 501U, 502U, 503U, 504U, 505U}) {
+    Channel touch = channel("touch", 1000, 1, 1.0);
+    for (float& value : touch.frames.values()) value = 0.0F;
+    touch.frames(moment, 0) = 1.0F;
+    exploration(0).channels = {touch};
+    const Json shown = moments_json(evidence_)[0]["channels"][0];
+    ASSERT_EQ(shown["times"].size(), 200U);
+    EXPECT_EQ(shown["frame"], moment);
+    EXPECT_EQ(shown["times"][0], 0);
+    EXPECT_EQ(shown["times"][199], 999);
+    const auto times = shown["times"].get<std::vector<double>>();
+    EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+    EXPECT_EQ(std::count(times.begin(), times.end(), static_cast<double>(moment)), 1) << moment;
+  }
 }
 
 }  // namespace

@@ -69,10 +69,11 @@ describe("what it shows", () => {
   test("has every system, its figures and its claims in the overview", async () => {
     const { page, problems } = await open(data);
     const rows = page.locator("#overview tbody tr");
-    expect(await rows.count()).toBe(data.systems.length);
+    expect(await rows.count()).toBe(data.systems.filter((system) => system.question === "").length);
+    expect(await page.locator(".question h2").allTextContents()).toEqual(["Does the size of the map matter?"]);
     const accuracy = hand.protocols[0]!.metrics["accuracy"]!;
     expect(await rows.first().textContent()).toContain(`${accuracy.mean.toFixed(2)} ± ${accuracy.sd.toFixed(2)}`);
-    const claims = page.locator("#claims tbody tr");
+    const claims = page.locator("#claims tbody tr:has(td)");
     expect(await claims.count()).toBe(data.claims.length);
     expect(await claims.first().textContent()).toContain(`${Math.round(data.claims[0]!.share * 100)} %`);
     expect(problems).toEqual([]);
@@ -181,8 +182,22 @@ describe("what is chosen", () => {
     await onHand.locator('[data-cell="7"]').click();
     expect(await map.locator(".what").textContent()).toBe("finger1_distal_1");
     expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("7");
+    const all = figureOf(section, "The map by every element of touch, each at its place on the hand");
+    expect(await all.locator("image").count()).toBe(45);
+    await all.locator('[data-element="12"]').click();
+    expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("12");
     await section.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
     expect(await figureOf(section, "One neuron on the hand").locator("[data-cell]").count()).toBe(6);
+    await page.close();
+  });
+
+  test("a system of a question opens from its table", async () => {
+    const { page } = await open(data);
+    const fold = page.locator(".fold");
+    expect(await fold.locator("[data-cell]").count()).toBe(0);
+    await page.locator(".question tbody a").click();
+    await expect.poll(() => fold.locator("[data-cell]").count()).toBeGreaterThan(120);
+    expect(await fold.evaluate((one: HTMLDetailsElement) => one.open)).toBe(true);
     await page.close();
   });
 
@@ -234,6 +249,7 @@ describe("who reads it", () => {
     const { page } = await open(data, { colorScheme, reducedMotion: "reduce" });
     for (const system of [1, 2, 3, 4]) await goTo(page, system);
     expect(await accessibilityViolations(page)).toEqual([]);
+    await page.setViewportSize({ width: 1280, height: 1400 });
     await (await goTo(page, 1)).locator(".map-row").screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
     await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
     await page.close();
@@ -282,7 +298,7 @@ describe("who reads it", () => {
   test("prints light, without controls, everything drawn", async () => {
     const { page } = await open(data, { colorScheme: "dark" });
     await page.emulateMedia({ media: "print", colorScheme: "dark" });
-    await expect.poll(() => page.locator(".lazy:empty").count()).toBe(0);
+    await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
     expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe("rgb(255, 255, 255)");
     expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
     const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
@@ -334,7 +350,7 @@ describe("what goes wrong", () => {
     const nasty = hostileFixture();
     const { page, problems } = await open(nasty);
     for (const system of [1, 2]) await goTo(page, system);
-    expect(await page.locator("h2").nth(2).textContent()).toBe(nasty.systems[0]!.name);
+    expect(await page.locator("#system-1 h2").textContent()).toBe(nasty.systems[0]!.name);
     expect(await page.evaluate(() => (globalThis as { __hurt?: number }).__hurt)).toBeUndefined();
     expect(await page.locator("main img").count()).toBe(0);
     expect(await page.locator("svg [d*=NaN], svg [cx=NaN], svg [x=NaN]").count()).toBe(0);

@@ -346,7 +346,6 @@ export function hostileFixture(): ReportData {
   const hostile: SystemReport = {
     ...system,
     name: nasty,
-    question: nasty,
     recordings: [],
     file: nasty,
     things: system.things.map((thing) => ({ ...thing, name: nasty })),
@@ -354,7 +353,7 @@ export function hostileFixture(): ReportData {
     missing: [nasty],
     moments: [{ labels: { object: nasty }, channels: [] }],
   };
-  const empty: SystemReport = { ...bareSystem(), name: "", file: "", missing: [], protocols: [{ protocol: "train_is_test", label: "", samples: 0, metrics: {}, runs: [] }], things: [] };
+  const empty: SystemReport = { ...bareSystem(), name: "", file: "", question: nasty, missing: [], protocols: [{ protocol: "train_is_test", label: "", samples: 0, metrics: {}, runs: [] }], things: [] };
   const nastyClaim: ClaimReport = { ...claim(hostile, nasty, "accuracy", 1, 1), share: none, values: [none], published: none };
   return { version: 1, somato: nasty, systems: [hostile, empty], claims: [nastyClaim], curves: [{ title: nasty, x: nasty, unit: nasty, metric: nasty, lines: [{ name: nasty, points: [] }] }] };
 }

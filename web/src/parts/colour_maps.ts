@@ -9,7 +9,7 @@
 
 export type Colour = readonly [number, number, number]; // 0 to 255
 
-const kSequence: readonly Colour[] = [
+export const kSequence: readonly Colour[] = [
   [0x0f, 0x1c, 0x54],
   [0x17, 0x38, 0x61],
   [0x23, 0x53, 0x6b],

@@ -18,11 +18,10 @@ export function claimsSection(data: ReportData): HTMLElement {
 }
 
 export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boolean): HTMLElement {
-  const names = [...(hasSystem ? ["system"] : []), "claim", "paper", "published", "here", "by luck", "holds in"];
-  const head = names.map((name) => element("th", { scope: "col", class: kNumbers.has(name) ? "number" : "" }, [name]));
+  const head = kColumns.map((name) => element("th", { scope: "col", class: kNumbers.has(name) ? "number" : "" }, [name]));
   const table = element("table", { class: "wide-table" }, [
     element("thead", {}, [element("tr", {}, head)]),
-    element("tbody", {}, claims.map((claim) => claimRow(claim, hasSystem))),
+    ...(hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))]),
   ]);
   return figure({
     title: "How the claims hold",
@@ -34,15 +33,32 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
   });
 }
 
+/** The claims of each system below its name. */
+function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
+  const groups = new Map<string, ClaimReport[]>();
+  for (const claim of claims) {
+    const name = claimedSystem(claim);
+    groups.set(name, [...(groups.get(name) ?? []), claim]);
+  }
+  return [...groups].map(([name, own]) => {
+    const title = element("th", { scope: "rowgroup", colspan: kColumns.length, class: "group" }, breakable(name));
+    return element("tbody", {}, [element("tr", {}, [title]), ...own.map(claimRow)]);
+  });
+}
+
+function claimedSystem({ system, variation, question }: ClaimReport): string {
+  const asked = question ? ` (${question.replaceAll("_", " ")})` : "";
+  return `${variation === "" ? system : `${system}, ${variation}`}${asked}`;
+}
+
+const kColumns = ["claim", "paper", "published", "here", "by luck", "holds in"];
 const kNumbers = new Set(["published", "here", "by luck"]);
 
-function claimRow(claim: ClaimReport, hasSystem: boolean): HTMLElement {
-  const system = claim.variation === "" ? claim.system : `${claim.system}, ${claim.variation}`;
+function claimRow(claim: ClaimReport): HTMLElement {
   const measured = [claim.metric, bound(claim), claim.protocol.replaceAll("_", " "), claim.group]
     .filter((words) => words !== "")
     .join(" ");
   return element("tr", {}, [
-    ...(hasSystem ? [element("td", { class: "name" }, breakable(system))] : []),
     element("td", { class: "claim" }, [claim.text, element("span", { class: "measured" }, [measured])]),
     element("td", { class: "paper" }, [claim.paper || "ours"]),
     element("td", { class: "number" }, [readable(claim.published)]),
@@ -85,9 +101,9 @@ function shareBar(share: number): HTMLElement {
 }
 
 function claimsTable(claims: ClaimReport[]): Table {
-  const columns = ["system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
+  const columns = ["file", "question", "system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
     "at_most", "by_luck", "share", "values"];
-  const rows = claims.map((claim) => [claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
+  const rows = claims.map((claim) => [claim.file ?? null, claim.question ?? null, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
     claim.group, claim.than, claim.published, claim.at_least, claim.at_most, claim.by_luck, claim.share, claim.values.join(" ")]);
   return { columns, rows };
 }

@@ -9,7 +9,7 @@ import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import type { SystemReport } from "./data";
 import { matrixPicture, type MatrixPicture } from "./matrix";
-import { plotFigure } from "./plots";
+import { plotFigure, plotPicture } from "./plots";
 import { systemName } from "./words";
 
 export function connectivityFigures(system: SystemReport): Child[] {
@@ -73,7 +73,7 @@ class Fields {
         file: `${name}-receptive-field`,
         controls: [this.sliderPlace],
         body: element("div", {}, [this.title, this.plot]),
-        picture: () => this.plot.querySelector("svg"),
+        picture: () => plotPicture(this.plot, []),
         numbers: () => ({ columns: ["element", "weight"], rows: (fields.weights[this.row] ?? []).map((weight, i) => [i + 1, weight]) }),
         note: "The weights of one neuron along its input.",
       }),

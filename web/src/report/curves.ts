@@ -7,14 +7,18 @@ import type { Table } from "../parts/csv";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { markerShape, plotSymbol } from "../parts/markers";
+import { shortened } from "../parts/svg";
 import type { CurveReport, ReportData } from "./data";
 import { lazy } from "./lazy";
-import { plotFigure, seriesLegend, strokeOf } from "./plots";
+import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
 import { metricName, metricRange } from "./words";
 
 export function curvesSection(data: ReportData): HTMLElement {
   return element("section", { id: "curves", "aria-labelledby": "curves-title" }, [
     element("h2", { id: "curves-title" }, ["What changes with a setting"]),
+    element("p", { class: "muted lead" }, [
+      "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
+    ]),
     lazy(360, () => [element("div", { class: "figures" }, data.curves.map((curve, i) => curveFigure(curve, i)))]),
   ]);
 }
@@ -25,9 +29,8 @@ function curveFigure(curve: CurveReport, index: number): Child {
     title: curve.title,
     file: `curve-${index + 1}-${curve.title}`,
     body: element("div", {}, [seriesLegend(curve.lines.map((line) => line.name)), plot]),
-    picture: () => plot.querySelector("svg"),
+    picture: () => plotPicture(plot, curve.lines.map((line) => line.name)),
     numbers: () => curveTable(curve),
-    note: "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
   });
 }
 
@@ -48,8 +51,8 @@ function curvePlot(curve: CurveReport): HTMLElement {
   const unit = curve.unit === "" ? "" : ` (${curve.unit})`;
   return plotFigure(curve.title, {
     height: 280,
-    x: { label: `${curve.x}${unit}`, grid: false },
-    y: { label: metricName(curve.metric), grid: true, ...(range ? { domain: range } : {}), clamp: true },
+    x: { label: shortened(`${curve.x}${unit}`, 380, 12), grid: false },
+    y: { label: shortened(metricName(curve.metric), 380, 12), grid: true, ...(range ? { domain: range } : {}), clamp: true },
     marks: [
       Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: "line", fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.13 }),
       Plot.dot(dots, { x: "x", y: "y", r: 1.6, fill: (d: Point) => strokeOf(d.line), fillOpacity: 0.35 }),

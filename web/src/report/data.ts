@@ -106,8 +106,8 @@ export interface MomentChannel {
 
 /** A sentence of a paper, and how often it holds here. */
 export interface ClaimReport {
-  file: string; // as that of its system
-  question: string; // "" for a claim about a system as its own file has it
+  file?: string; // as that of its system
+  question?: string; // "" for a claim about a system as its own file has it
   system: string;
   variation: string;
   text: string;

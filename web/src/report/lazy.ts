@@ -49,7 +49,8 @@ export function drawInside(place: Element): void {
 
 export function drawAllForPrint(): void {
   const drawAll = () => {
-    for (const one of waiting.keys()) drawNow(one);
+    // What is folded away is not printed.
+    for (const one of waiting.keys()) if (!one.closest("details:not([open])")) drawNow(one);
   };
   addEventListener("beforeprint", drawAll);
   matchMedia("print").addEventListener("change", (event) => (event.matches ? drawAll() : undefined));

@@ -1,22 +1,21 @@
 // What the sensors told while a thing was explored: touch on the hand at one moment, and joints and
 // touch over time.
 
-import * as Plot from "@observablehq/plot";
-
 import { choice } from "../parts/controls";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
-import { markerShape, plotSymbol } from "../parts/markers";
 import { rangeOf, readable } from "../parts/numbers";
+import { courseFigure } from "./courses";
 import type { MomentChannel, MomentData, SystemReport } from "./data";
-import { matrixPicture } from "./matrix";
-import { plotFigure, seriesLegend, strokeOf } from "./plots";
+import { capital } from "./groups";
+import { momentIndex, momentTime } from "./moment_time";
+import { valuesFigure, valuesTable } from "./moment_values";
 import { systemName } from "./words";
 
 export function momentFigures(system: SystemReport): Child[] {
-  const names = system.moments.map(momentName);
+  const names = system.moments.map((moment, i) => momentName(system, moment, i));
   const place = element("div", { class: "figures" });
   const show = (index: number) => {
     const moment = system.moments[index];
@@ -26,16 +25,19 @@ export function momentFigures(system: SystemReport): Child[] {
   return [element("div", { class: "controls" }, [choice("Exploration of", names, 0, show).element]), place];
 }
 
-function momentName(moment: MomentData, index: number): string {
-  const words = Object.entries(moment.labels).map(([name, value]) => (name === "trial" ? `trial ${value}` : value));
-  return words.join(", ") || `exploration ${index + 1}`;
+/** By the label of the study, where it is known: explorations may have many more. */
+function momentName(system: SystemReport, { labels }: MomentData, index: number): string {
+  const own = labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
+  return labels["trial"] === undefined ? own : `${own}, trial ${labels["trial"]}`;
 }
 
 function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
-  const channels = moment.channels;
-  const onHand = channels.filter((one) => one.channel.elements.length > 1 && handLayout(one.channel.elements) !== null);
+  const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
+  const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
+  // What lies on the hand comes first, touch before joints.
+  const channels = [...moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
-    const isOnHand = onHand.includes(one);
+    const isOnHand = isHand(one);
     const hasCourse = one.series.length > 1;
     return [
       isOnHand ? handFigure(system, one, name) : null,
@@ -65,20 +67,15 @@ function handFigure(system: SystemReport, of: MomentChannel, name: string): Chil
     controls: slider,
     body: element("div", {}, [title, picture.element]),
     picture: () => picture.svg,
-    numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, shown.values[i] ?? null]) }),
+    numbers: () => valuesTable({ ...of, values: shown.values }),
     note: "At first the moment at which most of the hand is touched.",
   });
 }
 
-function momentTime(of: MomentChannel): number {
-  return of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0);
-}
-
 function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLElement {
   const id = uniqueId("time");
-  const nearest = of.times.reduce((best, time, i) => (Math.abs(time - momentTime(of)) < Math.abs((of.times[best] ?? 0) - momentTime(of)) ? i : best), 0);
   const slider = element("input", { type: "range", id, min: 0, max: of.times.length - 1, step: 1 });
-  slider.value = String(nearest);
+  slider.value = String(momentIndex(of));
   const say = () => slider.setAttribute("aria-valuetext", `${readable(of.times[Number(slider.value)])} s`);
   say();
   slider.addEventListener("input", () => {
@@ -86,89 +83,4 @@ function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLE
     onChange(Number(slider.value));
   });
   return element("span", { class: "control" }, [element("label", { for: id }, ["Time"]), slider]);
-}
-
-const kLines = 8;
-
-function courseFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  const { channel } = of;
-  const isFew = channel.elements.length <= kLines;
-  const body = isFew ? linesOf(of, name) : stripsOf(of, name);
-  return figure({
-    title: `${capital(channel.name)} over time`,
-    file: `${systemName(system)}-${channel.name}-course`,
-    body,
-    picture: () => body.querySelector<SVGSVGElement>("svg.plot, svg.picture"),
-    numbers: () => ({ columns: ["time (s)", ...channel.elements], rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]) }),
-    note: isFew ? `${name}. The upright line is the moment shown on the hand.` : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
-  });
-}
-
-function linesOf(of: MomentChannel, name: string): HTMLElement {
-  const { channel } = of;
-  const points = of.series.flatMap((values, i) => values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })));
-  const marksApart = Math.max(8, Math.floor(of.series.length / 5));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
-    height: 250,
-    x: { label: "time (s)", grid: false },
-    y: { label: channel.unit || "value", grid: true, nice: true },
-    color: { type: "identity" },
-    marks: [
-      Plot.ruleX([momentTime(of)], { stroke: "var(--line-strong)", strokeDasharray: "4 3" }),
-      Plot.lineY(points, { x: "time", y: "value", z: "line", stroke: (point: { line: number }) => strokeOf(point.line), strokeWidth: 1.6 }),
-      Plot.dot(points.filter(({ frame, line }) => (frame + 4 * line) % marksApart === 0), {
-        x: "time",
-        y: "value",
-        r: 3.5,
-        fill: (point: { line: number }) => strokeOf(point.line),
-        symbol: "line",
-      }),
-    ],
-    symbol: { domain: channel.elements.map((_, i) => i), range: channel.elements.map((_, i) => plotSymbol(markerShape(i))) },
-  });
-  return element("div", {}, channel.elements.length > 1 ? [seriesLegend(channel.elements), plot] : [plot]);
-}
-
-function stripsOf(of: MomentChannel, name: string): HTMLElement {
-  const { channel } = of;
-  const rows = channel.elements.map((_, i) => of.series.map((values) => values[i] ?? null));
-  const picture = matrixPicture(rows, {
-    label: `${channel.name} while feeling ${name}`,
-    rowName: "element",
-    columnName: "time",
-    unit: channel.unit,
-    height: Math.max(160, Math.min(340, rows.length * 7)),
-    rowEnds: [shortName(channel.elements[0]), shortName(channel.elements.at(-1))],
-    columnEnds: [`${readable(of.times[0])} s`, `${readable(of.times.at(-1))} s`],
-  });
-  const last = of.times.at(-1) ?? 1;
-  picture.markColumn(last > 0 ? (momentTime(of) / last) * (of.series.length - 1) : 0);
-  return element("div", {}, [picture.svg]);
-}
-
-function shortName(name: string | undefined): string {
-  return (name ?? "").slice(0, 18);
-}
-
-function valuesFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  const { channel } = of;
-  const points = of.values.map((value, i) => ({ x: i + 1, value: value ?? 0 }));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
-    height: 220,
-    x: { label: "element", grid: false },
-    y: { label: channel.unit || "value", grid: true, nice: true },
-    marks: [points.length > 120 ? Plot.lineY(points, { x: "x", y: "value", stroke: "var(--class-0)" }) : Plot.ruleX(points, { x: "x", y: "value", stroke: "var(--class-0)", strokeWidth: 2 })],
-  });
-  return figure({
-    title: `${capital(channel.name)} at a moment`,
-    file: `${systemName(system)}-${channel.name}-moment`,
-    body: plot,
-    picture: () => plot.querySelector("svg"),
-    numbers: () => ({ columns: ["element", channel.unit || "value"], rows: channel.elements.map((one, i) => [one, of.values[i] ?? null]) }),
-    note: name,
-  });
-}
-
-function capital(words: string): string {
-  return words.slice(0, 1).toUpperCase() + words.slice(1);
 }

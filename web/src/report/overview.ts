@@ -3,12 +3,19 @@
 import { breakable, element, type Child } from "../parts/dom";
 import { readable } from "../parts/numbers";
 import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
+import { questionsOf, standing, systemId, type Numbered } from "./groups";
 import { figure } from "../parts/figure";
 import type { Table } from "../parts/csv";
 import { countOf, holds, systemName } from "./words";
 
-export function overviewSection(data: ReportData, claims: string): HTMLElement {
-  const counts = [countOf(data.systems.length, "system"), claims].filter((words) => words !== "");
+export function overviewSection(data: ReportData): HTMLElement {
+  const systems = standing(data);
+  const questions = questionsOf(data).length;
+  const counts = [
+    countOf(systems.length, "system"),
+    ...(questions > 0 ? [countOf(questions, "question")] : []),
+    ...(data.claims.length > 0 ? [countOf(data.claims.length, "claim")] : []),
+  ];
   return element("section", { id: "overview", class: "overview", "aria-labelledby": "overview-title" }, [
     element("header", { class: "title" }, [
       element("h1", { id: "overview-title" }, ["What the hands felt, and what the maps made of it"]),
@@ -19,7 +26,9 @@ export function overviewSection(data: ReportData, claims: string): HTMLElement {
       ? element("p", { class: "message" }, [
           "No results were given, so there is no system to show. Name one or more results.json: somato report RESULTS.json -o report.html",
         ])
-      : systemsFigure(data),
+      : systems.length > 0
+        ? systemsFigure(systems, data, "somato-systems")
+        : null,
   ]);
 }
 
@@ -43,8 +52,8 @@ function summary(data: ReportData): Child[] {
 
 const kColumns = ["system", "runs", "named rightly, train = test", "held out", "nearest neighbour, held out", "claims that hold"];
 
-function systemsFigure(data: ReportData): HTMLElement {
-  const rows = data.systems.map((system, i) => systemRow(system, i, data));
+export function systemsFigure(systems: Numbered[], data: ReportData, file: string): HTMLElement {
+  const rows = systems.map(({ system, index }) => systemRow(system, index, data));
   const head = kColumns.map((name, i) => element("th", { scope: "col", class: i > 0 ? "number" : "" }, [name]));
   const table = element("table", { class: "wide-table" }, [
     element("thead", {}, [element("tr", {}, head)]),
@@ -52,9 +61,9 @@ function systemsFigure(data: ReportData): HTMLElement {
   ]);
   return figure({
     title: "Systems",
-    file: "somato-systems",
+    file,
     body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Systems" }, [table]),
-    numbers: () => systemsTable(data),
+    numbers: () => systemsTable(systems, data),
     wide: true,
     note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned.",
   });
@@ -62,7 +71,7 @@ function systemsFigure(data: ReportData): HTMLElement {
 
 function systemRow(system: SystemReport, index: number, data: ReportData): HTMLElement {
   const main = mainFigures(system);
-  const link = element("a", { href: `#system-${index + 1}` }, breakable(systemName(system)));
+  const link = element("a", { href: `#${systemId(index)}` }, breakable(systemName(system)));
   const cells: Child[] = [
     String(main.runs),
     spread(main.trained),
@@ -78,7 +87,7 @@ function systemRow(system: SystemReport, index: number, data: ReportData): HTMLE
 
 export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] {
   return data.claims.filter((claim) => {
-    const isOfFile = claim.file === system.file && claim.question === system.question;
+    const isOfFile = (claim.file ?? system.file) === system.file && (claim.question ?? "") === system.question;
     return isOfFile && claim.system === system.name && claim.variation === system.variation;
   });
 }
@@ -117,10 +126,10 @@ function fixed(value: number | null): string {
   return Math.abs(value) < 100 ? value.toFixed(2).replace("-", "−") : readable(value);
 }
 
-function systemsTable(data: ReportData): Table {
+function systemsTable(systems: Numbered[], data: ReportData): Table {
   const columns = ["system", "variation", "runs", "accuracy_train_is_test", "accuracy_train_is_test_sd", "accuracy_held_out",
     "accuracy_held_out_sd", "baseline_accuracy_held_out", "claims_that_hold", "claims"];
-  const rows = data.systems.map((system) => {
+  const rows = systems.map(({ system }) => {
     const main = mainFigures(system);
     const claims = claimsOf(system, data);
     const good = claims.filter((claim) => holds(claim.share).kind === "good").length;

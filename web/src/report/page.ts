@@ -4,11 +4,13 @@ import { breakable, element } from "../parts/dom";
 import { themeButton } from "../parts/theme";
 import { claimsSection } from "./claims";
 import { curvesSection } from "./curves";
-import type { ReportData, SystemReport } from "./data";
+import type { ReportData } from "./data";
+import { questionsOf, standing, systemId, type Numbered } from "./groups";
 import { drawInside, tried } from "./lazy";
 import { overviewSection } from "./overview";
+import { questionSection } from "./question";
 import { systemSection } from "./system";
-import { countOf, systemName } from "./words";
+import { systemName } from "./words";
 
 interface Entry {
   id: string;
@@ -16,25 +18,20 @@ interface Entry {
   isVariation: boolean;
 }
 
-export const systemId = (index: number) => `system-${index + 1}`;
-
 export function reportPage(place: HTMLElement, data: ReportData): void {
   const sections = [
-    ...tried(() => [overviewSection(data, claimsOfData(data))]),
+    ...tried(() => [overviewSection(data)]),
     ...(data.claims.length > 0 ? tried(() => [claimsSection(data)]) : []),
     ...(data.curves.length > 0 ? tried(() => [curvesSection(data)]) : []),
-    ...data.systems.flatMap((system, i) => tried(() => [systemSection(system, i, data)])),
+    ...standing(data).flatMap(({ system, index }) => tried(() => [systemSection(system, index, data)])),
+    ...questionsOf(data).flatMap((question) => tried(() => [questionSection(question, data)])),
   ];
   document.title = titleOf(data);
   const skip = element("a", { class: "skip", href: "#overview" }, ["To the report"]);
   place.before(skip);
-  place.before(navigation(entriesOf(data), data));
+  place.before(navigation(data));
   place.append(...sections);
   followLinks();
-}
-
-function claimsOfData(data: ReportData): string {
-  return data.claims.length === 0 ? "" : countOf(data.claims.length, "claim");
 }
 
 function titleOf(data: ReportData): string {
@@ -44,39 +41,48 @@ function titleOf(data: ReportData): string {
 }
 
 function entriesOf(data: ReportData): Entry[] {
-  const systems = data.systems.map((system, i): Entry => entryOf(system, i, data));
   return [
     { id: "overview", name: "Overview", isVariation: false },
     ...(data.claims.length > 0 ? [{ id: "claims", name: "Claims", isVariation: false }] : []),
     ...(data.curves.length > 0 ? [{ id: "curves", name: "Curves", isVariation: false }] : []),
-    ...systems,
   ];
 }
 
-function entryOf(system: SystemReport, index: number, data: ReportData): Entry {
-  const isVariation = system.variation !== "" && data.systems[index - 1]?.name === system.name;
-  return { id: systemId(index), name: isVariation ? system.variation : systemName(system), isVariation };
+function systemEntries(systems: Numbered[]): Entry[] {
+  return systems.map(({ system, index }, i) => {
+    const isVariation = system.variation !== "" && systems[i - 1]?.system.name === system.name;
+    return { id: systemId(index), name: isVariation ? system.variation : systemName(system), isVariation };
+  });
 }
 
-function navigation(entries: Entry[], data: ReportData): HTMLElement {
-  const links = entries.map(({ id, name, isVariation }) =>
-    element("li", { class: isVariation ? "variation" : "" }, [element("a", { href: `#${id}` }, breakable(name))]),
-  );
-  const list = element("ul", {}, links);
+function navigation(data: ReportData): HTMLElement {
+  const questions = questionsOf(data).map(({ id, name }) => ({ id, name, isVariation: false }));
+  const lists = [
+    ...entryList("", entriesOf(data)),
+    ...entryList("Systems", systemEntries(standing(data))),
+    ...entryList("Questions", questions),
+  ];
   const brand = element("p", { class: "brand" }, ["Somato", element("span", {}, ["report"])]);
-  const fold = element("details", { class: "contents" }, [element("summary", {}, ["Contents"]), list]);
+  const fold = element("details", { class: "contents" }, [element("summary", {}, ["Contents"]), ...lists]);
   const wide = matchMedia("(min-width: 960px)");
   const unfold = () => {
     fold.open = wide.matches;
   };
   unfold();
   wide.addEventListener("change", unfold);
-  list.addEventListener("click", () => {
-    fold.open = wide.matches;
-  });
+  lists.forEach((list) => list.addEventListener("click", unfold));
   const foot = element("p", { class: "small muted version" }, [`Somato ${data.somato}`]);
   const parts = [brand, themeButton(), fold, foot];
   return element("nav", { class: "side no-print", "aria-label": "Contents" }, parts);
+}
+
+function entryList(title: string, entries: Entry[]): HTMLElement[] {
+  if (entries.length === 0) return [];
+  const links = entries.map(({ id, name, isVariation }) =>
+    element("li", { class: isVariation ? "variation" : "" }, [element("a", { href: `#${id}` }, breakable(name))]),
+  );
+  const list = element("ul", {}, links);
+  return title === "" ? [list] : [element("p", { class: "list-title" }, [title]), list];
 }
 
 /** Draws what a link leads to before going there, and shows in the list where one is. */
@@ -99,6 +105,8 @@ function sectionAtLine(sections: Element[]): string {
 function goToHash(): void {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
   if (!target) return;
+  const fold = target.closest("details");
+  if (fold) fold.open = true;
   drawInside(target);
   target.scrollIntoView();
 }

@@ -9,6 +9,7 @@ import { placeOf } from "../parts/grid";
 import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
 import { rangeOf } from "../parts/numbers";
+import { allPlanesFigure } from "./all_planes";
 import type { SystemReport } from "./data";
 import type { Selection } from "./selection";
 import { neuronTable } from "./system_map";
@@ -23,9 +24,16 @@ export function planeFigures(system: SystemReport, _selection: Selection): Child
     const planes = trained.planes[index];
     if (planes) fill(place, new LinkedPlanes(system, grid, planes).figures());
   };
-  show(0);
-  const channels = names.length > 1 ? [choice("Channel", names, 0, show).element] : [];
+  const first = richest(trained.planes);
+  show(first);
+  const channels = names.length > 1 ? [choice("Channel", names, first, show).element] : [];
   return [element("div", { class: "controls" }, channels), place];
+}
+
+/** What has most to show comes first. */
+function richest(all: ChannelPlanes[]): number {
+  const counts = all.map((planes) => planes.channel.elements.length);
+  return Math.max(0, counts.indexOf(Math.max(...counts)));
 }
 
 class LinkedPlanes {
@@ -57,16 +65,18 @@ class LinkedPlanes {
   }
 
   figures(): Child[] {
-    const name = `${systemName(this.system)}-${this.planes.channel.name}`;
-    return [
+    const { channel } = this.planes;
+    const name = `${systemName(this.system)}-${channel.name}`;
+    const isOne = channel.elements.length === 1;
+    const figures: Child[] = [
       figure({
-        title: `The map by one element of ${this.planes.channel.name}`,
+        title: isOne ? `The map by ${channel.name}` : `The map by one element of ${channel.name}`,
         file: `${name}-plane`,
-        controls: [this.elements.element],
+        controls: isOne ? [] : [this.elements.element],
         body: element("div", {}, [this.mapTitle, this.map.element]),
         picture: () => this.map.svg,
         numbers: () => neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
-        note: "Choose a neuron to see at the right what it stands for. The CSV has the planes of all elements.",
+        note: isOne ? "" : "Choose a neuron to see what it stands for. The CSV has the planes of all elements.",
       }),
       figure({
         title: this.hand.isHand ? "One neuron on the hand" : "One neuron, all elements",
@@ -74,9 +84,12 @@ class LinkedPlanes {
         body: element("div", {}, [this.handTitle, this.hand.element]),
         picture: () => this.hand.svg,
         numbers: () => this.neuronNumbers(),
-        note: "Choose an element to see at the left where on the map it matters.",
+        note: "Choose an element to see where on the map it matters.",
       }),
     ];
+    if (isOne) return figures.slice(0, 1);
+    const all = allPlanesFigure(this.grid, this.planes, rangeOfAll(this.planes), name, (one) => this.setElement(one));
+    return [...figures, all];
   }
 
   private setElement(one: number): void {
@@ -96,7 +109,8 @@ class LinkedPlanes {
   private previewPlane(pointed: number | null): void {
     const one = pointed ?? this.element;
     this.map.setValues(this.planes.values.map((values) => values[one] ?? null));
-    this.mapTitle.textContent = this.planes.channel.elements[one] ?? "";
+    const { elements } = this.planes.channel;
+    this.mapTitle.textContent = elements.length > 1 ? (elements[one] ?? "") : "";
   }
 
   private preview(pointed: number | null): void {

@@ -5,7 +5,9 @@ import * as Plot from "@observablehq/plot";
 import { classColour, kClassColours } from "../parts/colour_maps";
 import { element } from "../parts/dom";
 import { marker } from "../parts/markers";
-import { shape } from "../parts/svg";
+import { markerLegend } from "../parts/legend";
+import { sizeOf } from "../parts/save";
+import { shape, svg } from "../parts/svg";
 
 /** The plot in a place that it fills. */
 export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElement {
@@ -14,7 +16,7 @@ export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElemen
     marginLeft: 48,
     marginBottom: 38,
     ...options,
-    style: { background: "none", fontSize: "12px", fontFamily: "inherit", overflow: "visible" },
+    style: { background: "none", fontSize: "12px", fontFamily: "inherit", overflow: "hidden" },
   });
   made.setAttribute("role", "img");
   made.setAttribute("aria-label", label);
@@ -27,6 +29,17 @@ export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElemen
 /** Lines of a plot: what is dark on light must be light on dark, as the tokens say. */
 export function strokeOf(line: number): string {
   return classColour(line % kClassColours);
+}
+
+/** The plot as a picture to save: its legend goes with it. */
+export function plotPicture(place: HTMLElement, names: readonly string[]): SVGSVGElement | null {
+  const plot = place.querySelector<SVGSVGElement>("svg.plot");
+  if (!plot || names.length < 2) return plot;
+  const [, , width = 0, height = 0] = sizeOf(plot);
+  const legend = markerLegend(width, names);
+  const copy = plot.cloneNode(true) as SVGSVGElement;
+  for (const [name, value] of Object.entries({ y: legend.height + 10, width, height })) copy.setAttribute(name, String(value));
+  return svg(width, height + legend.height + 10, plot.getAttribute("aria-label") ?? "", [legend.group, copy]);
 }
 
 export function seriesLegend(names: readonly string[]): HTMLElement {

@@ -5,6 +5,7 @@ import { claimsFigure } from "./claims";
 import { confusionFigures } from "./confusions";
 import { connectivityFigures } from "./connectivity";
 import type { ReportData, SystemReport } from "./data";
+import { systemId } from "./groups";
 import { graphFigure } from "./graph";
 import { lazy } from "./lazy";
 import { momentFigures } from "./moments";
@@ -19,7 +20,7 @@ import { toolbar } from "./toolbar";
 import { countOf, systemName } from "./words";
 
 export function systemSection(system: SystemReport, index: number, data: ReportData): HTMLElement {
-  const id = `system-${index + 1}`;
+  const id = systemId(index);
   const section = element("section", { id, class: "system", "aria-labelledby": `${id}-title` }, [
     systemHeader(system, `${id}-title`),
   ]);
@@ -28,10 +29,10 @@ export function systemSection(system: SystemReport, index: number, data: ReportD
 }
 
 function systemHeader(system: SystemReport, id: string): HTMLElement {
-  const question = system.question === "" ? null : element("p", { class: "lead" }, [system.question]);
+  // Below the heading of a question it is one of a lower level.
+  const title = element(system.question === "" ? "h2" : "h3", { id, class: "system-title" }, [systemName(system)]);
   return element("header", { class: "system-header" }, [
-    element("h2", { id }, [systemName(system)]),
-    question,
+    title,
     element("dl", { class: "facts" }, factsOf(system).flatMap(([name, value]) => fact(name, value))),
   ]);
 }
