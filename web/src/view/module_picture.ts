@@ -53,7 +53,9 @@ export class ModulePicture {
 }
 
 function notHere(module: ModuleData): string {
-  return module.rate === "exploration" ? "Comes at the end of an exploration." : "Nothing comes out of it yet.";
+  return module.rate === "exploration"
+    ? "Comes at the end of an exploration."
+    : "Nothing comes out of it yet.";
 }
 
 function wordsOf(module: ModuleData, { shape, values, folded }: Values): string {
@@ -61,7 +63,10 @@ function wordsOf(module: ModuleData, { shape, values, folded }: Values): string 
   const shown = folded ? `, summed to ${shape.join(" × ")}` : "";
   const most = values.reduce((best, value) => (Math.abs(value) > Math.abs(best) ? value : best), 0);
   const active = values.filter((value) => value !== 0).length;
-  const head = values.length === 1 ? `value ${digits(values[0] ?? 0)}` : `most ${small(most)}, ${active} of ${values.length} not 0`;
+  const head =
+    values.length === 1
+      ? `value ${digits(values[0] ?? 0)}`
+      : `most ${small(most)}, ${active} of ${values.length} not 0`;
   return `${head}; ${size}${shown}`;
 }
 

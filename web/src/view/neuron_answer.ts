@@ -16,8 +16,12 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
   const map = state.maps.find(({ module }) => module === answer.map);
   const where = map === undefined ? `neuron ${answer.neuron + 1}` : placeOf(map.grid, answer.neuron);
   const head = element("h3", {}, [`Neuron in ${where}`]);
-  const says = answer.answer === null ? "It stands for none of the classes." : `It stands for ${answer.answer}.`;
-  const planes = [...answer.planes].sort((one, other) => rank(one) - rank(other)).map(plane).filter((one) => one !== null);
+  const says =
+    answer.answer === null ? "It stands for none of the classes." : `It stands for ${answer.answer}.`;
+  const planes = [...answer.planes]
+    .sort((one, other) => rank(one) - rank(other))
+    .map(plane)
+    .filter((one) => one !== null);
   return [head, element("p", { class: "closer-answer" }, [says]), ...nearest(answer, model), ...planes];
 }
 
@@ -26,7 +30,11 @@ function nearest({ nearest: near }: NeuronAnswer, model: Model): HTMLElement[] {
   const items = near.slice(0, kMostNear).map(({ exploration, labels, distance }) => {
     const go = () => void model.tell({ command: "seek", exploration, frame: 0 });
     const words = describe(labels) || `exploration ${exploration + 1}`;
-    const button = element("button", { type: "button", class: "quiet link-button", title: "Play it", onclick: go }, [words]);
+    const button = element(
+      "button",
+      { type: "button", class: "quiet link-button", title: "Play it", onclick: go },
+      [words],
+    );
     return element("li", {}, [button, element("span", { class: "number muted" }, [readable(distance)])]);
   });
   return [element("h4", {}, ["Nearest explorations"]), element("ol", { class: "nearest" }, items)];
@@ -40,7 +48,8 @@ function rank({ channel }: ChannelPlanes): number {
 function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {
   const own = values[0];
   if (own === undefined || own.length === 0) return null;
-  if (own.length === 1) return element("p", { class: "small" }, [`${channel.name}: ${readable(own[0])} ${unit}`.trim()]);
+  if (own.length === 1)
+    return element("p", { class: "small" }, [`${channel.name}: ${readable(own[0])} ${unit}`.trim()]);
   const label = `What it expects of ${channel.name}`;
   const picture = handMap(channel, { label, unit, size: kWidth });
   picture.setValues(own);
