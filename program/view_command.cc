@@ -72,8 +72,14 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   auto systems = systems_for_body((*watched)->name());
   if (!systems) return fail(std::move(systems.error()));
   ViewSource source;
+  if (arguments.has("RECORDING")) {
+    auto recording = read_study_data(RecordingFormat::kAutomatic, arguments.text("RECORDING"));
+    if (!recording) return fail(std::move(recording.error()));
+    source.recording = std::move(*recording);
+  }
   source.name = (*watched)->name();
   source.body = std::move(*watched);
+  source.scenes = hand_scenes();
   source.thing = *thing;
   source.systems = std::move(*systems);
   return source;
@@ -94,7 +100,7 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
 }
 
 Result<void> check_flags(const Arguments& arguments) {
-  if (arguments.has("RECORDING") == arguments.has("body")) {
+  if (!arguments.has("RECORDING") && !arguments.has("body")) {
     return fail(ErrorKind::kUsage, "name a recording to play, or a body that explores", "view",
                 "somato view FILE.mcap, or somato view --body lucs2 --object 'boccia boule'");
   }
@@ -130,6 +136,10 @@ Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
   settings.port = static_cast<std::uint16_t>(port->value_or(0));
   if (!arguments.has("address")) return settings;
   settings.address = arguments.text("address");
+  if (settings.address == "0.0.0.0" || settings.address == "::") {
+    return fail(ErrorKind::kUsage, "the view answers to one address alone", "--address",
+                "give that of the interface that others come by");
+  }
   const bool is_loopback = settings.address == "127.0.0.1" || settings.address == "::1";
   if (is_loopback || arguments.has("allow-others")) return settings;
   return fail(ErrorKind::kUsage, "others could reach this address", "--address",
@@ -145,10 +155,10 @@ void wait_for_interrupt() {
 Result<void> run(const Arguments& arguments) {
   auto settings = read_server_settings(arguments);
   if (!settings) return fail(std::move(settings.error()));
-  auto served = view_pages();
-  if (!served) return fail(std::move(served.error()));
   auto source = read_source(arguments);
   if (!source) return fail(std::move(source.error()));
+  auto served = view_pages();
+  if (!served) return fail(std::move(served.error()));
   ViewSession session(std::move(*source));
   session.start();
   auto server = ViewServer::start(session, std::move(*served), *settings);
@@ -166,7 +176,10 @@ Result<void> run(const Arguments& arguments) {
 Command view_command() {
   return {"view",
           "Look at explorations in a browser of this machine",
-          {{"RECORDING", "The recording to play: its file, or a folder of original files", false}},
+          {{"RECORDING",
+            "The recording to play: its file, or a folder of original files; with --body, what "
+            "systems learn from",
+            false}},
           {{"--body",
             "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or "
             "hardness"},

@@ -39,7 +39,9 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       system_(source_.system),
       welcomed_(!settings.wait_for_viewer),
       speed_(settings.speed),
-      thing_(source_.thing) {}
+      thing_(source_.thing) {
+  explored_scenes_.resize(source_.recording.explorations.size());
+}
 
 void Player::run() {
   tell_narrator();
@@ -100,11 +102,8 @@ void Player::begin_exploration(std::size_t exploration) {
   next_ = 0;
   followed_ = 0;
   narrator_.start();
-  if (exploration < explored_scenes_.size()) {
-    scene_ = explored_scenes_[exploration];
-  } else {
-    scene_ = source_.scenes ? source_.scenes(chosen) : nullptr;
-  }
+  scene_ = exploration < explored_scenes_.size() ? explored_scenes_[exploration] : nullptr;
+  if (!scene_ && source_.scenes) scene_ = source_.scenes(chosen);
   publish_scene(scene_ ? &scene_->scene() : nullptr);
 }
 
@@ -203,7 +202,9 @@ Result<void> Player::step(std::int64_t frames) {
     steps_left_ = static_cast<std::size_t>(frames);
     return {};
   }
-  if (!exploration_) return not_now("there is nothing to step through");
+  if (!exploration_ || timeline_.moments() == 0) {
+    return not_now("there is nothing to step through");
+  }
   const auto last = static_cast<std::int64_t>(timeline_.moments()) - 1;
   const auto shown = static_cast<std::int64_t>(next_) - 1;
   show(static_cast<std::size_t>(std::clamp<std::int64_t>(shown + frames, 0, last)));
@@ -332,15 +333,26 @@ void Player::explore() {
   if (explored) {
     keep_explored(std::move(*explored));
   } else {
-    exploration_.reset();
-    timeline_ = {};
     if (explored.error().kind != ErrorKind::kInterrupted) problem_ = sentence_of(explored.error());
+    lose_exploration();
   }
   publish_state();
 }
 
+void Player::lose_exploration() {
+  exploration_.reset();
+  timeline_ = {};
+  next_ = 0;
+}
+
 void Player::keep_explored(Exploration exploration) {
-  source_.recording.explorations.push_back(std::move(exploration));
+  auto& explorations = source_.recording.explorations;
+  explorations.push_back(std::move(exploration));
+  if (auto valid = validate(source_.recording); !valid) {
+    explorations.pop_back();
+    problem_ = sentence_of(valid.error());
+    return lose_exploration();
+  }
   explored_scenes_.push_back(
       std::make_shared<KeptScene>(std::move(live_scene_), std::move(live_poses_)));
   begin_exploration(source_.recording.explorations.size() - 1);

@@ -69,6 +69,7 @@ class Player : private ExplorationWatcher {
 
   void explore();
   void keep_explored(Exploration exploration);
+  void lose_exploration();
   Result<void> keep_pace(double passed);
   void publish_live();
   void begins(const BodyDescription& body, const Scene& scene) override;
@@ -109,7 +110,7 @@ class Player : private ExplorationWatcher {
   Scene live_scene_;
   std::vector<ScenePose> poses_;                               // after the last step
   std::vector<std::vector<ScenePose>> live_poses_;             // of each moment
-  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each exploration
+  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each, or nullptr
 };
 
 }  // namespace somato::live

@@ -102,10 +102,14 @@ class ViewSession::Works {
   }
 
   // What a body has explored grows meanwhile; a recording stays as it is.
-  std::shared_ptr<const Recording> to_learn_from() const {
+  std::shared_ptr<const Recording> to_learn_from() {
     const ViewSource& source = player_.source();
-    if (source.body) return std::make_shared<const Recording>(source.recording);
-    return {std::shared_ptr<const Recording>(), &source.recording};
+    if (!source.body) return {std::shared_ptr<const Recording>(), &source.recording};
+    const std::size_t explorations = source.recording.explorations.size();
+    if (!explored_ || explored_->explorations.size() != explorations) {
+      explored_ = std::make_shared<const Recording>(source.recording);
+    }
+    return explored_;
   }
 
   Result<void> train() {
@@ -114,10 +118,12 @@ class ViewSession::Works {
     if (system->description.modules.empty()) {
       return fail(ErrorKind::kUsage, "this system has learned already");
     }
+    if (is_training_) return fail(ErrorKind::kUsage, "a system is being trained already");
     if (player_.source().recording.explorations.empty()) {
       return fail(ErrorKind::kUsage, "there is nothing to learn from yet");
     }
     player_.show_problem({});
+    is_training_ = true;
     player_.show_training(true);
     training_.start(*system, to_learn_from(), player_.source().seed,
                     [this, name = system->name](auto trained) {
@@ -133,6 +139,7 @@ class ViewSession::Works {
     } else if (trained.error().kind != ErrorKind::kInterrupted) {
       player_.show_problem(live::sentence_of(trained.error()));
     }
+    is_training_ = false;
     player_.show_training(false);
   }
 
@@ -141,6 +148,9 @@ class ViewSession::Works {
   live::Player player_;
   live::TrainingThread training_;
   live::Inquiries inquiries_;
+  // For the thread of the player alone.
+  bool is_training_ = false;
+  std::shared_ptr<const Recording> explored_;
   std::thread thread_;
 };
 

@@ -14,13 +14,14 @@ TEST_F(View, RefusesWhatItCannotShow) {
   write("nothing.mcap", "nothing");
   expect_refused(
       2, {{{"view"}, {"name a recording to play, or a body"}},
-          {{"view", "a.mcap", "--body", "lucs2"}, {"name a recording to play, or a body"}},
+          {{"view", "a.mcap", "--body", "lucs9"}, {"lucs9"}},
           {{"view", "--body", "lucs4"}, {"lucs4", "did you mean", "lucs"}},
           {{"view", "--body", "probes"}, {"only one body"}},
           {{"view", "--body", "lucs2", "--object", "boul"}, {"boul", "did you mean 'boule'"}},
           {{"view", "a.mcap", "--object", "boule"}, {"--object", "a recording holds"}},
           {{"view", "a.mcap", "--port", "65536"}, {"--port", "65535"}},
-          {{"view", "a.mcap", "--address", "0.0.0.0"}, {"--address", "--allow-others"}}});
+          {{"view", "a.mcap", "--address", "0.0.0.0"}, {"--address", "one address alone"}},
+          {{"view", "a.mcap", "--address", "192.168.7.7"}, {"--address", "--allow-others"}}});
   expect_refused(1, {{{"view", "missing.mcap"}, {"missing.mcap"}},
                      {{"view", "nothing.mcap"}, {"nothing.mcap"}}});
 }

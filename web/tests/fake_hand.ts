@@ -7,8 +7,16 @@ type Turn = [number, number, number, number]; // w, x, y, z
 
 const kHandColour: Geom["colour"] = [0.7, 0.75, 0.8, 1];
 const kTaxelRows: Record<string, number[][]> = {
-  proximal: [[-8, 8], [-15, 0, 15], [-8, 8]],
-  distal: [[-15, 0, 15], [-8, 8], [-15, 0, 15]],
+  proximal: [
+    [-8, 8],
+    [-15, 0, 15],
+    [-8, 8],
+  ],
+  distal: [
+    [-15, 0, 15],
+    [-8, 8],
+    [-15, 0, 15],
+  ],
 };
 const kSegment = 0.06;
 const kPivot = 0.065;
@@ -18,10 +26,15 @@ export const kSegments = ["proximal", "distal"];
 
 /** Names of the 45 taxels in their order. */
 export const kTaxels = kFingers.flatMap((finger) =>
-  kSegments.flatMap((segment) =>
-    kTaxelRows[segment]!.flat().map((_, i) => `${finger}_${segment}_${i + 1}`)));
+  kSegments.flatMap((segment) => kTaxelRows[segment]!.flat().map((_, i) => `${finger}_${segment}_${i + 1}`)),
+);
 
-const kBodies = ["lift", "palm", ...kFingers.flatMap((finger) => kSegments.map((segment) => `${finger}_${segment}`)), "object"];
+const kBodies = [
+  "lift",
+  "palm",
+  ...kFingers.flatMap((finger) => kSegments.map((segment) => `${finger}_${segment}`)),
+  "object",
+];
 
 export interface FakeThing {
   name: string;
@@ -33,18 +46,42 @@ export interface FakeThing {
 
 export const kThings: FakeThing[] = [
   { name: "boccia boule", type: "sphere", size: [0.036, 0, 0], height: 0.036, colour: [0.62, 0.16, 0.18, 1] },
-  { name: "boccia cylinder", type: "cylinder", size: [0.031, 0.05, 0], height: 0.05, colour: [0.76, 0.6, 0.38, 1] },
+  {
+    name: "boccia cylinder",
+    type: "cylinder",
+    size: [0.031, 0.05, 0],
+    height: 0.05,
+    colour: [0.76, 0.6, 0.38, 1],
+  },
   { name: "block", type: "box", size: [0.025, 0.025, 0.05], height: 0.05, colour: [0.35, 0.45, 0.6, 1] },
 ];
 
 export function fakeScene(thing: FakeThing): Scene {
-  const geoms = [table(), ...palm(), ...kFingers.flatMap((_, finger) => kSegments.flatMap((_, segment) => segmentGeoms(finger, segment)))];
-  const object = geom(kBodies.indexOf("object"), "object", thing.type, thing.size, [0, 0, thing.height], thing.colour);
+  const geoms = [
+    table(),
+    ...palm(),
+    ...kFingers.flatMap((_, finger) => kSegments.flatMap((_, segment) => segmentGeoms(finger, segment))),
+  ];
+  const object = geom(
+    kBodies.indexOf("object"),
+    "object",
+    thing.type,
+    thing.size,
+    [0, 0, thing.height],
+    thing.colour,
+  );
   const camera: Scene["camera"] = { position: [0.27, -0.34, 0.27], target: [0, 0, 0.098] };
   return { bodies: kBodies, geoms: [...geoms, { ...object, role: "object" }], camera };
 }
 
-function geom(body: number, name: string, type: Geom["type"], size: Point, position: Point, colour = kHandColour): Geom {
+function geom(
+  body: number,
+  name: string,
+  type: Geom["type"],
+  size: Point,
+  position: Point,
+  colour = kHandColour,
+): Geom {
   return { body, name, type, size, position, quaternion: [1, 0, 0, 0], colour, role: "hand", taxel: null };
 }
 
@@ -59,8 +96,11 @@ function palm(): Geom[] {
     const at: Point = [0.035 * Math.cos(angle), 0.035 * Math.sin(angle), 0.018];
     return { ...geom(1, `arm${i}`, "box", [0.035, 0.012, 0.004], at), quaternion: about([0, 0, 1], angle) };
   });
-  return [geom(0, "stem", "cylinder", [0.018, 0.03, 0], [0, 0, 0.055], [0.3, 0.3, 0.33, 1]),
-    geom(1, "palm", "cylinder", [0.055, 0.003, 0], [0, 0, 0.022]), ...arms];
+  return [
+    geom(0, "stem", "cylinder", [0.018, 0.03, 0], [0, 0, 0.055], [0.3, 0.3, 0.33, 1]),
+    geom(1, "palm", "cylinder", [0.055, 0.003, 0], [0, 0, 0.022]),
+    ...arms,
+  ];
 }
 
 function segmentGeoms(finger: number, segment: number): Geom[] {
@@ -70,10 +110,15 @@ function segmentGeoms(finger: number, segment: number): Geom[] {
   const places = rows.flatMap((row, i) => row.map((y): Point => [-0.012, y / 1000, -0.018 * (i + 1)]));
   const first = finger * 15 + segment * 7;
   const taxels = places.map((at, i) => ({
-    ...geom(body, `taxel_${name}_${i + 1}`, "sphere", [0.005, 0, 0], at, [0.85, 0.45, 0.1, 1]), taxel: first + i }));
-  return [geom(body, `${name}_servo`, "box", [0.01, 0.02, 0.012], [0, 0, -0.014], [0.15, 0.15, 0.17, 1]),
+    ...geom(body, `taxel_${name}_${i + 1}`, "sphere", [0.005, 0, 0], at, [0.85, 0.45, 0.1, 1]),
+    taxel: first + i,
+  }));
+  return [
+    geom(body, `${name}_servo`, "box", [0.01, 0.02, 0.012], [0, 0, -0.014], [0.15, 0.15, 0.17, 1]),
     geom(body, `${name}_bracket`, "box", [0.003, 0.012, 0.016], [0, 0, -0.044], [0.75, 0.76, 0.78, 1]),
-    geom(body, `${name}_plate`, "box", [0.002, 0.018, 0.019], [-0.012, 0, -0.036], [0.85, 0.85, 0.8, 1]), ...taxels];
+    geom(body, `${name}_plate`, "box", [0.002, 0.018, 0.019], [-0.012, 0, -0.036], [0.85, 0.85, 0.8, 1]),
+    ...taxels,
+  ];
 }
 
 /** 7 numbers a body. Degrees; height in m. */
@@ -104,8 +149,12 @@ function about(axis: Point, angle: number): Turn {
 }
 
 function times([aw, ax, ay, az]: Turn, [bw, bx, by, bz]: Turn): Turn {
-  return [aw * bw - ax * bx - ay * by - az * bz, aw * bx + ax * bw + ay * bz - az * by,
-    aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw];
+  return [
+    aw * bw - ax * bx - ay * by - az * bz,
+    aw * bx + ax * bw + ay * bz - az * by,
+    aw * by - ax * bz + ay * bw + az * bx,
+    aw * bz + ax * by - ay * bx + az * bw,
+  ];
 }
 
 function turned(turn: Turn, point: Point): Point {

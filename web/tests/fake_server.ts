@@ -12,7 +12,11 @@ import { kTaxels } from "./fake_hand";
 
 const kPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-const kTypes: Record<string, string> = { html: "text/html; charset=utf-8", js: "text/javascript; charset=utf-8", css: "text/css; charset=utf-8" };
+const kTypes: Record<string, string> = {
+  html: "text/html; charset=utf-8",
+  js: "text/javascript; charset=utf-8",
+  css: "text/css; charset=utf-8",
+};
 
 export class FakeServer {
   readonly commands: Command[] = [];
@@ -99,8 +103,10 @@ export class FakeServer {
     if (url.pathname === "/api/events") return this.listen(response);
     if (url.pathname === "/api/state") return json(response, 200, this.state);
     if (url.pathname === "/api/scene") return json(response, 200, this.sceneNow);
-    if (url.pathname === "/api/neuron") return json(response, 200, this.neuron(Number(url.searchParams.get("neuron"))));
-    if (url.pathname === "/api/taxel") return json(response, 200, taxel(Number(url.searchParams.get("element"))));
+    if (url.pathname === "/api/neuron")
+      return json(response, 200, this.neuron(Number(url.searchParams.get("neuron"))));
+    if (url.pathname === "/api/taxel")
+      return json(response, 200, taxel(Number(url.searchParams.get("element"))));
     if (url.pathname === "/api/command") return this.take(await body(request), response);
     json(response, 404, { error: "There is nothing here" });
   }
@@ -118,7 +124,9 @@ export class FakeServer {
     response.on("close", () => this.clients.delete(response));
     response.write(`event: state\ndata: ${JSON.stringify(this.state)}\n\n`);
     if (this.state.explorations.length > 0)
-      response.write(`event: frame\ndata: ${JSON.stringify(fakeFrame(this.frame.exploration, this.frame.frame))}\n\n`);
+      response.write(
+        `event: frame\ndata: ${JSON.stringify(fakeFrame(this.frame.exploration, this.frame.frame))}\n\n`,
+      );
   }
 
   private take(text: string, response: ServerResponse): void {
@@ -138,7 +146,8 @@ export class FakeServer {
     if (command.command === "speed") this.change({ speed: command.speed });
     if (command.command === "system") this.change({ system: command.name });
     if (command.command === "thing") this.change({ thing: command.name });
-    if (command.command === "placement") this.change({ placement: { x: command.x, y: command.y, turn: command.turn } });
+    if (command.command === "placement")
+      this.change({ placement: { x: command.x, y: command.y, turn: command.turn } });
     if (command.command === "train") this.train();
     if (command.command === "stop_training") this.change({ training: false });
   }
@@ -152,10 +161,13 @@ export class FakeServer {
   private play(): void {
     clearInterval(this.playing);
     this.change({ playing: true });
-    this.playing = setInterval(() => {
-      this.show(this.frame.exploration, this.frame.frame + 1);
-      if (this.frame.frame >= kFrames - 1) this.pause();
-    }, 1000 / kRate / this.state.speed);
+    this.playing = setInterval(
+      () => {
+        this.show(this.frame.exploration, this.frame.frame + 1);
+        if (this.frame.frame >= kFrames - 1) this.pause();
+      },
+      1000 / kRate / this.state.speed,
+    );
   }
 
   private pause(): void {
@@ -178,18 +190,30 @@ export class FakeServer {
   private neuron(neuron: number): NeuronAnswer {
     const map = this.state.maps[0]!;
     const number = map.neuron_classes[neuron] ?? null;
-    const nearest = [0, 1, 2].map((index) => ({ ...this.state.explorations[(neuron + index) % 6]!, distance: 0.1 + index / 8 }));
+    const nearest = [0, 1, 2].map((index) => ({
+      ...this.state.explorations[(neuron + index) % 6]!,
+      distance: 0.1 + index / 8,
+    }));
     return {
-      map: map.module, neuron, answer: number === null ? null : map.classes[number]!,
+      map: map.module,
+      neuron,
+      answer: number === null ? null : map.classes[number]!,
       planes: this.state.channels.slice(2, 4).map((channel) => ({
-        channel, unit: "", values: [channel.elements.map((_, i) => ((i * 3 + neuron) % 10) / 10)] })),
+        channel,
+        unit: "",
+        values: [channel.elements.map((_, i) => ((i * 3 + neuron) % 10) / 10)],
+      })),
       nearest: nearest.map(({ index, labels, distance }) => ({ exploration: index, labels, distance })),
     };
   }
 }
 
 function taxel(element: number): TaxelAnswer {
-  return { element, name: kTaxels[element] ?? "?", maps: { map: Array.from({ length: 225 }, (_, i) => ((i * 7 + element) % 50) / 50) } };
+  return {
+    element,
+    name: kTaxels[element] ?? "?",
+    maps: { map: Array.from({ length: 225 }, (_, i) => ((i * 7 + element) % 50) / 50) },
+  };
 }
 
 function json(response: ServerResponse, status: number, data: unknown): void {

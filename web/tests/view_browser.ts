@@ -26,7 +26,8 @@ export function complaints(page: Page): string[] {
   const heard: string[] = [];
   page.on("pageerror", (error) => heard.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error" && !/Failed to load resource|ERR_CONNECTION/.test(message.text())) heard.push(message.text());
+    if (message.type() === "error" && !/Failed to load resource|ERR_CONNECTION/.test(message.text()))
+      heard.push(message.text());
   });
   return heard;
 }
@@ -42,7 +43,11 @@ export async function firstFrame(page: Page): Promise<void> {
 /** Waits until frame `frame` stands on the page. */
 export async function frameShown(page: Page, frame: number): Promise<void> {
   await page.waitForFunction(
-    (expected) => document.querySelector<HTMLInputElement>(".transport input[type=range]")?.getAttribute("aria-valuetext")?.startsWith(`frame ${expected} `),
+    (expected) =>
+      document
+        .querySelector<HTMLInputElement>(".transport input[type=range]")
+        ?.getAttribute("aria-valuetext")
+        ?.startsWith(`frame ${expected} `),
     frame + 1,
   );
 }

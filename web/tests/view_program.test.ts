@@ -41,7 +41,9 @@ beforeAll(async () => {
   somato("run", join(systems, "tensor_chain.toml"), "--data", recording, "--out", folder, "--seeds", "1");
   messages = recorded();
   predictions = predicted();
-  view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], { stdio: ["ignore", "pipe", "inherit"] });
+  view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], {
+    stdio: ["ignore", "pipe", "inherit"],
+  });
   const address = await startAddress(view);
   browser = await launchBrowser();
   page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
@@ -64,7 +66,10 @@ function somato(...flags: string[]): void {
 }
 
 function recorded(): Message[] {
-  const text = execFileSync(process.execPath, [join(scripts, "read.mjs"), recording], { maxBuffer: 1 << 30, encoding: "utf8" });
+  const text = execFileSync(process.execPath, [join(scripts, "read.mjs"), recording], {
+    maxBuffer: 1 << 30,
+    encoding: "utf8",
+  });
   return (JSON.parse(text) as { stream: Message[] }).stream;
 }
 
@@ -94,7 +99,10 @@ const soon = <T>(read: () => T) => expect.poll(read, { timeout: 15_000 });
 function framesOf(exploration: number, channel: string): number[][] {
   const begin = messages.findIndex(({ value }) => value.event === "begin" && value.index === exploration);
   const end = messages.findIndex(({ value }) => value.event === "end" && value.index === exploration);
-  return messages.slice(begin, end).filter(({ topic }) => topic === `/${channel}`).map(({ value }) => value.values);
+  return messages
+    .slice(begin, end)
+    .filter(({ topic }) => topic === `/${channel}`)
+    .map(({ value }) => value.values);
 }
 
 async function go(exploration: number, frame: number): Promise<void> {
@@ -105,13 +113,22 @@ async function go(exploration: number, frame: number): Promise<void> {
 }
 
 it("shows what the recording holds", async () => {
-  for (const [exploration, frame] of [[0, 100], [3, 150]] as const) {
+  for (const [exploration, frame] of [
+    [0, 100],
+    [3, 150],
+  ] as const) {
     await go(exploration, frame);
     const degrees = framesOf(exploration, "joints")[frame]!.map((angle) => (angle * 180) / Math.PI);
-    await soon(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(degrees.map(digits));
+    await soon(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(
+      degrees.map(digits),
+    );
     const touch = framesOf(exploration, "touch")[frame]!;
-    expect(await words(page, "[data-channel=touch] .strip-values")).toContain(`most ${digits(Math.max(...touch))} at`);
-    expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(digits(framesOf(exploration, "height")[frame]![0]!));
+    expect(await words(page, "[data-channel=touch] .strip-values")).toContain(
+      `most ${digits(Math.max(...touch))} at`,
+    );
+    expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(
+      digits(framesOf(exploration, "height")[frame]![0]!),
+    );
   }
   await screenshot(page, "view-program");
 });
@@ -126,7 +143,9 @@ it("reads at the end what the study has read", async () => {
 it("plays and pauses", async () => {
   await go(0, 10);
   await page.keyboard.press("Space");
-  await page.waitForFunction(() => Number(document.querySelector<HTMLInputElement>(".transport input[type=range]")!.value) > 14);
+  await page.waitForFunction(
+    () => Number(document.querySelector<HTMLInputElement>(".transport input[type=range]")!.value) > 14,
+  );
   await page.keyboard.press("Space");
   await soon(() => page.getByRole("button", { name: "Play", exact: true }).count()).toBe(1);
 });
@@ -140,5 +159,7 @@ it("tells what neurons and touch sensors stand for", async () => {
 
 it("says that the program has ended", async () => {
   view.kill();
-  await page.locator(".link-banner", { hasText: "The program has ended or the connection is lost" }).waitFor();
+  await page
+    .locator(".link-banner", { hasText: "The program has ended or the connection is lost" })
+    .waitFor();
 });

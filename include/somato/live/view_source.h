@@ -28,7 +28,7 @@ struct ViewSystem {
 /// What is viewed: a recording, or a body that explores.
 struct ViewSource {
   std::string name;                   ///< The file's name, or the body's.
-  Recording recording = {};           ///< Valid; empty for a body.
+  Recording recording = {};           ///< Valid; of a body what was explored before, if any.
   std::unique_ptr<WatchedBody> body;  ///< Or nullptr.
   std::size_t thing = 0;              ///< That the body explores first.
   std::uint64_t seed = 1;             ///< Of what is trained.

@@ -20,7 +20,9 @@ export class Candidates {
   private rows = new Map<string, Row>();
 
   constructor(private readonly model: Model) {
-    const note = element("p", { class: "muted small" }, ["Distance to each one’s nearest neuron: shorter is nearer"]);
+    const note = element("p", { class: "muted small" }, [
+      "Distance to each one’s nearest neuron: shorter is nearer",
+    ]);
     this.root.append(this.list, note);
   }
 
@@ -28,7 +30,8 @@ export class Candidates {
     const known = reading.candidates.every(({ name }) => this.rows.has(name));
     if (!known || reading.candidates.length !== this.rows.size) this.build(reading);
     const most = Math.max(...reading.candidates.map(({ distance }) => distance), 1e-12);
-    for (const { name, distance } of reading.candidates) this.update(name, distance, distance / most, reading);
+    for (const { name, distance } of reading.candidates)
+      this.update(name, distance, distance / most, reading);
   }
 
   private update(name: string, distance: number, share: number, reading: Reading): void {
@@ -42,9 +45,14 @@ export class Candidates {
   private build(reading: Reading): void {
     const order = this.classes();
     const place = (name: string) => (order.indexOf(name) + order.length + 1) % (order.length + 1);
-    const names = reading.candidates.map(({ name }) => name).sort((a, b) => place(a) - place(b) || (a < b ? -1 : 1));
+    const names = reading.candidates
+      .map(({ name }) => name)
+      .sort((a, b) => place(a) - place(b) || (a < b ? -1 : 1));
     this.rows = new Map(names.map((name) => [name, makeRow(name, order.indexOf(name))]));
-    fill(this.list, [...this.rows.values()].map(({ root }) => root));
+    fill(
+      this.list,
+      [...this.rows.values()].map(({ root }) => root),
+    );
   }
 
   private classes(): string[] {
@@ -57,8 +65,10 @@ function makeRow(name: string, number: number): Row {
   const bar = element("span", { class: "bar-fill" });
   const distance = element("span", { class: "number" });
   const root = element("li", { class: "candidate" }, [
-    sign(number), element("span", { class: "candidate-name", title: name }, [name]),
-    element("span", { class: "bar" }, [bar]), distance,
+    sign(number),
+    element("span", { class: "candidate-name", title: name }, [name]),
+    element("span", { class: "bar" }, [bar]),
+    distance,
   ]);
   return { root, bar, distance };
 }
@@ -66,5 +76,9 @@ function makeRow(name: string, number: number): Row {
 /** The marker that the class has on the map. */
 export function sign(number: number): SVGSVGElement {
   const drawn = number < 0 ? [] : [marker(number, 8, 8, 5)];
-  return shape("svg", { viewBox: "0 0 16 16", width: 16, height: 16, class: "sign", "aria-hidden": "true" }, drawn);
+  return shape(
+    "svg",
+    { viewBox: "0 0 16 16", width: 16, height: 16, class: "sign", "aria-hidden": "true" },
+    drawn,
+  );
 }

@@ -21,7 +21,10 @@ export class CloserPanel {
 
   private show(question: Question | null): void {
     const state = this.model.shownState.value;
-    fill(this.place, question === null || state === null ? [this.hint()] : answerOf(question, state, this.model));
+    fill(
+      this.place,
+      question === null || state === null ? [this.hint()] : answerOf(question, state, this.model),
+    );
   }
 
   private hint(): HTMLElement {

@@ -15,7 +15,8 @@ export class Exploring {
   readonly root: HTMLElement;
   private readonly thing = element("select", { "aria-label": "Object", class: "thing-choice" });
   private readonly numbers = kParts.map(({ most }) =>
-    element("input", { type: "number", step: 1, min: -most, max: most, value: 0 }));
+    element("input", { type: "number", step: 1, min: -most, max: most, value: 0 }),
+  );
   private readonly again = element("button", { type: "button", class: "primary" }, ["Explore again"]);
   private listed = "";
 
@@ -23,7 +24,10 @@ export class Exploring {
     const fields = kParts.map(({ words, unit }, i) => labelled(`${words} (${unit})`, this.numbers[i]!));
     const label = { class: "exploring", role: "group", "aria-label": "What to explore" };
     this.root = element("div", label, [labelled("Object", this.thing), ...fields, this.again]);
-    this.thing.addEventListener("change", () => void model.tell({ command: "thing", name: this.thing.value }));
+    this.thing.addEventListener(
+      "change",
+      () => void model.tell({ command: "thing", name: this.thing.value }),
+    );
     this.again.addEventListener("click", () => void model.tell({ command: "explore" }));
     for (const number of this.numbers) number.addEventListener("change", () => this.place());
     model.shownState.watch((state) => this.show(state));
@@ -38,7 +42,11 @@ export class Exploring {
     this.root.hidden = state === null || state.source !== "body";
     if (state === null) return;
     const names = state.things.map(({ name }) => name);
-    if (names.join("\n") !== this.listed) fill(this.thing, names.map((name) => element("option", { value: name }, [name])));
+    if (names.join("\n") !== this.listed)
+      fill(
+        this.thing,
+        names.map((name) => element("option", { value: name }, [name])),
+      );
     this.listed = names.join("\n");
     this.thing.value = state.thing ?? "";
     this.again.textContent = state.live ? "Start again" : "Explore again";

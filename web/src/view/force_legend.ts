@@ -17,7 +17,11 @@ export class ForceLegend {
   private setRange: (low: number, high: number) => void = () => undefined;
 
   constructor(private readonly model: Model) {
-    const label = element("label", { class: "hold", title: "Else it follows the strongest touch of the exploration" }, [this.hold, "hold scale"]);
+    const label = element(
+      "label",
+      { class: "hold", title: "Else it follows the strongest touch of the exploration" },
+      [this.hold, "hold scale"],
+    );
     this.root = element("div", { class: "force-legend" }, [this.place, label]);
     this.hold.addEventListener("change", () => (model.scale.held = this.hold.checked));
     model.shownState.watch((state) => {

@@ -1,4 +1,5 @@
-// The hand: in three dimensions, or unfolded; its taxels coloured by how strongly they are touched.
+// The body, mostly a hand: in three dimensions, or unfolded; its taxels coloured by how strongly they
+// are touched.
 
 import { segments } from "../parts/controls";
 import { element } from "../parts/dom";
@@ -13,20 +14,29 @@ import { themeColour } from "./theme_colours";
 import { UnfoldedHand } from "./unfolded_hand";
 
 const kLabel =
-  "The hand in three dimensions. Arrow keys turn it, with Shift they move it, plus and minus bring it nearer, 0 shows it as at first.";
+  "The body in three dimensions. Arrow keys turn it, with Shift they move it, plus and minus bring it nearer, 0 shows it as at first.";
 const kNoWebGl = "This browser cannot draw in three dimensions (WebGL), so the hand is shown unfolded.";
 
 export class HandPanel {
-  readonly panel = new Panel(1, "hand", "Hand");
+  readonly panel = new Panel(1, "hand", "Body");
   readonly view: SceneView | null;
-  private readonly place = element("div", { class: "scene", tabindex: 0, role: "application",
-    "aria-roledescription": "three-dimensional picture", "aria-label": kLabel });
+  private readonly place = element("div", {
+    class: "scene",
+    tabindex: 0,
+    role: "application",
+    "aria-roledescription": "three-dimensional picture",
+    "aria-label": kLabel,
+  });
   private readonly note = element("p", { class: "scene-note" });
   private readonly readout = element("output", { class: "scene-readout", "aria-live": "off" });
   private readonly unfolded: UnfoldedHand;
   private readonly legend: ForceLegend;
   private readonly choice: HTMLElement;
-  private readonly reset = element("button", { type: "button", class: "quiet", title: "As at first (0 in the picture)" }, ["Reset view"]);
+  private readonly reset = element(
+    "button",
+    { type: "button", class: "quiet", title: "As at first (0 in the picture)" },
+    ["Reset view"],
+  );
   private wantsUnfolded = false;
   private pointed: number | null = null;
 
@@ -34,14 +44,22 @@ export class HandPanel {
     const renderer = makeRenderer();
     this.unfolded = new UnfoldedHand(model);
     this.legend = new ForceLegend(model);
-    this.view = renderer && new SceneView(this.place, renderer, {
-      pointed: (taxel) => this.point(taxel),
-      picked: (taxel) => void model.askTaxel(taxel),
-    });
+    this.view =
+      renderer &&
+      new SceneView(this.place, renderer, {
+        pointed: (taxel) => this.point(taxel),
+        picked: (taxel) => void model.askTaxel(taxel),
+      });
     this.choice = segments("show", ["3D", "unfolded"], 0, (index) => this.unfold(index === 1));
     this.reset.addEventListener("click", () => this.view?.orbit.reset());
     this.panel.addTools(this.reset, this.choice);
-    const stage = element("div", { class: "stage" }, [this.note, this.place, this.unfolded.root, this.readout, this.legend.root]);
+    const stage = element("div", { class: "stage" }, [
+      this.note,
+      this.place,
+      this.unfolded.root,
+      this.readout,
+      this.legend.root,
+    ]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
   }
@@ -71,12 +89,13 @@ export class HandPanel {
   }
 
   private get isFlat(): boolean {
-    return this.wantsUnfolded || this.view === null || this.model.shownScene.value === null;
+    const unfolded = this.wantsUnfolded && hasTouch(this.model.shownState.value);
+    return unfolded || this.view === null || this.model.shownScene.value === null;
   }
 
   private arrange(): void {
     const solid = this.view !== null && this.model.shownScene.value !== null;
-    this.choice.hidden = !solid;
+    this.choice.hidden = !solid || !hasTouch(this.model.shownState.value);
     this.reset.hidden = this.isFlat;
     this.place.hidden = this.isFlat;
     this.unfolded.root.hidden = !this.isFlat;
@@ -87,9 +106,13 @@ export class HandPanel {
 
   private words(): string {
     const state = this.model.shownState.value;
-    if (state === null || !this.model.sceneKnown.value) return "Waiting for the hand …";
-    if (state.explorations.length === 0 && !state.live && this.model.frame.value === null) return nothingYet(state);
-    if (this.model.shownScene.value === null) return hasTouch(state) ? "Nobody said which body made this recording; its touch sensors are shown unfolded." : "This has no body to be drawn and no touch sensors.";
+    if (state === null || !this.model.sceneKnown.value) return "Waiting for the body …";
+    if (state.explorations.length === 0 && !state.live && this.model.frame.value === null)
+      return nothingYet(state);
+    if (this.model.shownScene.value === null)
+      return hasTouch(state)
+        ? "Nobody said which body made this recording; its touch sensors are shown unfolded."
+        : "This has no body to be drawn and no touch sensors.";
     return this.view === null ? kNoWebGl : "";
   }
 
@@ -101,9 +124,11 @@ export class HandPanel {
 
   private tell(): void {
     const channel = this.model.shownState.value?.channels.find(({ name }) => name === "touch");
-    const value = this.pointed === null ? undefined : this.model.frame.value?.channels["touch"]?.[this.pointed];
+    const value =
+      this.pointed === null ? undefined : this.model.frame.value?.channels["touch"]?.[this.pointed];
     const name = this.pointed === null ? undefined : channel?.elements[this.pointed];
-    this.readout.textContent = name === undefined || value === undefined ? "" : `${name}: ${withUnit(value, channel?.unit ?? "")}`;
+    this.readout.textContent =
+      name === undefined || value === undefined ? "" : `${name}: ${withUnit(value, channel?.unit ?? "")}`;
   }
 
   private draw(frame: Frame | null): void {

@@ -12,7 +12,11 @@ export function pageHeader(model: Model, help: () => void): HTMLElement {
   const source = element("p", { class: "source" });
   const live = element("span", { class: "live" }, ["exploring now"]);
   const system = systemChoice(model);
-  const more = element("button", { type: "button", "aria-label": "Help: the keys", title: "Keys (?)", onclick: help }, ["?"]);
+  const more = element(
+    "button",
+    { type: "button", "aria-label": "Help: the keys", title: "Keys (?)", onclick: help },
+    ["?"],
+  );
   model.shownState.watch((state) => {
     live.hidden = !(state?.live ?? false);
     fill(source, state === null ? ["connecting to the program"] : sourceWords(state));
@@ -45,5 +49,8 @@ function systemChoice(model: Model): HTMLSelectElement {
 
 function options(state: State): HTMLOptionElement[] {
   const none = state.system === null ? [element("option", { value: kNone }, ["none"])] : [];
-  return [...none, ...state.systems.map(({ name, text }) => element("option", { value: name, title: text }, [name]))];
+  return [
+    ...none,
+    ...state.systems.map(({ name, text }) => element("option", { value: name, title: text }, [name])),
+  ];
 }

@@ -19,9 +19,10 @@ export class History {
     if (frame.exploration !== this.exploration) this.clear();
     this.exploration = frame.exploration;
     const place = this.place(frame.frame);
-    const known = this.frames[place]?.frame === frame.frame ? 1 : 0;
+    // Between grasps the last frame is told again, with what is not recorded.
+    if (this.frames[place]?.frame === frame.frame) return;
     // Modules and maps are not kept: they are large.
-    this.frames.splice(place, known, { ...frame, modules: {}, maps: {}, poses: [] });
+    this.frames.splice(place, 0, { ...frame, modules: {}, maps: {}, poses: [] });
   }
 
   clear(): void {

@@ -18,7 +18,7 @@ export const kKeys: [string, string][] = [
   ["[  ]", "exploration before, after"],
   ["1 … 6", "go to a panel; again: fold it"],
   ["?", "this help"],
-  ["in the hand", "arrows turn, Shift moves, + − nearer and farther, 0 as at first"],
+  ["in the 3D picture", "arrows turn, Shift moves, + − nearer and farther, 0 as at first"],
   ["on a map", "arrows choose a neuron, Enter asks what it stands for"],
   ["Esc", "closes"],
 ];

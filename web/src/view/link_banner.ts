@@ -29,7 +29,9 @@ export class LinkBanner {
   private show(link: Link): void {
     this.button.disabled = link.kind === "connecting";
     this.words.textContent = wordsOf(link);
-    const spoken = { lost: `${kLost}; trying again`, refused: kRefused, open: "Connected", connecting: "" }[link.kind];
+    const spoken = { lost: `${kLost}; trying again`, refused: kRefused, open: "Connected", connecting: "" }[
+      link.kind
+    ];
     if (spoken !== "") this.speaker.say(link.kind, spoken);
   }
 }

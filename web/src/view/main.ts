@@ -17,8 +17,14 @@ if (root !== null) start(root);
 function start(place: HTMLElement): void {
   const server = new Server(takeToken());
   const model = new Model(server);
-  const frames = new FrameLoop((text) => model.draw(JSON.parse(text) as Frame), (work) => page.status.work(work));
-  const trainings = new FrameLoop((text) => model.training.set(JSON.parse(text) as Training), () => undefined);
+  const frames = new FrameLoop(
+    (text) => model.draw(JSON.parse(text) as Frame),
+    (work) => page.status.work(work),
+  );
+  const trainings = new FrameLoop(
+    (text) => model.training.set(JSON.parse(text) as Training),
+    () => undefined,
+  );
   const connection = new Connection(server, {
     link: (link) => model.link(link),
     state: (state) => model.state(state),

@@ -18,7 +18,11 @@ export class MapPanel {
   private readonly place = element("div", { class: "map-place" });
   private readonly legend = element("div", { class: "map-legend" });
   private readonly nothing = element("p", { class: "empty" });
-  private readonly activity = element("div", { class: "map-activity" }, [this.place, this.legend, this.nothing]);
+  private readonly activity = element("div", { class: "map-activity" }, [
+    this.place,
+    this.legend,
+    this.nothing,
+  ]);
   private readonly training: TrainingView;
   private readonly mode: HTMLElement;
   private readonly maps = choice("map", [], 0, (index) => this.choose(index));

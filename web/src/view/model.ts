@@ -111,7 +111,10 @@ export class Model implements Tell {
 /** A channel nothing has come from yet may not know how many elements it has. */
 function named(channel: ChannelData): ChannelData {
   if (channel.elements.length > 0) return channel;
-  const count = Math.max(1, channel.shape.reduce((product, size) => product * size, 1));
+  const count = Math.max(
+    1,
+    channel.shape.reduce((product, size) => product * size, 1),
+  );
   return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
 }
 

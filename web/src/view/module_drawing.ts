@@ -19,12 +19,18 @@ export function drawBars(context: CanvasRenderingContext2D, values: readonly num
   const step = width / Math.max(1, values.length);
   const bar = Math.max(1, Math.min(step - ratio, 26 * ratio));
   context.fillStyle = themeColour("accent");
-  values.forEach((value, i) => context.fillRect(i * step + (step - bar) / 2, Math.min(y(value), y(0)), bar, Math.abs(y(value) - y(0))));
+  values.forEach((value, i) =>
+    context.fillRect(i * step + (step - bar) / 2, Math.min(y(value), y(0)), bar, Math.abs(y(value) - y(0))),
+  );
   context.fillStyle = themeColour("line-strong");
   context.fillRect(0, Math.round(y(0)), width, 1);
 }
 
-export function drawCells(context: CanvasRenderingContext2D, values: readonly number[], shape: readonly number[]): void {
+export function drawCells(
+  context: CanvasRenderingContext2D,
+  values: readonly number[],
+  shape: readonly number[],
+): void {
   const [rows, columns] = arrangement(values.length, shape, context.canvas);
   const picture = new OffscreenCanvas(columns, rows);
   const inner = picture.getContext("2d");
@@ -37,7 +43,11 @@ export function drawCells(context: CanvasRenderingContext2D, values: readonly nu
 }
 
 /** Its own rows and columns; one long row is broken to fill the place. */
-function arrangement(count: number, shape: readonly number[], { width, height }: HTMLCanvasElement): [number, number] {
+function arrangement(
+  count: number,
+  shape: readonly number[],
+  { width, height }: HTMLCanvasElement,
+): [number, number] {
   const long = shape.filter((size) => size > 1);
   if (long.length >= 2) return [count / long.at(-1)!, long.at(-1)!];
   const columns = Math.min(count, Math.max(1, Math.round(Math.sqrt((count * width) / height))));

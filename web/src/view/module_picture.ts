@@ -53,15 +53,20 @@ export class ModulePicture {
 }
 
 function notHere(module: ModuleData): string {
-  return module.rate === "exploration" ? "Comes at the end of an exploration." : "Nothing comes out of it yet.";
+  return module.rate === "exploration"
+    ? "Comes at the end of an exploration."
+    : "Nothing comes out of it yet.";
 }
 
 function wordsOf(module: ModuleData, { shape, values, folded }: Values): string {
   const size = module.shape.length === 0 ? "one number" : module.shape.join(" × ");
-  const shown = folded ? `, summed over its first axes to ${shape.join(" × ")}` : "";
+  const shown = folded ? `, summed to ${shape.join(" × ")}` : "";
   const most = values.reduce((best, value) => (Math.abs(value) > Math.abs(best) ? value : best), 0);
   const active = values.filter((value) => value !== 0).length;
-  const head = values.length === 1 ? `value ${digits(values[0] ?? 0)}` : `most ${small(most)}, ${active} of ${values.length} not 0`;
+  const head =
+    values.length === 1
+      ? `value ${digits(values[0] ?? 0)}`
+      : `most ${small(most)}, ${active} of ${values.length} not 0`;
   return `${head}; ${size}${shown}`;
 }
 

@@ -1,7 +1,11 @@
 import type { Training } from "./data";
 
 /** For each neuron the class, by its place in `names`, that it won most of; null where it won none. */
-export function mostOften(winners: Training["winners"], names: readonly string[], neurons: number): (number | null)[] {
+export function mostOften(
+  winners: Training["winners"],
+  names: readonly string[],
+  neurons: number,
+): (number | null)[] {
   const counts = new Map<number, number[]>();
   for (const { winner, class: name } of winners) {
     const of = counts.get(winner) ?? names.map(() => 0);

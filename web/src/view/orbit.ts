@@ -98,8 +98,7 @@ export class Orbit {
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const direction = kArrows[event.key];
-    if (direction !== undefined && event.shiftKey)
-      this.pan(-direction[0] * kKeyPan, -direction[1] * kKeyPan);
+    if (direction !== undefined && event.shiftKey) this.pan(-direction[0] * kKeyPan, -direction[1] * kKeyPan);
     else if (direction !== undefined) this.turn(direction[0] * kKeyTurn, direction[1] * kKeyTurn);
     else if (event.key === "+" || event.key === "=") this.zoom(1 / kZoom);
     else if (event.key === "-") this.zoom(kZoom);

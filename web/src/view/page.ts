@@ -26,12 +26,25 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
   const help = helpDialog();
   const hand = new HandPanel(model);
   const strips = new StripsPanel(model);
-  const columns = [[hand, strips], [new ReadingPanel(model), new CloserPanel(model)], [new MapPanel(model), new SystemPanel(model)]]
-    .map((column) => column.map(({ panel }) => panel));
+  const columns = [
+    [hand, strips],
+    [new ReadingPanel(model), new CloserPanel(model)],
+    [new MapPanel(model), new SystemPanel(model)],
+  ].map((column) => column.map(({ panel }) => panel));
   const transport = new Transport(model);
   const status = new StatusLine(model);
-  const messages = element("div", { class: "messages" }, [new LinkBanner(model, tryNow).root, problemBar(model)]);
-  fill(root, [pageHeader(model, help.show), messages, arrange(columns), transport.root, status.root, help.root]);
+  const messages = element("div", { class: "messages" }, [
+    new LinkBanner(model, tryNow).root,
+    problemBar(model),
+  ]);
+  fill(root, [
+    pageHeader(model, help.show),
+    messages,
+    arrange(columns),
+    transport.root,
+    status.root,
+    help.root,
+  ]);
   listenToKeys({ transport, panels: columns.flat(), help: help.show });
   model.shownLink.watch(({ kind }) => root.classList.toggle("without-program", kind !== "open"));
   return { status, hand };
@@ -39,6 +52,12 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
 
 /** At the left what is felt, in the middle what is made of it, at the right what it is made with. */
 function arrange(columns: Panel[][]): HTMLElement {
-  const made = columns.map((panels) => element("div", { class: "column" }, panels.map(({ root }) => root)));
+  const made = columns.map((panels) =>
+    element(
+      "div",
+      { class: "column" },
+      panels.map(({ root }) => root),
+    ),
+  );
   return element("div", { class: "panels" }, made);
 }

@@ -54,7 +54,12 @@ export class Panel {
   }
 
   private makeButton(controls: string): HTMLButtonElement {
-    const attributes = { type: "button", class: "panel-fold", "aria-expanded": "true", "aria-controls": controls };
+    const attributes = {
+      type: "button",
+      class: "panel-fold",
+      "aria-expanded": "true",
+      "aria-controls": controls,
+    };
     const number = element("span", { class: "panel-number", "aria-hidden": "true" }, [String(this.number)]);
     const button = element("button", attributes, [number, this.title, icon("fold")]);
     button.addEventListener("click", () => this.toggle());

@@ -14,8 +14,17 @@ export class ReadingPanel {
   private readonly answer = element("p", { class: "reading-answer" });
   private readonly confidence = element("span", { class: "number" });
   private readonly bar = element("span", { class: "bar-fill" });
-  private readonly meter = element("div", { role: "meter", "aria-label": "Confidence", "aria-valuemin": 0,
-    "aria-valuemax": 1, class: "bar confidence-bar" }, [this.bar]);
+  private readonly meter = element(
+    "div",
+    {
+      role: "meter",
+      "aria-label": "Confidence",
+      "aria-valuemin": 0,
+      "aria-valuemax": 1,
+      class: "bar confidence-bar",
+    },
+    [this.bar],
+  );
   private readonly candidates: Candidates;
   private readonly shown = element("div", { class: "reading" });
   private readonly nothing = element("p", { class: "empty" });
@@ -24,7 +33,9 @@ export class ReadingPanel {
   constructor(private readonly model: Model) {
     this.candidates = new Candidates(model);
     const confidence = element("div", { class: "confidence" }, [
-      element("span", { class: "name" }, ["Confidence"]), this.meter, this.confidence,
+      element("span", { class: "name" }, ["Confidence"]),
+      this.meter,
+      this.confidence,
     ]);
     fill(this.shown, [this.question, this.answer, confidence, this.candidates.root]);
     this.panel.add(this.shown, this.nothing, this.speaker.root);
@@ -34,7 +45,8 @@ export class ReadingPanel {
   }
 
   private ask(state: State): void {
-    this.question.textContent = state.label === null ? "It would say now" : `If this were all, the ${state.label} is`;
+    this.question.textContent =
+      state.label === null ? "It would say now" : `If this were all, the ${state.label} is`;
     this.draw(this.model.frame.value);
   }
 
@@ -60,6 +72,7 @@ export class ReadingPanel {
 function whyNothing(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system_problem !== null) return state.system_problem;
-  if (state.system === null) return "No system is chosen. Choose one above; it says what it reads from the touch.";
+  if (state.system === null)
+    return "No system is chosen. Choose one above; it says what it reads from the touch.";
   return "Nothing to read from yet: play, or step to a frame.";
 }

@@ -77,7 +77,8 @@ export class SceneView {
   /** Shaders are compiled aside: the first picture would else hold up everything. */
   private async prepare(): Promise<void> {
     if (this.ready) return;
-    if (this.renderer.extensions.has("KHR_parallel_shader_compile")) await this.renderer.compileAsync(this.scene, this.camera);
+    if (this.renderer.extensions.has("KHR_parallel_shader_compile"))
+      await this.renderer.compileAsync(this.scene, this.camera);
     else await new Promise((done) => window.setTimeout(done)); // everything else is drawn first
     this.ready = true;
     this.retire(null);
@@ -161,7 +162,10 @@ export class SceneView {
     const ray = new Raycaster();
     ray.setFromCamera(place, this.camera);
     const taxels = [...(this.parts?.taxels ?? [])];
-    const hit = ray.intersectObjects(taxels.map(([, mesh]) => mesh), false)[0]?.object;
+    const hit = ray.intersectObjects(
+      taxels.map(([, mesh]) => mesh),
+      false,
+    )[0]?.object;
     return taxels.find(([, mesh]) => mesh === (hit as Mesh | undefined))?.[0] ?? null;
   }
 }

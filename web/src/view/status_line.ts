@@ -27,7 +27,13 @@ export class StatusLine {
   /** Words change a few times a second; the numbers in data attributes are always the newest. */
   work(work: Work): void {
     const { drawn, dropped, usual, most, drawing } = work;
-    Object.assign(this.root.dataset, { drawn, dropped, usual: usual.toFixed(2), most: most.toFixed(2), drawing: drawing.toFixed(2) });
+    Object.assign(this.root.dataset, {
+      drawn,
+      dropped,
+      usual: usual.toFixed(2),
+      most: most.toFixed(2),
+      drawing: drawing.toFixed(2),
+    });
     const now = performance.now();
     if (now - this.told < 250) return;
     this.told = now;
@@ -36,7 +42,12 @@ export class StatusLine {
   }
 
   private showLink(link: Link): void {
-    this.link.textContent = { connecting: "connecting", open: "connected", lost: "not connected", refused: "refused" }[link.kind];
+    this.link.textContent = {
+      connecting: "connecting",
+      open: "connected",
+      lost: "not connected",
+      refused: "refused",
+    }[link.kind];
     this.link.dataset["kind"] = link.kind;
   }
 }

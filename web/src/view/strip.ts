@@ -45,7 +45,10 @@ export class Strip {
     const head = element("div", { class: "strip-head" }, [title, this.values.root]);
     this.root = element("div", { class: "strip", "data-channel": channel.name }, [head, this.place]);
     this.place.setAttribute("role", "img");
-    this.place.setAttribute("aria-label", `${channel.name} over time${channel.unit && `, in ${channel.unit}`}`);
+    this.place.setAttribute(
+      "aria-label",
+      `${channel.name} over time${channel.unit && `, in ${channel.unit}`}`,
+    );
     this.observer.observe(this.place);
   }
 
@@ -79,7 +82,11 @@ export class Strip {
     const { options, data } = make(this.channel, this.model);
     const size = { width: this.place.clientWidth || 300, height: this.place.clientHeight || kHeight };
     this.data = data;
-    this.plot = new uPlot({ ...size, legend: { show: false }, padding: [5, 6, 0, 0], series: [], ...options }, data(), this.place) as Batching;
+    this.plot = new uPlot(
+      { ...size, legend: { show: false }, padding: [5, 6, 0, 0], series: [], ...options },
+      data(),
+      this.place,
+    ) as Batching;
     this.seekOnClick(kind);
   }
 

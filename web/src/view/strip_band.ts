@@ -21,10 +21,17 @@ export function bandPlot(channel: ChannelData, model: Model): Plot {
   const canvas = document.createElement("canvas");
   const options = {
     scales: { x: timeScale(model), y: { range: (): [number, number] => [count + 0.5, 0.5] } },
-    axes: axes({ values: (_: uPlot, ticks: number[]) => ticks.map((tick) => (Number.isInteger(tick) ? String(tick) : "")) }),
+    axes: axes({
+      values: (_: uPlot, ticks: number[]) =>
+        ticks.map((tick) => (Number.isInteger(tick) ? String(tick) : "")),
+    }),
     series: [{}, { show: false }],
     cursor: kCursor,
-    hooks: { drawSeries: [], drawClear: [(plot: uPlot) => drawBands(plot, canvas, channel, model)], draw: [drawMoment(model)] },
+    hooks: {
+      drawSeries: [],
+      drawClear: [(plot: uPlot) => drawBands(plot, canvas, channel, model)],
+      draw: [drawMoment(model)],
+    },
   };
   return { options, data: () => [model.history.times, model.history.times.map(() => null)] };
 }
@@ -57,7 +64,12 @@ function isSeen(times: readonly number[], at: number, time: number, end: number)
   return time - (times[at] ?? 0) <= kLast * end;
 }
 
-function paint(canvas: HTMLCanvasElement, width: number, height: number, columns: (readonly number[] | null)[]): void {
+function paint(
+  canvas: HTMLCanvasElement,
+  width: number,
+  height: number,
+  columns: (readonly number[] | null)[],
+): void {
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext("2d");

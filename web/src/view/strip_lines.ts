@@ -51,6 +51,7 @@ function columns(channel: ChannelData, model: Model): uPlot.AlignedData {
   const rows = model.history.rows(channel.name);
   const end = timeEnd(model);
   const cuts = times.map((time, i) => (isGap(times, i, end) ? [time, (time + times[i + 1]!) / 2] : [time]));
-  const column = (element: number) => cuts.flatMap(({ length }, i) => [rows[i]?.[element] ?? null, null].slice(0, length));
+  const column = (element: number) =>
+    cuts.flatMap(({ length }, i) => [rows[i]?.[element] ?? null, null].slice(0, length));
   return [cuts.flat(), ...channel.elements.map((_, i) => column(i))];
 }

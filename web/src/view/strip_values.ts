@@ -30,11 +30,23 @@ export class StripValues {
 
   private item(name: string, i: number): HTMLElement {
     const { colour, dash } = lineLook(i);
-    const line = shape("line", { x1: 0, y1: 5, x2: 9, y2: 5, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash.join(" ") });
+    const line = shape("line", {
+      x1: 0,
+      y1: 5,
+      x2: 9,
+      y2: 5,
+      stroke: colour,
+      "stroke-width": 2.5,
+      "stroke-dasharray": dash.join(" "),
+    });
     const sample = shape("svg", { viewBox: "0 0 9 10", width: 9, height: 10, "aria-hidden": "true" }, [line]);
     const words = element("span", { class: "hidden-text" }, [name]);
     const single = this.channel.elements.length === 1;
-    return element("span", { class: "strip-value", title: name }, [single ? null : sample, words, this.cells[i]!]);
+    return element("span", { class: "strip-value", title: name }, [
+      single ? null : sample,
+      words,
+      this.cells[i]!,
+    ]);
   }
 }
 

@@ -9,7 +9,12 @@ import { axes, tickWords } from "./strip_axes";
 import { themeColour } from "./theme_colours";
 
 export function wavePlot(channel: ChannelData, model: Model): Plot {
-  const wave: uPlot.Series = { label: channel.name, stroke: themeColour("accent"), width: 1, points: { show: false } };
+  const wave: uPlot.Series = {
+    label: channel.name,
+    stroke: themeColour("accent"),
+    width: 1,
+    points: { show: false },
+  };
   const options = {
     scales: { x: { time: false }, y: { range: even } },
     axes: axes({ values: tickWords }),

@@ -17,7 +17,11 @@ const kMost = 4;
 export class StripsPanel {
   readonly panel = new Panel(2, "strips", "Over time");
   private readonly place = element("div", { class: "strips" });
-  private readonly buttons = element("div", { class: "strip-choice", role: "group", "aria-label": "Channels" });
+  private readonly buttons = element("div", {
+    class: "strip-choice",
+    role: "group",
+    "aria-label": "Channels",
+  });
   private strips: Strip[] = [];
   private chosen = new Set<string>();
   private listed = "";
@@ -46,9 +50,16 @@ export class StripsPanel {
   private rebuild(): void {
     const channels = this.model.shownState.value?.channels ?? [];
     for (const strip of this.strips) strip.destroy();
-    this.strips = channels.filter(({ name }) => this.chosen.has(name)).map((channel) => new Strip(channel, this.model));
-    fill(this.buttons, channels.map((channel) => this.button(channel)));
-    const empty = element("p", { class: "empty" }, [channels.length === 0 ? "Nothing has been felt yet." : "No channel is chosen."]);
+    this.strips = channels
+      .filter(({ name }) => this.chosen.has(name))
+      .map((channel) => new Strip(channel, this.model));
+    fill(
+      this.buttons,
+      channels.map((channel) => this.button(channel)),
+    );
+    const empty = element("p", { class: "empty" }, [
+      channels.length === 0 ? "Nothing has been felt yet." : "No channel is chosen.",
+    ]);
     fill(this.place, this.strips.length === 0 ? [empty] : this.strips.map(({ root }) => root));
     this.place.dataset["count"] = String(this.strips.length);
     this.ask();

@@ -9,7 +9,12 @@ import { Panel } from "./panel";
 
 export class SystemPanel {
   readonly panel = new Panel(6, "system", "Inside the system");
-  private readonly graphPlace = element("div", { class: "graph-place", tabindex: 0, role: "group", "aria-label": "Modules" });
+  private readonly graphPlace = element("div", {
+    class: "graph-place",
+    tabindex: 0,
+    role: "group",
+    "aria-label": "Modules",
+  });
   private readonly module: ModulePicture;
   private readonly nothing = element("p", { class: "empty" });
   private picture: GraphPicture | null = null;

@@ -18,7 +18,12 @@ export function taxelAnswer(answer: TaxelAnswer, state: State, model: Model): HT
     const picture = valuesPicture(grid, { label, size: kWidth, onChoose });
     picture.setValues(weights);
     picture.setMarks(neuron_classes, classes);
-    return [element("p", { class: "small muted" }, [`Its weight for each neuron of ${module}: light where it matters.`]), picture.element];
+    return [
+      element("p", { class: "small muted" }, [
+        `Its weight for each neuron of ${module}: light where it matters.`,
+      ]),
+      picture.element,
+    ];
   });
   const none = element("p", { class: "empty" }, ["No map listens to it."]);
   return maps.length === 0 ? [head, none] : [head, ...maps];
@@ -36,7 +41,9 @@ export function taxelChoice(model: Model): HTMLElement {
     listed = text;
     list.hidden = channel === undefined;
   });
-  model.question.watch((question) => (list.value = question?.about === "taxel" ? String(question.element) : ""));
+  model.question.watch(
+    (question) => (list.value = question?.about === "taxel" ? String(question.element) : ""),
+  );
   return list;
 }
 

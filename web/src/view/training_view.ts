@@ -40,7 +40,8 @@ export class TrainingView {
 
   private draw(training: Training | null): void {
     this.progress.hidden = training === null;
-    this.words.textContent = training === null ? "Nothing has learned here yet: press Learn." : wordsOf(training);
+    this.words.textContent =
+      training === null ? "Nothing has learned here yet: press Learn." : wordsOf(training);
     if (training === null) return this.clear();
     this.progress.max = Math.max(1, training.steps);
     this.progress.value = training.step;

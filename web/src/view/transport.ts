@@ -14,7 +14,13 @@ export class Transport {
   readonly root: HTMLElement;
   private readonly play = iconButton("play", "Play", "Play or pause (space)");
   private readonly speed = element("select", { "aria-label": "Speed", title: "Speed (up, down)" });
-  private readonly scrub = element("input", { type: "range", min: 0, max: 0, step: 1, "aria-label": "Frame" });
+  private readonly scrub = element("input", {
+    type: "range",
+    min: 0,
+    max: 0,
+    step: 1,
+    "aria-label": "Frame",
+  });
   private readonly time = element("output", { class: "time", "aria-label": "Time" }, ["–"]);
   private readonly choice = element("select", { "aria-label": "Exploration", class: "exploration" });
   private readonly seeker: Seeker;
@@ -52,8 +58,11 @@ export class Transport {
 
   faster(steps: number): void {
     const now = this.model.shownState.value?.speed ?? 1;
-    const nearest = kSpeeds.reduce((best, speed, i) =>
-      Math.abs(Math.log(speed / now)) < Math.abs(Math.log((kSpeeds[best] ?? 1) / now)) ? i : best, 0);
+    const nearest = kSpeeds.reduce(
+      (best, speed, i) =>
+        Math.abs(Math.log(speed / now)) < Math.abs(Math.log((kSpeeds[best] ?? 1) / now)) ? i : best,
+      0,
+    );
     const speed = kSpeeds[Math.min(kSpeeds.length - 1, Math.max(0, nearest + steps))] ?? 1;
     void this.model.tell({ command: "speed", speed });
   }
@@ -76,9 +85,14 @@ export class Transport {
   private watchControls(): void {
     this.play.addEventListener("click", () => this.togglePlaying());
     this.scrub.addEventListener("input", () => this.seek(Number(this.scrub.value)));
-    this.choice.addEventListener("change", () => this.choice.value !== "" && this.seek(0, Number(this.choice.value)));
-    this.speed.addEventListener("change", () =>
-      void this.model.tell({ command: "speed", speed: Number(this.speed.value) }));
+    this.choice.addEventListener(
+      "change",
+      () => this.choice.value !== "" && this.seek(0, Number(this.choice.value)),
+    );
+    this.speed.addEventListener(
+      "change",
+      () => void this.model.tell({ command: "speed", speed: Number(this.speed.value) }),
+    );
   }
 
   private showState(state: State): void {
@@ -125,7 +139,8 @@ export class Transport {
   }
 
   private stepButton(frames: -1 | 1): HTMLButtonElement {
-    const [name, words] = frames < 0 ? (["back", "Step back"] as const) : (["forward", "Step forward"] as const);
+    const [name, words] =
+      frames < 0 ? (["back", "Step back"] as const) : (["forward", "Step forward"] as const);
     const button = iconButton(name, words, `${words} (${frames < 0 ? "left" : "right"})`);
     button.addEventListener("click", () => this.step(frames));
     return button;
@@ -146,7 +161,9 @@ function placeOf(state: State): number {
 }
 
 function iconButton(name: Parameters<typeof icon>[0], words: string, title: string): HTMLButtonElement {
-  return element("button", { type: "button", class: "icon-button", "aria-label": words, title }, [icon(name)]);
+  return element("button", { type: "button", class: "icon-button", "aria-label": words, title }, [
+    icon(name),
+  ]);
 }
 
 export function labelled(words: string, control: HTMLElement): HTMLElement {
@@ -160,6 +177,9 @@ function option({ index, labels }: State["explorations"][number]): HTMLOptionEle
 function showSpeed(select: HTMLSelectElement, speed: number): void {
   const speeds = [...new Set([...kSpeeds, speed])].sort((a, b) => a - b);
   if (select.options.length !== speeds.length || select.value !== String(speed))
-    fill(select, speeds.map((value) => element("option", { value }, [`${value} ×`])));
+    fill(
+      select,
+      speeds.map((value) => element("option", { value }, [`${value} ×`])),
+    );
   select.value = String(speed);
 }

@@ -12,7 +12,9 @@ export class UnfoldedHand {
 
   constructor(private readonly model: Model) {
     model.shownState.watch((state) => this.build(state?.channels.find(({ name }) => name === "touch")));
-    model.question.watch((question) => this.picture?.select(question?.about === "taxel" ? question.element : null));
+    model.question.watch((question) =>
+      this.picture?.select(question?.about === "taxel" ? question.element : null),
+    );
   }
 
   draw(values: readonly number[]): void {

@@ -36,7 +36,9 @@ describe("the frames that have been seen", () => {
 
 describe("the scale of touch", () => {
   test("ends at a round number not below the most that was seen", () => {
-    expect([0, 0.03, 1, 1.01, 2, 4.2, 70, 5.000000001].map(roundNumber)).toEqual([1, 0.05, 1, 2, 2, 5, 100, 5]);
+    expect([0, 0.03, 1, 1.01, 2, 4.2, 70, 5.000000001].map(roundNumber)).toEqual([
+      1, 0.05, 1, 2, 2, 5, 100, 5,
+    ]);
   });
 
   test("follows the exploration, unless it is held", () => {
@@ -71,7 +73,14 @@ test("a neuron's class is the one that it won most of", () => {
 });
 
 test("numbers that change keep their decimals", () => {
-  expect([0, 1.234, -12.34, 99.96, 9.996, Number.NaN].map(digits)).toEqual(["0.00", "1.23", "−12.3", "100", "10.0", "–"]);
+  expect([0, 1.234, -12.34, 99.96, 9.996, Number.NaN].map(digits)).toEqual([
+    "0.00",
+    "1.23",
+    "−12.3",
+    "100",
+    "10.0",
+    "–",
+  ]);
   expect(withUnit(1, "N")).toBe("1.00 N");
 });
 
@@ -88,13 +97,18 @@ test("shapes are as large as MuJoCo says", () => {
     geometry.computeBoundingBox();
     const { x, y, z } = geometry.boundingBox!.max;
     const [a, b, c] = geom.size;
-    const expected = { box: [a, b, c], sphere: [a, a, a], cylinder: [a, a, b] }[geom.type as "box" | "sphere" | "cylinder"];
+    const expected = { box: [a, b, c], sphere: [a, a, a], cylinder: [a, a, b] }[
+      geom.type as "box" | "sphere" | "cylinder"
+    ];
     [x, y, z].forEach((size, i) => expect(size, geom.name).toBeCloseTo(expected[i]!, 4));
   }
 });
 
 test("a mesh of few faces has flat ones", () => {
-  const corner = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], faces: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] };
+  const corner = {
+    vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1],
+    faces: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3],
+  };
   const geometry = geometryOf({ ...fakeScene(kThings[0]!).geoms[0]!, type: "mesh", ...corner });
   expect(geometry.getAttribute("position").count).toBe(12);
   expect([0, 1, 2].map((i) => geometry.getAttribute("normal").getZ(i))).toEqual([-1, -1, -1]);
