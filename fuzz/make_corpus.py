@@ -209,9 +209,23 @@ def results():
     write("results", "deep", '{"version":3,"study":"s","systems":' + "[" * 500 + "]" * 500 + "}")
 
 
+def view_requests():
+    head = "Host: localhost:1\r\nOrigin: http://localhost:1\r\nContent-Type: application/json\r\n"
+    write("view_request", "neuron",
+          "GET /api/neuron?map=m%20a&neuron=3&token=00 HTTP/1.1\r\nHost: 127.0.0.1:1\r\nX-Somato-Token: a\r\n\r\n")
+    write("view_request", "command", f"POST /api/command HTTP/1.1\r\n{head}Content-Length: 18\r\n\r\n")
+    write("view_request", "short", "GET / HTTP/1.0\r\n\r\n")
+    write("view_request", "refused",
+          "GET /%zz HTTP/1.1\r\nHost: a\r\nHost: b\r\nTransfer-Encoding: chunked\r\n\r\n")
+    write("view_request", "seek", '{"command":"seek","exploration":1,"frame":2}')
+    write("view_request", "placement", '{"command":"placement","x":1,"y":-2.5,"turn":90}')
+    write("view_request", "speed", '{"command":"speed","speed":1e309}')
+
+
 archives()
 npys()
 csvs()
 tomls()
 recordings()
 results()
+view_requests()

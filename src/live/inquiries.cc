@@ -32,6 +32,7 @@ Json nearest_json(const Som& som, const Samples& inputs, const Recording& record
                   std::size_t neuron) {
   SomWorkspace workspace;
   std::vector<std::pair<double, std::size_t>> distances;
+  distances.reserve(inputs.count());
   for (std::size_t i = 0; i < inputs.count(); ++i) {
     distances.emplace_back(som.distance(inputs[i], neuron, workspace), i);
   }
