@@ -12,7 +12,7 @@ namespace {
 
 using kernels::kPending;
 
-static_assert(kKernels<kernels::OnlineTable> == 5, "count each of them");
+static_assert(kKernels<kernels::OnlineTable> == 7, "count each of them");
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kColumns = 250;
@@ -47,43 +47,54 @@ void count_tiles(const Counted& counted) {
       [&] { return digest_of(to, digest_of(squares)); });
 }
 
-void count_blocks(const Counted& counted) {
-  constexpr std::size_t kBlocks = 7;
-  constexpr std::size_t kChunkOfColumns = 64;
-  const auto weights = noise<float>(kBlocks * kColumns * kLanes, 35);
+void count_block(const Counted& counted) {
+  constexpr std::size_t kChunkOfColumns = 24;
+  const auto tile = noise<float>(kColumns * kLanes, 35);
   const auto input = noise<float>(kColumns, 36);
-  std::vector<const float*> blocks(kBlocks);
-  for (std::size_t i = 0; i < kBlocks; ++i) blocks[i] = weights.data() + i * kColumns * kLanes;
-  AlignedVector<float> sums(kBlocks * kLanes);
+  AlignedVector<float> sums(kLanes);
   counted(
-      "online.multiply_blocks",
+      "online.multiply_block",
       [&] {
-        kernels::online_table().multiply_blocks(blocks.data(), kBlocks, kColumns, kChunkOfColumns,
-                                                input.data(), sums.data());
+        kernels::online_table().multiply_block(tile.data(), kColumns, kChunkOfColumns, input.data(),
+                                               sums.data());
       },
       [&] { return digest_of(sums); });
 }
 
 void count_rows(const Counted& counted) {
   const auto& table = kernels::online_table();
-  constexpr std::size_t kNeurons = 1003;
-  auto row = noise<float>(kNeurons, 37);
+  constexpr std::size_t kNeurons = 63 * kLanes;
+  constexpr std::size_t kRows = 5;
+  auto values = noise<float>(kRows * kNeurons, 37);
+  std::vector<float*> rows(kRows);
+  for (std::size_t i = 0; i < kRows; ++i) rows[i] = values.data() + i * kNeurons;
   const auto factors = noise<float>(kNeurons, 38);
-  AlignedVector<double> squares(kNeurons);
-  const Digest bits = [&] { return digest_of(row, digest_of(squares)); };
+  const auto scales = noise<double>(kNeurons, 39);
+  AlignedVector<double> sums(kNeurons);
+  AlignedVector<float> to(kNeurons);
+  const Digest bits = [&] { return digest_of(values, digest_of(sums, digest_of(to))); };
   counted(
-      "online.move_row",
-      [&] { table.move_row(row.data(), 0.7F, factors.data(), kNeurons, squares.data()); }, bits);
+      "online.add_rows",
+      [&] { table.add_rows(rows.data(), factors.data(), kRows, kNeurons, sums.data()); }, bits);
   counted(
-      "online.fold_row",
-      [&] { table.fold_row(row.data(), factors.data(), kNeurons, squares.data()); }, bits);
+      "online.move_rows",
+      [&] {
+        table.move_rows(rows.data(), factors.data(), kRows, factors.data(), kNeurons, sums.data());
+      },
+      bits);
+  counted(
+      "online.fold_row", [&] { table.fold_row(rows[0], factors.data(), kNeurons, sums.data()); },
+      bits);
+  counted(
+      "online.scale_row",
+      [&] { table.scale_row(rows[0], scales.data(), kNeurons, to.data(), kLanes); }, bits);
 }
 
 }  // namespace
 
 void count_online_kernels(const Counted& counted) {
   count_tiles(counted);
-  count_blocks(counted);
+  count_block(counted);
   count_rows(counted);
 }
 

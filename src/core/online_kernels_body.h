@@ -51,7 +51,7 @@ constexpr std::size_t kColumnsAtOnce = 4;
 template <std::size_t Count, std::size_t Columns, bool Last>
 inline void add_inputs(const float* from, const Vector<float>& kept, const Vector<float>* gain,
                        const float* inputs, const Vector<float>& limit, float* to,
-                       Vector<float>& squares) {
+                       Vector<float>* squares) {
   Vector<float> moved[Columns];
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < Columns; ++i) {
@@ -68,7 +68,7 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
   for (std::size_t i = 0; i < Columns; ++i) {
     if (Last) {
       moved[i] = zero_below(moved[i], limit);
-      squares = multiply_add(moved[i], moved[i], squares);
+      squares[i] = multiply_add(moved[i], moved[i], squares[i]);
     }
     moved[i].store(to + i * kLaneCount<float>);
   }
@@ -83,7 +83,9 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
   for (std::size_t j = 0; j < Count; ++j) {
     gain[j] = Vector<float>::load(gains + j * kLaneCount<float>);
   }
-  auto sum = Vector<float>::all(0);
+  Vector<float> sum[kColumnsAtOnce];
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < kColumnsAtOnce; ++i) sum[i] = Vector<float>::all(0);
   std::size_t column = 0;
   for (; column + kColumnsAtOnce <= columns; column += kColumnsAtOnce) {
     add_inputs<Count, kColumnsAtOnce, Last>(from + column * kLaneCount<float>, kept, gain,
@@ -95,7 +97,9 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
                                inputs + column * kPending, limit, to + column * kLaneCount<float>,
                                sum);
   }
-  if (Last) (Vector<float>::load(squares) + sum).store(squares);
+  if (!Last) return;
+  const auto total = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  (Vector<float>::load(squares) + total).store(squares);
 }
 
 // The first Count of the inputs; returns how many are left.
@@ -130,73 +134,141 @@ void combine(const float* tile, std::size_t columns, const float* kept, const fl
   }
 }
 
-template <std::size_t Count>
-inline void multiply_some(const float* const* weights, std::size_t columns, std::size_t chunk,
-                          const float* input, float* sums) {
-  Vector<float> totals[Count];
+// So many chunks at once hide the latency of the multiply-add.
+constexpr std::size_t kChunksAtOnce = 4;
+
+// Adds the sums of neighbouring chunks to `total`, one after the other.
+template <std::size_t Chunks>
+inline Vector<float> add_chunks(const float* tile, std::size_t chunk, const float* input,
+                                Vector<float> total) {
+  Vector<float> sum[Chunks];
 #pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) totals[i] = Vector<float>::all(0);
-  for (std::size_t start = 0; start < columns; start += chunk) {
-    const std::size_t end = start + chunk < columns ? start + chunk : columns;
-    Vector<float> sum[Count];
+  for (std::size_t i = 0; i < Chunks; ++i) sum[i] = Vector<float>::all(0);
+  for (std::size_t column = 0; column < chunk; ++column) {
 #pragma GCC unroll 4
-    for (std::size_t i = 0; i < Count; ++i) sum[i] = Vector<float>::all(0);
-    for (std::size_t column = start; column < end; ++column) {
-      const auto element = Vector<float>::all(input[column]);
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < Count; ++i) {
-        const auto weight = Vector<float>::load(weights[i] + column * kLaneCount<float>);
-        sum[i] = multiply_add(weight, element, sum[i]);
-      }
+    for (std::size_t i = 0; i < Chunks; ++i) {
+      const std::size_t at = i * chunk + column;
+      sum[i] = multiply_add(Vector<float>::load(tile + at * kLaneCount<float>),
+                            Vector<float>::all(input[at]), sum[i]);
     }
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < Count; ++i) totals[i] = totals[i] + sum[i];
   }
 #pragma GCC unroll 4
-  for (std::size_t i = 0; i < Count; ++i) totals[i].store(sums + i * kLaneCount<float>);
+  for (std::size_t i = 0; i < Chunks; ++i) total = total + sum[i];
+  return total;
 }
 
-// Four at once hide the latency of the multiply-add.
-void multiply_blocks(const float* const* weights, std::size_t blocks, std::size_t columns,
-                     std::size_t chunk, const float* input, float* sums) {
-  std::size_t i = 0;
-  for (; i + 4 <= blocks; i += 4) {
-    multiply_some<4>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+void multiply_block(const float* tile, std::size_t columns, std::size_t chunk, const float* input,
+                    float* sums) {
+  auto total = Vector<float>::all(0);
+  std::size_t start = 0;
+  const auto at = [&] { return tile + start * kLaneCount<float>; };
+  for (; start + kChunksAtOnce * chunk <= columns; start += kChunksAtOnce * chunk) {
+    total = add_chunks<kChunksAtOnce>(at(), chunk, input + start, total);
   }
-  for (; i + 2 <= blocks; i += 2) {
-    multiply_some<2>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+  for (; start + chunk <= columns; start += chunk) {
+    total = add_chunks<1>(at(), chunk, input + start, total);
   }
-  for (; i < blocks; ++i) {
-    multiply_some<1>(weights + i, columns, chunk, input, sums + i * kLaneCount<float>);
+  if (start < columns) total = add_chunks<1>(at(), columns - start, input + start, total);
+  total.store(sums);
+}
+
+// What is summed stays in registers for so many rows.
+constexpr std::size_t kRowsAtOnce = 4;
+
+template <std::size_t Rows>
+inline void add_some_rows(const float* const* rows, const float* values, std::size_t count,
+                          double* sums) {
+  Vector<double> value[Rows];
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) {
+    value[r] = Vector<double>::all(static_cast<double>(values[r]));
+  }
+  for (std::size_t i = 0; i < count; i += kLaneCount<float>) {
+    auto low = Vector<double>::load(sums + i);
+    auto high = Vector<double>::load(sums + i + kLaneCount<double>);
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) {
+      const auto lanes = Vector<float>::load(rows[r] + i);
+      low = multiply_add(value[r], low_half(lanes), low);
+      high = multiply_add(value[r], high_half(lanes), high);
+    }
+    low.store(sums + i);
+    high.store(sums + i + kLaneCount<double>);
   }
 }
 
-// These two are plain, for the compiler to vectorize: the elements do not depend on each other.
-void move_row(float* __restrict row, float x, const float* __restrict factors, std::size_t count,
-              double* __restrict change) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const float before = row[i];
-    const float after = __builtin_fmaf(x, factors[i], before);
-    row[i] = after;
-    const auto was = static_cast<double>(before);
-    const auto is = static_cast<double>(after);
-    change[i] = __builtin_fma(is, is, __builtin_fma(-was, was, change[i]));
+void add_rows(const float* const* rows, const float* values, std::size_t number, std::size_t count,
+              double* sums) {
+  std::size_t r = 0;
+  for (; r + kRowsAtOnce <= number; r += kRowsAtOnce) {
+    add_some_rows<kRowsAtOnce>(rows + r, values + r, count, sums);
+  }
+  for (; r < number; ++r) add_some_rows<1>(rows + r, values + r, count, sums);
+}
+
+inline Vector<double> add_change(const Vector<double>& was, const Vector<double>& is,
+                                 const Vector<double>& change) {
+  const auto less = multiply_add(Vector<double>::all(0) - was, was, change);
+  return multiply_add(is, is, less);
+}
+
+template <std::size_t Rows>
+inline void move_some_rows(float* const* rows, const float* values, const float* factors,
+                           std::size_t count, double* change) {
+  for (std::size_t i = 0; i < count; i += kLaneCount<float>) {
+    const auto factor = Vector<float>::load(factors + i);
+    auto low = Vector<double>::load(change + i);
+    auto high = Vector<double>::load(change + i + kLaneCount<double>);
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) {
+      const auto was = Vector<float>::load(rows[r] + i);
+      const auto is = multiply_add(Vector<float>::all(values[r]), factor, was);
+      is.store(rows[r] + i);
+      low = add_change(low_half(was), low_half(is), low);
+      high = add_change(high_half(was), high_half(is), high);
+    }
+    low.store(change + i);
+    high.store(change + i + kLaneCount<double>);
   }
 }
 
-void fold_row(float* __restrict row, const float* __restrict factors, std::size_t count,
-              double* __restrict squares) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const float scaled = row[i] * factors[i];
-    const float kept = __builtin_fabsf(scaled) < kNegligible<float> ? 0.0F : scaled;
-    row[i] = kept;
-    squares[i] = __builtin_fma(static_cast<double>(kept), static_cast<double>(kept), squares[i]);
+void move_rows(float* const* rows, const float* values, std::size_t number, const float* factors,
+               std::size_t count, double* change) {
+  std::size_t r = 0;
+  for (; r + kRowsAtOnce <= number; r += kRowsAtOnce) {
+    move_some_rows<kRowsAtOnce>(rows + r, values + r, factors, count, change);
+  }
+  for (; r < number; ++r) move_some_rows<1>(rows + r, values + r, factors, count, change);
+}
+
+void fold_row(float* row, const float* factors, std::size_t count, double* squares) {
+  const auto limit = Vector<float>::all(kNegligible<float>);
+  for (std::size_t i = 0; i < count; i += kLaneCount<float>) {
+    const auto scaled = Vector<float>::load(row + i) * Vector<float>::load(factors + i);
+    const auto kept = zero_below(scaled, limit);
+    kept.store(row + i);
+    double* to = squares + i;
+    multiply_add(low_half(kept), low_half(kept), Vector<double>::load(to)).store(to);
+    to += kLaneCount<double>;
+    multiply_add(high_half(kept), high_half(kept), Vector<double>::load(to)).store(to);
+  }
+}
+
+void scale_row(const float* row, const double* scales, std::size_t count, float* to,
+               std::size_t stride) {
+  const auto limit = Vector<float>::all(kNegligible<float>);
+  for (std::size_t i = 0; i < count; i += kLaneCount<float>, to += stride) {
+    const auto lanes = Vector<float>::load(row + i);
+    const auto low = Vector<double>::load(scales + i) * low_half(lanes);
+    const auto high = Vector<double>::load(scales + i + kLaneCount<double>) * high_half(lanes);
+    zero_below(narrowed(low, high), limit).store(to);
   }
 }
 
 }  // namespace
 
 // NOLINTNEXTLINE(misc-definitions-in-headers): each source that includes this has its own namespace
-extern const OnlineTable kOnlineTable = {multiply, combine, multiply_blocks, move_row, fold_row};
+extern const OnlineTable kOnlineTable = {multiply,  combine,  multiply_block, add_rows,
+                                         move_rows, fold_row, scale_row};
 
 }  // namespace somato::kernels::SOMATO_KERNELS

@@ -34,6 +34,8 @@ class ThreadTeam {
   /// No job may be under way.
   ~ThreadTeam();
 
+  std::size_t size() const { return parts_.size(); }
+
   /// Calls `work(task)` for 0 .. count-1, and returns when all are done. An exception of any task
   /// is rethrown then; tasks not yet begun are left out. While a job is under way, others (of its
   /// own tasks, or of other threads) are done by their calling thread alone.
@@ -48,7 +50,6 @@ class ThreadTeam {
     std::size_t end = 0;
   };
 
-  std::size_t size() const { return parts_.size(); }
   void start();
   void open(std::size_t count, const std::function<void(std::size_t)>& work, Order order,
             FirstException& exception);

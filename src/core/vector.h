@@ -49,6 +49,19 @@ struct Vector<double> {
   void store(double* to) const { _mm512_store_pd(to, lanes); }
   bool is_zero() const { return _mm512_cmp_pd_mask(lanes, _mm512_setzero_pd(), _CMP_NEQ_UQ) == 0; }
 };
+// Between a vector of floats and its halves in double precision.
+inline Vector<double> low_half(Vector<float> a) {
+  return {_mm512_cvtps_pd(_mm512_castps512_ps256(a.lanes))};
+}
+inline Vector<double> high_half(Vector<float> a) {
+  const auto high = _mm512_extractf64x4_pd(_mm512_castps_pd(a.lanes), 1);
+  return {_mm512_cvtps_pd(_mm256_castpd_ps(high))};
+}
+inline Vector<float> narrowed(Vector<double> low, Vector<double> high) {
+  const auto first = _mm512_castps256_ps512(_mm512_cvtpd_ps(low.lanes));
+  const auto second = _mm256_castps_pd(_mm512_cvtpd_ps(high.lanes));
+  return {_mm512_castpd_ps(_mm512_insertf64x4(_mm512_castps_pd(first), second, 1))};
+}
 inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
   return {_mm512_add_pd(a.lanes, b.lanes)};
 }
@@ -132,6 +145,21 @@ struct Vector<double> {
                                            _mm256_cmp_pd(high, zero, _CMP_NEQ_UQ))) == 0;
   }
 };
+inline Vector<double> widened(__m256 a) {
+  return {_mm256_cvtps_pd(_mm256_castps256_ps128(a)), _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))};
+}
+inline __m256 narrowed(Vector<double> a) {
+  return _mm256_set_m128(_mm256_cvtpd_ps(a.high), _mm256_cvtpd_ps(a.low));
+}
+inline Vector<double> low_half(Vector<float> a) {
+  return widened(a.low);
+}
+inline Vector<double> high_half(Vector<float> a) {
+  return widened(a.high);
+}
+inline Vector<float> narrowed(Vector<double> low, Vector<double> high) {
+  return {narrowed(low), narrowed(high)};
+}
 inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
   return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
 }
@@ -237,6 +265,25 @@ inline Vector<Real> zero_below(Vector<Real> a, const Vector<Real>& limit) {
     if (magnitude < limit.lanes[i]) a.lanes[i] = 0;
   }
   return a;
+}
+inline Vector<double> half_from(const Vector<float>& a, std::size_t first) {
+  Vector<double> half;
+  for (std::size_t i = 0; i < half.kCount; ++i) half.lanes[i] = a.lanes[first + i];
+  return half;
+}
+inline Vector<double> low_half(const Vector<float>& a) {
+  return half_from(a, 0);
+}
+inline Vector<double> high_half(const Vector<float>& a) {
+  return half_from(a, Vector<double>::kCount);
+}
+inline Vector<float> narrowed(const Vector<double>& low, const Vector<double>& high) {
+  Vector<float> all;
+  for (std::size_t i = 0; i < low.kCount; ++i) {
+    all.lanes[i] = static_cast<float>(low.lanes[i]);
+    all.lanes[low.kCount + i] = static_cast<float>(high.lanes[i]);
+  }
+  return all;
 }
 
 #endif

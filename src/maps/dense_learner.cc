@@ -36,7 +36,6 @@
 #include "core/batch_kernels.h"
 #include "core/lanes.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
 
 namespace somato {
 namespace {
@@ -49,8 +48,8 @@ constexpr double kUnit = 0x1p-24;
 // Below it multiplying gets slow, and no weight moves.
 constexpr double kSmallestGain = 0x1p-100;
 
-// More multiply-adds (of vectors) than starting a thread takes.
-constexpr std::size_t kWorthAThread = std::size_t{1} << 17;
+// Vectors to read that take longer than telling other threads.
+constexpr std::size_t kWorthSharing = std::size_t{1} << 12;
 
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
@@ -92,21 +91,24 @@ void InputSlots::write(std::size_t first, const std::vector<std::span<const floa
     std::copy(inputs[i].begin(), inputs[i].end(),
               rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
   }
+}
+
+void InputSlots::write_lanes(std::size_t first, std::size_t count) {
   for (std::size_t start = 0; start < columns_; start += kLanes) {
     const std::size_t end = std::min(start + kLanes, columns_);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const float* input = inputs[i].data();
-      float* lane = lanes_.data() + first + i;
+    for (std::size_t slot = first; slot < first + count; ++slot) {
+      const std::span<const float> from = input(slot);
+      float* lane = lanes_.data() + slot;
       for (std::size_t column = start; column < end; ++column) {
-        lane[column * kPending] = input[column];
+        lane[column * kPending] = from[column];
       }
     }
   }
 }
 
-DenseLearner::DenseLearner(Som& som, std::size_t threads)
+DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
     : som_(som),
-      threads_(threads),
+      team_(team),
       chunk_(chunk_for(som.weights().columns())),
       neighbourhood_(som.grid(), som.parameters().neighbourhood),
       slots_(som.weights().columns()),
@@ -148,8 +150,6 @@ void DenseLearner::expect(const std::vector<std::span<const float>>& inputs) {
   slots.write(first, inputs);
   if (full) {
     rebase(inputs.size());
-  } else if (inputs.size() == 1) {
-    read_products(first);
   } else {
     pass(slots_, first, inputs.size());
   }
@@ -172,14 +172,10 @@ void DenseLearner::rebase_expected() {
 
 // Makes the pending updates and goes on with the first `count` of the other slots.
 void DenseLearner::rebase(std::size_t count) {
-  for (std::size_t block = 0; block < blocks(); ++block) {
-    if (moved_[block] != 0) write_coefficients(block);
-  }
-  pass(other_slots_, 0, count == 1 ? 0 : count);
+  pass(other_slots_, 0, count);
   if (clears()) learned_since_clearing_ = 0;
   forget_pending();
   std::swap(slots_, other_slots_);
-  if (count == 1) read_products(0);
 }
 
 void DenseLearner::settle() {
@@ -212,36 +208,41 @@ void DenseLearner::forget_pending() {
   pending_ = 0;
 }
 
-// As fast as reading is: several sums at once do not wait for each other.
-void DenseLearner::read_products(std::size_t slot) {
-  const LaneMatrix<float>& weights = som_.weights();
-  tiles_.clear();
-  for (std::size_t block = 0; block < blocks(); ++block) {
-    tiles_.push_back(weights.data() + block * weights.columns() * kLanes);
-  }
-  tiles_.push_back(slots_.lanes(0));
-  kernels::online_table().multiply_blocks(tiles_.data(), tiles_.size(), weights.columns(), chunk_,
-                                          slots_.input(slot).data(), products_of(slot));
-}
-
 // Makes what is pending if `next` are other slots than those in use; takes the products of `count`
 // inputs from slot `first` on. The last block is that of the slots themselves.
-void DenseLearner::pass(const InputSlots& next, std::size_t first, std::size_t count) {
-  const std::size_t work = blocks() * som_.weights().columns() * (count + pending_);
-  for_each_range(blocks() + 1, work < kWorthAThread ? 1 : threads_,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t block = begin; block < end; ++block) {
-                     pass_over_block(block, next, first, count);
-                   }
-                 });
+void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) {
+  if (count > 1) next.write_lanes(first, count);
+  const auto work = [&](std::size_t block) { pass_over_block(block, next, first, count); };
+  const std::size_t tasks = blocks() + 1;
+  if (blocks() * som_.weights().columns() < kWorthSharing) {
+    for (std::size_t block = 0; block < tasks; ++block) work(block);
+  } else {
+    team_.for_each(tasks, work, order_);
+  }
+  order_ = order_ == ThreadTeam::Order::kUp ? ThreadTeam::Order::kDown : ThreadTeam::Order::kUp;
 }
 
-void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
+void DenseLearner::pass_over_block(std::size_t block, InputSlots& next, std::size_t first,
                                    std::size_t count) {
+  const bool of_slots = block == blocks();
+  const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
+  if (moves) write_coefficients(block);
+  if (moves || count > 1) pass_in_tiles(block, next, first, count > 1 ? count : 0, moves);
+  if (count != 1) return;
+  if (of_slots) next.write_lanes(first, 1);
+  const std::size_t columns = som_.weights().columns();
+  const float* tile =
+      of_slots ? next.lanes(0) : std::as_const(som_).weights().data() + block * columns * kLanes;
+  kernels::online_table().multiply_block(tile, columns, chunk_, next.input(first).data(),
+                                         products_of(first) + block * kLanes);
+}
+
+// Few columns at a time, which stay in the first cache.
+void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
+                                 std::size_t count, bool moves) {
   const std::size_t columns = som_.weights().columns();
   const std::size_t product_stride = stride() + kPending;
   const bool of_slots = block == blocks();
-  const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
   alignas(64) float squares[kLanes] = {};
   float* products = products_of(first) + block * kLanes;
   for (std::size_t j = 0; j < count; ++j) {

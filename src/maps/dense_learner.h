@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/online_kernels.h"
+#include "core/thread_team.h"
 #include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
 #include "somato/maps/neighbourhood.h"
@@ -20,8 +21,11 @@ class InputSlots {
  public:
   explicit InputSlots(std::size_t columns);
 
-  /// Writes neighbouring slots from `first` on.
+  /// Writes neighbouring slots from `first` on, in the first order.
   void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
+
+  /// Copies `count` slots from `first` on into the second order.
+  void write_lanes(std::size_t first, std::size_t count);
 
   std::span<const float> input(std::size_t slot) const {
     return {rows_.data() + slot * stride_, columns_};
@@ -45,7 +49,7 @@ class InputSlots {
 class DenseLearner {
  public:
   /// Nobody else may change the map's weights as long as it is trained here.
-  DenseLearner(Som& som, std::size_t threads);
+  DenseLearner(Som& som, ThreadTeam& team);
 
   /// Makes the next inputs known, as the map sees them: at least one, at most kPending. They are
   /// then learned in this order.
@@ -70,10 +74,10 @@ class DenseLearner {
     return products_.data() + slot * (stride() + kernels::kPending);
   }
 
-  void read_products(std::size_t slot);
-  void pass(const InputSlots& next, std::size_t first, std::size_t count);
-  void pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
-                       std::size_t count);
+  void pass(InputSlots& next, std::size_t first, std::size_t count);
+  void pass_over_block(std::size_t block, InputSlots& next, std::size_t first, std::size_t count);
+  void pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
+                     std::size_t count, bool moves);
   void combine_tile(std::size_t block, std::size_t start, std::size_t columns, float* to,
                     float* squares) const;
   void write_coefficients(std::size_t block);
@@ -92,7 +96,8 @@ class DenseLearner {
   void normalize_measured();
 
   Som& som_;
-  std::size_t threads_;
+  ThreadTeam& team_;
+  ThreadTeam::Order order_ = ThreadTeam::Order::kUp;
   std::size_t chunk_;  // columns that are summed on their own
   Neighbourhood neighbourhood_;
   InputSlots slots_;  // the pending ones, then those expected
@@ -116,7 +121,6 @@ class DenseLearner {
   AlignedVector<double> new_gains_;
   std::vector<std::size_t> to_measure_;
   AlignedVector<float> neighbours_;
-  std::vector<const float*> tiles_;
   AlignedVector<float> scratch_block_;
   std::vector<float> scratch_row_;
   std::uint64_t learned_since_clearing_ = 0;

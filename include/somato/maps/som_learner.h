@@ -12,6 +12,7 @@ namespace somato {
 
 class DenseLearner;
 class SparseLearner;
+class ThreadTeam;
 
 /// How one input is learned.
 struct LearningStep {
@@ -32,7 +33,8 @@ struct LearningStep {
 /// more; unless the map is settled after nearly each input, only what is not 0 then costs time.
 class SomLearner {
  public:
-  /// `threads` are used where several inputs are known.
+  /// `threads` share each input of a map that is large enough; others than the calling one live as
+  /// long as the learner.
   explicit SomLearner(Som& som, std::size_t threads = 1);
 
   SomLearner(const SomLearner&) = delete;
@@ -61,7 +63,7 @@ class SomLearner {
   std::size_t learn_ahead(std::span<const SignalView> inputs, std::span<const LearningStep> steps);
 
   Som& som_;
-  std::size_t threads_;
+  std::unique_ptr<ThreadTeam> team_;
   SomWorkspace workspace_;
   std::unique_ptr<DenseLearner> dense_;
   std::unique_ptr<SparseLearner> sparse_;

@@ -1,0 +1,182 @@
+// Each kernel against its formula, lane by lane; the bits are those of every instruction set.
+
+#include "core/online_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/kernels.h"
+#include "somato/core/lane_matrix.h"
+#include "somato/core/random.h"
+#include "support/instruction_sets.h"
+
+namespace somato {
+namespace {
+
+using kernels::kPending;
+
+constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+
+template <typename Real>
+AlignedVector<Real> random_values(std::size_t count, Random& random) {
+  AlignedVector<Real> values(count);
+  for (Real& value : values) value = static_cast<Real>(random.normal());
+  return values;
+}
+
+// Some rows of some blocks of lanes; now and then a value that is negligible.
+struct Rows {
+  Rows(std::size_t number, std::size_t lanes, Random& random)
+      : count(lanes), all(random_values<float>(number * lanes, random)) {
+    for (float& value : all) {
+      if (random.below(9) == 0) value *= kernels::kNegligible<float>;
+    }
+    for (std::size_t i = 0; i < number; ++i) rows.push_back(all.data() + i * lanes);
+  }
+  Rows(const Rows& other) = delete;
+  Rows& operator=(const Rows& other) = delete;
+
+  float at(std::size_t row, std::size_t lane) const { return all[row * count + lane]; }
+
+  std::size_t count;
+  AlignedVector<float> all;
+  std::vector<float*> rows;
+};
+
+float cleared(float value) {
+  return std::fabs(value) < kernels::kNegligible<float> ? 0.0F : value;
+}
+
+template <typename Work>
+void for_each_problem(const Work& work) {
+  testing::for_each_instruction_set([&](InstructionSet) {
+    Random random(7);
+    for (int i = 0; i < 40; ++i) work(random);
+  });
+}
+
+TEST(OnlineKernels, MultiplyABlockAsTileByTile) {
+  for_each_problem([](Random& random) {
+    const std::size_t columns = 1 + random.below(700);
+    const std::size_t chunk = 1 + random.below(90);
+    const auto tile = random_values<float>(columns * kLanes, random);
+    const auto input = random_values<float>(columns, random);
+    AlignedVector<float> inputs(columns * kPending);
+    for (std::size_t c = 0; c < columns; ++c) inputs[c * kPending + 3] = input[c];
+    AlignedVector<float> expected(kLanes);
+    AlignedVector<float> sums(kLanes, -1.0F);
+    const auto& table = kernels::online_table();
+    for (std::size_t start = 0; start < columns; start += chunk) {
+      table.multiply(tile.data() + start * kLanes, std::min(chunk, columns - start),
+                     inputs.data() + start * kPending + 3, 1, expected.data(), kLanes);
+    }
+    table.multiply_block(tile.data(), columns, chunk, input.data(), sums.data());
+    EXPECT_EQ(sums, expected) << columns << " in chunks of " << chunk;
+  });
+}
+
+TEST(OnlineKernels, CombineInputsInOrderAndMeasure) {
+  for_each_problem([](Random& random) {
+    const std::size_t columns = 1 + random.below(70);
+    const std::size_t count = 1 + random.below(kPending);
+    const auto tile = random_values<float>(columns * kLanes, random);
+    const auto inputs = random_values<float>(columns * kPending, random);
+    const auto kept = random_values<float>(kLanes, random);
+    const auto gains = random_values<float>(kPending * kLanes, random);
+    const float limit = random.below(2) == 0 ? 0.0F : 0.1F;
+    AlignedVector<float> to(tile.size());
+    AlignedVector<float> squares(kLanes, 1.0F);
+    kernels::online_table().combine(tile.data(), columns, kept.data(), gains.data(), inputs.data(),
+                                    count, limit, to.data(), squares.data());
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      double square = 1.0;
+      for (std::size_t c = 0; c < columns; ++c) {
+        float w = kept[lane] * tile[c * kLanes + lane];
+        for (std::size_t j = 0; j < count; ++j) {
+          w = std::fma(gains[j * kLanes + lane], inputs[c * kPending + j], w);
+        }
+        if (std::fabs(w) < limit) w = 0.0F;
+        ASSERT_EQ(to[c * kLanes + lane], w) << c << " of " << columns << ", " << count;
+        square += double{w} * double{w};
+      }
+      ASSERT_NEAR(double{squares[lane]}, square, 1e-5 * square);
+    }
+  });
+}
+
+TEST(OnlineKernels, AddRowsInDoublePrecision) {
+  for_each_problem([](Random& random) {
+    const std::size_t number = random.below(11);
+    const Rows rows(number, kLanes * (1 + random.below(5)), random);
+    const auto values = random_values<float>(number, random);
+    AlignedVector<double> sums(rows.count, 0.5);
+    kernels::online_table().add_rows(rows.rows.data(), values.data(), number, rows.count,
+                                     sums.data());
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      double sum = 0.5;
+      for (std::size_t i = 0; i < number; ++i) {
+        sum = std::fma(double{values[i]}, double{rows.at(i, lane)}, sum);
+      }
+      ASSERT_EQ(sums[lane], sum) << lane << " of " << number;
+    }
+  });
+}
+
+TEST(OnlineKernels, MoveRowsAndTellHowSquaresChange) {
+  for_each_problem([](Random& random) {
+    const std::size_t number = random.below(11);
+    const Rows rows(number, kLanes * (1 + random.below(5)), random);
+    const AlignedVector<float> before = rows.all;
+    const auto values = random_values<float>(number, random);
+    const auto factors = random_values<float>(rows.count, random);
+    AlignedVector<double> change(rows.count, 0.5);
+    kernels::online_table().move_rows(rows.rows.data(), values.data(), number, factors.data(),
+                                      rows.count, change.data());
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      double expected = 0.5;
+      for (std::size_t i = 0; i < number; ++i) {
+        const float was = before[i * rows.count + lane];
+        const float is = std::fma(values[i], factors[lane], was);
+        ASSERT_EQ(rows.at(i, lane), is);
+        expected = std::fma(-double{was}, double{was}, expected);
+        expected = std::fma(double{is}, double{is}, expected);
+      }
+      ASSERT_EQ(change[lane], expected) << lane << " of " << number;
+    }
+  });
+}
+
+TEST(OnlineKernels, FoldARow) {
+  for_each_problem([](Random& random) {
+    const Rows rows(1, kLanes * (1 + random.below(5)), random);
+    const AlignedVector<float> before = rows.all;
+    const auto factors = random_values<float>(rows.count, random);
+    AlignedVector<double> squares(rows.count, 0.5);
+    kernels::online_table().fold_row(rows.rows[0], factors.data(), rows.count, squares.data());
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      const float is = cleared(before[lane] * factors[lane]);
+      ASSERT_EQ(rows.at(0, lane), is);
+      ASSERT_EQ(squares[lane], std::fma(double{is}, double{is}, 0.5));
+    }
+  });
+}
+
+TEST(OnlineKernels, ScaleARowIntoBlocks) {
+  for_each_problem([](Random& random) {
+    const Rows rows(1, kLanes * (1 + random.below(5)), random);
+    const auto scales = random_values<double>(rows.count, random);
+    const std::size_t stride = kLanes * (1 + random.below(4));
+    AlignedVector<float> to(stride * rows.count / kLanes);
+    kernels::online_table().scale_row(rows.rows[0], scales.data(), rows.count, to.data(), stride);
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      const auto expected = static_cast<float>(scales[lane] * double{rows.at(0, lane)});
+      ASSERT_EQ(to[lane / kLanes * stride + lane % kLanes], cleared(expected));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace somato
