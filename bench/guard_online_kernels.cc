@@ -12,11 +12,21 @@ namespace {
 
 using kernels::kPending;
 
-static_assert(kKernels<kernels::OnlineTable> == 7, "count each of them");
+static_assert(kKernels<kernels::OnlineTable> == 10, "count each of them");
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kColumns = 250;
 constexpr std::size_t kSome = 7;  // inputs that are not as many as registers
+
+AlignedVector<std::int16_t> noise_of_integers(std::size_t count, std::uint64_t seed) {
+  constexpr float kGreatest = 30000.0F;
+  const auto values = noise<float>(count, seed);
+  AlignedVector<std::int16_t> integers(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    integers[i] = static_cast<std::int16_t>(kGreatest * values[i]);
+  }
+  return integers;
+}
 
 void count_tiles(const Counted& counted) {
   const auto& table = kernels::online_table();
@@ -28,6 +38,16 @@ void count_tiles(const Counted& counted) {
       [&] {
         table.multiply(tile.data(), kColumns, inputs.data(), kPending, sums.data(), kLanes);
         table.multiply(tile.data(), kColumns, inputs.data(), kSome, sums.data(), kLanes);
+      },
+      [&] { return digest_of(sums); });
+  const auto integers = noise_of_integers(kColumns * kLanes, 41);
+  counted(
+      "online.multiply_integers",
+      [&] {
+        table.multiply_integers(integers.data(), kColumns, inputs.data(), kPending, sums.data(),
+                                kLanes);
+        table.multiply_integers(integers.data(), kColumns, inputs.data(), kSome, sums.data(),
+                                kLanes);
       },
       [&] { return digest_of(sums); });
   const auto kept = noise<float>(kLanes, 33);
@@ -59,6 +79,29 @@ void count_block(const Counted& counted) {
                                                sums.data());
       },
       [&] { return digest_of(sums); });
+}
+
+void count_integers(const Counted& counted) {
+  constexpr std::size_t kChunkOfColumns = 24;
+  const auto& table = kernels::online_table();
+  const auto integers = noise_of_integers(kColumns * kLanes, 42);
+  const auto input = noise<float>(kColumns, 36);
+  AlignedVector<float> sums(kLanes);
+  counted(
+      "online.multiply_block_of_integers",
+      [&] {
+        table.multiply_block_of_integers(integers.data(), kColumns, kChunkOfColumns, input.data(),
+                                         sums.data());
+      },
+      [&] { return digest_of(sums); });
+  const auto tile = noise<float>(kColumns * kLanes, 43);
+  const AlignedVector<float> factors(kLanes, 30000.0F);
+  AlignedVector<std::int16_t> to(tile.size());
+  AlignedVector<float> greatest(kLanes);
+  counted(
+      "online.round_tile",
+      [&] { table.round_tile(tile.data(), kColumns, factors.data(), to.data(), greatest.data()); },
+      [&] { return digest_of(to, digest_of(greatest)); });
 }
 
 void count_rows(const Counted& counted) {
@@ -95,6 +138,7 @@ void count_rows(const Counted& counted) {
 void count_online_kernels(const Counted& counted) {
   count_tiles(counted);
   count_block(counted);
+  count_integers(counted);
   count_rows(counted);
 }
 

@@ -4,6 +4,7 @@
 // set gives the same bits (kernels.h).
 
 #include <cstddef>
+#include <cstdint>
 
 namespace somato::kernels {
 
@@ -18,6 +19,9 @@ struct OnlineTable {
   /// sums[j * stride + lane] += sum over columns of w * input j, for `count` inputs.
   void (*multiply)(const float* tile, std::size_t columns, const float* inputs, std::size_t count,
                    float* sums, std::size_t stride);
+  /// The same for a tile of integers.
+  void (*multiply_integers)(const std::int16_t* tile, std::size_t columns, const float* inputs,
+                            std::size_t count, float* sums, std::size_t stride);
   /// to = kept * w + sum over `count` (at least 1) inputs of gains_j * input j in order, then 0
   /// where its magnitude is below `limit`; squares += to^2, every fourth column summed on its own.
   /// `kept` and `squares` have a value a lane, `gains` one for each input and lane.
@@ -27,6 +31,13 @@ struct OnlineTable {
   /// columns after the other. A tile of all columns.
   void (*multiply_block)(const float* tile, std::size_t columns, std::size_t chunk,
                          const float* input, float* sums);
+  /// The same for a tile of integers.
+  void (*multiply_block_of_integers)(const std::int16_t* tile, std::size_t columns,
+                                     std::size_t chunk, const float* input, float* sums);
+  /// to = w * factors, which must be in range, rounded to the nearest integer (even where two are
+  /// as near); greatest = the greatest magnitude of w and of what it was. Both have a value a lane.
+  void (*round_tile)(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
+                     float* greatest);
   /// sums += the sum of values * rows, one row after the other.
   void (*add_rows)(const float* const* rows, const float* values, std::size_t number,
                    std::size_t count, double* sums);

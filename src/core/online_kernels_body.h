@@ -13,8 +13,8 @@ constexpr std::size_t kInputsAtOnce = 16;
 constexpr std::size_t kInputsAtOnce = 4;
 #endif
 
-template <std::size_t Count>
-inline void multiply_by(const float* tile, std::size_t columns, const float* inputs, float* sums,
+template <std::size_t Count, typename Weight>
+inline void multiply_by(const Weight* tile, std::size_t columns, const float* inputs, float* sums,
                         std::size_t stride) {
   Vector<float> sum[Count];
 #pragma GCC unroll 16
@@ -32,7 +32,8 @@ inline void multiply_by(const float* tile, std::size_t columns, const float* inp
   }
 }
 
-void multiply(const float* tile, std::size_t columns, const float* inputs, std::size_t count,
+template <typename Weight>
+void multiply(const Weight* tile, std::size_t columns, const float* inputs, std::size_t count,
               float* sums, std::size_t stride) {
   std::size_t j = 0;
   for (; j + kInputsAtOnce <= count; j += kInputsAtOnce) {
@@ -138,8 +139,8 @@ void combine(const float* tile, std::size_t columns, const float* kept, const fl
 constexpr std::size_t kChunksAtOnce = 4;
 
 // Adds the sums of neighbouring chunks to `total`, one after the other.
-template <std::size_t Chunks>
-inline Vector<float> add_chunks(const float* tile, std::size_t chunk, const float* input,
+template <std::size_t Chunks, typename Weight>
+inline Vector<float> add_chunks(const Weight* tile, std::size_t chunk, const float* input,
                                 Vector<float> total) {
   Vector<float> sum[Chunks];
 #pragma GCC unroll 4
@@ -157,7 +158,8 @@ inline Vector<float> add_chunks(const float* tile, std::size_t chunk, const floa
   return total;
 }
 
-void multiply_block(const float* tile, std::size_t columns, std::size_t chunk, const float* input,
+template <typename Weight>
+void multiply_block(const Weight* tile, std::size_t columns, std::size_t chunk, const float* input,
                     float* sums) {
   auto total = Vector<float>::all(0);
   std::size_t start = 0;
@@ -170,6 +172,19 @@ void multiply_block(const float* tile, std::size_t columns, std::size_t chunk, c
   }
   if (start < columns) total = add_chunks<1>(at(), columns - start, input + start, total);
   total.store(sums);
+}
+
+void round_tile(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
+                float* greatest_so_far) {
+  const auto factor = Vector<float>::load(factors);
+  auto greatest_weight = Vector<float>::load(greatest_so_far);
+#pragma GCC unroll 4
+  for (std::size_t column = 0; column < columns; ++column) {
+    const auto weight = Vector<float>::load(tile + column * kLaneCount<float>);
+    (weight * factor).store_rounded(to + column * kLaneCount<float>);
+    greatest_weight = greatest(greatest_weight, weight);
+  }
+  greatest_weight.store(greatest_so_far);
 }
 
 // What is summed stays in registers for so many rows.
@@ -268,7 +283,15 @@ void scale_row(const float* row, const double* scales, std::size_t count, float*
 }  // namespace
 
 // NOLINTNEXTLINE(misc-definitions-in-headers): each source that includes this has its own namespace
-extern const OnlineTable kOnlineTable = {multiply,  combine,  multiply_block, add_rows,
-                                         move_rows, fold_row, scale_row};
+extern const OnlineTable kOnlineTable = {multiply<float>,
+                                         multiply<std::int16_t>,
+                                         combine,
+                                         multiply_block<float>,
+                                         multiply_block<std::int16_t>,
+                                         round_tile,
+                                         add_rows,
+                                         move_rows,
+                                         fold_row,
+                                         scale_row};
 
 }  // namespace somato::kernels::SOMATO_KERNELS

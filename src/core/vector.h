@@ -13,8 +13,17 @@ template <>
 struct Vector<float> {
   __m512 lanes;
   static Vector load(const float* from) { return {_mm512_load_ps(from)}; }
+  static Vector load(const std::int16_t* from) {
+    const auto integers = _mm256_load_si256(reinterpret_cast<const __m256i*>(from));
+    return {_mm512_cvtepi32_ps(_mm512_cvtepi16_epi32(integers))};
+  }
   static Vector all(float value) { return {_mm512_set1_ps(value)}; }
   void store(float* to) const { _mm512_store_ps(to, lanes); }
+  // The nearest integers, which must be in range; even ones where two are as near.
+  void store_rounded(std::int16_t* to) const {
+    const auto integers = _mm512_cvtepi32_epi16(_mm512_cvtps_epi32(lanes));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), integers);
+  }
   bool is_zero() const { return _mm512_cmp_ps_mask(lanes, _mm512_setzero_ps(), _CMP_NEQ_UQ) == 0; }
 };
 inline Vector<float> operator+(Vector<float> a, Vector<float> b) {
@@ -39,6 +48,10 @@ inline Vector<float> multiply_add(Vector<float> a, Vector<float> b, Vector<float
 inline Vector<float> zero_below(Vector<float> a, Vector<float> limit) {
   const auto keep = _mm512_cmp_ps_mask(_mm512_abs_ps(a.lanes), limit.lanes, _CMP_NLT_UQ);
   return {_mm512_maskz_mov_ps(keep, a.lanes)};
+}
+// The greater of a and the magnitude of b.
+inline Vector<float> greatest(Vector<float> a, Vector<float> b) {
+  return {_mm512_maskz_max_ps(0xFFFF, a.lanes, _mm512_abs_ps(b.lanes))};
 }
 
 template <>
@@ -91,10 +104,20 @@ template <>
 struct Vector<float> {
   __m256 low, high;
   static Vector load(const float* from) { return {_mm256_load_ps(from), _mm256_load_ps(from + 8)}; }
+  static __m256 load_half(const std::int16_t* from) {
+    const auto integers = _mm_load_si128(reinterpret_cast<const __m128i*>(from));
+    return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(integers));
+  }
+  static Vector load(const std::int16_t* from) { return {load_half(from), load_half(from + 8)}; }
   static Vector all(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
   void store(float* to) const {
     _mm256_store_ps(to, low);
     _mm256_store_ps(to + 8, high);
+  }
+  void store_rounded(std::int16_t* to) const {
+    constexpr int kInOrder = 0xD8;
+    const auto mixed = _mm256_packs_epi32(_mm256_cvtps_epi32(low), _mm256_cvtps_epi32(high));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm256_permute4x64_epi64(mixed, kInOrder));
   }
   bool is_zero() const {
     const __m256 zero = _mm256_setzero_ps();
@@ -126,6 +149,12 @@ inline __m256 zero_below(__m256 a, __m256 limit) {
 }
 inline Vector<float> zero_below(Vector<float> a, Vector<float> limit) {
   return {zero_below(a.low, limit.low), zero_below(a.high, limit.high)};
+}
+inline __m256 greatest(__m256 a, __m256 b) {
+  return _mm256_max_ps(a, _mm256_andnot_ps(_mm256_set1_ps(-0.0F), b));
+}
+inline Vector<float> greatest(Vector<float> a, Vector<float> b) {
+  return {greatest(a.low, b.low), greatest(a.high, b.high)};
 }
 
 template <>
@@ -192,7 +221,8 @@ template <typename Real>
 struct Vector {
   static constexpr std::size_t kCount = 64 / sizeof(Real);
   Real lanes[kCount];
-  static Vector load(const Real* from) {
+  template <typename From>
+  static Vector load(const From* from) {
     Vector vector;
     for (std::size_t i = 0; i < kCount; ++i) vector.lanes[i] = from[i];
     return vector;
@@ -204,6 +234,13 @@ struct Vector {
   }
   void store(Real* to) const {
     for (std::size_t i = 0; i < kCount; ++i) to[i] = lanes[i];
+  }
+  // Single precision has no places behind the point where it begins to have no halves.
+  void store_rounded(std::int16_t* to) const {
+    constexpr Real kNoHalves = 0x1.8p23F;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      to[i] = static_cast<std::int16_t>((lanes[i] + kNoHalves) - kNoHalves);
+    }
   }
   bool is_zero() const {
     for (const Real lane : lanes) {
@@ -263,6 +300,13 @@ inline Vector<Real> zero_below(Vector<Real> a, const Vector<Real>& limit) {
   for (std::size_t i = 0; i < a.kCount; ++i) {
     const Real magnitude = a.lanes[i] < 0 ? -a.lanes[i] : a.lanes[i];
     if (magnitude < limit.lanes[i]) a.lanes[i] = 0;
+  }
+  return a;
+}
+inline Vector<float> greatest(Vector<float> a, const Vector<float>& b) {
+  for (std::size_t i = 0; i < a.kCount; ++i) {
+    const float magnitude = b.lanes[i] < 0 ? -b.lanes[i] : b.lanes[i];
+    if (magnitude > a.lanes[i]) a.lanes[i] = magnitude;
   }
   return a;
 }

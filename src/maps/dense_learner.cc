@@ -16,11 +16,16 @@
 // takes the next inputs' products on its way where they are known. Coefficients are in double
 // precision.
 //
+// v_k is read as 16-bit integers where it can be, with an error of length e_k at most. That changes
+// c_k (v_k . x) by no more than |c_k| e_k |x|, and n_k by no more than 2 |c_k| e_k m_k (m_k as
+// below, by induction). Lengths are measured on the weights themselves.
+//
 // The winner is nonetheless the one that Som::winner() finds on the weights as settle() would leave
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
 // squared distance d^2 differ by at most
 //
-//     u (R + 40) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
+//     u (R + 40) ((m_k + |x|)^2 + d^2) + 2 |c_k| e_k (m_k + |x|),   m_k = |c_k| |v_k| + sum_j
+//     |A_kj| |x_j| >= |w_k|:
 //
 // u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
 // 2 u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
@@ -51,6 +56,9 @@ constexpr double kSmallestGain = 0x1p-100;
 // Vectors to read that take longer than telling other threads.
 constexpr std::size_t kWorthSharing = std::size_t{1} << 12;
 
+// Rounding the weights for fewer inputs would take more time than it saves.
+constexpr std::size_t kWorthRounding = 4;
+
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
 constexpr std::uint64_t kLearnedBetweenClearings = 64;
@@ -79,33 +87,6 @@ double negligible_length(std::size_t columns) {
 
 }  // namespace
 
-// An odd number of cache lines keeps equal places of the rows out of each other's way.
-InputSlots::InputSlots(std::size_t columns)
-    : columns_(columns),
-      stride_((((columns + kLanes - 1) / kLanes) | 1) * kLanes),
-      rows_(kPending * stride_),
-      lanes_(columns * kPending) {}
-
-void InputSlots::write(std::size_t first, const std::vector<std::span<const float>>& inputs) {
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    std::copy(inputs[i].begin(), inputs[i].end(),
-              rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
-  }
-}
-
-void InputSlots::write_lanes(std::size_t first, std::size_t count) {
-  for (std::size_t start = 0; start < columns_; start += kLanes) {
-    const std::size_t end = std::min(start + kLanes, columns_);
-    for (std::size_t slot = first; slot < first + count; ++slot) {
-      const std::span<const float> from = input(slot);
-      float* lane = lanes_.data() + slot;
-      for (std::size_t column = start; column < end; ++column) {
-        lane[column * kPending] = from[column];
-      }
-    }
-  }
-}
-
 DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
     : som_(som),
       team_(team),
@@ -119,6 +100,7 @@ DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
       squared_lengths_(stride()),
       magnitudes_(stride()),
       moved_(blocks()),
+      rounded_(dot_product() ? LaneMatrix<float>() : som.weights()),
       float_kept_(stride()),
       float_gains_(kPending * stride()),
       slot_products_(gains_.padded_rows()),
@@ -172,7 +154,11 @@ void DenseLearner::rebase_expected() {
 
 // Makes the pending updates and goes on with the first `count` of the other slots.
 void DenseLearner::rebase(std::size_t count) {
+  const bool rounds = !dot_product() && pending_ >= kWorthRounding;
+  rounds_all_ = rounds && !reads_rounded_;
+  reads_rounded_ = rounds;
   pass(other_slots_, 0, count);
+  rounds_all_ = false;
   if (clears()) learned_since_clearing_ = 0;
   forget_pending();
   std::swap(slots_, other_slots_);
@@ -226,37 +212,79 @@ void DenseLearner::pass_over_block(std::size_t block, InputSlots& next, std::siz
                                    std::size_t count) {
   const bool of_slots = block == blocks();
   const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
+  if (of_slots && count == 1) next.write_lanes(first, 1);
   if (moves) write_coefficients(block);
-  if (moves || count > 1) pass_in_tiles(block, next, first, count > 1 ? count : 0, moves);
-  if (count != 1) return;
-  if (of_slots) next.write_lanes(first, 1);
-  const std::size_t columns = som_.weights().columns();
-  const float* tile =
-      of_slots ? next.lanes(0) : std::as_const(som_).weights().data() + block * columns * kLanes;
-  kernels::online_table().multiply_block(tile, columns, chunk_, next.input(first).data(),
-                                         products_of(first) + block * kLanes);
+  if (moves || rounds_all_ || count > 1) {
+    pass_in_tiles(block, next, first, count > 1 ? count : 0, moves);
+  }
+  if (count == 1) multiply_block(block, next, first);
 }
 
 // Few columns at a time, which stay in the first cache.
 void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
                                  std::size_t count, bool moves) {
   const std::size_t columns = som_.weights().columns();
-  const std::size_t product_stride = stride() + kPending;
-  const bool of_slots = block == blocks();
+  const bool rounds = reads_rounded_ && block != blocks() && (moves || rounds_all_);
   alignas(64) float squares[kLanes] = {};
-  float* products = products_of(first) + block * kLanes;
   for (std::size_t j = 0; j < count; ++j) {
-    std::fill_n(products + j * product_stride, kLanes, 0.0F);
+    std::fill_n(products_of(first + j) + block * kLanes, kLanes, 0.0F);
   }
+  if (moves && !dot_product()) bound_magnitudes(block);
+  if (rounds) rounded_.begin(block);
   for (std::size_t start = 0; start < columns; start += chunk_) {
     const std::size_t width = std::min(chunk_, columns - start);
     float* weights = som_.weights().data() + (block * columns + start) * kLanes;
     if (moves) combine_tile(block, start, width, weights, squares);
-    if (count == 0) continue;
-    kernels::online_table().multiply(of_slots ? next.lanes(start) : weights, width,
-                                     next.lanes(start) + first, count, products, product_stride);
+    if (rounds) rounded_.write(block, start, width, weights);
+    if (count > 0) multiply_tile(block, start, width, next, first, count);
   }
+  if (rounds) rounded_.end(block);
   if (moves) std::copy_n(squares, kLanes, squared_lengths_.data() + block * kLanes);
+}
+
+void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
+                                 const InputSlots& next, std::size_t first, std::size_t count) {
+  const auto& kernels = kernels::online_table();
+  const std::size_t at = block * som_.weights().columns() + start;
+  const float* inputs = next.lanes(start) + first;
+  float* products = products_of(first) + block * kLanes;
+  const std::size_t product_stride = stride() + kPending;
+  if (block == blocks()) {
+    kernels.multiply(next.lanes(start), columns, inputs, count, products, product_stride);
+  } else if (reads_rounded_) {
+    kernels.multiply_integers(rounded_.block(block) + start * kLanes, columns, inputs, count,
+                              products, product_stride);
+  } else {
+    kernels.multiply(std::as_const(som_).weights().data() + at * kLanes, columns, inputs, count,
+                     products, product_stride);
+  }
+}
+
+// The same for a single input, as fast as reading is.
+void DenseLearner::multiply_block(std::size_t block, const InputSlots& next, std::size_t slot) {
+  const auto& kernels = kernels::online_table();
+  const std::size_t columns = som_.weights().columns();
+  const float* input = next.input(slot).data();
+  float* products = products_of(slot) + block * kLanes;
+  if (block == blocks()) {
+    kernels.multiply_block(next.lanes(0), columns, chunk_, input, products);
+  } else if (reads_rounded_) {
+    kernels.multiply_block_of_integers(rounded_.block(block), columns, chunk_, input, products);
+  } else {
+    kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kLanes, columns,
+                           chunk_, input, products);
+  }
+}
+
+// Of the weights once the updates are made.
+void DenseLearner::bound_magnitudes(std::size_t block) {
+  for (std::size_t neuron = block * kLanes; neuron < (block + 1) * kLanes; ++neuron) {
+    double bound = std::fabs(kept_[neuron]) * rounded_.greatest(neuron);
+    for (std::size_t j = 0; j < pending_ && neuron < som_.neurons(); ++j) {
+      bound += std::fabs(gains_(neuron, j)) * slots_.greatest(j);
+    }
+    rounded_.set_greatest(neuron, bound);
+  }
 }
 
 void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
@@ -347,7 +375,8 @@ void DenseLearner::compute_scores() {
                                           input_products_.data(), slot_products_.data());
   const bool dot = dot_product();
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
-    slot_products_[neuron] += kept_[neuron] * double{products[neuron]};
+    const double scale = reads_rounded_ ? kept_[neuron] * rounded_.step(neuron) : kept_[neuron];
+    slot_products_[neuron] += scale * double{products[neuron]};
     const double product = slot_products_[neuron];
     scores_[neuron] =
         dot ? -product : squared_lengths_[neuron] - 2.0 * product + input_products_[slot];
@@ -367,9 +396,19 @@ double DenseLearner::score_limit() const {
   if (dot_product()) {
     return best + 2.0 * (error * magnitude + negligible) * input;
   }
-  const double bound =
-      error * (magnitude + input) * (magnitude + input) + negligible * negligible / kUnit;
+  const double bound = error * (magnitude + input) * (magnitude + input) +
+                       2.0 * rounded_off() * (magnitude + input) + negligible * negligible / kUnit;
   return best + 2.0 * bound;
+}
+
+// The greatest length by which weights in memory and those read differ, as far as they still count.
+double DenseLearner::rounded_off() const {
+  if (!reads_rounded_) return 0.0;
+  double greatest = 0.0;
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    greatest = std::max(greatest, std::fabs(kept_[neuron]) * rounded_.error(neuron));
+  }
+  return greatest;
 }
 
 std::size_t DenseLearner::winner() {

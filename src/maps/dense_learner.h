@@ -7,41 +7,14 @@
 
 #include "core/online_kernels.h"
 #include "core/thread_team.h"
+#include "maps/input_slots.h"
+#include "maps/rounded_weights.h"
 #include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
 #include "somato/maps/neighbourhood.h"
 #include "somato/maps/som.h"
 
 namespace somato {
-
-static_assert(kernels::kPending == LaneMatrix<float>::kLanes, "slots are a block of rows as well");
-
-/// Up to kPending inputs side by side, in both orders that the kernels take.
-class InputSlots {
- public:
-  explicit InputSlots(std::size_t columns);
-
-  /// Writes neighbouring slots from `first` on, in the first order.
-  void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
-
-  /// Copies `count` slots from `first` on into the second order.
-  void write_lanes(std::size_t first, std::size_t count);
-
-  std::span<const float> input(std::size_t slot) const {
-    return {rows_.data() + slot * stride_, columns_};
-  }
-
-  /// From element `column` on, as kernels::OnlineTable takes inputs.
-  const float* lanes(std::size_t column) const {
-    return lanes_.data() + column * kernels::kPending;
-  }
-
- private:
-  std::size_t columns_;
-  std::size_t stride_;
-  AlignedVector<float> rows_;
-  AlignedVector<float> lanes_;
-};
 
 /// Learns dense inputs one after the other with less than one pass over the weights each; see the
 /// source for the mathematics. The map's weights are up to date after settle(). The same inputs
@@ -80,12 +53,17 @@ class DenseLearner {
                      std::size_t count, bool moves);
   void combine_tile(std::size_t block, std::size_t start, std::size_t columns, float* to,
                     float* squares) const;
+  void multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
+                     const InputSlots& next, std::size_t first, std::size_t count);
+  void multiply_block(std::size_t block, const InputSlots& next, std::size_t slot);
   void write_coefficients(std::size_t block);
+  void bound_magnitudes(std::size_t block);
   void forget_pending();
   void rebase(std::size_t count);
   void rebase_expected();
 
   void compute_scores();
+  double rounded_off() const;
   double score_limit() const;
   std::size_t winner();
   std::size_t exact_winner(double limit);
@@ -112,6 +90,9 @@ class DenseLearner {
   AlignedVector<double> squared_lengths_;
   AlignedVector<double> magnitudes_;
   std::vector<unsigned char> moved_;  // a block
+  RoundedWeights rounded_;
+  bool reads_rounded_ = false;
+  bool rounds_all_ = false;  // in this pass
   AlignedVector<float> float_kept_;
   AlignedVector<float> float_gains_;
   AlignedVector<double> slot_products_;

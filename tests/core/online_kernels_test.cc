@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/kernels.h"
@@ -55,6 +56,55 @@ void for_each_problem(const Work& work) {
   testing::for_each_instruction_set([&](InstructionSet) {
     Random random(7);
     for (int i = 0; i < 40; ++i) work(random);
+  });
+}
+
+AlignedVector<std::int16_t> random_integers(std::size_t count, Random& random) {
+  AlignedVector<std::int16_t> values(count);
+  for (std::int16_t& value : values) value = static_cast<std::int16_t>(random.below(65536));
+  return values;
+}
+
+TEST(OnlineKernels, MultiplyIntegersAsTheSameFloats) {
+  for_each_problem([](Random& random) {
+    const std::size_t columns = 1 + random.below(300);
+    const std::size_t chunk = 1 + random.below(90);
+    const std::size_t count = 1 + random.below(kPending);
+    const auto integers = random_integers(columns * kLanes, random);
+    const AlignedVector<float> floats(integers.begin(), integers.end());
+    const auto inputs = random_values<float>(columns * kPending, random);
+    const auto& table = kernels::online_table();
+    AlignedVector<float> expected(kLanes * count, 0.5F);
+    AlignedVector<float> sums(kLanes * count, 0.5F);
+    table.multiply(floats.data(), columns, inputs.data(), count, expected.data(), kLanes);
+    table.multiply_integers(integers.data(), columns, inputs.data(), count, sums.data(), kLanes);
+    EXPECT_EQ(sums, expected);
+    table.multiply_block(floats.data(), columns, chunk, inputs.data(), expected.data());
+    table.multiply_block_of_integers(integers.data(), columns, chunk, inputs.data(), sums.data());
+    EXPECT_EQ(sums, expected);
+  });
+}
+
+TEST(OnlineKernels, RoundATileToIntegers) {
+  for_each_problem([](Random& random) {
+    const std::size_t columns = 1 + random.below(20);
+    auto tile = random_values<float>(columns * kLanes, random);
+    // Halves, too.
+    for (float& w : tile) w = random.below(2) == 0 ? 3.0F * w : std::floor(9.0F * w) + 0.5F;
+    AlignedVector<float> factors(kLanes);
+    for (float& factor : factors) factor = random.below(2) == 0 ? 1.0F : 700.0F;
+    AlignedVector<float> greatest(kLanes, 0.25F);
+    AlignedVector<std::int16_t> to(tile.size());
+    kernels::online_table().round_tile(tile.data(), columns, factors.data(), to.data(),
+                                       greatest.data());
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      float most = 0.25F;
+      for (std::size_t i = lane; i < tile.size(); i += kLanes) {
+        ASSERT_EQ(static_cast<float>(to[i]), std::nearbyint(tile[i] * factors[lane])) << tile[i];
+        most = std::max(most, std::fabs(tile[i]));
+      }
+      ASSERT_EQ(greatest[lane], most);
+    }
   });
 }
 
