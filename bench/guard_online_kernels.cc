@@ -12,7 +12,7 @@ namespace {
 
 using kernels::kPending;
 
-static_assert(kKernels<kernels::OnlineTable> == 10, "count each of them");
+static_assert(kKernels<kernels::OnlineTable> == 11, "count each of them");
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kColumns = 250;
@@ -111,6 +111,11 @@ void count_rows(const Counted& counted) {
   auto values = noise<float>(kRows * kNeurons, 37);
   std::vector<float*> rows(kRows);
   for (std::size_t i = 0; i < kRows; ++i) rows[i] = values.data() + i * kNeurons;
+  AlignedVector<float> products(kRows);
+  counted(
+      "online.multiply_rows",
+      [&] { table.multiply_rows(rows[0], kNeurons, kRows, rows[1], kNeurons, products.data()); },
+      [&] { return digest_of(products); });
   const auto factors = noise<float>(kNeurons, 38);
   const auto scales = noise<double>(kNeurons, 39);
   AlignedVector<double> sums(kNeurons);

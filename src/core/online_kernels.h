@@ -34,6 +34,9 @@ struct OnlineTable {
   /// The same for a tile of integers.
   void (*multiply_block_of_integers)(const std::int16_t* tile, std::size_t columns,
                                      std::size_t chunk, const float* input, float* sums);
+  /// sums[j] = row j . x for `number` rows of `count` values that start `stride` apart.
+  void (*multiply_rows)(const float* rows, std::size_t stride, std::size_t number, const float* x,
+                        std::size_t count, float* sums);
   /// to = w * factors, which must be in range, rounded to the nearest integer (even where two are
   /// as near); greatest = the greatest magnitude of w and of what it was. Both have a value a lane.
   void (*round_tile)(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
@@ -47,7 +50,7 @@ struct OnlineTable {
                     const float* factors, std::size_t count, double* change);
   /// row *= factors, then 0 where its magnitude is below kNegligible; squares += row^2.
   void (*fold_row)(float* row, const float* factors, std::size_t count, double* squares);
-  /// to = scales * row, rounded once, then 0 where its magnitude is below kNegligible; a block of
+  /// to = scales * row, 0 where its magnitude is below kNegligible, rounded once; a block of
   /// `to` starts `stride` after the one before.
   void (*scale_row)(const float* row, const double* scales, std::size_t count, float* to,
                     std::size_t stride);

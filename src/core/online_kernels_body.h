@@ -174,6 +174,48 @@ void multiply_block(const Weight* tile, std::size_t columns, std::size_t chunk, 
   total.store(sums);
 }
 
+// Lanes are summed over kChunk columns, then over chunks, then in pairs.
+template <std::size_t Rows>
+inline void multiply_some_rows(const float* rows, std::size_t stride, const float* x,
+                               std::size_t count, float* sums) {
+  Vector<float> totals[Rows];
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) totals[r] = Vector<float>::all(0);
+  for (std::size_t start = 0; start < count; start += kChunk) {
+    const std::size_t end = start + kChunk < count ? start + kChunk : count;
+    Vector<float> sum[Rows];
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector<float>::all(0);
+    for (std::size_t i = start; i < end; i += kLaneCount<float>) {
+      const auto values = Vector<float>::load(x + i);
+#pragma GCC unroll 4
+      for (std::size_t r = 0; r < Rows; ++r) {
+        sum[r] = multiply_add(Vector<float>::load(rows + r * stride + i), values, sum[r]);
+      }
+    }
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) totals[r] = totals[r] + sum[r];
+  }
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) {
+    alignas(64) float lanes[kLaneCount<float>];
+    totals[r].store(lanes);
+    for (std::size_t half = kLaneCount<float> / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) lanes[i] += lanes[i + half];
+    }
+    sums[r] = lanes[0];
+  }
+}
+
+void multiply_rows(const float* rows, std::size_t stride, std::size_t number, const float* x,
+                   std::size_t count, float* sums) {
+  std::size_t r = 0;
+  for (; r + 4 <= number; r += 4) {
+    multiply_some_rows<4>(rows + r * stride, stride, x, count, sums + r);
+  }
+  for (; r < number; ++r) multiply_some_rows<1>(rows + r * stride, stride, x, count, sums + r);
+}
+
 void round_tile(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
                 float* greatest_so_far) {
   const auto factor = Vector<float>::load(factors);
@@ -204,8 +246,8 @@ inline void add_some_rows(const float* const* rows, const float* values, std::si
 #pragma GCC unroll 4
     for (std::size_t r = 0; r < Rows; ++r) {
       const auto lanes = Vector<float>::load(rows[r] + i);
-      low = multiply_add(value[r], low_half(lanes), low);
-      high = multiply_add(value[r], high_half(lanes), high);
+      low = multiply_add(value[r], lower_half(lanes), low);
+      high = multiply_add(value[r], upper_half(lanes), high);
     }
     low.store(sums + i);
     high.store(sums + i + kLaneCount<double>);
@@ -239,8 +281,8 @@ inline void move_some_rows(float* const* rows, const float* values, const float*
       const auto was = Vector<float>::load(rows[r] + i);
       const auto is = multiply_add(Vector<float>::all(values[r]), factor, was);
       is.store(rows[r] + i);
-      low = add_change(low_half(was), low_half(is), low);
-      high = add_change(high_half(was), high_half(is), high);
+      low = add_change(lower_half(was), lower_half(is), low);
+      high = add_change(upper_half(was), upper_half(is), high);
     }
     low.store(change + i);
     high.store(change + i + kLaneCount<double>);
@@ -263,20 +305,20 @@ void fold_row(float* row, const float* factors, std::size_t count, double* squar
     const auto kept = zero_below(scaled, limit);
     kept.store(row + i);
     double* to = squares + i;
-    multiply_add(low_half(kept), low_half(kept), Vector<double>::load(to)).store(to);
+    multiply_add(lower_half(kept), lower_half(kept), Vector<double>::load(to)).store(to);
     to += kLaneCount<double>;
-    multiply_add(high_half(kept), high_half(kept), Vector<double>::load(to)).store(to);
+    multiply_add(upper_half(kept), upper_half(kept), Vector<double>::load(to)).store(to);
   }
 }
 
 void scale_row(const float* row, const double* scales, std::size_t count, float* to,
                std::size_t stride) {
-  const auto limit = Vector<float>::all(kNegligible<float>);
+  const auto limit = Vector<double>::all(static_cast<double>(kNegligible<float>));
   for (std::size_t i = 0; i < count; i += kLaneCount<float>, to += stride) {
     const auto lanes = Vector<float>::load(row + i);
-    const auto low = Vector<double>::load(scales + i) * low_half(lanes);
-    const auto high = Vector<double>::load(scales + i + kLaneCount<double>) * high_half(lanes);
-    zero_below(narrowed(low, high), limit).store(to);
+    const auto low = Vector<double>::load(scales + i) * lower_half(lanes);
+    const auto high = Vector<double>::load(scales + i + kLaneCount<double>) * upper_half(lanes);
+    store_halves(zero_below(low, limit), zero_below(high, limit), to);
   }
 }
 
@@ -288,6 +330,7 @@ extern const OnlineTable kOnlineTable = {multiply<float>,
                                          combine,
                                          multiply_block<float>,
                                          multiply_block<std::int16_t>,
+                                         multiply_rows,
                                          round_tile,
                                          add_rows,
                                          move_rows,

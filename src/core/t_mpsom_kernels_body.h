@@ -206,7 +206,7 @@ void find_gains(double* values, std::size_t count, double maximum, double alpha,
   std::size_t n = 0;
   for (; n + 2 * kDoubles <= count; n += 2 * kDoubles) {
     const auto low = gain_of(values + n);
-    narrowed(low, gain_of(values + n + kDoubles)).store(gains + n);
+    store_halves(low, gain_of(values + n + kDoubles), gains + n);
   }
   for (; n < count; ++n) {
     values[n] /= maximum;

@@ -19,8 +19,13 @@ constexpr std::uint32_t kJob = 0x10000;
 // Falling asleep and being woken takes about as long.
 constexpr std::chrono::microseconds kAwake{50};
 
+// As long as it takes to hear of a job.
+constexpr std::chrono::microseconds kLate{1};
+
 // So many between two looks at the clock.
-constexpr int kPauses = 16;
+constexpr int kPauses = 4;
+
+using Clock = std::chrono::steady_clock;
 
 std::uint32_t job_of(std::uint32_t state) {
   return state / kJob;
@@ -33,16 +38,16 @@ void pause() {
 #endif
 }
 
-// True once `done()` is; false if that takes too long.
+// True once `done()` is; false if that takes longer.
 template <typename Done>
-bool wait_awake(const Done& done) {
-  const auto begin = std::chrono::steady_clock::now();
+bool wait_awake(const Done& done, std::chrono::nanoseconds longest) {
+  const auto begin = Clock::now();
   do {
     for (int i = 0; i < kPauses; ++i) {
       if (done()) return true;
       pause();
     }
-  } while (std::chrono::steady_clock::now() - begin < kAwake);
+  } while (Clock::now() - begin < longest);
   return done();
 }
 
@@ -99,7 +104,7 @@ void ThreadTeam::open(std::size_t count, const std::function<void(std::size_t)>&
 void ThreadTeam::close() {
   state_ &= ~kOpen;
   const auto empty = [&] { return (state_ & kHelpers) == 0; };
-  if (wait_awake(empty)) return;
+  if (wait_awake(empty, kAwake)) return;
   caller_sleeps_ = true;
   for (std::uint32_t state = state_; (state & kHelpers) != 0; state = state_) state_.wait(state);
   caller_sleeps_ = false;
@@ -119,7 +124,7 @@ bool ThreadTeam::enter(std::uint32_t& seen) {
   const auto goes_on = [&](std::uint32_t state) {
     return job_of(state) != seen || (state & kEnds) != 0;
   };
-  if (!wait_awake([&] { return goes_on(state_); })) {
+  if (!wait_awake([&] { return goes_on(state_); }, kAwake)) {
     for (std::uint32_t state = state_; !goes_on(state); state = state_) state_.wait(state);
   }
   std::uint32_t state = state_;
@@ -137,17 +142,35 @@ void ThreadTeam::leave() {
 
 // Its own tasks, then those of the others.
 void ThreadTeam::work_from(std::size_t member) {
-  for (std::size_t i = 0; i < size(); ++i) work_on(parts_[(member + i) % size()]);
+  const auto begin = Clock::now();
+  Part& own = parts_[member];
+  while (work_on(own)) continue;
+  const std::size_t tasks = std::max<std::size_t>(1, own.end - own.begin);
+  const auto patience = 2 * (Clock::now() - begin) / tasks + kLate;
+  for (std::size_t i = 1; i < size(); ++i) take_over(parts_[(member + i) % size()], patience);
 }
 
-void ThreadTeam::work_on(Part& part) {
-  const std::size_t tasks = part.end - part.begin;
-  while (part.begun.load(std::memory_order_relaxed) < tasks && !exception_->caught()) {
-    const std::size_t number = part.begun.fetch_add(1, std::memory_order_relaxed);
-    if (number >= tasks) return;
-    const std::size_t task = order_ == Order::kUp ? part.begin + number : part.end - 1 - number;
-    exception_->guard([&] { (*work_)(task); });
+// Leaves the tasks to the one whose they are as long as that goes on with them.
+void ThreadTeam::take_over(Part& part, std::chrono::nanoseconds patience) {
+  std::size_t begun = part.begun.load(std::memory_order_relaxed);
+  while (begun < part.end - part.begin) {
+    const auto goes_on = [&] { return part.begun.load(std::memory_order_relaxed) != begun; };
+    if (!wait_awake(goes_on, patience)) {
+      while (work_on(part)) continue;
+    }
+    begun = part.begun.load(std::memory_order_relaxed);
   }
+}
+
+// Does a task of the part; false if there is none.
+bool ThreadTeam::work_on(Part& part) {
+  const std::size_t tasks = part.end - part.begin;
+  if (part.begun.load(std::memory_order_relaxed) >= tasks || exception_->caught()) return false;
+  const std::size_t number = part.begun.fetch_add(1, std::memory_order_relaxed);
+  if (number >= tasks) return false;
+  const std::size_t task = order_ == Order::kUp ? part.begin + number : part.end - 1 - number;
+  exception_->guard([&] { (*work_)(task); });
+  return true;
 }
 
 }  // namespace somato

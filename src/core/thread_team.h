@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -58,7 +59,8 @@ class ThreadTeam {
   bool enter(std::uint32_t& seen);
   void leave();
   void work_from(std::size_t member);
-  void work_on(Part& part);
+  void take_over(Part& part, std::chrono::nanoseconds patience);
+  bool work_on(Part& part);
 
   // A job's number, whether it is open, whether the team ends, how many helpers are in the job.
   alignas(64) std::atomic<std::uint32_t> state_ = 0;

@@ -15,13 +15,14 @@ struct Vector<float> {
   static Vector load(const float* from) { return {_mm512_load_ps(from)}; }
   static Vector load(const std::int16_t* from) {
     const auto integers = _mm256_load_si256(reinterpret_cast<const __m256i*>(from));
-    return {_mm512_cvtepi32_ps(_mm512_cvtepi16_epi32(integers))};
+    return {_mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi16_epi32(0xFFFF, integers))};
   }
   static Vector all(float value) { return {_mm512_set1_ps(value)}; }
   void store(float* to) const { _mm512_store_ps(to, lanes); }
   // The nearest integers, which must be in range; even ones where two are as near.
   void store_rounded(std::int16_t* to) const {
-    const auto integers = _mm512_cvtepi32_epi16(_mm512_cvtps_epi32(lanes));
+    const auto integers =
+        _mm512_maskz_cvtepi32_epi16(0xFFFF, _mm512_maskz_cvtps_epi32(0xFFFF, lanes));
     _mm256_store_si256(reinterpret_cast<__m256i*>(to), integers);
   }
   bool is_zero() const { return _mm512_cmp_ps_mask(lanes, _mm512_setzero_ps(), _CMP_NEQ_UQ) == 0; }
@@ -62,18 +63,22 @@ struct Vector<double> {
   void store(double* to) const { _mm512_store_pd(to, lanes); }
   bool is_zero() const { return _mm512_cmp_pd_mask(lanes, _mm512_setzero_pd(), _CMP_NEQ_UQ) == 0; }
 };
-// Between a vector of floats and its halves in double precision.
-inline Vector<double> low_half(Vector<float> a) {
-  return {_mm512_cvtps_pd(_mm512_castps512_ps256(a.lanes))};
+// The halves of a vector of floats, and one of what has been computed from them.
+template <int Half>
+inline Vector<double> half_of(Vector<float> a) {
+  const __m512d halves = _mm512_castps_pd(a.lanes);
+  const __m256d half = _mm512_maskz_extractf64x4_pd(0xF, halves, Half);
+  return {_mm512_maskz_cvtps_pd(0xFF, _mm256_castpd_ps(half))};
 }
-inline Vector<double> high_half(Vector<float> a) {
-  const auto high = _mm512_extractf64x4_pd(_mm512_castps_pd(a.lanes), 1);
-  return {_mm512_cvtps_pd(_mm256_castpd_ps(high))};
+inline Vector<double> lower_half(Vector<float> a) {
+  return half_of<0>(a);
 }
-inline Vector<float> narrowed(Vector<double> low, Vector<double> high) {
-  const auto first = _mm512_castps256_ps512(_mm512_cvtpd_ps(low.lanes));
-  const auto second = _mm256_castps_pd(_mm512_cvtpd_ps(high.lanes));
-  return {_mm512_castpd_ps(_mm512_insertf64x4(_mm512_castps_pd(first), second, 1))};
+inline Vector<double> upper_half(Vector<float> a) {
+  return half_of<1>(a);
+}
+inline void store_halves(Vector<double> low, Vector<double> high, float* to) {
+  _mm256_store_ps(to, _mm512_maskz_cvtpd_ps(0xFF, low.lanes));
+  _mm256_store_ps(to + 8, _mm512_maskz_cvtpd_ps(0xFF, high.lanes));
 }
 inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
   return {_mm512_add_pd(a.lanes, b.lanes)};
@@ -177,17 +182,17 @@ struct Vector<double> {
 inline Vector<double> widened(__m256 a) {
   return {_mm256_cvtps_pd(_mm256_castps256_ps128(a)), _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))};
 }
-inline __m256 narrowed(Vector<double> a) {
-  return _mm256_set_m128(_mm256_cvtpd_ps(a.high), _mm256_cvtpd_ps(a.low));
-}
-inline Vector<double> low_half(Vector<float> a) {
+inline Vector<double> lower_half(Vector<float> a) {
   return widened(a.low);
 }
-inline Vector<double> high_half(Vector<float> a) {
+inline Vector<double> upper_half(Vector<float> a) {
   return widened(a.high);
 }
-inline Vector<float> narrowed(Vector<double> low, Vector<double> high) {
-  return {narrowed(low), narrowed(high)};
+inline void store_halves(Vector<double> low, Vector<double> high, float* to) {
+  _mm_store_ps(to, _mm256_cvtpd_ps(low.low));
+  _mm_store_ps(to + 4, _mm256_cvtpd_ps(low.high));
+  _mm_store_ps(to + 8, _mm256_cvtpd_ps(high.low));
+  _mm_store_ps(to + 12, _mm256_cvtpd_ps(high.high));
 }
 inline Vector<double> operator+(Vector<double> a, Vector<double> b) {
   return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
@@ -310,24 +315,22 @@ inline Vector<float> greatest(Vector<float> a, const Vector<float>& b) {
   }
   return a;
 }
-inline Vector<double> half_from(const Vector<float>& a, std::size_t first) {
-  Vector<double> half;
-  for (std::size_t i = 0; i < half.kCount; ++i) half.lanes[i] = a.lanes[first + i];
-  return half;
+inline Vector<double> widened(const float* from) {
+  Vector<double> vector;
+  for (std::size_t i = 0; i < 8; ++i) vector.lanes[i] = static_cast<double>(from[i]);
+  return vector;
 }
-inline Vector<double> low_half(const Vector<float>& a) {
-  return half_from(a, 0);
+inline Vector<double> lower_half(const Vector<float>& a) {
+  return widened(a.lanes);
 }
-inline Vector<double> high_half(const Vector<float>& a) {
-  return half_from(a, Vector<double>::kCount);
+inline Vector<double> upper_half(const Vector<float>& a) {
+  return widened(a.lanes + 8);
 }
-inline Vector<float> narrowed(const Vector<double>& low, const Vector<double>& high) {
-  Vector<float> all;
-  for (std::size_t i = 0; i < low.kCount; ++i) {
-    all.lanes[i] = static_cast<float>(low.lanes[i]);
-    all.lanes[low.kCount + i] = static_cast<float>(high.lanes[i]);
+inline void store_halves(const Vector<double>& low, const Vector<double>& high, float* to) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    to[i] = static_cast<float>(low.lanes[i]);
+    to[i + 8] = static_cast<float>(high.lanes[i]);
   }
-  return all;
 }
 
 #endif

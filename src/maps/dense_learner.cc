@@ -195,9 +195,10 @@ void DenseLearner::forget_pending() {
 }
 
 // Makes what is pending if `next` are other slots than those in use; takes the products of `count`
-// inputs from slot `first` on. The last block is that of the slots themselves.
+// inputs from slot `first` on, at last those with inputs.
 void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) {
-  if (count > 1) next.write_lanes(first, count);
+  if (count > 1) next.align(first + count);
+  if (&next != &slots_) slots_.align(std::max<std::size_t>(1, pending_));
   const auto work = [&](std::size_t block) { pass_over_block(block, next, first, count); };
   const std::size_t tasks = blocks() + 1;
   if (blocks() * som_.weights().columns() < kWorthSharing) {
@@ -210,21 +211,27 @@ void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) 
 
 void DenseLearner::pass_over_block(std::size_t block, InputSlots& next, std::size_t first,
                                    std::size_t count) {
-  const bool of_slots = block == blocks();
-  const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
-  if (of_slots && count == 1) next.write_lanes(first, 1);
+  if (block == blocks()) return multiply_inputs(next, first, count);
+  const bool moves = &next != &slots_ && moved_[block] != 0;
   if (moves) write_coefficients(block);
   if (moves || rounds_all_ || count > 1) {
     pass_in_tiles(block, next, first, count > 1 ? count : 0, moves);
   }
-  if (count == 1) multiply_block(block, next, first);
+  if (count == 1) multiply_block(block, next.input(first).data(), first);
+}
+
+void DenseLearner::multiply_inputs(InputSlots& next, std::size_t first, std::size_t count) {
+  for (std::size_t slot = first; slot < first + count; ++slot) {
+    next.measure(slot);
+    next.multiply(slot, slot + 1, products_of(slot) + stride());
+  }
 }
 
 // Few columns at a time, which stay in the first cache.
 void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
                                  std::size_t count, bool moves) {
   const std::size_t columns = som_.weights().columns();
-  const bool rounds = reads_rounded_ && block != blocks() && (moves || rounds_all_);
+  const bool rounds = reads_rounded_ && (moves || rounds_all_);
   alignas(64) float squares[kLanes] = {};
   for (std::size_t j = 0; j < count; ++j) {
     std::fill_n(products_of(first + j) + block * kLanes, kLanes, 0.0F);
@@ -249,9 +256,7 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
   const float* inputs = next.lanes(start) + first;
   float* products = products_of(first) + block * kLanes;
   const std::size_t product_stride = stride() + kPending;
-  if (block == blocks()) {
-    kernels.multiply(next.lanes(start), columns, inputs, count, products, product_stride);
-  } else if (reads_rounded_) {
+  if (reads_rounded_) {
     kernels.multiply_integers(rounded_.block(block) + start * kLanes, columns, inputs, count,
                               products, product_stride);
   } else {
@@ -261,14 +266,11 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
 }
 
 // The same for a single input, as fast as reading is.
-void DenseLearner::multiply_block(std::size_t block, const InputSlots& next, std::size_t slot) {
+void DenseLearner::multiply_block(std::size_t block, const float* input, std::size_t slot) {
   const auto& kernels = kernels::online_table();
   const std::size_t columns = som_.weights().columns();
-  const float* input = next.input(slot).data();
   float* products = products_of(slot) + block * kLanes;
-  if (block == blocks()) {
-    kernels.multiply_block(next.lanes(0), columns, chunk_, input, products);
-  } else if (reads_rounded_) {
+  if (reads_rounded_) {
     kernels.multiply_block_of_integers(rounded_.block(block), columns, chunk_, input, products);
   } else {
     kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kLanes, columns,
@@ -464,6 +466,7 @@ const float* DenseLearner::settled_block(std::size_t block) {
   if (moved_[block] == 0) return std::as_const(som_).weights().data() + block * columns * kLanes;
   alignas(64) float squares[kLanes] = {};
   scratch_block_.resize(columns * kLanes);
+  slots_.align(std::max<std::size_t>(1, pending_));
   write_coefficients(block);
   for (std::size_t start = 0; start < columns; start += chunk_) {
     combine_tile(block, start, std::min(chunk_, columns - start),

@@ -55,7 +55,8 @@ class DenseLearner {
                     float* squares) const;
   void multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
                      const InputSlots& next, std::size_t first, std::size_t count);
-  void multiply_block(std::size_t block, const InputSlots& next, std::size_t slot);
+  void multiply_block(std::size_t block, const float* input, std::size_t slot);
+  void multiply_inputs(InputSlots& next, std::size_t first, std::size_t count);
   void write_coefficients(std::size_t block);
   void bound_magnitudes(std::size_t block);
   void forget_pending();

@@ -38,21 +38,35 @@ void InputSlots::write(std::size_t first, const std::vector<std::span<const floa
     std::copy(inputs[i].begin(), inputs[i].end(),
               rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
   }
+  aligned_ = std::min(aligned_, first);
 }
 
-void InputSlots::write_lanes(std::size_t first, std::size_t count) {
-  for (std::size_t start = 0; start < columns_; start += kLanes) {
-    const std::size_t end = std::min(start + kLanes, columns_);
-    for (std::size_t slot = first; slot < first + count; ++slot) {
-      const std::span<const float> from = input(slot);
-      float* lane = lanes_.data() + slot;
-      for (std::size_t column = start; column < end; ++column) {
-        lane[column * kPending] = from[column];
-      }
-    }
+// Behind its end a row has zeros.
+void InputSlots::multiply(std::size_t slot, std::size_t count, float* products) const {
+  const std::size_t padded = (columns_ + kLanes - 1) / kLanes * kLanes;
+  kernels::online_table().multiply_rows(rows_.data(), stride_, count, rows_.data() + slot * stride_,
+                                        padded, products);
+}
+
+void InputSlots::measure(std::size_t slot) {
+  greatest_[slot] = greatest_magnitude(input(slot));
+}
+
+void InputSlots::align(std::size_t count) {
+  for (std::size_t start = 0; start < columns_ && aligned_ < count; start += kLanes) {
+    align_columns(start, std::min(start + kLanes, columns_), aligned_, count);
   }
-  for (std::size_t slot = first; slot < first + count; ++slot) {
-    greatest_[slot] = greatest_magnitude(input(slot));
+  aligned_ = std::max(aligned_, count);
+}
+
+void InputSlots::align_columns(std::size_t begin, std::size_t end, std::size_t first,
+                               std::size_t last) {
+  for (std::size_t slot = first; slot < last; ++slot) {
+    const std::span<const float> from = input(slot);
+    float* lane = lanes_.data() + slot;
+    for (std::size_t column = begin; column < end; ++column) {
+      lane[column * kPending] = from[column];
+    }
   }
 }
 

@@ -10,27 +10,43 @@
 namespace somato {
 namespace {
 
-TEST(InputSlots, GiveInputsInBothOrders) {
+double product(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (std::size_t d = 0; d < a.size(); ++d) sum += double{a[d]} * double{b[d]};
+  return sum;
+}
+
+// Written, put side by side, and some of them written anew.
+TEST(InputSlots, GiveInputsInBothOrdersAndTheirProducts) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const std::size_t columns = 1 + random.below(100);
-    const std::size_t count = 1 + random.below(4);
-    const std::size_t first = random.below(kernels::kPending - count + 1);
+    const std::size_t count = 2 + random.below(kernels::kPending - 1);
     std::vector<std::vector<float>> values(count, std::vector<float>(columns));
-    for (auto& input : values) {
-      for (float& value : input) value = static_cast<float>(random.normal());
-    }
     InputSlots slots(columns);
-    slots.write(first, {values.begin(), values.end()});
-    slots.write_lanes(first, count);
+    for (const std::size_t first : {std::size_t{0}, random.below(count)}) {
+      for (std::size_t j = first; j < count; ++j) {
+        for (float& value : values[j]) value = static_cast<float>(random.normal());
+      }
+      slots.write(first, {values.begin() + static_cast<std::ptrdiff_t>(first), values.end()});
+      slots.align(count);
+    }
     for (std::size_t j = 0; j < count; ++j) {
       double greatest = 0.0;
       for (std::size_t d = 0; d < columns; ++d) {
-        EXPECT_EQ(slots.input(first + j)[d], values[j][d]);
-        EXPECT_EQ(slots.lanes(d)[first + j], values[j][d]);
+        EXPECT_EQ(slots.input(j)[d], values[j][d]);
+        EXPECT_EQ(slots.lanes(d)[j], values[j][d]);
         greatest = std::max(greatest, std::fabs(double{values[j][d]}));
       }
-      EXPECT_EQ(slots.greatest(first + j), greatest);
+      slots.measure(j);
+      EXPECT_EQ(slots.greatest(j), greatest);
+      std::vector<float> products(j + 1);
+      slots.multiply(j, j + 1, products.data());
+      for (std::size_t k = 0; k <= j; ++k) {
+        const double most =
+            std::sqrt(product(values[j], values[j]) * product(values[k], values[k]));
+        EXPECT_NEAR(double{products[k]}, product(values[j], values[k]), 1e-5 * most);
+      }
     }
   }
 }
