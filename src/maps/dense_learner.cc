@@ -108,7 +108,8 @@ DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
       scores_(som.neurons()),
       factors_(gains_.padded_rows(), 1.0),
       new_gains_(som.neurons()),
-      neighbours_(som.neurons()) {
+      neighbours_(som.neurons()),
+      scratch_rows_(kLanes, som.weights().columns()) {
   AlignedVector<float> squares(stride());
   kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
                                         squares.data());
@@ -194,18 +195,23 @@ void DenseLearner::forget_pending() {
   pending_ = 0;
 }
 
+// By several threads if there are enough vectors to read.
+void DenseLearner::for_each_task(std::size_t count, std::size_t vectors,
+                                 const std::function<void(std::size_t)>& work) {
+  if (vectors < kWorthSharing) {
+    for (std::size_t task = 0; task < count; ++task) work(task);
+  } else {
+    team_.for_each(count, work, order_);
+  }
+}
+
 // Makes what is pending if `next` are other slots than those in use; takes the products of `count`
 // inputs from slot `first` on, at last those with inputs.
 void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) {
   if (count > 1) next.align(first + count);
   if (&next != &slots_) slots_.align(std::max<std::size_t>(1, pending_));
   const auto work = [&](std::size_t block) { pass_over_block(block, next, first, count); };
-  const std::size_t tasks = blocks() + 1;
-  if (blocks() * som_.weights().columns() < kWorthSharing) {
-    for (std::size_t block = 0; block < tasks; ++block) work(block);
-  } else {
-    team_.for_each(tasks, work, order_);
-  }
+  for_each_task(blocks() + 1, blocks() * som_.weights().columns(), work);
   order_ = order_ == ThreadTeam::Order::kUp ? ThreadTeam::Order::kDown : ThreadTeam::Order::kUp;
 }
 
@@ -445,45 +451,57 @@ std::size_t DenseLearner::exact_winner(double limit) {
   }
   std::size_t best = candidates.front();
   double least = std::numeric_limits<double>::infinity();
-  std::size_t block = blocks();
-  const float* weights = nullptr;
-  for (const std::size_t neuron : candidates) {
-    if (neuron / kLanes != block) {
-      block = neuron / kLanes;
-      weights = settled_block(block);
+  for (auto begin = candidates.begin(); begin != candidates.end();) {
+    const std::size_t block = *begin / kLanes;
+    const auto end = std::find_if(begin, candidates.end(),
+                                  [&](std::size_t neuron) { return neuron / kLanes != block; });
+    settle_rows(block, {begin, end});
+    for (std::size_t row = 0; begin != end; ++begin, ++row) {
+      const double score = exact_score(scratch_rows_.row(row));
+      if (score >= least) continue;
+      least = score;
+      best = *begin;
     }
-    const double score = exact_score(weights + neuron % kLanes);
-    if (score >= least) continue;
-    least = score;
-    best = neuron;
   }
   return best;
 }
 
-// The weights of a block as settle() would leave them.
-const float* DenseLearner::settled_block(std::size_t block) {
+// The weights of some neurons of a block as settle() would leave them.
+void DenseLearner::settle_rows(std::size_t block, std::span<const std::size_t> neurons) {
   const std::size_t columns = som_.weights().columns();
-  if (moved_[block] == 0) return std::as_const(som_).weights().data() + block * columns * kLanes;
-  alignas(64) float squares[kLanes] = {};
-  scratch_block_.resize(columns * kLanes);
-  slots_.align(std::max<std::size_t>(1, pending_));
-  write_coefficients(block);
-  for (std::size_t start = 0; start < columns; start += chunk_) {
-    combine_tile(block, start, std::min(chunk_, columns - start),
-                 scratch_block_.data() + start * kLanes, squares);
+  if (moved_[block] != 0) {
+    slots_.align(std::max<std::size_t>(1, pending_));
+    write_coefficients(block);
   }
-  return scratch_block_.data();
+  const std::size_t tiles = (columns + chunk_ - 1) / chunk_;
+  const auto settle = [&](std::size_t tile) {
+    settle_tile(block, neurons, tile * chunk_, std::min(columns, (tile + 1) * chunk_));
+  };
+  for_each_task(tiles, columns * (1 + pending_ / 2), settle);
 }
 
-// The score of one lane of a block, in double precision.
-double DenseLearner::exact_score(const float* lane) {
+void DenseLearner::settle_tile(std::size_t block, std::span<const std::size_t> neurons,
+                               std::size_t begin, std::size_t end) {
+  alignas(64) float tile[kernels::kChunk * kLanes];
+  alignas(64) float squares[kLanes] = {};
   const std::size_t columns = som_.weights().columns();
-  scratch_row_.resize(columns);
-  for (std::size_t d = 0; d < columns; ++d) scratch_row_[d] = lane[d * kLanes];
+  const float* lanes = std::as_const(som_).weights().data() + (block * columns + begin) * kLanes;
+  if (moved_[block] != 0) {
+    combine_tile(block, begin, end - begin, tile, squares);
+    lanes = tile;
+  }
+  for (std::size_t i = 0; i < neurons.size(); ++i) {
+    const auto row = scratch_rows_.row(i);
+    const float* lane = lanes + neurons[i] % kLanes;
+    for (std::size_t d = begin; d < end; ++d, lane += kLanes) row[d] = *lane;
+  }
+}
+
+double DenseLearner::exact_score(std::span<const float> weights) const {
   const auto& kernels = kernels::batch_table();
   const float* x = slots_.input(pending_).data();
-  return dot_product() ? -kernels.inner_product(scratch_row_.data(), x, columns)
-                       : kernels.squared_distance(scratch_row_.data(), x, columns);
+  return dot_product() ? -kernels.inner_product(weights.data(), x, weights.size())
+                       : kernels.squared_distance(weights.data(), x, weights.size());
 }
 
 }  // namespace somato

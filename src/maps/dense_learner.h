@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,8 @@ class DenseLearner {
     return products_.data() + slot * (stride() + kernels::kPending);
   }
 
+  void for_each_task(std::size_t count, std::size_t vectors,
+                     const std::function<void(std::size_t)>& work);
   void pass(InputSlots& next, std::size_t first, std::size_t count);
   void pass_over_block(std::size_t block, InputSlots& next, std::size_t first, std::size_t count);
   void pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
@@ -68,8 +71,10 @@ class DenseLearner {
   double score_limit() const;
   std::size_t winner();
   std::size_t exact_winner(double limit);
-  const float* settled_block(std::size_t block);
-  double exact_score(const float* lane);
+  void settle_rows(std::size_t block, std::span<const std::size_t> neurons);
+  void settle_tile(std::size_t block, std::span<const std::size_t> neurons, std::size_t begin,
+                   std::size_t end);
+  double exact_score(std::span<const float> weights) const;
   void move(double learning_rate);
   void normalize();
   void normalize_measured();
@@ -103,8 +108,7 @@ class DenseLearner {
   AlignedVector<double> new_gains_;
   std::vector<std::size_t> to_measure_;
   AlignedVector<float> neighbours_;
-  AlignedVector<float> scratch_block_;
-  std::vector<float> scratch_row_;
+  Matrix<float> scratch_rows_;
   std::uint64_t learned_since_clearing_ = 0;
   bool all_normalized_ = false;
 };
