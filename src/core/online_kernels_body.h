@@ -48,6 +48,9 @@ void multiply(const Weight* tile, std::size_t columns, const float* inputs, std:
 // So many neighbouring columns at once hide the latency of the multiply-add.
 constexpr std::size_t kColumnsAtOnce = 4;
 
+// So far ahead weights are fetched that are in no near cache.
+constexpr std::size_t kColumnsAhead = 48;
+
 // Columns columns of one tile; the last inputs' turn (Last) clears and measures.
 template <std::size_t Count, std::size_t Columns, bool Last>
 inline void add_inputs(const float* from, const Vector<float>& kept, const Vector<float>* gain,
@@ -56,6 +59,7 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
   Vector<float> moved[Columns];
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < Columns; ++i) {
+    __builtin_prefetch(from + (i + kColumnsAhead) * kLaneCount<float>, 1, 2);
     moved[i] = kept * Vector<float>::load(from + i * kLaneCount<float>);
   }
 #pragma GCC unroll 16

@@ -157,6 +157,7 @@ void ThreadTeam::take_over(Part& part, std::chrono::nanoseconds patience) {
     const auto goes_on = [&] { return part.begun.load(std::memory_order_relaxed) != begun; };
     if (!wait_awake(goes_on, patience)) {
       while (work_on(part)) continue;
+      return;
     }
     begun = part.begun.load(std::memory_order_relaxed);
   }

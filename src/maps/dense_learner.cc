@@ -443,7 +443,7 @@ std::size_t DenseLearner::exact_winner(double limit) {
     candidates.push_back(neuron);
   }
   // The updates of many blocks are worth making for good.
-  if (4 * blocks_of_candidates > blocks() &&
+  if (2 * blocks_of_candidates > blocks() &&
       std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
     ahead_ = 1;
     rebase_expected();

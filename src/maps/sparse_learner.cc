@@ -116,7 +116,10 @@ void SparseLearner::load() {
       break;
     }
   }
+  std::fill(factors_.begin(), factors_.end(), 1.0F);
   for_each_part(values_.count(), [&](std::size_t part) { load_part(part); });
+  // Lanes without a neuron stay as they are.
+  std::fill(factors_.begin(), factors_.end(), 0.0F);
 }
 
 void SparseLearner::load_part(std::size_t part) {
@@ -124,7 +127,6 @@ void SparseLearner::load_part(std::size_t part) {
   const StoredElements& elements = som_.elements();
   const std::size_t first = values_.begin(part);
   const std::size_t count = values_.begin(part + 1) - first;
-  std::fill_n(factors_.begin() + static_cast<std::ptrdiff_t>(first), count, 1.0F);
   for (std::size_t place = 0; place < weights.columns(); ++place) {
     const std::size_t element = elements.all() ? place : elements.listed()[place];
     if (!values_.has(element)) continue;
