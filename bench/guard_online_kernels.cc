@@ -12,10 +12,11 @@ namespace {
 
 using kernels::kPending;
 
-static_assert(kKernels<kernels::OnlineTable> == 11, "count each of them");
+static_assert(kKernels<kernels::OnlineTable> == 12, "count each of them");
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kColumns = 250;
+constexpr std::size_t kStride = 17 * kLanes;
 constexpr std::size_t kSome = 7;  // inputs that are not as many as registers
 
 AlignedVector<std::int16_t> noise_of_integers(std::size_t count, std::uint64_t seed) {
@@ -31,23 +32,22 @@ AlignedVector<std::int16_t> noise_of_integers(std::size_t count, std::uint64_t s
 void count_tiles(const Counted& counted) {
   const auto& table = kernels::online_table();
   const auto tile = noise<float>(kColumns * kLanes, 31);
-  const auto inputs = noise<float>(kColumns * kPending, 32);
+  const auto values = noise<float>(kStride * kPending, 32);
+  const kernels::InputRows inputs{values.data(), kStride};
   AlignedVector<float> sums(kPending * kLanes);
   counted(
       "online.multiply",
       [&] {
-        table.multiply(tile.data(), kColumns, inputs.data(), kPending, sums.data(), kLanes);
-        table.multiply(tile.data(), kColumns, inputs.data(), kSome, sums.data(), kLanes);
+        table.multiply(tile.data(), kColumns, inputs, kPending, sums.data(), kLanes);
+        table.multiply(tile.data(), kColumns, inputs, kSome, sums.data(), kLanes);
       },
       [&] { return digest_of(sums); });
   const auto integers = noise_of_integers(kColumns * kLanes, 41);
   counted(
       "online.multiply_integers",
       [&] {
-        table.multiply_integers(integers.data(), kColumns, inputs.data(), kPending, sums.data(),
-                                kLanes);
-        table.multiply_integers(integers.data(), kColumns, inputs.data(), kSome, sums.data(),
-                                kLanes);
+        table.multiply_integers(integers.data(), kColumns, inputs, kPending, sums.data(), kLanes);
+        table.multiply_integers(integers.data(), kColumns, inputs, kSome, sums.data(), kLanes);
       },
       [&] { return digest_of(sums); });
   const auto kept = noise<float>(kLanes, 33);
@@ -55,7 +55,7 @@ void count_tiles(const Counted& counted) {
   AlignedVector<float> to(tile.size());
   AlignedVector<float> squares(kLanes);
   const auto combine = [&](const AlignedVector<float>& from, std::size_t count) {
-    table.combine(from.data(), kColumns, kept.data(), gains.data(), inputs.data(), count,
+    table.combine(from.data(), kColumns, kept.data(), gains.data(), inputs, count,
                   kernels::kNegligible<float>, to.data(), squares.data());
   };
   counted(
@@ -65,6 +65,14 @@ void count_tiles(const Counted& counted) {
         combine(to, kSome);
       },
       [&] { return digest_of(to, digest_of(squares)); });
+  constexpr std::size_t kPadded = 16 * kLanes;
+  counted(
+      "online.combine_row",
+      [&] {
+        table.combine_row(to.data(), kPadded, kept[0], gains.data(), inputs, kPending,
+                          kernels::kNegligible<float>);
+      },
+      [&] { return digest_of(to); });
 }
 
 void count_block(const Counted& counted) {
@@ -114,7 +122,7 @@ void count_rows(const Counted& counted) {
   AlignedVector<float> products(kRows);
   counted(
       "online.multiply_rows",
-      [&] { table.multiply_rows(rows[0], kNeurons, kRows, rows[1], kNeurons, products.data()); },
+      [&] { table.multiply_rows({rows[0], kNeurons}, kRows, rows[1], kNeurons, products.data()); },
       [&] { return digest_of(products); });
   const auto factors = noise<float>(kNeurons, 38);
   const auto scales = noise<double>(kNeurons, 39);

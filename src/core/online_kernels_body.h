@@ -13,17 +13,44 @@ constexpr std::size_t kInputsAtOnce = 16;
 constexpr std::size_t kInputsAtOnce = 4;
 #endif
 
+// Calls work<Count>() for the count, at most Most.
+template <std::size_t Most, typename Work>
+inline void for_count(std::size_t count, const Work& work) {
+  if (count == Most) {
+    work.template operator()<Most>();
+  } else if constexpr (Most > 1) {
+    for_count<Most - 1>(count, work);
+  }
+}
+
+inline InputRows from_row(InputRows rows, std::size_t j) {
+  return {rows.first + j * rows.stride, rows.stride};
+}
+
 template <std::size_t Count, typename Weight>
-inline void multiply_by(const Weight* tile, std::size_t columns, const float* inputs, float* sums,
+inline void multiply_by(const Weight* tile, std::size_t columns, InputRows inputs, float* sums,
                         std::size_t stride) {
+  constexpr std::size_t kPair = 2;
   Vector<float> sum[Count];
 #pragma GCC unroll 16
   for (std::size_t j = 0; j < Count; ++j) sum[j] = Vector<float>::all(0);
-  for (std::size_t column = 0; column < columns; ++column) {
+  std::size_t column = 0;
+  for (; column + kPair <= columns; column += kPair) {
+    const auto weight = Vector<float>::load(tile + column * kLaneCount<float>);
+    const auto next = Vector<float>::load(tile + (column + 1) * kLaneCount<float>);
+#pragma GCC unroll 16
+    for (std::size_t j = 0; j < Count; ++j) {
+      const float* input = inputs.first + j * inputs.stride + column;
+      sum[j] = multiply_add(weight, Vector<float>::all(input[0]), sum[j]);
+      sum[j] = multiply_add(next, Vector<float>::all(input[1]), sum[j]);
+    }
+  }
+  for (; column < columns; ++column) {
     const auto weight = Vector<float>::load(tile + column * kLaneCount<float>);
 #pragma GCC unroll 16
     for (std::size_t j = 0; j < Count; ++j) {
-      sum[j] = multiply_add(weight, Vector<float>::all(inputs[column * kPending + j]), sum[j]);
+      const float value = inputs.first[j * inputs.stride + column];
+      sum[j] = multiply_add(weight, Vector<float>::all(value), sum[j]);
     }
   }
 #pragma GCC unroll 16
@@ -33,16 +60,15 @@ inline void multiply_by(const Weight* tile, std::size_t columns, const float* in
 }
 
 template <typename Weight>
-void multiply(const Weight* tile, std::size_t columns, const float* inputs, std::size_t count,
+void multiply(const Weight* tile, std::size_t columns, InputRows inputs, std::size_t count,
               float* sums, std::size_t stride) {
-  std::size_t j = 0;
-  for (; j + kInputsAtOnce <= count; j += kInputsAtOnce) {
-    multiply_by<kInputsAtOnce>(tile, columns, inputs + j, sums + j * stride, stride);
+  for (std::size_t j = 0; j < count;) {
+    const std::size_t some = count - j < kInputsAtOnce ? count - j : kInputsAtOnce;
+    for_count<kInputsAtOnce>(some, [&]<std::size_t Count>() {
+      multiply_by<Count>(tile, columns, from_row(inputs, j), sums + j * stride, stride);
+    });
+    j += some;
   }
-  for (; j + 4 <= count; j += 4) {
-    multiply_by<4>(tile, columns, inputs + j, sums + j * stride, stride);
-  }
-  for (; j < count; ++j) multiply_by<1>(tile, columns, inputs + j, sums + j * stride, stride);
 }
 
 // So many neighbouring columns at once hide the latency of the multiply-add.
@@ -54,7 +80,7 @@ constexpr std::size_t kColumnsAhead = 48;
 // Columns columns of one tile; the last inputs' turn (Last) clears and measures.
 template <std::size_t Count, std::size_t Columns, bool Last>
 inline void add_inputs(const float* from, const Vector<float>& kept, const Vector<float>* gain,
-                       const float* inputs, const Vector<float>& limit, float* to,
+                       InputRows inputs, const Vector<float>& limit, float* to,
                        Vector<float>* squares) {
   Vector<float> moved[Columns];
 #pragma GCC unroll 4
@@ -64,9 +90,10 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
   }
 #pragma GCC unroll 16
   for (std::size_t j = 0; j < Count; ++j) {
+    const float* input = inputs.first + j * inputs.stride;
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < Columns; ++i) {
-      moved[i] = multiply_add(gain[j], Vector<float>::all(inputs[i * kPending + j]), moved[i]);
+      moved[i] = multiply_add(gain[j], Vector<float>::all(input[i]), moved[i]);
     }
   }
 #pragma GCC unroll 4
@@ -81,7 +108,7 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
 
 template <std::size_t Count, bool Last>
 inline void combine_with(const float* from, std::size_t columns, const Vector<float>& kept,
-                         const float* gains, const float* inputs, const Vector<float>& limit,
+                         const float* gains, InputRows inputs, const Vector<float>& limit,
                          float* to, float* squares) {
   Vector<float> gain[Count];
 #pragma GCC unroll 16
@@ -92,50 +119,48 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < kColumnsAtOnce; ++i) sum[i] = Vector<float>::all(0);
   std::size_t column = 0;
-  for (; column + kColumnsAtOnce <= columns; column += kColumnsAtOnce) {
-    add_inputs<Count, kColumnsAtOnce, Last>(from + column * kLaneCount<float>, kept, gain,
-                                            inputs + column * kPending, limit,
-                                            to + column * kLaneCount<float>, sum);
-  }
-  for (; column < columns; ++column) {
-    add_inputs<Count, 1, Last>(from + column * kLaneCount<float>, kept, gain,
-                               inputs + column * kPending, limit, to + column * kLaneCount<float>,
-                               sum);
-  }
+  const auto add = [&]<std::size_t Columns>() {
+    add_inputs<Count, Columns, Last>(from + column * kLaneCount<float>, kept, gain,
+                                     {inputs.first + column, inputs.stride}, limit,
+                                     to + column * kLaneCount<float>, sum);
+    column += Columns;
+  };
+  while (column + kColumnsAtOnce <= columns) add.template operator()<kColumnsAtOnce>();
+  while (column < columns) add.template operator()<1>();
   if (!Last) return;
   const auto total = (sum[0] + sum[1]) + (sum[2] + sum[3]);
   (Vector<float>::load(squares) + total).store(squares);
 }
 
-// The first Count of the inputs; returns how many are left.
-template <std::size_t Count>
-inline std::size_t combine_some(const float* from, std::size_t columns, const Vector<float>& kept,
-                                const float* gains, const float* inputs, std::size_t count,
-                                const Vector<float>& limit, float* to, float* squares) {
-  if (count == Count) {
-    combine_with<Count, true>(from, columns, kept, gains, inputs, limit, to, squares);
-  } else {
-    combine_with<Count, false>(from, columns, kept, gains, inputs, limit, to, squares);
-  }
-  return count - Count;
-}
-
 void combine(const float* tile, std::size_t columns, const float* kept, const float* gains,
-             const float* inputs, std::size_t count, float limit, float* to, float* squares) {
+             InputRows inputs, std::size_t count, float limit, float* to, float* squares) {
   const auto limits = Vector<float>::all(limit);
   auto keep = Vector<float>::load(kept);
   const float* from = tile;
-  for (std::size_t left = count; left > 0; from = to, keep = Vector<float>::all(1)) {
-    const float* these_gains = gains + (count - left) * kLaneCount<float>;
-    const float* these = inputs + (count - left);
-    if (left >= kInputsAtOnce) {
-      left = combine_some<kInputsAtOnce>(from, columns, keep, these_gains, these, left, limits, to,
-                                         squares);
-    } else if (left >= 4) {
-      left = combine_some<4>(from, columns, keep, these_gains, these, left, limits, to, squares);
-    } else {
-      left = combine_some<1>(from, columns, keep, these_gains, these, left, limits, to, squares);
+  std::size_t j = 0;
+  for (; count - j > kInputsAtOnce; j += kInputsAtOnce) {
+    combine_with<kInputsAtOnce, false>(from, columns, keep, gains + j * kLaneCount<float>,
+                                       from_row(inputs, j), limits, to, squares);
+    from = to;
+    keep = Vector<float>::all(1);
+  }
+  for_count<kInputsAtOnce>(count - j, [&]<std::size_t Count>() {
+    combine_with<Count, true>(from, columns, keep, gains + j * kLaneCount<float>,
+                              from_row(inputs, j), limits, to, squares);
+  });
+}
+
+void combine_row(float* row, std::size_t columns, float kept, const float* gains, InputRows inputs,
+                 std::size_t count, float limit) {
+  const auto keep = Vector<float>::all(kept);
+  const auto limits = Vector<float>::all(limit);
+  for (std::size_t i = 0; i < columns; i += kLaneCount<float>) {
+    auto moved = keep * Vector<float>::load(row + i);
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto input = Vector<float>::load(inputs.first + j * inputs.stride + i);
+      moved = multiply_add(Vector<float>::all(gains[j]), input, moved);
     }
+    zero_below(moved, limits).store(row + i);
   }
 }
 
@@ -180,8 +205,7 @@ void multiply_block(const Weight* tile, std::size_t columns, std::size_t chunk, 
 
 // Lanes are summed over kChunk columns, then over chunks, then in pairs.
 template <std::size_t Rows>
-inline void multiply_some_rows(const float* rows, std::size_t stride, const float* x,
-                               std::size_t count, float* sums) {
+inline void multiply_some_rows(InputRows rows, const float* x, std::size_t count, float* sums) {
   Vector<float> totals[Rows];
 #pragma GCC unroll 4
   for (std::size_t r = 0; r < Rows; ++r) totals[r] = Vector<float>::all(0);
@@ -194,7 +218,8 @@ inline void multiply_some_rows(const float* rows, std::size_t stride, const floa
       const auto values = Vector<float>::load(x + i);
 #pragma GCC unroll 4
       for (std::size_t r = 0; r < Rows; ++r) {
-        sum[r] = multiply_add(Vector<float>::load(rows + r * stride + i), values, sum[r]);
+        sum[r] =
+            multiply_add(Vector<float>::load(rows.first + r * rows.stride + i), values, sum[r]);
       }
     }
 #pragma GCC unroll 4
@@ -211,13 +236,13 @@ inline void multiply_some_rows(const float* rows, std::size_t stride, const floa
   }
 }
 
-void multiply_rows(const float* rows, std::size_t stride, std::size_t number, const float* x,
-                   std::size_t count, float* sums) {
+void multiply_rows(InputRows rows, std::size_t number, const float* x, std::size_t columns,
+                   float* sums) {
   std::size_t r = 0;
   for (; r + 4 <= number; r += 4) {
-    multiply_some_rows<4>(rows + r * stride, stride, x, count, sums + r);
+    multiply_some_rows<4>(from_row(rows, r), x, columns, sums + r);
   }
-  for (; r < number; ++r) multiply_some_rows<1>(rows + r * stride, stride, x, count, sums + r);
+  for (; r < number; ++r) multiply_some_rows<1>(from_row(rows, r), x, columns, sums + r);
 }
 
 void round_tile(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
@@ -332,6 +357,7 @@ void scale_row(const float* row, const double* scales, std::size_t count, float*
 extern const OnlineTable kOnlineTable = {multiply<float>,
                                          multiply<std::int16_t>,
                                          combine,
+                                         combine_row,
                                          multiply_block<float>,
                                          multiply_block<std::int16_t>,
                                          multiply_rows,

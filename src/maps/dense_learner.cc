@@ -56,6 +56,9 @@ constexpr double kSmallestGain = 0x1p-100;
 // Vectors to read that take longer than telling other threads.
 constexpr std::size_t kWorthSharing = std::size_t{1} << 12;
 
+// Looking at one neuron takes so many times as long as its part of the pass over all.
+constexpr std::size_t kManyCandidates = 8;
+
 // Rounding the weights for fewer inputs would take more time than it saves.
 constexpr std::size_t kWorthRounding = 4;
 
@@ -109,7 +112,7 @@ DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
       factors_(gains_.padded_rows(), 1.0),
       new_gains_(som.neurons()),
       neighbours_(som.neurons()),
-      scratch_rows_(kLanes, som.weights().columns()) {
+      scratch_row_(slots_.padded()) {
   AlignedVector<float> squares(stride());
   kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
                                         squares.data());
@@ -119,6 +122,11 @@ DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
 
 bool DenseLearner::clears() const {
   return learned_since_clearing_ >= kLearnedBetweenClearings;
+}
+
+// Weights whose magnitudes are below it become 0.
+float DenseLearner::limit() const {
+  return clears() ? kernels::kNegligible<float> : 0.0F;
 }
 
 bool DenseLearner::dot_product() const {
@@ -177,12 +185,15 @@ void DenseLearner::write_coefficients(std::size_t block) {
     const std::size_t neuron = block * kLanes + lane;
     float_kept_[neuron] = static_cast<float>(kept_[neuron]);
     if (neuron >= som_.neurons()) continue;
-    for (std::size_t j = 0; j < std::max<std::size_t>(1, pending_); ++j) {
-      const double gain = gains_(neuron, j);
-      float_gains_[(block * kPending + j) * kLanes + lane] =
-          std::fabs(gain) < kSmallestGain ? 0.0F : static_cast<float>(gain);
+    for (std::size_t j = 0; j < made(); ++j) {
+      float_gains_[(block * kPending + j) * kLanes + lane] = float_gain(neuron, j);
     }
   }
+}
+
+float DenseLearner::float_gain(std::size_t neuron, std::size_t slot) const {
+  const double gain = gains_(neuron, slot);
+  return std::fabs(gain) < kSmallestGain ? 0.0F : static_cast<float>(gain);
 }
 
 void DenseLearner::forget_pending() {
@@ -208,8 +219,6 @@ void DenseLearner::for_each_task(std::size_t count, std::size_t vectors,
 // Makes what is pending if `next` are other slots than those in use; takes the products of `count`
 // inputs from slot `first` on, at last those with inputs.
 void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) {
-  if (count > 1) next.align(first + count);
-  if (&next != &slots_) slots_.align(std::max<std::size_t>(1, pending_));
   const auto work = [&](std::size_t block) { pass_over_block(block, next, first, count); };
   for_each_task(blocks() + 1, blocks() * som_.weights().columns(), work);
   order_ = order_ == ThreadTeam::Order::kUp ? ThreadTeam::Order::kDown : ThreadTeam::Order::kUp;
@@ -259,7 +268,7 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
                                  const InputSlots& next, std::size_t first, std::size_t count) {
   const auto& kernels = kernels::online_table();
   const std::size_t at = block * som_.weights().columns() + start;
-  const float* inputs = next.lanes(start) + first;
+  const kernels::InputRows inputs = next.rows(first, start);
   float* products = products_of(first) + block * kLanes;
   const std::size_t product_stride = stride() + kPending;
   if (reads_rounded_) {
@@ -301,8 +310,7 @@ void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_
   kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
                                   columns, float_kept_.data() + block * kLanes,
                                   float_gains_.data() + block * kPending * kLanes,
-                                  slots_.lanes(start), std::max<std::size_t>(1, pending_),
-                                  clears() ? kernels::kNegligible<float> : 0.0F, to, squares);
+                                  slots_.rows(0, start), made(), limit(), to, squares);
 }
 
 std::size_t DenseLearner::learn(double learning_rate, double radius) {
@@ -435,15 +443,12 @@ std::size_t DenseLearner::winner() {
 std::size_t DenseLearner::exact_winner(double limit) {
   std::vector<std::size_t> candidates;
   candidates.reserve(som_.neurons());
-  std::size_t blocks_of_candidates = 0;
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     if (scores_[neuron] > limit) continue;
-    const bool same = !candidates.empty() && candidates.back() / kLanes == neuron / kLanes;
-    if (!same) ++blocks_of_candidates;
     candidates.push_back(neuron);
   }
-  // The updates of many blocks are worth making for good.
-  if (2 * blocks_of_candidates > blocks() &&
+  // The updates of many neurons are worth making for good.
+  if (kManyCandidates * candidates.size() > som_.neurons() &&
       std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
     ahead_ = 1;
     rebase_expected();
@@ -451,50 +456,27 @@ std::size_t DenseLearner::exact_winner(double limit) {
   }
   std::size_t best = candidates.front();
   double least = std::numeric_limits<double>::infinity();
-  for (auto begin = candidates.begin(); begin != candidates.end();) {
-    const std::size_t block = *begin / kLanes;
-    const auto end = std::find_if(begin, candidates.end(),
-                                  [&](std::size_t neuron) { return neuron / kLanes != block; });
-    settle_rows(block, {begin, end});
-    for (std::size_t row = 0; begin != end; ++begin, ++row) {
-      const double score = exact_score(scratch_rows_.row(row));
-      if (score >= least) continue;
-      least = score;
-      best = *begin;
-    }
+  for (const std::size_t neuron : candidates) {
+    const double score = exact_score(settled_row(neuron));
+    if (score >= least) continue;
+    least = score;
+    best = neuron;
   }
   return best;
 }
 
-// The weights of some neurons of a block as settle() would leave them.
-void DenseLearner::settle_rows(std::size_t block, std::span<const std::size_t> neurons) {
+// The weights of a neuron as settle() would leave them: what combine() does, in a row.
+std::span<const float> DenseLearner::settled_row(std::size_t neuron) {
   const std::size_t columns = som_.weights().columns();
-  if (moved_[block] != 0) {
-    slots_.align(std::max<std::size_t>(1, pending_));
-    write_coefficients(block);
+  som_.weights().copy_row(neuron, {scratch_row_.data(), columns});
+  if (moved_[neuron / kLanes] != 0) {
+    float gains[kPending];
+    for (std::size_t j = 0; j < made(); ++j) gains[j] = float_gain(neuron, j);
+    kernels::online_table().combine_row(scratch_row_.data(), slots_.padded(),
+                                        static_cast<float>(kept_[neuron]), gains, slots_.rows(0, 0),
+                                        made(), limit());
   }
-  const std::size_t tiles = (columns + chunk_ - 1) / chunk_;
-  const auto settle = [&](std::size_t tile) {
-    settle_tile(block, neurons, tile * chunk_, std::min(columns, (tile + 1) * chunk_));
-  };
-  for_each_task(tiles, columns * (1 + pending_ / 2), settle);
-}
-
-void DenseLearner::settle_tile(std::size_t block, std::span<const std::size_t> neurons,
-                               std::size_t begin, std::size_t end) {
-  alignas(64) float tile[kernels::kChunk * kLanes];
-  alignas(64) float squares[kLanes] = {};
-  const std::size_t columns = som_.weights().columns();
-  const float* lanes = std::as_const(som_).weights().data() + (block * columns + begin) * kLanes;
-  if (moved_[block] != 0) {
-    combine_tile(block, begin, end - begin, tile, squares);
-    lanes = tile;
-  }
-  for (std::size_t i = 0; i < neurons.size(); ++i) {
-    const auto row = scratch_rows_.row(i);
-    const float* lane = lanes + neurons[i] % kLanes;
-    for (std::size_t d = begin; d < end; ++d, lane += kLanes) row[d] = *lane;
-  }
+  return {scratch_row_.data(), columns};
 }
 
 double DenseLearner::exact_score(std::span<const float> weights) const {

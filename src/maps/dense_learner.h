@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -42,6 +43,8 @@ class DenseLearner {
  private:
   bool dot_product() const;
   bool clears() const;
+  float limit() const;
+  std::size_t made() const { return std::max<std::size_t>(1, pending_); }
   std::size_t stride() const { return som_.weights().padded_rows(); }
   std::size_t blocks() const { return som_.weights().blocks(); }
   float* products_of(std::size_t slot) {
@@ -61,6 +64,7 @@ class DenseLearner {
   void multiply_block(std::size_t block, const float* input, std::size_t slot);
   void multiply_inputs(InputSlots& next, std::size_t first, std::size_t count);
   void write_coefficients(std::size_t block);
+  float float_gain(std::size_t neuron, std::size_t slot) const;
   void bound_magnitudes(std::size_t block);
   void forget_pending();
   void rebase(std::size_t count);
@@ -71,9 +75,7 @@ class DenseLearner {
   double score_limit() const;
   std::size_t winner();
   std::size_t exact_winner(double limit);
-  void settle_rows(std::size_t block, std::span<const std::size_t> neurons);
-  void settle_tile(std::size_t block, std::span<const std::size_t> neurons, std::size_t begin,
-                   std::size_t end);
+  std::span<const float> settled_row(std::size_t neuron);
   double exact_score(std::span<const float> weights) const;
   void move(double learning_rate);
   void normalize();
@@ -108,7 +110,7 @@ class DenseLearner {
   AlignedVector<double> new_gains_;
   std::vector<std::size_t> to_measure_;
   AlignedVector<float> neighbours_;
-  Matrix<float> scratch_rows_;
+  AlignedVector<float> scratch_row_;
   std::uint64_t learned_since_clearing_ = 0;
   bool all_normalized_ = false;
 };

@@ -10,19 +10,25 @@
 
 namespace somato {
 
-static_assert(kernels::kPending == LaneMatrix<float>::kLanes, "slots are a block of rows as well");
-
-/// Up to kPending inputs, a row each, and side by side as kernels::OnlineTable takes some of them.
+/// Up to kPending inputs, a row each, which starts on a cache line and ends with zeros.
 class InputSlots {
  public:
   explicit InputSlots(std::size_t columns);
 
-  /// Writes neighbouring slots from `first` on. Those behind them are no longer side by side.
+  /// Writes neighbouring slots from `first` on.
   void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
 
   std::span<const float> input(std::size_t slot) const {
     return {rows_.data() + slot * stride_, columns_};
   }
+
+  /// All from slot `first` on, from element `column` on.
+  kernels::InputRows rows(std::size_t first, std::size_t column) const {
+    return {rows_.data() + first * stride_ + column, stride_};
+  }
+
+  /// Elements with the zeros behind them.
+  std::size_t padded() const { return padded_; }
 
   /// Products of the input in a slot with those in the first slots, one each.
   void multiply(std::size_t slot, std::size_t count, float* products) const;
@@ -31,22 +37,11 @@ class InputSlots {
   void measure(std::size_t slot);
   double greatest(std::size_t slot) const { return double{greatest_[slot]}; }
 
-  /// Puts the first `count` slots side by side.
-  void align(std::size_t count);
-
-  /// Those, from element `column` on.
-  const float* lanes(std::size_t column) const {
-    return lanes_.data() + column * kernels::kPending;
-  }
-
  private:
-  void align_columns(std::size_t begin, std::size_t end, std::size_t first, std::size_t last);
-
   std::size_t columns_;
+  std::size_t padded_;
   std::size_t stride_;
   AlignedVector<float> rows_;
-  AlignedVector<float> lanes_;
-  std::size_t aligned_ = 0;
   std::array<float, kernels::kPending> greatest_{};
 };
 

@@ -17,6 +17,7 @@
 namespace somato {
 namespace {
 
+using kernels::InputRows;
 using kernels::kPending;
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
@@ -76,8 +77,9 @@ TEST(OnlineKernels, MultiplyIntegersAsTheSameFloats) {
     const auto& table = kernels::online_table();
     AlignedVector<float> expected(kLanes * count, 0.5F);
     AlignedVector<float> sums(kLanes * count, 0.5F);
-    table.multiply(floats.data(), columns, inputs.data(), count, expected.data(), kLanes);
-    table.multiply_integers(integers.data(), columns, inputs.data(), count, sums.data(), kLanes);
+    const InputRows rows{inputs.data(), columns};
+    table.multiply(floats.data(), columns, rows, count, expected.data(), kLanes);
+    table.multiply_integers(integers.data(), columns, rows, count, sums.data(), kLanes);
     EXPECT_EQ(sums, expected);
     table.multiply_block(floats.data(), columns, chunk, inputs.data(), expected.data());
     table.multiply_block_of_integers(integers.data(), columns, chunk, inputs.data(), sums.data());
@@ -114,14 +116,12 @@ TEST(OnlineKernels, MultiplyABlockAsTileByTile) {
     const std::size_t chunk = 1 + random.below(90);
     const auto tile = random_values<float>(columns * kLanes, random);
     const auto input = random_values<float>(columns, random);
-    AlignedVector<float> inputs(columns * kPending);
-    for (std::size_t c = 0; c < columns; ++c) inputs[c * kPending + 3] = input[c];
     AlignedVector<float> expected(kLanes);
     AlignedVector<float> sums(kLanes, -1.0F);
     const auto& table = kernels::online_table();
     for (std::size_t start = 0; start < columns; start += chunk) {
       table.multiply(tile.data() + start * kLanes, std::min(chunk, columns - start),
-                     inputs.data() + start * kPending + 3, 1, expected.data(), kLanes);
+                     {input.data() + start, columns}, 1, expected.data(), kLanes);
     }
     table.multiply_block(tile.data(), columns, chunk, input.data(), sums.data());
     EXPECT_EQ(sums, expected) << columns << " in chunks of " << chunk;
@@ -139,14 +139,15 @@ TEST(OnlineKernels, CombineInputsInOrderAndMeasure) {
     const float limit = random.below(2) == 0 ? 0.0F : 0.1F;
     AlignedVector<float> to(tile.size());
     AlignedVector<float> squares(kLanes, 1.0F);
-    kernels::online_table().combine(tile.data(), columns, kept.data(), gains.data(), inputs.data(),
-                                    count, limit, to.data(), squares.data());
+    kernels::online_table().combine(tile.data(), columns, kept.data(), gains.data(),
+                                    {inputs.data(), columns}, count, limit, to.data(),
+                                    squares.data());
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       double square = 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
         float w = kept[lane] * tile[c * kLanes + lane];
         for (std::size_t j = 0; j < count; ++j) {
-          w = std::fma(gains[j * kLanes + lane], inputs[c * kPending + j], w);
+          w = std::fma(gains[j * kLanes + lane], inputs[j * columns + c], w);
         }
         if (std::fabs(w) < limit) w = 0.0F;
         ASSERT_EQ(to[c * kLanes + lane], w) << c << " of " << columns << ", " << count;
@@ -167,7 +168,7 @@ TEST(OnlineKernels, MultiplyRows) {
     AlignedVector<float> first;
     testing::for_each_instruction_set([&](InstructionSet) {
       AlignedVector<float> sums(number);
-      kernels::online_table().multiply_rows(rows.all.data(), rows.count, number, x.data(),
+      kernels::online_table().multiply_rows({rows.all.data(), rows.count}, number, x.data(),
                                             rows.count, sums.data());
       if (first.empty()) first = sums;
       EXPECT_EQ(sums, first);
@@ -182,6 +183,30 @@ TEST(OnlineKernels, MultiplyRows) {
       EXPECT_NEAR(double{first[j]}, sum, 1e-6 * most);
     }
   }
+}
+
+// The same bits as in lanes.
+TEST(OnlineKernels, CombineARow) {
+  for_each_problem([](Random& random) {
+    const std::size_t columns = kLanes * (1 + random.below(5));
+    const std::size_t count = 1 + random.below(kPending);
+    const auto inputs = random_values<float>(columns * kPending, random);
+    const auto gains = random_values<float>(kPending, random);
+    AlignedVector<float> row = random_values<float>(columns, random);
+    AlignedVector<float> tile(columns * kLanes);
+    AlignedVector<float> gains_of_lanes(kPending * kLanes);
+    for (std::size_t c = 0; c < columns; ++c) tile[c * kLanes + 3] = row[c];
+    for (std::size_t j = 0; j < kPending; ++j) gains_of_lanes[j * kLanes + 3] = gains[j];
+    const AlignedVector<float> kept(kLanes, 0.75F);
+    AlignedVector<float> squares(kLanes);
+    const float limit = random.below(2) == 0 ? 0.0F : 0.1F;
+    const auto& table = kernels::online_table();
+    const InputRows rows{inputs.data(), columns};
+    table.combine(tile.data(), columns, kept.data(), gains_of_lanes.data(), rows, count, limit,
+                  tile.data(), squares.data());
+    table.combine_row(row.data(), columns, kept[3], gains.data(), rows, count, limit);
+    for (std::size_t c = 0; c < columns; ++c) ASSERT_EQ(row[c], tile[c * kLanes + 3]);
+  });
 }
 
 TEST(OnlineKernels, AddRowsInDoublePrecision) {
