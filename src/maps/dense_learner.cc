@@ -24,8 +24,9 @@
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
 // squared distance d^2 differ by at most
 //
-//     u (R + 40) ((m_k + |x|)^2 + d^2) + 2 |c_k| e_k (m_k + |x|),   m_k = |c_k| |v_k| + sum_j
-//     |A_kj| |x_j| >= |w_k|:
+//     u (R + 40) ((m_k + |x|)^2 + d^2) + 2 |c_k| e_k (m_k + |x|)
+//
+// for m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
 //
 // u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
 // 2 u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
