@@ -137,7 +137,7 @@ TEST(ThreadTeam, DoesJobsOfSeveralThreads) {
 // Before a first job, while its members are awake, and when they are asleep.
 TEST(ThreadTeam, EndsWhateverItsMembersDo) {
   for (int i = 0; i < 50; ++i) {
-    ThreadTeam idle(4);
+    const ThreadTeam idle(4);
     ThreadTeam awake(4);
     ThreadTeam asleep(4);
     std::atomic<int> done = 0;

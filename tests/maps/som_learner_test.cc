@@ -311,7 +311,7 @@ TEST(SomLearner, OneByOneGivesTheBitsOfTraining) {
 // Large enough for several threads to be used.
 Stream large_stream(const testing::Variant& variant, bool sparse, Random& random) {
   Stream stream = random_stream(variant, sparse, 45, random);
-  const std::size_t size = sparse ? 40000 : 1500;
+  const std::size_t size = sparse ? 30000 : 1500;
   stream.samples =
       sparse ? thin_samples(5, size, 50, random) : testing::random_samples(5, size, false, random);
   for (std::size_t& number : stream.order) number %= 5;
@@ -353,8 +353,9 @@ std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(const
   for (std::size_t t = 0; t < stream.size(); ++t) {
     winners.push_back(
         learner.learn(stream.input(t), stream.steps[t].learning_rate, stream.steps[t].radius));
-    // Now after each input, now after some.
-    if (t < 10 || t % 7 == 0) learner.settle();
+    // Sparse inputs are learned by themselves only as long as that is seldom; others now after each
+    // input, now after some.
+    if (stream.input(t).sparse ? t == 20 : t < 5 || t % 7 == 0) learner.settle();
   }
   learner.settle();
   return {som.weights(), winners};
@@ -363,6 +364,7 @@ std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(const
 TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
   Random random(85);
   for (const testing::Variant& variant : testing::all_variants()) {
+    if (variant.lattice != Lattice::kRectangular || variant.topology != Topology::kPlane) continue;
     for (const bool sparse : {false, true}) {
       const Stream stream = large_stream(variant, sparse, random);
       const auto expected = learned_one_by_one(stream, 1);
