@@ -95,6 +95,7 @@ void ThreadTeam::open(std::size_t count, const std::function<void(std::size_t)>&
     parts_[member].begin = count * member / size();
     parts_[member].end = count * (member + 1) / size();
     parts_[member].begun.store(0, std::memory_order_relaxed);
+    parts_[member].attended.store(false, std::memory_order_relaxed);
   }
   state_ += kJob + kOpen;
   state_.notify_all();
@@ -144,6 +145,7 @@ void ThreadTeam::leave() {
 void ThreadTeam::work_from(std::size_t member) {
   const auto begin = Clock::now();
   Part& own = parts_[member];
+  own.attended.store(true, std::memory_order_relaxed);
   while (work_on(own)) continue;
   const std::size_t tasks = std::max<std::size_t>(1, own.end - own.begin);
   const auto patience = 2 * (Clock::now() - begin) / tasks + kLate;
@@ -152,6 +154,8 @@ void ThreadTeam::work_from(std::size_t member) {
 
 // Leaves the tasks to the one whose they are as long as that goes on with them.
 void ThreadTeam::take_over(Part& part, std::chrono::nanoseconds patience) {
+  const auto attended = [&] { return part.attended.load(std::memory_order_relaxed); };
+  if (!wait_awake(attended, kLate)) patience = {};
   std::size_t begun = part.begun.load(std::memory_order_relaxed);
   while (begun < part.end - part.begin) {
     const auto goes_on = [&] { return part.begun.load(std::memory_order_relaxed) != begun; };

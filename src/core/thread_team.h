@@ -47,6 +47,7 @@ class ThreadTeam {
   // The tasks of one member, on a cache line of its own.
   struct alignas(64) Part {
     std::atomic<std::size_t> begun = 0;
+    std::atomic<bool> attended = false;  // by the member whose tasks they are
     std::size_t begin = 0;
     std::size_t end = 0;
   };
