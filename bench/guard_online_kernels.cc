@@ -122,7 +122,10 @@ void count_rows(const Counted& counted) {
   AlignedVector<float> products(kRows);
   counted(
       "online.multiply_rows",
-      [&] { table.multiply_rows({rows[0], kNeurons}, kRows, rows[1], kNeurons, products.data()); },
+      [&] {
+        table.multiply_rows({rows[0], kNeurons}, kRows, rows[1], kNeurons, kColumns,
+                            products.data());
+      },
       [&] { return digest_of(products); });
   const auto factors = noise<float>(kNeurons, 38);
   const auto scales = noise<double>(kNeurons, 39);

@@ -28,8 +28,8 @@ struct OnlineTable {
   void (*multiply_integers)(const std::int16_t* tile, std::size_t columns, InputRows inputs,
                             std::size_t count, float* sums, std::size_t stride);
   /// to = kept * w + sum over `count` (1 to kPending) inputs of gains_j * input j in order, then 0
-  /// where its magnitude is below `limit`; squares += to^2, every fourth column summed on its own.
-  /// `kept` and `squares` have a value a lane, `gains` one for each input and lane.
+  /// where its magnitude is below `limit`; squares += to^2. `kept` and `squares` have a value a
+  /// lane, `gains` one for each input and lane.
   void (*combine)(const float* tile, std::size_t columns, const float* kept, const float* gains,
                   InputRows inputs, std::size_t count, float limit, float* to, float* squares);
   /// The same of a single neuron's weights in a row, of whole blocks, as are the inputs.
@@ -42,9 +42,9 @@ struct OnlineTable {
   /// The same for a tile of integers.
   void (*multiply_block_of_integers)(const std::int16_t* tile, std::size_t columns,
                                      std::size_t chunk, const float* input, float* sums);
-  /// sums[j] = row j . x for `number` rows of `columns` values, whole blocks.
+  /// sums[j] = row j . x for `number` rows, summed in chunks as in multiply_block().
   void (*multiply_rows)(InputRows rows, std::size_t number, const float* x, std::size_t columns,
-                        float* sums);
+                        std::size_t chunk, float* sums);
   /// to = w * factors, which must be in range, rounded to the nearest integer (even where two are
   /// as near); greatest = the greatest magnitude of w and of what it was. Both have a value a lane.
   void (*round_tile)(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,

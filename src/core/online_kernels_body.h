@@ -81,7 +81,7 @@ constexpr std::size_t kColumnsAhead = 48;
 template <std::size_t Count, std::size_t Columns, bool Last>
 inline void add_inputs(const float* from, const Vector<float>& kept, const Vector<float>* gain,
                        InputRows inputs, const Vector<float>& limit, float* to,
-                       Vector<float>* squares) {
+                       Vector<float>& squares) {
   Vector<float> moved[Columns];
 #pragma GCC unroll 4
   for (std::size_t i = 0; i < Columns; ++i) {
@@ -100,7 +100,7 @@ inline void add_inputs(const float* from, const Vector<float>& kept, const Vecto
   for (std::size_t i = 0; i < Columns; ++i) {
     if (Last) {
       moved[i] = zero_below(moved[i], limit);
-      squares[i] = multiply_add(moved[i], moved[i], squares[i]);
+      squares = multiply_add(moved[i], moved[i], squares);
     }
     moved[i].store(to + i * kLaneCount<float>);
   }
@@ -115,9 +115,7 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
   for (std::size_t j = 0; j < Count; ++j) {
     gain[j] = Vector<float>::load(gains + j * kLaneCount<float>);
   }
-  Vector<float> sum[kColumnsAtOnce];
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < kColumnsAtOnce; ++i) sum[i] = Vector<float>::all(0);
+  auto sum = Vector<float>::all(0);
   std::size_t column = 0;
   const auto add = [&]<std::size_t Columns>() {
     add_inputs<Count, Columns, Last>(from + column * kLaneCount<float>, kept, gain,
@@ -127,9 +125,7 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
   };
   while (column + kColumnsAtOnce <= columns) add.template operator()<kColumnsAtOnce>();
   while (column < columns) add.template operator()<1>();
-  if (!Last) return;
-  const auto total = (sum[0] + sum[1]) + (sum[2] + sum[3]);
-  (Vector<float>::load(squares) + total).store(squares);
+  if (Last) (Vector<float>::load(squares) + sum).store(squares);
 }
 
 void combine(const float* tile, std::size_t columns, const float* kept, const float* gains,
@@ -203,46 +199,54 @@ void multiply_block(const Weight* tile, std::size_t columns, std::size_t chunk, 
   total.store(sums);
 }
 
-// Lanes are summed over kChunk columns, then over chunks, then in pairs.
-template <std::size_t Rows>
-inline void multiply_some_rows(InputRows rows, const float* x, std::size_t count, float* sums) {
-  Vector<float> totals[Rows];
+// What is summed stays in registers for so many rows.
+constexpr std::size_t kRowsAtOnce = 4;
+
+// Adds the sums of neighbouring chunks to the totals, one after the other. Elements stay in order,
+// as where lanes are neurons, so that zeros among them change nothing.
+template <std::size_t Rows, std::size_t Chunks>
+inline void add_chunks_of_rows(InputRows rows, const float* x, std::size_t chunk, float* totals) {
+  float sum[Chunks][Rows] = {};
+  for (std::size_t column = 0; column < chunk; ++column) {
 #pragma GCC unroll 4
-  for (std::size_t r = 0; r < Rows; ++r) totals[r] = Vector<float>::all(0);
-  for (std::size_t start = 0; start < count; start += kChunk) {
-    const std::size_t end = start + kChunk < count ? start + kChunk : count;
-    Vector<float> sum[Rows];
-#pragma GCC unroll 4
-    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector<float>::all(0);
-    for (std::size_t i = start; i < end; i += kLaneCount<float>) {
-      const auto values = Vector<float>::load(x + i);
+    for (std::size_t i = 0; i < Chunks; ++i) {
+      const std::size_t at = i * chunk + column;
 #pragma GCC unroll 4
       for (std::size_t r = 0; r < Rows; ++r) {
-        sum[r] =
-            multiply_add(Vector<float>::load(rows.first + r * rows.stride + i), values, sum[r]);
+        sum[i][r] = __builtin_fmaf(rows.first[r * rows.stride + at], x[at], sum[i][r]);
       }
     }
-#pragma GCC unroll 4
-    for (std::size_t r = 0; r < Rows; ++r) totals[r] = totals[r] + sum[r];
   }
-#pragma GCC unroll 4
-  for (std::size_t r = 0; r < Rows; ++r) {
-    alignas(64) float lanes[kLaneCount<float>];
-    totals[r].store(lanes);
-    for (std::size_t half = kLaneCount<float> / 2; half > 0; half /= 2) {
-      for (std::size_t i = 0; i < half; ++i) lanes[i] += lanes[i + half];
-    }
-    sums[r] = lanes[0];
+  for (std::size_t i = 0; i < Chunks; ++i) {
+    for (std::size_t r = 0; r < Rows; ++r) totals[r] += sum[i][r];
   }
 }
 
-void multiply_rows(InputRows rows, std::size_t number, const float* x, std::size_t columns,
-                   float* sums) {
-  std::size_t r = 0;
-  for (; r + 4 <= number; r += 4) {
-    multiply_some_rows<4>(from_row(rows, r), x, columns, sums + r);
+template <std::size_t Rows>
+inline void multiply_some_rows(InputRows rows, const float* x, std::size_t columns,
+                               std::size_t chunk, float* sums) {
+  constexpr std::size_t kChunks = 2;
+  float totals[Rows] = {};
+  std::size_t start = 0;
+  const auto here = [&] { return InputRows{rows.first + start, rows.stride}; };
+  for (; start + kChunks * chunk <= columns; start += kChunks * chunk) {
+    add_chunks_of_rows<Rows, kChunks>(here(), x + start, chunk, totals);
   }
-  for (; r < number; ++r) multiply_some_rows<1>(from_row(rows, r), x, columns, sums + r);
+  for (; start + chunk <= columns; start += chunk) {
+    add_chunks_of_rows<Rows, 1>(here(), x + start, chunk, totals);
+  }
+  add_chunks_of_rows<Rows, 1>(here(), x + start, columns - start, totals);
+  for (std::size_t r = 0; r < Rows; ++r) sums[r] = totals[r];
+}
+
+void multiply_rows(InputRows rows, std::size_t number, const float* x, std::size_t columns,
+                   std::size_t chunk, float* sums) {
+  for (std::size_t r = 0; r < number; r += kRowsAtOnce) {
+    const std::size_t some = number - r < kRowsAtOnce ? number - r : kRowsAtOnce;
+    for_count<kRowsAtOnce>(some, [&]<std::size_t Rows>() {
+      multiply_some_rows<Rows>(from_row(rows, r), x, columns, chunk, sums + r);
+    });
+  }
 }
 
 void round_tile(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
@@ -257,9 +261,6 @@ void round_tile(const float* tile, std::size_t columns, const float* factors, st
   }
   greatest_weight.store(greatest_so_far);
 }
-
-// What is summed stays in registers for so many rows.
-constexpr std::size_t kRowsAtOnce = 4;
 
 template <std::size_t Rows>
 inline void add_some_rows(const float* const* rows, const float* values, std::size_t count,

@@ -239,7 +239,7 @@ void DenseLearner::pass_over_block(std::size_t block, InputSlots& next, std::siz
 void DenseLearner::multiply_inputs(InputSlots& next, std::size_t first, std::size_t count) {
   for (std::size_t slot = first; slot < first + count; ++slot) {
     next.measure(slot);
-    next.multiply(slot, slot + 1, products_of(slot) + stride());
+    next.multiply(slot, slot + 1, chunk_, products_of(slot) + stride());
   }
 }
 

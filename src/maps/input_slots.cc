@@ -38,9 +38,10 @@ void InputSlots::write(std::size_t first, const std::vector<std::span<const floa
   }
 }
 
-void InputSlots::multiply(std::size_t slot, std::size_t count, float* products) const {
-  kernels::online_table().multiply_rows(rows(0, 0), count, rows_.data() + slot * stride_, padded_,
-                                        products);
+void InputSlots::multiply(std::size_t slot, std::size_t count, std::size_t chunk,
+                          float* products) const {
+  kernels::online_table().multiply_rows(rows(0, 0), count, rows_.data() + slot * stride_, columns_,
+                                        chunk, products);
 }
 
 void InputSlots::measure(std::size_t slot) {

@@ -30,8 +30,9 @@ class InputSlots {
   /// Elements with the zeros behind them.
   std::size_t padded() const { return padded_; }
 
-  /// Products of the input in a slot with those in the first slots, one each.
-  void multiply(std::size_t slot, std::size_t count, float* products) const;
+  /// Products of the input in a slot with those in the first slots, one each, summed in chunks of
+  /// columns.
+  void multiply(std::size_t slot, std::size_t count, std::size_t chunk, float* products) const;
 
   /// Finds the greatest magnitude in a slot.
   void measure(std::size_t slot);

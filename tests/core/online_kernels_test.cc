@@ -158,31 +158,25 @@ TEST(OnlineKernels, CombineInputsInOrderAndMeasure) {
   });
 }
 
-// Within rounding, and in the same order everywhere.
+// The same bits as where a row is a lane.
 TEST(OnlineKernels, MultiplyRows) {
-  Random random(8);
-  for (int i = 0; i < 40; ++i) {
-    const std::size_t number = random.below(11);
-    const Rows rows(number, kLanes * (1 + random.below(40)), random);
-    const auto x = random_values<float>(rows.count, random);
-    AlignedVector<float> first;
-    testing::for_each_instruction_set([&](InstructionSet) {
-      AlignedVector<float> sums(number);
-      kernels::online_table().multiply_rows({rows.all.data(), rows.count}, number, x.data(),
-                                            rows.count, sums.data());
-      if (first.empty()) first = sums;
-      EXPECT_EQ(sums, first);
-    });
+  for_each_problem([](Random& random) {
+    const std::size_t number = random.below(kLanes);
+    const std::size_t columns = 1 + random.below(400);
+    const std::size_t chunk = 1 + random.below(90);
+    const auto rows = random_values<float>(number * columns, random);
+    const auto x = random_values<float>(columns, random);
+    AlignedVector<float> tile(columns * kLanes);
     for (std::size_t j = 0; j < number; ++j) {
-      double sum = 0.0;
-      double most = 0.0;
-      for (std::size_t d = 0; d < rows.count; ++d) {
-        sum += double{rows.at(j, d)} * double{x[d]};
-        most += std::fabs(double{rows.at(j, d)} * double{x[d]});
-      }
-      EXPECT_NEAR(double{first[j]}, sum, 1e-6 * most);
+      for (std::size_t c = 0; c < columns; ++c) tile[c * kLanes + j] = rows[j * columns + c];
     }
-  }
+    AlignedVector<float> expected(kLanes);
+    std::vector<float> sums(number);
+    const auto& table = kernels::online_table();
+    table.multiply_block(tile.data(), columns, chunk, x.data(), expected.data());
+    table.multiply_rows({rows.data(), columns}, number, x.data(), columns, chunk, sums.data());
+    for (std::size_t j = 0; j < number; ++j) ASSERT_EQ(sums[j], expected[j]) << j;
+  });
 }
 
 // The same bits as in lanes.

@@ -41,7 +41,7 @@ TEST(InputSlots, GiveInputsAndTheirProducts) {
       slots.measure(j);
       EXPECT_EQ(slots.greatest(j), greatest);
       std::vector<float> products(j + 1);
-      slots.multiply(j, j + 1, products.data());
+      slots.multiply(j, j + 1, 1 + random.below(columns), products.data());
       for (std::size_t k = 0; k <= j; ++k) {
         const double most =
             std::sqrt(product(values[j], values[j]) * product(values[k], values[k]));
