@@ -12,7 +12,7 @@ namespace {
 
 using kernels::kPending;
 
-static_assert(kKernels<kernels::OnlineTable> == 12, "count each of them");
+static_assert(kKernels<kernels::OnlineTable> == 13, "count each of them");
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kColumns = 250;
@@ -125,6 +125,12 @@ void count_rows(const Counted& counted) {
       [&] {
         table.multiply_rows({rows[0], kNeurons}, kRows, rows[1], kNeurons, kColumns,
                             products.data());
+      },
+      [&] { return digest_of(products); });
+  counted(
+      "online.multiply_long_rows",
+      [&] {
+        table.multiply_long_rows({rows[0], kNeurons}, kRows, rows[1], kNeurons, products.data());
       },
       [&] { return digest_of(products); });
   const auto factors = noise<float>(kNeurons, 38);

@@ -45,6 +45,10 @@ struct OnlineTable {
   /// sums[j] = row j . x for `number` rows, summed in chunks as in multiply_block().
   void (*multiply_rows)(InputRows rows, std::size_t number, const float* x, std::size_t columns,
                         std::size_t chunk, float* sums);
+  /// The same of whole blocks of columns, summed in lanes: faster, with no more roundings where
+  /// there are more than kChunk columns.
+  void (*multiply_long_rows)(InputRows rows, std::size_t number, const float* x,
+                             std::size_t columns, float* sums);
   /// to = w * factors, which must be in range, rounded to the nearest integer (even where two are
   /// as near); greatest = the greatest magnitude of w and of what it was. Both have a value a lane.
   void (*round_tile)(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,

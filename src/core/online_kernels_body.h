@@ -249,6 +249,49 @@ void multiply_rows(InputRows rows, std::size_t number, const float* x, std::size
   }
 }
 
+// Lanes are summed over kChunk columns, then over chunks, then in pairs.
+template <std::size_t Rows>
+inline void multiply_some_long_rows(InputRows rows, const float* x, std::size_t count,
+                                    float* sums) {
+  Vector<float> totals[Rows];
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) totals[r] = Vector<float>::all(0);
+  for (std::size_t start = 0; start < count; start += kChunk) {
+    const std::size_t end = start + kChunk < count ? start + kChunk : count;
+    Vector<float> sum[Rows];
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector<float>::all(0);
+    for (std::size_t i = start; i < end; i += kLaneCount<float>) {
+      const auto values = Vector<float>::load(x + i);
+#pragma GCC unroll 4
+      for (std::size_t r = 0; r < Rows; ++r) {
+        sum[r] =
+            multiply_add(Vector<float>::load(rows.first + r * rows.stride + i), values, sum[r]);
+      }
+    }
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < Rows; ++r) totals[r] = totals[r] + sum[r];
+  }
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) {
+    alignas(64) float lanes[kLaneCount<float>];
+    totals[r].store(lanes);
+    for (std::size_t half = kLaneCount<float> / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) lanes[i] += lanes[i + half];
+    }
+    sums[r] = lanes[0];
+  }
+}
+
+void multiply_long_rows(InputRows rows, std::size_t number, const float* x, std::size_t columns,
+                        float* sums) {
+  std::size_t r = 0;
+  for (; r + 4 <= number; r += 4) {
+    multiply_some_long_rows<4>(from_row(rows, r), x, columns, sums + r);
+  }
+  for (; r < number; ++r) multiply_some_long_rows<1>(from_row(rows, r), x, columns, sums + r);
+}
+
 void round_tile(const float* tile, std::size_t columns, const float* factors, std::int16_t* to,
                 float* greatest_so_far) {
   const auto factor = Vector<float>::load(factors);
@@ -362,6 +405,7 @@ extern const OnlineTable kOnlineTable = {multiply<float>,
                                          multiply_block<float>,
                                          multiply_block<std::int16_t>,
                                          multiply_rows,
+                                         multiply_long_rows,
                                          round_tile,
                                          add_rows,
                                          move_rows,

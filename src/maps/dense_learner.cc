@@ -57,9 +57,6 @@ constexpr double kSmallestGain = 0x1p-100;
 // Vectors to read that take longer than telling other threads.
 constexpr std::size_t kWorthSharing = std::size_t{1} << 12;
 
-// Looking at one neuron takes so many times as long as its part of the pass over all.
-constexpr std::size_t kManyCandidates = 8;
-
 // Rounding the weights for fewer inputs would take more time than it saves.
 constexpr std::size_t kWorthRounding = 4;
 
@@ -447,13 +444,6 @@ std::size_t DenseLearner::exact_winner(double limit) {
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     if (scores_[neuron] > limit) continue;
     candidates.push_back(neuron);
-  }
-  // The updates of many neurons are worth making for good.
-  if (kManyCandidates * candidates.size() > som_.neurons() &&
-      std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
-    ahead_ = 1;
-    rebase_expected();
-    compute_scores();
   }
   std::size_t best = candidates.front();
   double least = std::numeric_limits<double>::infinity();

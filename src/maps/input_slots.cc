@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kernels.h"
+
 namespace somato {
 namespace {
 
@@ -38,10 +40,16 @@ void InputSlots::write(std::size_t first, const std::vector<std::span<const floa
   }
 }
 
+// Up to a chunk of elements is summed in order, so that zeros among them change nothing.
 void InputSlots::multiply(std::size_t slot, std::size_t count, std::size_t chunk,
                           float* products) const {
-  kernels::online_table().multiply_rows(rows(0, 0), count, rows_.data() + slot * stride_, columns_,
-                                        chunk, products);
+  const auto& kernels = kernels::online_table();
+  const float* x = rows_.data() + slot * stride_;
+  if (columns_ > kernels::kChunk) {
+    kernels.multiply_long_rows(rows(0, 0), count, x, padded_, products);
+  } else {
+    kernels.multiply_rows(rows(0, 0), count, x, columns_, chunk, products);
+  }
 }
 
 void InputSlots::measure(std::size_t slot) {

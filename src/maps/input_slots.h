@@ -30,8 +30,8 @@ class InputSlots {
   /// Elements with the zeros behind them.
   std::size_t padded() const { return padded_; }
 
-  /// Products of the input in a slot with those in the first slots, one each, summed in chunks of
-  /// columns.
+  /// Products of the input in a slot with those in the first slots, one each; few columns are
+  /// summed in chunks.
   void multiply(std::size_t slot, std::size_t count, std::size_t chunk, float* products) const;
 
   /// Finds the greatest magnitude in a slot.

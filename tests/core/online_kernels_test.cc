@@ -179,6 +179,33 @@ TEST(OnlineKernels, MultiplyRows) {
   });
 }
 
+// Within rounding, and in the same order everywhere.
+TEST(OnlineKernels, MultiplyLongRows) {
+  Random random(8);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t number = random.below(11);
+    const Rows rows(number, kLanes * (1 + random.below(40)), random);
+    const auto x = random_values<float>(rows.count, random);
+    AlignedVector<float> first;
+    testing::for_each_instruction_set([&](InstructionSet) {
+      AlignedVector<float> sums(number);
+      kernels::online_table().multiply_long_rows({rows.all.data(), rows.count}, number, x.data(),
+                                                 rows.count, sums.data());
+      if (first.empty()) first = sums;
+      EXPECT_EQ(sums, first);
+    });
+    for (std::size_t j = 0; j < number; ++j) {
+      double sum = 0.0;
+      double most = 0.0;
+      for (std::size_t d = 0; d < rows.count; ++d) {
+        sum += double{rows.at(j, d)} * double{x[d]};
+        most += std::fabs(double{rows.at(j, d)} * double{x[d]});
+      }
+      EXPECT_NEAR(double{first[j]}, sum, 1e-6 * most);
+    }
+  }
+}
+
 // The same bits as in lanes.
 TEST(OnlineKernels, CombineARow) {
   for_each_problem([](Random& random) {
