@@ -105,7 +105,7 @@ class Stream : public Train {
     const SomParameters& p = som_.parameters();
     DrawSequence draws(p.draws, samples_.count(), p.seed);
     const double begin = now();
-    SomLearner learner(som_);
+    SomLearner learner(som_, threads_);
     for (std::uint64_t t = 0; t < *p.iterations; ++t) {
       learner.learn(samples_[draws.next()], p.learning_rate().at(t), p.radius().at(t));
     }

@@ -31,22 +31,6 @@ inline Vector<float> uniform_of(Words even, Words odd) {
   return {_mm512_mul_ps(_mm512_maskz_cvtepi32_ps(0xFFFF, upper), _mm512_set1_ps(0x1p-24F))};
 }
 
-template <int Half>
-inline Vector<double> half_of(Vector<float> a) {
-  const __m512d halves = _mm512_castps_pd(a.lanes);
-  const __m256d half = _mm512_maskz_extractf64x4_pd(0xF, halves, Half);
-  return {_mm512_maskz_cvtps_pd(0xFF, _mm256_castpd_ps(half))};
-}
-inline Vector<double> lower_half(Vector<float> a) {
-  return half_of<0>(a);
-}
-inline Vector<double> upper_half(Vector<float> a) {
-  return half_of<1>(a);
-}
-inline void store_halves(Vector<double> low, Vector<double> high, float* to) {
-  _mm256_store_ps(to, _mm512_maskz_cvtpd_ps(0xFF, low.lanes));
-  _mm256_store_ps(to + 8, _mm512_maskz_cvtpd_ps(0xFF, high.lanes));
-}
 inline Vector<double> minimum(Vector<double> a, Vector<double> b) {
   return {_mm512_maskz_min_pd(0xFF, a.lanes, b.lanes)};
 }
@@ -98,21 +82,6 @@ inline Vector<float> uniform_of(Words even, Words odd) {
   return {uniform_of(even.low, odd.low), uniform_of(even.high, odd.high)};
 }
 
-inline Vector<double> widened(__m256 a) {
-  return {_mm256_cvtps_pd(_mm256_castps256_ps128(a)), _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))};
-}
-inline Vector<double> lower_half(Vector<float> a) {
-  return widened(a.low);
-}
-inline Vector<double> upper_half(Vector<float> a) {
-  return widened(a.high);
-}
-inline void store_halves(Vector<double> low, Vector<double> high, float* to) {
-  _mm_store_ps(to, _mm256_cvtpd_ps(low.low));
-  _mm_store_ps(to + 4, _mm256_cvtpd_ps(low.high));
-  _mm_store_ps(to + 8, _mm256_cvtpd_ps(high.low));
-  _mm_store_ps(to + 12, _mm256_cvtpd_ps(high.high));
-}
 inline Vector<double> minimum(Vector<double> a, Vector<double> b) {
   return {_mm256_min_pd(a.low, b.low), _mm256_min_pd(a.high, b.high)};
 }
@@ -182,23 +151,6 @@ inline Vector<float> uniform_of(const Words& even, const Words& odd) {
   return numbers;
 }
 
-inline Vector<double> widened(const float* from) {
-  Vector<double> vector;
-  for (std::size_t i = 0; i < 8; ++i) vector.lanes[i] = static_cast<double>(from[i]);
-  return vector;
-}
-inline Vector<double> lower_half(const Vector<float>& a) {
-  return widened(a.lanes);
-}
-inline Vector<double> upper_half(const Vector<float>& a) {
-  return widened(a.lanes + 8);
-}
-inline void store_halves(const Vector<double>& low, const Vector<double>& high, float* to) {
-  for (std::size_t i = 0; i < 8; ++i) {
-    to[i] = static_cast<float>(low.lanes[i]);
-    to[i + 8] = static_cast<float>(high.lanes[i]);
-  }
-}
 inline Vector<double> minimum(Vector<double> a, const Vector<double>& b) {
   for (std::size_t i = 0; i < 8; ++i)
     a.lanes[i] = a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i];

@@ -44,7 +44,8 @@ struct TMpsomTable {
   bool (*rectify)(const double* y, std::size_t count, double* out);
   /// The greatest of values not below zero; 0 of none.
   double (*largest)(const double* values, std::size_t count);
-  /// values /= maximum; gains = alpha * values, zero below kNegligible.
+  /// values /= maximum; gains = alpha * values, zero below kNegligible. Values and alpha are not
+  /// below zero; gains start on a cache line.
   void (*find_gains)(double* values, std::size_t count, double maximum, double alpha, float* gains);
   /// Spreads `places` rows of `width` values each to their neighbours: out(u) = sum over v with
   /// |u - v| <= reach, in ascending order, of factors[v - u] * in(v). `factors` points to the

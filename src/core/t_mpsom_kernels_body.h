@@ -196,7 +196,19 @@ double largest(const double* values, std::size_t count) {
 
 void find_gains(double* values, std::size_t count, double maximum, double alpha, float* gains) {
   constexpr auto kLimit = static_cast<double>(kNegligible<float>);
-  for (std::size_t n = 0; n < count; ++n) {
+  const auto most = Doubles::all(maximum);
+  const auto rate = Doubles::all(alpha);
+  const auto gain_of = [&](double* at) {
+    const auto value = load_anywhere(at) / most;
+    store_anywhere(value, at);
+    return zero_below(rate * value, Doubles::all(kLimit));
+  };
+  std::size_t n = 0;
+  for (; n + 2 * kDoubles <= count; n += 2 * kDoubles) {
+    const auto low = gain_of(values + n);
+    store_halves(low, gain_of(values + n + kDoubles), gains + n);
+  }
+  for (; n < count; ++n) {
     values[n] /= maximum;
     const double gain = alpha * values[n];
     gains[n] = gain < kLimit ? 0.0F : static_cast<float>(gain);

@@ -2,38 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
 #include <thread>
 #include <vector>
 
+#include "core/first_exception.h"
+
 namespace somato {
 namespace {
-
-// Keeps the first exception of several threads.
-class FirstException {
- public:
-  void guard(const std::function<void()>& work) {
-    try {
-      work();
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!first_) first_ = std::current_exception();
-      caught_ = true;
-    }
-  }
-
-  bool caught() const { return caught_; }
-
-  void rethrow() const {
-    if (first_) std::rethrow_exception(first_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::exception_ptr first_;
-  std::atomic<bool> caught_ = false;
-};
 
 // Runs work(0) .. work(threads-1), work(0) on the calling thread.
 void on_threads(std::size_t threads, const std::function<void(std::size_t)>& work) {

@@ -16,11 +16,17 @@
 // takes the next inputs' products on its way where they are known. Coefficients are in double
 // precision.
 //
+// v_k is read as 16-bit integers where it can be, with an error of length e_k at most. That changes
+// c_k (v_k . x) by no more than |c_k| e_k |x|, and n_k by no more than 2 |c_k| e_k m_k (m_k as
+// below, by induction). Lengths are measured on the weights themselves.
+//
 // The winner is nonetheless the one that Som::winner() finds on the weights as settle() would leave
 // them. With u = 2^-24 and R the number of roundings along a sum, score n_k - 2 g_k + |x|^2 and the
 // squared distance d^2 differ by at most
 //
-//     u (R + 40) ((m_k + |x|)^2 + d^2),   m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
+//     u (R + 40) ((m_k + |x|)^2 + d^2) + 2 |c_k| e_k (m_k + |x|)
+//
+// for m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
 //
 // u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
 // 2 u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
@@ -36,7 +42,6 @@
 #include "core/batch_kernels.h"
 #include "core/lanes.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
 
 namespace somato {
 namespace {
@@ -49,8 +54,11 @@ constexpr double kUnit = 0x1p-24;
 // Below it multiplying gets slow, and no weight moves.
 constexpr double kSmallestGain = 0x1p-100;
 
-// More multiply-adds (of vectors) than starting a thread takes.
-constexpr std::size_t kWorthAThread = std::size_t{1} << 17;
+// Vectors to read that take longer than telling other threads.
+constexpr std::size_t kWorthSharing = std::size_t{1} << 12;
+
+// Rounding the weights for fewer inputs would take more time than it saves.
+constexpr std::size_t kWorthRounding = 4;
 
 // Weights of elements that are mostly zero decay until they are slow to compute with; their squares
 // have left the range of single precision long before.
@@ -80,33 +88,9 @@ double negligible_length(std::size_t columns) {
 
 }  // namespace
 
-// An odd number of cache lines keeps equal places of the rows out of each other's way.
-InputSlots::InputSlots(std::size_t columns)
-    : columns_(columns),
-      stride_((((columns + kLanes - 1) / kLanes) | 1) * kLanes),
-      rows_(kPending * stride_),
-      lanes_(columns * kPending) {}
-
-void InputSlots::write(std::size_t first, const std::vector<std::span<const float>>& inputs) {
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    std::copy(inputs[i].begin(), inputs[i].end(),
-              rows_.begin() + static_cast<std::ptrdiff_t>((first + i) * stride_));
-  }
-  for (std::size_t start = 0; start < columns_; start += kLanes) {
-    const std::size_t end = std::min(start + kLanes, columns_);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const float* input = inputs[i].data();
-      float* lane = lanes_.data() + first + i;
-      for (std::size_t column = start; column < end; ++column) {
-        lane[column * kPending] = input[column];
-      }
-    }
-  }
-}
-
-DenseLearner::DenseLearner(Som& som, std::size_t threads)
+DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
     : som_(som),
-      threads_(threads),
+      team_(team),
       chunk_(chunk_for(som.weights().columns())),
       neighbourhood_(som.grid(), som.parameters().neighbourhood),
       slots_(som.weights().columns()),
@@ -117,6 +101,7 @@ DenseLearner::DenseLearner(Som& som, std::size_t threads)
       squared_lengths_(stride()),
       magnitudes_(stride()),
       moved_(blocks()),
+      rounded_(dot_product() ? LaneMatrix<float>() : som.weights()),
       float_kept_(stride()),
       float_gains_(kPending * stride()),
       slot_products_(gains_.padded_rows()),
@@ -124,7 +109,8 @@ DenseLearner::DenseLearner(Som& som, std::size_t threads)
       scores_(som.neurons()),
       factors_(gains_.padded_rows(), 1.0),
       new_gains_(som.neurons()),
-      neighbours_(som.neurons()) {
+      neighbours_(som.neurons()),
+      scratch_row_(slots_.padded()) {
   AlignedVector<float> squares(stride());
   kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
                                         squares.data());
@@ -134,6 +120,11 @@ DenseLearner::DenseLearner(Som& som, std::size_t threads)
 
 bool DenseLearner::clears() const {
   return learned_since_clearing_ >= kLearnedBetweenClearings;
+}
+
+// Weights whose magnitudes are below it become 0.
+float DenseLearner::limit() const {
+  return clears() ? kernels::kNegligible<float> : 0.0F;
 }
 
 bool DenseLearner::dot_product() const {
@@ -148,8 +139,6 @@ void DenseLearner::expect(const std::vector<std::span<const float>>& inputs) {
   slots.write(first, inputs);
   if (full) {
     rebase(inputs.size());
-  } else if (inputs.size() == 1) {
-    read_products(first);
   } else {
     pass(slots_, first, inputs.size());
   }
@@ -172,14 +161,14 @@ void DenseLearner::rebase_expected() {
 
 // Makes the pending updates and goes on with the first `count` of the other slots.
 void DenseLearner::rebase(std::size_t count) {
-  for (std::size_t block = 0; block < blocks(); ++block) {
-    if (moved_[block] != 0) write_coefficients(block);
-  }
-  pass(other_slots_, 0, count == 1 ? 0 : count);
+  const bool rounds = !dot_product() && pending_ >= kWorthRounding;
+  rounds_all_ = rounds && !reads_rounded_;
+  reads_rounded_ = rounds;
+  pass(other_slots_, 0, count);
+  rounds_all_ = false;
   if (clears()) learned_since_clearing_ = 0;
   forget_pending();
   std::swap(slots_, other_slots_);
-  if (count == 1) read_products(0);
 }
 
 void DenseLearner::settle() {
@@ -194,12 +183,15 @@ void DenseLearner::write_coefficients(std::size_t block) {
     const std::size_t neuron = block * kLanes + lane;
     float_kept_[neuron] = static_cast<float>(kept_[neuron]);
     if (neuron >= som_.neurons()) continue;
-    for (std::size_t j = 0; j < std::max<std::size_t>(1, pending_); ++j) {
-      const double gain = gains_(neuron, j);
-      float_gains_[(block * kPending + j) * kLanes + lane] =
-          std::fabs(gain) < kSmallestGain ? 0.0F : static_cast<float>(gain);
+    for (std::size_t j = 0; j < made(); ++j) {
+      float_gains_[(block * kPending + j) * kLanes + lane] = float_gain(neuron, j);
     }
   }
+}
+
+float DenseLearner::float_gain(std::size_t neuron, std::size_t slot) const {
+  const double gain = gains_(neuron, slot);
+  return std::fabs(gain) < kSmallestGain ? 0.0F : static_cast<float>(gain);
 }
 
 void DenseLearner::forget_pending() {
@@ -212,50 +204,102 @@ void DenseLearner::forget_pending() {
   pending_ = 0;
 }
 
-// As fast as reading is: several sums at once do not wait for each other.
-void DenseLearner::read_products(std::size_t slot) {
-  const LaneMatrix<float>& weights = som_.weights();
-  tiles_.clear();
-  for (std::size_t block = 0; block < blocks(); ++block) {
-    tiles_.push_back(weights.data() + block * weights.columns() * kLanes);
+// By several threads if there are enough vectors to read.
+void DenseLearner::for_each_task(std::size_t count, std::size_t vectors,
+                                 const std::function<void(std::size_t)>& work) {
+  if (vectors < kWorthSharing) {
+    for (std::size_t task = 0; task < count; ++task) work(task);
+  } else {
+    team_.for_each(count, work, order_);
   }
-  tiles_.push_back(slots_.lanes(0));
-  kernels::online_table().multiply_blocks(tiles_.data(), tiles_.size(), weights.columns(), chunk_,
-                                          slots_.input(slot).data(), products_of(slot));
 }
 
 // Makes what is pending if `next` are other slots than those in use; takes the products of `count`
-// inputs from slot `first` on. The last block is that of the slots themselves.
-void DenseLearner::pass(const InputSlots& next, std::size_t first, std::size_t count) {
-  const std::size_t work = blocks() * som_.weights().columns() * (count + pending_);
-  for_each_range(blocks() + 1, work < kWorthAThread ? 1 : threads_,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t block = begin; block < end; ++block) {
-                     pass_over_block(block, next, first, count);
-                   }
-                 });
+// inputs from slot `first` on, at last those with inputs.
+void DenseLearner::pass(InputSlots& next, std::size_t first, std::size_t count) {
+  const auto work = [&](std::size_t block) { pass_over_block(block, next, first, count); };
+  for_each_task(blocks() + 1, blocks() * som_.weights().columns(), work);
+  order_ = order_ == ThreadTeam::Order::kUp ? ThreadTeam::Order::kDown : ThreadTeam::Order::kUp;
 }
 
-void DenseLearner::pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
+void DenseLearner::pass_over_block(std::size_t block, InputSlots& next, std::size_t first,
                                    std::size_t count) {
-  const std::size_t columns = som_.weights().columns();
-  const std::size_t product_stride = stride() + kPending;
-  const bool of_slots = block == blocks();
-  const bool moves = &next != &slots_ && !of_slots && moved_[block] != 0;
-  alignas(64) float squares[kLanes] = {};
-  float* products = products_of(first) + block * kLanes;
-  for (std::size_t j = 0; j < count; ++j) {
-    std::fill_n(products + j * product_stride, kLanes, 0.0F);
+  if (block == blocks()) return multiply_inputs(next, first, count);
+  const bool moves = &next != &slots_ && moved_[block] != 0;
+  if (moves) write_coefficients(block);
+  if (moves || rounds_all_ || count > 1) {
+    pass_in_tiles(block, next, first, count > 1 ? count : 0, moves);
   }
+  if (count == 1) multiply_block(block, next.input(first).data(), first);
+}
+
+void DenseLearner::multiply_inputs(InputSlots& next, std::size_t first, std::size_t count) {
+  for (std::size_t slot = first; slot < first + count; ++slot) {
+    next.measure(slot);
+    next.multiply(slot, slot + 1, chunk_, products_of(slot) + stride());
+  }
+}
+
+// Few columns at a time, which stay in the first cache.
+void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
+                                 std::size_t count, bool moves) {
+  const std::size_t columns = som_.weights().columns();
+  const bool rounds = reads_rounded_ && (moves || rounds_all_);
+  alignas(64) float squares[kLanes] = {};
+  for (std::size_t j = 0; j < count; ++j) {
+    std::fill_n(products_of(first + j) + block * kLanes, kLanes, 0.0F);
+  }
+  if (moves && !dot_product()) bound_magnitudes(block);
+  if (rounds) rounded_.begin(block);
   for (std::size_t start = 0; start < columns; start += chunk_) {
     const std::size_t width = std::min(chunk_, columns - start);
     float* weights = som_.weights().data() + (block * columns + start) * kLanes;
     if (moves) combine_tile(block, start, width, weights, squares);
-    if (count == 0) continue;
-    kernels::online_table().multiply(of_slots ? next.lanes(start) : weights, width,
-                                     next.lanes(start) + first, count, products, product_stride);
+    if (rounds) rounded_.write(block, start, width, weights);
+    if (count > 0) multiply_tile(block, start, width, next, first, count);
   }
+  if (rounds) rounded_.end(block);
   if (moves) std::copy_n(squares, kLanes, squared_lengths_.data() + block * kLanes);
+}
+
+void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
+                                 const InputSlots& next, std::size_t first, std::size_t count) {
+  const auto& kernels = kernels::online_table();
+  const std::size_t at = block * som_.weights().columns() + start;
+  const kernels::InputRows inputs = next.rows(first, start);
+  float* products = products_of(first) + block * kLanes;
+  const std::size_t product_stride = stride() + kPending;
+  if (reads_rounded_) {
+    kernels.multiply_integers(rounded_.block(block) + start * kLanes, columns, inputs, count,
+                              products, product_stride);
+  } else {
+    kernels.multiply(std::as_const(som_).weights().data() + at * kLanes, columns, inputs, count,
+                     products, product_stride);
+  }
+}
+
+// The same for a single input, as fast as reading is.
+void DenseLearner::multiply_block(std::size_t block, const float* input, std::size_t slot) {
+  const auto& kernels = kernels::online_table();
+  const std::size_t columns = som_.weights().columns();
+  float* products = products_of(slot) + block * kLanes;
+  if (reads_rounded_) {
+    kernels.multiply_block_of_integers(rounded_.block(block), columns, chunk_, input, products);
+  } else {
+    kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kLanes, columns,
+                           chunk_, input, products);
+  }
+}
+
+// Of the weights once the updates are made.
+void DenseLearner::bound_magnitudes(std::size_t block) {
+  for (std::size_t neuron = block * kLanes; neuron < (block + 1) * kLanes; ++neuron) {
+    double bound = std::fabs(kept_[neuron]) * rounded_.greatest(neuron);
+    for (std::size_t j = 0; j < pending_ && neuron < som_.neurons(); ++j) {
+      bound += std::fabs(gains_(neuron, j)) * slots_.greatest(j);
+    }
+    rounded_.set_greatest(neuron, bound);
+  }
 }
 
 void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
@@ -264,8 +308,7 @@ void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_
   kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
                                   columns, float_kept_.data() + block * kLanes,
                                   float_gains_.data() + block * kPending * kLanes,
-                                  slots_.lanes(start), std::max<std::size_t>(1, pending_),
-                                  clears() ? kernels::kNegligible<float> : 0.0F, to, squares);
+                                  slots_.rows(0, start), made(), limit(), to, squares);
 }
 
 std::size_t DenseLearner::learn(double learning_rate, double radius) {
@@ -346,7 +389,8 @@ void DenseLearner::compute_scores() {
                                           input_products_.data(), slot_products_.data());
   const bool dot = dot_product();
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
-    slot_products_[neuron] += kept_[neuron] * double{products[neuron]};
+    const double scale = reads_rounded_ ? kept_[neuron] * rounded_.step(neuron) : kept_[neuron];
+    slot_products_[neuron] += scale * double{products[neuron]};
     const double product = slot_products_[neuron];
     scores_[neuron] =
         dot ? -product : squared_lengths_[neuron] - 2.0 * product + input_products_[slot];
@@ -366,9 +410,19 @@ double DenseLearner::score_limit() const {
   if (dot_product()) {
     return best + 2.0 * (error * magnitude + negligible) * input;
   }
-  const double bound =
-      error * (magnitude + input) * (magnitude + input) + negligible * negligible / kUnit;
+  const double bound = error * (magnitude + input) * (magnitude + input) +
+                       2.0 * rounded_off() * (magnitude + input) + negligible * negligible / kUnit;
   return best + 2.0 * bound;
+}
+
+// The greatest length by which weights in memory and those read differ, as far as they still count.
+double DenseLearner::rounded_off() const {
+  if (!reads_rounded_) return 0.0;
+  double greatest = 0.0;
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    greatest = std::max(greatest, std::fabs(kept_[neuron]) * rounded_.error(neuron));
+  }
+  return greatest;
 }
 
 std::size_t DenseLearner::winner() {
@@ -387,30 +441,14 @@ std::size_t DenseLearner::winner() {
 std::size_t DenseLearner::exact_winner(double limit) {
   std::vector<std::size_t> candidates;
   candidates.reserve(som_.neurons());
-  std::size_t blocks_of_candidates = 0;
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     if (scores_[neuron] > limit) continue;
-    const bool same = !candidates.empty() && candidates.back() / kLanes == neuron / kLanes;
-    if (!same) ++blocks_of_candidates;
     candidates.push_back(neuron);
-  }
-  // The updates of many blocks are worth making for good.
-  if (4 * blocks_of_candidates > blocks() &&
-      std::find(moved_.begin(), moved_.end(), 1) != moved_.end()) {
-    ahead_ = 1;
-    rebase_expected();
-    compute_scores();
   }
   std::size_t best = candidates.front();
   double least = std::numeric_limits<double>::infinity();
-  std::size_t block = blocks();
-  const float* weights = nullptr;
   for (const std::size_t neuron : candidates) {
-    if (neuron / kLanes != block) {
-      block = neuron / kLanes;
-      weights = settled_block(block);
-    }
-    const double score = exact_score(weights + neuron % kLanes);
+    const double score = exact_score(settled_row(neuron));
     if (score >= least) continue;
     least = score;
     best = neuron;
@@ -418,29 +456,25 @@ std::size_t DenseLearner::exact_winner(double limit) {
   return best;
 }
 
-// The weights of a block as settle() would leave them.
-const float* DenseLearner::settled_block(std::size_t block) {
+// The weights of a neuron as settle() would leave them: what combine() does, in a row.
+std::span<const float> DenseLearner::settled_row(std::size_t neuron) {
   const std::size_t columns = som_.weights().columns();
-  if (moved_[block] == 0) return std::as_const(som_).weights().data() + block * columns * kLanes;
-  alignas(64) float squares[kLanes] = {};
-  scratch_block_.resize(columns * kLanes);
-  write_coefficients(block);
-  for (std::size_t start = 0; start < columns; start += chunk_) {
-    combine_tile(block, start, std::min(chunk_, columns - start),
-                 scratch_block_.data() + start * kLanes, squares);
+  som_.weights().copy_row(neuron, {scratch_row_.data(), columns});
+  if (moved_[neuron / kLanes] != 0) {
+    float gains[kPending];
+    for (std::size_t j = 0; j < made(); ++j) gains[j] = float_gain(neuron, j);
+    kernels::online_table().combine_row(scratch_row_.data(), slots_.padded(),
+                                        static_cast<float>(kept_[neuron]), gains, slots_.rows(0, 0),
+                                        made(), limit());
   }
-  return scratch_block_.data();
+  return {scratch_row_.data(), columns};
 }
 
-// The score of one lane of a block, in double precision.
-double DenseLearner::exact_score(const float* lane) {
-  const std::size_t columns = som_.weights().columns();
-  scratch_row_.resize(columns);
-  for (std::size_t d = 0; d < columns; ++d) scratch_row_[d] = lane[d * kLanes];
+double DenseLearner::exact_score(std::span<const float> weights) const {
   const auto& kernels = kernels::batch_table();
   const float* x = slots_.input(pending_).data();
-  return dot_product() ? -kernels.inner_product(scratch_row_.data(), x, columns)
-                       : kernels.squared_distance(scratch_row_.data(), x, columns);
+  return dot_product() ? -kernels.inner_product(weights.data(), x, weights.size())
+                       : kernels.squared_distance(weights.data(), x, weights.size());
 }
 
 }  // namespace somato

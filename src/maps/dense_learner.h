@@ -1,11 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/online_kernels.h"
+#include "core/thread_team.h"
+#include "maps/input_slots.h"
+#include "maps/rounded_weights.h"
 #include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
 #include "somato/maps/neighbourhood.h"
@@ -13,39 +18,13 @@
 
 namespace somato {
 
-static_assert(kernels::kPending == LaneMatrix<float>::kLanes, "slots are a block of rows as well");
-
-/// Up to kPending inputs side by side, in both orders that the kernels take.
-class InputSlots {
- public:
-  explicit InputSlots(std::size_t columns);
-
-  /// Writes neighbouring slots from `first` on.
-  void write(std::size_t first, const std::vector<std::span<const float>>& inputs);
-
-  std::span<const float> input(std::size_t slot) const {
-    return {rows_.data() + slot * stride_, columns_};
-  }
-
-  /// From element `column` on, as kernels::OnlineTable takes inputs.
-  const float* lanes(std::size_t column) const {
-    return lanes_.data() + column * kernels::kPending;
-  }
-
- private:
-  std::size_t columns_;
-  std::size_t stride_;
-  AlignedVector<float> rows_;
-  AlignedVector<float> lanes_;
-};
-
 /// Learns dense inputs one after the other with less than one pass over the weights each; see the
 /// source for the mathematics. The map's weights are up to date after settle(). The same inputs
 /// give the same bits for every number of threads and however many of them are known ahead.
 class DenseLearner {
  public:
   /// Nobody else may change the map's weights as long as it is trained here.
-  DenseLearner(Som& som, std::size_t threads);
+  DenseLearner(Som& som, ThreadTeam& team);
 
   /// Makes the next inputs known, as the map sees them: at least one, at most kPending. They are
   /// then learned in this order.
@@ -64,35 +43,47 @@ class DenseLearner {
  private:
   bool dot_product() const;
   bool clears() const;
+  float limit() const;
+  std::size_t made() const { return std::max<std::size_t>(1, pending_); }
   std::size_t stride() const { return som_.weights().padded_rows(); }
   std::size_t blocks() const { return som_.weights().blocks(); }
   float* products_of(std::size_t slot) {
     return products_.data() + slot * (stride() + kernels::kPending);
   }
 
-  void read_products(std::size_t slot);
-  void pass(const InputSlots& next, std::size_t first, std::size_t count);
-  void pass_over_block(std::size_t block, const InputSlots& next, std::size_t first,
-                       std::size_t count);
+  void for_each_task(std::size_t count, std::size_t vectors,
+                     const std::function<void(std::size_t)>& work);
+  void pass(InputSlots& next, std::size_t first, std::size_t count);
+  void pass_over_block(std::size_t block, InputSlots& next, std::size_t first, std::size_t count);
+  void pass_in_tiles(std::size_t block, const InputSlots& next, std::size_t first,
+                     std::size_t count, bool moves);
   void combine_tile(std::size_t block, std::size_t start, std::size_t columns, float* to,
                     float* squares) const;
+  void multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
+                     const InputSlots& next, std::size_t first, std::size_t count);
+  void multiply_block(std::size_t block, const float* input, std::size_t slot);
+  void multiply_inputs(InputSlots& next, std::size_t first, std::size_t count);
   void write_coefficients(std::size_t block);
+  float float_gain(std::size_t neuron, std::size_t slot) const;
+  void bound_magnitudes(std::size_t block);
   void forget_pending();
   void rebase(std::size_t count);
   void rebase_expected();
 
   void compute_scores();
+  double rounded_off() const;
   double score_limit() const;
   std::size_t winner();
   std::size_t exact_winner(double limit);
-  const float* settled_block(std::size_t block);
-  double exact_score(const float* lane);
+  std::span<const float> settled_row(std::size_t neuron);
+  double exact_score(std::span<const float> weights) const;
   void move(double learning_rate);
   void normalize();
   void normalize_measured();
 
   Som& som_;
-  std::size_t threads_;
+  ThreadTeam& team_;
+  ThreadTeam::Order order_ = ThreadTeam::Order::kUp;
   std::size_t chunk_;  // columns that are summed on their own
   Neighbourhood neighbourhood_;
   InputSlots slots_;  // the pending ones, then those expected
@@ -107,6 +98,9 @@ class DenseLearner {
   AlignedVector<double> squared_lengths_;
   AlignedVector<double> magnitudes_;
   std::vector<unsigned char> moved_;  // a block
+  RoundedWeights rounded_;
+  bool reads_rounded_ = false;
+  bool rounds_all_ = false;  // in this pass
   AlignedVector<float> float_kept_;
   AlignedVector<float> float_gains_;
   AlignedVector<double> slot_products_;
@@ -116,9 +110,7 @@ class DenseLearner {
   AlignedVector<double> new_gains_;
   std::vector<std::size_t> to_measure_;
   AlignedVector<float> neighbours_;
-  std::vector<const float*> tiles_;
-  AlignedVector<float> scratch_block_;
-  std::vector<float> scratch_row_;
+  AlignedVector<float> scratch_row_;
   std::uint64_t learned_since_clearing_ = 0;
   bool all_normalized_ = false;
 };

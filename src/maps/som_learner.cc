@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/thread_team.h"
 #include "maps/dense_learner.h"
 #include "maps/sparse_learner.h"
 #include "somato/core/check.h"
@@ -22,7 +23,8 @@ constexpr std::size_t kSeldom = 8;
 
 }  // namespace
 
-SomLearner::SomLearner(Som& som, std::size_t threads) : som_(som), threads_(threads) {}
+SomLearner::SomLearner(Som& som, std::size_t threads)
+    : som_(som), team_(std::make_unique<ThreadTeam>(threads)) {}
 
 SomLearner::~SomLearner() {
   settle();
@@ -44,7 +46,7 @@ bool SomLearner::learns_sparsely(const SignalView& input) const {
 }
 
 std::size_t SomLearner::learn_sparsely(const SignalView& input, const LearningStep& step) {
-  if (!sparse_) sparse_ = std::make_unique<SparseLearner>(som_);
+  if (!sparse_) sparse_ = std::make_unique<SparseLearner>(som_, *team_);
   ++learned_since_settled_;
   return sparse_->learn(input, som_.input_factor(input), step.learning_rate, step.radius);
 }
@@ -60,7 +62,7 @@ std::span<const float> SomLearner::seen(const SignalView& input) {
     som_.store_all();
     x = som_.prepare(input, workspace_);
   }
-  if (!dense_) dense_ = std::make_unique<DenseLearner>(som_, threads_);
+  if (!dense_) dense_ = std::make_unique<DenseLearner>(som_, *team_);
   return x;
 }
 

@@ -11,11 +11,12 @@
 // Folding writes c_k into the weights where c_k gets small; then c_k = 1 again.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
-#include "core/kernels.h"
 #include "core/online_kernels.h"
 #include "somato/core/check.h"
 
@@ -23,8 +24,14 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
-constexpr std::size_t kRowsInSlab = 1024;
+// A slab is so large that it gets large pages.
+constexpr std::size_t kSlabBytes = std::size_t{1} << 22;
+
+constexpr std::size_t kRowsAtOnce = 4;
 constexpr std::size_t kRowsAhead = 8;
+
+// Lanes to work on that take longer than telling other threads.
+constexpr std::size_t kWorthSharing = std::size_t{1} << 15;
 
 // Scales keep v = w / c within single precision.
 constexpr double kSmallestScale = 0x1p-100;
@@ -37,35 +44,59 @@ void prefetch(const float* row, std::size_t size) {
   for (std::size_t i = 0; i < size; i += kLanes) __builtin_prefetch(row + i, 1, 2);
 }
 
+// A few rows, as kernels take them.
+struct RowGroup {
+  std::array<float*, kRowsAtOnce> rows;
+  std::array<float, kRowsAtOnce> values;
+  std::size_t count = 0;
+
+  void add(float* row, float value) {
+    rows[count] = row;
+    values[count] = value;
+    ++count;
+  }
+};
+
 }  // namespace
 
-ElementRows::ElementRows(std::size_t elements, std::size_t row_size)
-    : row_size_(row_size), numbers_(elements) {}
+ElementRows::ElementRows(std::size_t elements, std::size_t row_size, std::size_t parts)
+    : blocks_(row_size / kLanes),
+      parts_(std::clamp<std::size_t>(parts, 1, std::max<std::size_t>(1, blocks_))),
+      rows_in_slab_(static_cast<std::uint32_t>(
+          std::bit_ceil(kSlabBytes / (std::max<std::size_t>(1, row_size) * sizeof(float)) + 1))),
+      numbers_(elements) {}
 
-float* ElementRows::row(std::size_t number) {
-  return slabs_[number / kRowsInSlab].data() + number % kRowsInSlab * row_size_;
-}
-
-float* ElementRows::row_of(std::size_t element) {
+std::uint32_t ElementRows::number_of(std::size_t element) {
   std::uint32_t& number = numbers_[element];
   if (number == 0) {
-    if (count_ % kRowsInSlab == 0) slabs_.emplace_back(kRowsInSlab * row_size_);
-    number = static_cast<std::uint32_t>(++count_);
+    if (count_ % rows_in_slab_ == 0) slabs_.emplace_back(rows_in_slab_ * blocks_ * kLanes);
+    number = ++count_;
   }
-  return row(number - 1);
+  return number - 1;
 }
 
-SparseLearner::SparseLearner(Som& som)
+SparseLearner::SparseLearner(Som& som, ThreadTeam& team)
     : som_(som),
+      team_(team),
       rows_padded_(som.weights().padded_rows()),
       neighbourhood_(som.grid(), som.parameters().neighbourhood),
-      values_(som.input_size(), rows_padded_),
+      values_(som.input_size(), rows_padded_, team.size()),
       scales_(rows_padded_, 1.0),
       squared_lengths_(rows_padded_),
       products_(rows_padded_),
       gains_(rows_padded_),
       factors_(rows_padded_) {
   load();
+}
+
+// Of the lanes of so many rows.
+template <typename Work>
+void SparseLearner::for_each_part(std::size_t rows, const Work& work) {
+  if (rows * rows_padded_ < kWorthSharing) {
+    for (std::size_t part = 0; part < values_.parts(); ++part) work(part);
+  } else {
+    team_.for_each(values_.parts(), work);
+  }
 }
 
 bool SparseLearner::dot_product() const {
@@ -76,24 +107,44 @@ bool SparseLearner::dot_product() const {
 void SparseLearner::load() {
   const LaneMatrix<float>& weights = som_.weights();
   const StoredElements& elements = som_.elements();
-  for (std::size_t block = 0; block < weights.blocks(); ++block) {
-    const float* lanes = weights.data() + block * weights.columns() * kLanes;
-    for (std::size_t place = 0; place < weights.columns(); ++place, lanes += kLanes) {
-      const auto is_zero = [](float weight) { return weight == 0.0F; };
+  const auto is_zero = [](float weight) { return weight == 0.0F; };
+  for (std::size_t place = 0; place < weights.columns(); ++place) {
+    for (std::size_t block = 0; block < weights.blocks(); ++block) {
+      const float* lanes = weights.data() + (block * weights.columns() + place) * kLanes;
       if (std::all_of(lanes, lanes + kLanes, is_zero)) continue;
-      const std::size_t element = elements.all() ? place : elements.listed()[place];
-      std::copy_n(lanes, kLanes, values_.row_of(element) + block * kLanes);
+      values_.number_of(elements.all() ? place : elements.listed()[place]);
+      break;
     }
   }
   std::fill(factors_.begin(), factors_.end(), 1.0F);
-  fold();
+  for_each_part(values_.count(), [&](std::size_t part) { load_part(part); });
+  // Lanes without a neuron stay as they are.
+  std::fill(factors_.begin(), factors_.end(), 0.0F);
+}
+
+void SparseLearner::load_part(std::size_t part) {
+  const LaneMatrix<float>& weights = std::as_const(som_).weights();
+  const StoredElements& elements = som_.elements();
+  const std::size_t first = values_.begin(part);
+  const std::size_t count = values_.begin(part + 1) - first;
+  for (std::size_t place = 0; place < weights.columns(); ++place) {
+    const std::size_t element = elements.all() ? place : elements.listed()[place];
+    if (!values_.has(element)) continue;
+    float* row = values_.row(values_.number_of(element), part);
+    const float* lanes = weights.data() + first * weights.columns() + place * kLanes;
+    for (std::size_t i = 0; i < count; i += kLanes, lanes += weights.columns() * kLanes) {
+      std::copy_n(lanes, kLanes, row + i);
+    }
+    kernels::online_table().fold_row(row, factors_.data() + first, count,
+                                     squared_lengths_.data() + first);
+  }
 }
 
 std::size_t SparseLearner::learn(const SignalView& input, double factor, double learning_rate,
                                  double radius) {
   learned_ = true;
   take_input(input, factor);
-  compute_products();
+  for_each_part(input_rows_.size(), [&](std::size_t part) { add_products(part); });
   const std::size_t nearest = winner();
   neighbourhood_.around(nearest, radius, gains_);
   move(learning_rate);
@@ -108,19 +159,27 @@ void SparseLearner::take_input(const SignalView& input, double factor) {
   for (std::size_t i = 0; i < input.values.size(); ++i) {
     const auto value = static_cast<float>(input.values[i] * factor);
     if (value == 0.0F) continue;
-    input_rows_.push_back(values_.row_of(input.indices[i]));
+    input_rows_.push_back(values_.number_of(input.indices[i]));
     input_values_.push_back(value);
     squared_input_ = std::fma(double{value}, double{value}, squared_input_);
     largest_ = std::max(largest_, std::fabs(double{value}));
   }
 }
 
-void SparseLearner::compute_products() {
-  const auto& kernels = kernels::table<float>();
-  std::fill(products_.begin(), products_.end(), 0.0);
-  for (std::size_t i = 0; i < input_rows_.size(); ++i) {
-    if (i + kRowsAhead < input_rows_.size()) prefetch(input_rows_[i + kRowsAhead], rows_padded_);
-    kernels.add_scaled(input_rows_[i], double{input_values_[i]}, rows_padded_, products_.data());
+void SparseLearner::add_products(std::size_t part) {
+  const std::size_t first = values_.begin(part);
+  const std::size_t count = values_.begin(part + 1) - first;
+  double* products = products_.data() + first;
+  std::fill_n(products, count, 0.0);
+  const std::size_t size = input_rows_.size();
+  for (std::size_t i = 0; i < size;) {
+    RowGroup group;
+    for (; group.count < kRowsAtOnce && i < size; ++i) {
+      if (i + kRowsAhead < size) prefetch(values_.row(input_rows_[i + kRowsAhead], part), count);
+      group.add(values_.row(input_rows_[i], part), input_values_[i]);
+    }
+    kernels::online_table().add_rows(group.rows.data(), group.values.data(), group.count, count,
+                                     products);
   }
 }
 
@@ -159,37 +218,53 @@ void SparseLearner::move(double learning_rate) {
     const double factor = learning_rate * double{gains_[neuron]} / scales_[neuron];
     factors_[neuron] = std::fabs(factor) < kSmallestGain ? 0.0F : static_cast<float>(factor);
   }
-  move_rows();
+  for_each_part(input_rows_.size(), [&](std::size_t part) { move_part(part); });
+}
+
+bool SparseLearner::moves(std::size_t block) const {
+  const auto begin = factors_.begin() + static_cast<std::ptrdiff_t>(block * kLanes);
+  return std::any_of(begin, begin + kLanes, [](float factor) { return factor != 0.0F; });
 }
 
 // Runs of blocks in which something moves.
-void SparseLearner::move_rows() {
-  const auto moves = [&](std::size_t block) {
-    const auto begin = factors_.begin() + static_cast<std::ptrdiff_t>(block * kLanes);
-    return std::any_of(begin, begin + kLanes, [](float factor) { return factor != 0.0F; });
-  };
-  const auto& kernels = kernels::online_table();
-  const std::size_t blocks = rows_padded_ / kLanes;
-  for (std::size_t block = 0; block < blocks; ++block) {
+void SparseLearner::move_part(std::size_t part) {
+  const std::size_t end = values_.begin(part + 1) / kLanes;
+  for (std::size_t block = values_.begin(part) / kLanes; block < end; ++block) {
     if (!moves(block)) continue;
-    const std::size_t first = block * kLanes;
-    while (block < blocks && moves(block)) ++block;
-    const std::size_t count = block * kLanes - first;
-    for (std::size_t i = 0; i < input_rows_.size(); ++i) {
-      kernels.move_row(input_rows_[i] + first, input_values_[i], factors_.data() + first, count,
-                       squared_lengths_.data() + first);
+    const std::size_t first = block;
+    while (block < end && moves(block)) ++block;
+    move_lanes(part, first * kLanes, (block - first) * kLanes);
+  }
+}
+
+// From the last row on, which was used last and is in a cache.
+void SparseLearner::move_lanes(std::size_t part, std::size_t first, std::size_t count) {
+  const std::size_t within = first - values_.begin(part);
+  for (std::size_t left = input_rows_.size(); left > 0;) {
+    RowGroup group;
+    for (; group.count < kRowsAtOnce && left > 0; --left) {
+      group.add(values_.row(input_rows_[left - 1], part) + within, input_values_[left - 1]);
     }
+    kernels::online_table().move_rows(group.rows.data(), group.values.data(), group.count,
+                                      factors_.data() + first, count,
+                                      squared_lengths_.data() + first);
   }
 }
 
 // Every weight times its neuron's factor; scales are 1 then.
 void SparseLearner::fold() {
   std::fill(squared_lengths_.begin(), squared_lengths_.end(), 0.0);
-  for (std::size_t number = 0; number < values_.count(); ++number) {
-    kernels::online_table().fold_row(values_.row(number), factors_.data(), rows_padded_,
-                                     squared_lengths_.data());
-  }
+  for_each_part(values_.count(), [&](std::size_t part) { fold_part(part); });
   std::fill(scales_.begin(), scales_.end(), 1.0);
+}
+
+void SparseLearner::fold_part(std::size_t part) {
+  const std::size_t first = values_.begin(part);
+  const std::size_t count = values_.begin(part + 1) - first;
+  for (std::uint32_t number = 0; number < values_.count(); ++number) {
+    kernels::online_table().fold_row(values_.row(number, part), factors_.data() + first, count,
+                                     squared_lengths_.data() + first);
+  }
 }
 
 void SparseLearner::normalize() {
@@ -223,15 +298,20 @@ void SparseLearner::settle() {
   if (elements != som_.elements()) {
     som_ = Som(som_.parameters(), LaneMatrix<float>(som_.neurons(), elements.count()), elements);
   }
+  for_each_part(elements.count(), [&](std::size_t part) { settle_part(part); });
+}
+
+void SparseLearner::settle_part(std::size_t part) {
   LaneMatrix<float>& weights = som_.weights();
+  const StoredElements& elements = som_.elements();
+  const std::size_t first = values_.begin(part);
+  const std::size_t count = values_.begin(part + 1) - first;
   for (std::size_t place = 0; place < weights.columns(); ++place) {
     const std::size_t element = elements.all() ? place : elements.listed()[place];
     if (!values_.has(element)) continue;
-    const float* row = values_.row_of(element);
-    for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
-      const auto weight = static_cast<float>(scales_[neuron] * double{row[neuron]});
-      weights(neuron, place) = std::fabs(weight) < kernels::kNegligible<float> ? 0.0F : weight;
-    }
+    kernels::online_table().scale_row(
+        values_.row(values_.number_of(element), part), scales_.data() + first, count,
+        weights.data() + first * weights.columns() + place * kLanes, weights.columns() * kLanes);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/thread_team.h"
 #include "somato/core/lane_matrix.h"
 #include "somato/core/signal.h"
 #include "somato/maps/neighbourhood.h"
@@ -13,26 +14,40 @@
 
 namespace somato {
 
-/// Values for some of very many elements, one row an element that has been asked for, zeros at
-/// first. Rows stay where they are.
+/// Lanes for some of very many elements, one row an element that has been asked for, zeros at
+/// first. A row lies in parts, which threads use apart. Rows stay where they are.
 class ElementRows {
  public:
-  ElementRows(std::size_t elements, std::size_t row_size);
+  /// Rows of whole blocks of lanes, in at most `parts` parts of nearly equal length.
+  ElementRows(std::size_t elements, std::size_t row_size, std::size_t parts);
 
   std::size_t count() const { return count_; }
-  std::size_t row_size() const { return row_size_; }
+
+  std::size_t parts() const { return parts_; }
+
+  /// The first lane of a part, or the end.
+  std::size_t begin(std::size_t part) const { return blocks_ * part / parts_ * kLanes; }
 
   bool has(std::size_t element) const { return numbers_[element] != 0; }
 
-  /// The row of `element`, which gets one if it has none.
-  float* row_of(std::size_t element);
+  /// The number of the row of `element`, which gets one if it has none: numbers are in the order in
+  /// which rows were asked for.
+  std::uint32_t number_of(std::size_t element);
 
-  /// Row number `number`, in the order in which they were asked for.
-  float* row(std::size_t number);
+  /// A part of row number `number`.
+  float* row(std::uint32_t number, std::size_t part) {
+    const std::size_t from = begin(part);
+    return slabs_[number / rows_in_slab_].data() + rows_in_slab_ * from +
+           number % rows_in_slab_ * (begin(part + 1) - from);
+  }
 
  private:
-  std::size_t row_size_;
-  std::size_t count_ = 0;
+  static constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+
+  std::size_t blocks_;
+  std::size_t parts_;
+  std::uint32_t rows_in_slab_;
+  std::uint32_t count_ = 0;
   std::vector<std::uint32_t> numbers_;  // 0 for none, else one more than the row's number
   std::vector<AlignedVector<float>> slabs_;
 };
@@ -43,7 +58,7 @@ class ElementRows {
 class SparseLearner {
  public:
   /// Nobody else may change the map's weights as long as it is trained here.
-  explicit SparseLearner(Som& som);
+  SparseLearner(Som& som, ThreadTeam& team);
 
   /// Learns `input` times `factor`; returns the winner, by sums in double precision.
   std::size_t learn(const SignalView& input, double factor, double learning_rate, double radius);
@@ -53,18 +68,26 @@ class SparseLearner {
 
  private:
   bool dot_product() const;
+  template <typename Work>
+  void for_each_part(std::size_t rows, const Work& work);
   void load();
+  void load_part(std::size_t part);
   void take_input(const SignalView& input, double factor);
-  void compute_products();
+  void add_products(std::size_t part);
   std::size_t winner() const;
   void move(double learning_rate);
   void fold();
-  void move_rows();
+  void fold_part(std::size_t part);
+  bool moves(std::size_t block) const;
+  void move_part(std::size_t part);
+  void move_lanes(std::size_t part, std::size_t first, std::size_t count);
+  void settle_part(std::size_t part);
   void normalize();
   bool out_of_range(double scale) const;
   StoredElements elements_to_store() const;
 
   Som& som_;
+  ThreadTeam& team_;
   std::size_t rows_padded_;
   Neighbourhood neighbourhood_;
   ElementRows values_;  // v
@@ -73,7 +96,7 @@ class SparseLearner {
   AlignedVector<double> products_;
   AlignedVector<float> gains_;
   AlignedVector<float> factors_;
-  std::vector<float*> input_rows_;
+  std::vector<std::uint32_t> input_rows_;
   std::vector<float> input_values_;
   double squared_input_ = 0.0;
   double largest_ = 1.0;

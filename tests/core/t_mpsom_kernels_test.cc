@@ -203,7 +203,8 @@ TEST(TMpsomKernels, RectifyAndFindWhatIsNotFinite) {
 }
 
 TEST(TMpsomKernels, FindGains) {
-  const std::vector<double> spread{4.0, 1.0, 0.0, 3e-18, 6e-18, 2.0, 3.0, 0.5, 0.25};
+  std::vector<double> spread{4.0, 1.0, 0.0, 3e-18, 6e-18, 2.0, 3.0, 0.5, 0.25};
+  for (int n = 0; n < 40; ++n) spread.push_back(0.1 * n);
   testing::for_each_instruction_set([&](InstructionSet /*set*/) {
     std::vector<double> values = spread;
     AlignedVector<float> gains(values.size());

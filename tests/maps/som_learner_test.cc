@@ -2,6 +2,7 @@
 
 #include "somato/maps/som_learner.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -308,34 +309,72 @@ TEST(SomLearner, OneByOneGivesTheBitsOfTraining) {
 }
 
 // Large enough for several threads to be used.
-TEST(SomLearner, GivesTheSameBitsForEveryNumberOfThreadsAndInstructionSet) {
+Stream large_stream(const testing::Variant& variant, bool sparse, Random& random) {
+  Stream stream = random_stream(variant, sparse, 45, random);
+  const std::size_t size = sparse ? 30000 : 1500;
+  stream.samples =
+      sparse ? thin_samples(5, size, 50, random) : testing::random_samples(5, size, false, random);
+  for (std::size_t& number : stream.order) number %= 5;
+  stream.parameters.rows = 8;
+  stream.parameters.columns = 9;
+  stream.som = Som(stream.parameters, random_weights(72, size, random));
+  return stream;
+}
+
+std::vector<SignalView> inputs_of(const Stream& stream) {
+  std::vector<SignalView> inputs;
+  inputs.reserve(stream.size());
+  for (std::size_t t = 0; t < stream.size(); ++t) inputs.push_back(stream.input(t));
+  return inputs;
+}
+
+LaneMatrix<float> learned_ahead(const Stream& stream, std::size_t threads) {
+  Som som = stream.som;
+  SomLearner(som, threads).learn(inputs_of(stream), stream.steps);
+  return som.weights();
+}
+
+LaneMatrix<float> learned_one_by_one(const Stream& stream, std::size_t threads) {
+  Som som = stream.som;
+  {
+    SomLearner learner(som, threads);
+    learn_all(learner, stream, stream.size());
+  }
+  return som.weights();
+}
+
+// With the winners found on the way.
+std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(const Stream& stream,
+                                                                           std::size_t threads) {
+  Som som = stream.som;
+  SomLearner learner(som, threads);
+  std::vector<std::size_t> winners;
+  winners.reserve(stream.size());
+  for (std::size_t t = 0; t < stream.size(); ++t) {
+    winners.push_back(
+        learner.learn(stream.input(t), stream.steps[t].learning_rate, stream.steps[t].radius));
+    // Sparse inputs are learned by themselves only as long as that is seldom; others now after each
+    // input, now after some.
+    if (stream.input(t).sparse ? t == 20 : t < 5 || t % 7 == 0) learner.settle();
+  }
+  learner.settle();
+  return {som.weights(), winners};
+}
+
+TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
   Random random(85);
   for (const testing::Variant& variant : testing::all_variants()) {
+    if (variant.lattice != Lattice::kRectangular || variant.topology != Topology::kPlane) continue;
     for (const bool sparse : {false, true}) {
-      Stream stream = random_stream(variant, sparse, 45, random);
-      const std::size_t size = sparse ? 2000 : 1500;
-      stream.samples = sparse ? thin_samples(5, size, 50, random)
-                              : testing::random_samples(5, size, false, random);
-      for (std::size_t& number : stream.order) number %= 5;
-      stream.parameters.rows = 8;
-      stream.parameters.columns = 9;
-      stream.som = Som(stream.parameters, random_weights(72, size, random));
-      std::vector<SignalView> inputs;
-      inputs.reserve(stream.size());
-      for (std::size_t t = 0; t < stream.size(); ++t) inputs.push_back(stream.input(t));
-      Som expected = stream.som;
-      {
-        SomLearner learner(expected);
-        learn_all(learner, stream, stream.size());
-      }
+      const Stream stream = large_stream(variant, sparse, random);
+      const auto expected = learned_one_by_one(stream, 1);
+      const auto settled = learned_and_settled(stream, 1);
       testing::for_each_instruction_set([&](InstructionSet set) {
         for (const std::size_t threads : {1U, 2U, 4U}) {
-          Som som = stream.som;
-          SomLearner learner(som, threads);
-          learner.learn(inputs, stream.steps);
-          learner.settle();
-          EXPECT_EQ(som.weights(), expected.weights())
-              << stream.name << " " << choice_name(set) << " " << threads;
+          const std::string what = fmt::format("{} {} {}", stream.name, choice_name(set), threads);
+          EXPECT_EQ(learned_ahead(stream, threads), expected) << what;
+          EXPECT_EQ(learned_one_by_one(stream, threads), expected) << what;
+          EXPECT_EQ(learned_and_settled(stream, threads), settled) << what;
         }
       });
     }

@@ -12,6 +12,7 @@ namespace somato {
 
 class DenseLearner;
 class SparseLearner;
+class ThreadTeam;
 
 /// How one input is learned.
 struct LearningStep {
@@ -30,9 +31,13 @@ struct LearningStep {
 /// A stream that begins with an input of which less than a sixteenth of the elements are not 0 is
 /// learned in memory of its own, as much again as these elements' weights take, until an input has
 /// more; unless the map is settled after nearly each input, only what is not 0 then costs time.
+/// Other streams take half as much again on a Euclidean map, for a copy of its weights as 16-bit
+/// integers: a neuron's score is computed from these, and from the weights where it is so close to
+/// another's that rounding could decide.
 class SomLearner {
  public:
-  /// `threads` are used where several inputs are known.
+  /// `threads` share each input of a map that is large enough; others than the calling one live as
+  /// long as the learner.
   explicit SomLearner(Som& som, std::size_t threads = 1);
 
   SomLearner(const SomLearner&) = delete;
@@ -61,7 +66,7 @@ class SomLearner {
   std::size_t learn_ahead(std::span<const SignalView> inputs, std::span<const LearningStep> steps);
 
   Som& som_;
-  std::size_t threads_;
+  std::unique_ptr<ThreadTeam> team_;
   SomWorkspace workspace_;
   std::unique_ptr<DenseLearner> dense_;
   std::unique_ptr<SparseLearner> sparse_;
