@@ -214,7 +214,7 @@ void add_reading(FrameText& text, const SystemModel* model, const Saying* saying
   text.key("candidates").open('[');
   for (const Candidate& one : saying->candidates) {
     text.separate();
-    text.add("{{\"name\":{},\"distance\":{:.6g}}}", name(one), one.distance);
+    text.add(R"({{"name":{},"distance":{:.6g}}})", name(one), one.distance);
   }
   text.close(']').close('}');
 }
