@@ -169,7 +169,7 @@ class ViewServer::Works {
 
   // A seat is taken here and left when the stream ends, or nobody took it.
   HttpResponse events() {
-    std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
+    const std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
     if (!seat) return refused(503, "As many as may look on at a time are here already.");
     HttpResponse response;
     response.type = "text/event-stream";
