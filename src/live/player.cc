@@ -30,6 +30,20 @@ std::chrono::steady_clock::duration in_clock(double seconds) {
       std::chrono::duration<double>(seconds));
 }
 
+// True as long as this lives.
+class Raised {
+ public:
+  explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
+  Raised(const Raised&) = delete;
+  Raised(Raised&&) = delete;
+  Raised& operator=(const Raised&) = delete;
+  Raised& operator=(Raised&&) = delete;
+  ~Raised() { flag_ = false; }
+
+ private:
+  bool& flag_;
+};
+
 tl::unexpected<Error> not_now(std::string what) {
   return fail(ErrorKind::kUsage, std::move(what));
 }
@@ -58,7 +72,6 @@ void Player::guarded(const std::function<void()>& work) {
   } catch (const std::exception& error) {
     problem_ = fmt::format("Something went wrong here: {}.", error.what());
     playing_ = false;
-    following_ = false;
     wanted_.reset();
     if (std::exchange(live_, false)) lose_exploration();
     publish_state();
@@ -143,7 +156,7 @@ void Player::show(std::size_t moment) {
 // another. What is not reached in time go_on() takes up.
 void Player::follow_on() {
   const auto until = Clock::now() + kMostFollowed;
-  following_ = true;
+  const Raised following(following_);
   while (wanted_ && !closed_ && !wants_exploring_ && Clock::now() < until) {
     if (follow_to(*wanted_)) {
       publish_moment(*std::exchange(wanted_, std::nullopt));
@@ -151,7 +164,6 @@ void Player::follow_on() {
       closed_ = queue_.wait(Clock::now()) == TaskQueue::Woken::kClosed;
     }
   }
-  following_ = false;
 }
 
 // What a system remembers depends on every moment before. Returns whether it is there.
@@ -186,7 +198,7 @@ void Player::publish_moment(std::size_t moment) {
     const std::size_t come = timeline_.frames(i, moment);
     frame = std::max(frame, come);
     shown.channels.emplace_back(exploration.channels[i].name,
-                                shown_values(exploration.channels[i], come));
+                                shown_values(exploration.channels[i], timeline_.rate(i), come));
   }
   if (scene_) shown.poses = scene_->poses(exploration, frame - 1);
   publish_frame(shown, [&] { return cut_at(exploration, timeline_, moment); });
@@ -461,9 +473,9 @@ void Player::publish_live() {
   const auto& channels = growing_.so_far().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const bool fast = channels[i].rate > 0.0 && growing_.frames()[i] > 0;
-    shown.channels.emplace_back(channels[i].name,
-                                fast ? shown_values(channels[i], growing_.frames()[i])
-                                     : std::span<const float>(felt_last_[i]));
+    shown.channels.emplace_back(
+        channels[i].name, fast ? shown_values(channels[i], channels[i].rate, growing_.frames()[i])
+                               : std::span<const float>(felt_last_[i]));
   }
   publish_frame(shown, [&] { return growing_.so_far(); });
 }

@@ -41,8 +41,8 @@ Result<std::shared_ptr<const SystemModel>> TrainingThread::train(const ViewSyste
                                                                  const Recording& recording,
                                                                  std::uint64_t seed) {
   try {
-    return train_visibly(system, recording, seed,
-                         [&](const TrainingLook& look) { return show(system.name, look); });
+    const auto eyes = [&](const TrainingLook& look) { return show(system.name, look); };
+    return train_visibly(system, recording, seed, eyes, [&] { return !stopping_; });
   } catch (const std::exception& error) {
     return fail(ErrorKind::kData, fmt::format("the training went wrong: {}", error.what()));
   }

@@ -164,7 +164,7 @@ class ViewSession::Works {
   TaskQueue queue_;
   live::Player player_;
   live::TrainingThread training_;
-  live::Inquiries inquiries_;
+  live::Inquiries inquiries_{[this] { return hub_.is_closed(); }};
   // For the thread of the player alone.
   bool is_training_ = false;
   std::shared_ptr<const Recording> explored_;
