@@ -13,7 +13,8 @@ install(TARGETS somato EXPORT somato-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT somato-targets NAMESPACE somato:: DESTINATION ${package_folder})
-install(DIRECTORY include/somato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# The view is for the program alone.
+install(DIRECTORY include/somato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN live EXCLUDE)
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 foreach(folder models objects)
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.xml ${folder}/*.toml)

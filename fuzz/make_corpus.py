@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Writes the fuzzers' first inputs into fuzz/corpus, always the same ones."""
 
+import json
 import pathlib
 import struct
 import zlib
@@ -171,8 +172,60 @@ def recordings():
     write("recording", "skipped", mcap(b"", mcap_record(9, b"x" * 40) + mcap_record(0x90, b"")))
 
 
+def of_protocol(values, runs):
+    return {"name": "s", "protocol": "train_is_test", "label": "object", "samples": 2,
+            "metrics": {"accuracy": {"mean": 1, "sd": None, "values": values}}, "runs": runs}
+
+
+def results():
+    run = {"seed": 1, "winners": [0, 3], "labels": ["a", "</script>"], "predictions": ["a", "b"],
+           "other_predictions": {"shape": ["x", "\u2028"]}}
+    settings = {"study": {"name": "s", "label": "object", "only": ["a"]},
+                "recording": {"format": "automatic"},
+                "module.in": {"type": "channel", "channel": "touch", "shape": [2, 3]},
+                "module.last": {"type": "last", "input": "in"},
+                "module.map": {"type": "som", "input": "last", "rows": 2, "columns": 2,
+                               "radius_start": 2.0, "iterations": 10}}
+    study = {"version": 3, "study": "s", "seeds": 1, "settings": settings, "data_hash": "h",
+             "systems": [of_protocol([None], [run])]}
+    claim = {"text": "t", "paper": "p", "question": "", "system": "s", "variation": "",
+             "metric": "accuracy", "protocol": "train_is_test", "group": "", "published": None,
+             "at_least": 1, "at_most": None, "share": 0.5, "mean": 1, "sd": 0, "by_luck": None, "pairs": 1}
+    part = {"question": "", "system": "s", "variation": "", "settings": settings, "recordings": ["r"],
+            "pairs": [[0, 1]], "protocols": [of_protocol([0.5], [run])]}
+    more = [{**part, "variation": str(i),
+             "settings": {**settings, "explore": {"noise": float(i)}}} for i in range(3)]
+    recording = {"name": "r", "source": "given", "seed": 0, "data_hash": "h", "explorations": 2}
+    reproduction = {"version": 1, "seed": 1, "pairs": 1, "recordings": [recording],
+                    "systems": [part, *more], "claims": [claim], "not_applicable": []}
+    write("results", "study", json.dumps(study))
+    write("results", "reproduction", json.dumps(reproduction))
+    write("results", "cut", json.dumps(study)[:200])
+    write("results", "far_winner", json.dumps(study).replace("[0, 3]", "[0, 4]"))
+    write("results", "loop", json.dumps(study).replace('"input": "in"', '"input": "map"'))
+    write("results", "without_shape", json.dumps(study).replace('"shape": [2, 3]', '"shape": []'))
+    write("results", "other_keys", json.dumps(study).replace("module.map", "module.map]\\n[x"))
+    write("results", "nan", json.dumps(study).replace("2.0", "NaN"))
+    write("results", "deep", '{"version":3,"study":"s","systems":' + "[" * 500 + "]" * 500 + "}")
+
+
+def view_requests():
+    head = "Host: localhost:1\r\nOrigin: http://localhost:1\r\nContent-Type: application/json\r\n"
+    write("view_request", "neuron",
+          "GET /api/neuron?map=m%20a&neuron=3&token=00 HTTP/1.1\r\nHost: 127.0.0.1:1\r\nX-Somato-Token: a\r\n\r\n")
+    write("view_request", "command", f"POST /api/command HTTP/1.1\r\n{head}Content-Length: 18\r\n\r\n")
+    write("view_request", "short", "GET / HTTP/1.0\r\n\r\n")
+    write("view_request", "refused",
+          "GET /%zz HTTP/1.1\r\nHost: a\r\nHost: b\r\nTransfer-Encoding: chunked\r\n\r\n")
+    write("view_request", "seek", '{"command":"seek","exploration":1,"frame":2}')
+    write("view_request", "placement", '{"command":"placement","x":1,"y":-2.5,"turn":90}')
+    write("view_request", "speed", '{"command":"speed","speed":1e309}')
+
+
 archives()
 npys()
 csvs()
 tomls()
 recordings()
+results()
+view_requests()

@@ -6,6 +6,7 @@ namespace somato::program {
 
 Command run_command();
 Command reproduce_command();
+Command report_command();
 Command information_command();
 Command apply_command();
 Command systems_command();

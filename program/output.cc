@@ -40,12 +40,19 @@ Result<void> check_output(const std::string& path) {
 Result<void> check_output(const Arguments& arguments, const std::string& name) {
   if (!arguments.has(name)) return {};
   const std::string path = arguments.text(name);
-  for (const char* other :
-       {"DATA", "MAP", "SYSTEM", "FILE", "labels", "output", "activity", "description"}) {
+  for (const char* other : {"DATA", "MAP", "SYSTEM", "FILE", "labels", "output", "activity",
+                            "description", "data", "model"}) {
     if (other == name || !arguments.has(other) || !same_file(path, arguments.text(other))) continue;
     return fail(ErrorKind::kUsage,
                 "the file is given twice; saving would write over " + std::string(other), path,
                 "name another file");
+  }
+  for (const auto& [many, paths] : arguments.lists) {
+    for (const std::string& other : paths) {
+      if (!same_file(path, other)) continue;
+      return fail(ErrorKind::kUsage, "saving would write over one of " + many, path,
+                  "name another file");
+    }
   }
   return check_output(path);
 }

@@ -14,6 +14,7 @@
 #include "reproduction_table.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
+#include "somato/graph/system_model.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/reproduction_plan.h"
@@ -214,8 +215,14 @@ class Reproduction {
       if (!ran) return ran;
       first_seed += seeds;
     }
+    if (!request_.given) add_explore_settings(part, found);
     results_.parts.push_back(std::move(found));
     return {};
+  }
+
+  static void add_explore_settings(const ReproductionPart& part, PartResults& found) {
+    const std::vector<Settings> explored = explore_settings(part.explore);
+    found.settings.insert(found.settings.end(), explored.begin(), explored.end());
   }
 
   Result<KeptRecordings::Kept> explored(const ReproductionPart& part, std::size_t index) {
@@ -248,12 +255,16 @@ class Reproduction {
     return {};
   }
 
-  // The first map of a system as it stands.
+  // The first map of a system as it stands, and the trained system behind it.
   Result<void> draw(const ReproductionPart& part, std::size_t index,
                     const StudyDescription& description, const StudyOutcome& outcome) const {
     if (index > 0 || !part.question.empty()) return {};
     const auto path = request_.out / "maps" / (file_name_of(part) + ".svg");
-    return save_whole(path.string(), winners_picture(description, outcome));
+    if (auto saved = save_whole(path.string(), winners_picture(description, outcome)); !saved) {
+      return saved;
+    }
+    const auto system = request_.out / "systems" / (file_name_of(part) + ".somato");
+    return save_system(system.string(), outcome.model.system, outcome.model.answer);
   }
 
   void remember(const RecordingInfo& info) {
@@ -289,7 +300,7 @@ class Reproduction {
 };
 
 Result<void> make_folders(const std::filesystem::path& out) {
-  for (const char* folder : {"recordings", "maps", "unfinished"}) {
+  for (const char* folder : {"recordings", "maps", "systems", "unfinished"}) {
     std::error_code code;
     std::filesystem::create_directories(out / folder, code);
     if (!code) continue;

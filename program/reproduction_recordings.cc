@@ -171,6 +171,14 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
               "'somato inspect' tells what a file is; 'somato import' makes recordings of others");
 }
 
+GivenRecordings GivenRecordings::files_in(const std::filesystem::path& folder) {
+  GivenRecordings given;
+  for (const auto& entry : sorted_entries(folder)) {
+    if (std::filesystem::is_regular_file(entry)) given.add(entry);
+  }
+  return given;
+}
+
 void GivenRecordings::add(const std::filesystem::path& place) {
   if (std::filesystem::is_regular_file(place)) {
     if (is_mcap_file(place.string())) places_.push_back({place, RecordingFormat::kAutomatic});

@@ -68,6 +68,11 @@ class GivenRecordings {
   /// Looks what is there. Errors: kSystem for a path that cannot be read; kData when nothing is.
   static Result<GivenRecordings> at(const std::filesystem::path& path);
 
+  /// The recordings' files in a folder, and nothing else of it.
+  static GivenRecordings files_in(const std::filesystem::path& folder);
+
+  std::size_t count() const { return places_.size(); }
+
   /// Numbers of those a study of this format can be about: automatic, recordings of bodies.
   std::vector<std::size_t> of_format(RecordingFormat format) const;
 

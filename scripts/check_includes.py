@@ -20,8 +20,9 @@ DIRECT = {
     "bodies": ["recording"],
     "simulation": ["bodies"],
     "studies": ["graph", "drawing"],
+    "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["studies", "live", "simulation"],
+    "program": ["report", "live", "simulation"],
 }
 
 # Headers of others that a public header may bring in, by the header that may.

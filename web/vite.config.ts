@@ -3,6 +3,8 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { viteSingleFile } from "vite-plugin-singlefile";
 
+import { contentSecurityPolicy } from "./content_security_policy";
+
 // Two pages of the same parts: the report is one file that opens without a server, with the data
 // put into it; the view is served as a page, a script and a style, so that no inline script need be
 // allowed. SOMATO_WEB_OUT is the folder they are built into.
@@ -12,7 +14,7 @@ export default defineConfig(({ mode }) => {
     root: fileURLToPath(new URL(".", import.meta.url)),
     base: "./",
     publicDir: false,
-    plugins: isReport ? [viteSingleFile({ removeViteModuleLoader: true })] : [],
+    plugins: isReport ? [viteSingleFile({ removeViteModuleLoader: true }), contentSecurityPolicy()] : [],
     build: {
       outDir: process.env.SOMATO_WEB_OUT ?? "dist",
       emptyOutDir: false,

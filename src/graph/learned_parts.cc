@@ -66,6 +66,7 @@ std::optional<std::vector<std::pair<double, double>>> one_hot_ranges_of(const Sy
   const auto high = learned ? numbers_in(parts, "high") : stated(system, module, "high");
   const std::size_t input = system.modules()[module].inputs.front();
   std::vector<std::pair<double, double>> ranges;
+  ranges.reserve(system.modules()[input].output.size());
   for (std::size_t i = 0; i < system.modules()[input].output.size(); ++i) {
     ranges.emplace_back(low[low.size() == 1 ? 0 : i], high[high.size() == 1 ? 0 : i]);
   }

@@ -192,7 +192,8 @@ void WeightFolding::fold_t_mpsom(std::size_t module, const FoldedWeights& weight
     std::vector<double> sums(heard[a].columns());
     for (std::size_t i = 0; i < weights.values.size(); ++i) {
       const auto shares = heard[a].row(place(weights, i));
-      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += weights.values[i] * double{shares[k]};
+      for (std::size_t k = 0; k < sums.size(); ++k)
+        sums[k] += weights.values[i] * double{shares[k]};
     }
     fold(system_.modules()[module].inputs[a], all_of(std::move(sums)), way, depth + 1, rows);
   }
@@ -207,8 +208,8 @@ std::vector<double> WeightFolding::bin_centres(std::size_t module,
   for (std::size_t i = 0; i < weights.values.size(); ++i) {
     const std::size_t element = place(weights, i) / bins;
     const auto [low, high] = ranges[element];
-    const double share = (static_cast<double>(place(weights, i) % bins) + 0.5) /
-                         static_cast<double>(bins);
+    const double share =
+        (static_cast<double>(place(weights, i) % bins) + 0.5) / static_cast<double>(bins);
     const double weight = std::max(0.0, weights.values[i]);
     sums[element] += weight;
     means[element] += weight * (low + share * (high - low));

@@ -28,8 +28,8 @@ struct FoldingEnd {
 /// The way of weights from what the module `input` gives back to channels; see channel_planes().
 class WeightFolding {
  public:
-  /// `unit`: whether the weights are in the unit of the input. The system must have learned, outlive
-  /// this object, and not change.
+  /// `unit`: whether the weights are in the unit of the input. The system must have learned,
+  /// outlive this object, and not change.
   WeightFolding(const System& system, std::size_t input, bool unit);
 
   /// In the order of fold(); the input alone where more than 256 ways lead back from it.

@@ -83,7 +83,7 @@ void HttpServer::stop() {
   stopping_ = true;
   if (acceptor_.joinable()) acceptor_.join();
   const std::lock_guard lock(mutex_);
-  for (Visit& visit : visits_) visit.connection.interrupt();
+  for (const Visit& visit : visits_) visit.connection.interrupt();
   for (Visit& visit : visits_) visit.thread.join();
   visits_.clear();
 }

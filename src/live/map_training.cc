@@ -18,7 +18,9 @@ namespace somato::live {
 namespace {
 
 constexpr std::uint64_t kLooks = 100;
-constexpr std::size_t kMostShown = 500;  // samples
+constexpr std::uint64_t kLooksAtLarge = 25;
+constexpr std::size_t kLarge = std::size_t{1} << 22;  // weights
+constexpr std::size_t kMostShown = 500;               // samples
 
 tl::unexpected<Error> stopped() {
   return fail(ErrorKind::kInterrupted, "the training was stopped before its end");
@@ -120,12 +122,14 @@ class VisibleTraining {
     const SomParameters parameters = som.parameters();
     const std::uint64_t steps = parameters.iterations.value_or(0);
     DrawSequence order(parameters.draws, samples_.count(), parameters.seed);
+    const bool is_large = som.neurons() * som.elements().count() > kLarge;
+    const std::uint64_t looks = is_large ? kLooksAtLarge : kLooks;
     SomLearner learner(som);
     for (std::uint64_t step = 0; step < steps; ++step) {
       const double rate = parameters.learning_rate().at(step);
       const double radius = parameters.radius().at(step);
       learner.learn(samples_[order.next()], rate, radius);
-      if ((step + 1) * kLooks / steps == step * kLooks / steps) continue;
+      if ((step + 1) * looks / steps == step * looks / steps) continue;
       learner.settle();
       if (!look_at(som, step + 1, steps, rate, radius)) return stopped();
     }

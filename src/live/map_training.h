@@ -31,7 +31,8 @@ struct TrainingLook {
 using TrainingEyes = std::function<bool(const TrainingLook&)>;
 
 /// Trains a system on all explorations of a recording and labels its map by majority, with looks at
-/// the map while it learns: a hundred, at the same steps whoever looks, so that what is learned
+/// the map while it learns: a hundred (of a map of more than four million weights 25, as each takes
+/// its time), at the same steps whoever looks, so that what is learned
 /// depends on the seed alone. (Each look settles the map, which changes roundings: `somato run`
 /// gives the same map but for these.) A map that learns together with other modules, or in batches,
 /// can be looked at when it is done only. `goes_on` is asked before each exploration is evaluated,

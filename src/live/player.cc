@@ -324,9 +324,10 @@ Result<void> Player::choose_system(const std::string& name) {
   return {};
 }
 
-void Player::take_trained(const std::string& name, std::shared_ptr<const SystemModel> model) {
+void Player::take_trained(const std::string& name,
+                          const std::shared_ptr<const SystemModel>& model) {
   for (ViewSystem& one : source_.systems) {
-    if (one.name == name) one.trained = std::move(model);
+    if (one.name == name) one.trained = model;
   }
   if (system() != nullptr && system()->name == name) tell_narrator();
 }

@@ -38,7 +38,7 @@ class Player : private ExplorationWatcher {
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
 
   /// A system that was trained; it is used when it is the one that is chosen.
-  void take_trained(const std::string& name, std::shared_ptr<const SystemModel> model);
+  void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model);
   void show_training(bool training);
   void show_problem(std::string problem);
   void publish_state();

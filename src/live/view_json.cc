@@ -272,7 +272,7 @@ Json thing_json(const ShownThing& thing) {
   return json;
 }
 
-Json grid_json(const Grid& grid) {
+Json shown_grid_json(const Grid& grid) {
   return {{"rows", grid.rows()},
           {"columns", grid.columns()},
           {"lattice", choice_name(grid.lattice())},
@@ -302,7 +302,7 @@ Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) 
       neurons.push_back(label ? Json(*label) : Json());
     }
     maps.push_back({{"module", name},
-                    {"grid", grid_json(grid)},
+                    {"grid", shown_grid_json(grid)},
                     {"classes", answers ? Json(answer->classes) : Json::array()},
                     {"neuron_classes", std::move(neurons)}});
   }

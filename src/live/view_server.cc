@@ -138,6 +138,10 @@ class ViewServer::Works {
   }
 
   HttpResponse answer_get(const HttpRequest& request) {
+    // Nobody would be told anything at the seat that it takes.
+    if (request.method == "HEAD" && request.path == "/api/events") {
+      return refused(405, "Events are listened to by GET.");
+    }
     if (request.path == "/api/state") return latest(EventKind::kState);
     if (request.path == "/api/scene") return latest(EventKind::kScene);
     if (request.path == "/api/neuron") return neuron(request);
@@ -169,7 +173,7 @@ class ViewServer::Works {
 
   // A seat is taken here and left when the stream ends, or nobody took it.
   HttpResponse events() {
-    std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
+    const std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
     if (!seat) return refused(503, "As many as may look on at a time are here already.");
     HttpResponse response;
     response.type = "text/event-stream";

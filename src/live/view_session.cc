@@ -143,7 +143,7 @@ class ViewSession::Works {
     is_training_ = true;
     player_.show_training(true);
     training_.start(*system, to_learn_from(), player_.source().seed,
-                    [this, name = system->name](auto trained) {
+                    [this, name = system->name](const auto& trained) {
                       queue_.post([this, name, trained] { end_training(name, trained); });
                     });
     return {};

@@ -99,6 +99,7 @@ void add_camera(const mjModel& model, Scene& scene) {
 Scene scene_of_parts(const HandScene::Parts& parts) {
   const mjModel& model = *parts.model;
   Scene scene;
+  scene.bodies.reserve(static_cast<std::size_t>(model.nbody));
   for (int body = 1; body < static_cast<int>(model.nbody); ++body) {
     const char* name = mj_id2name(&model, mjOBJ_BODY, body);
     scene.bodies.emplace_back(name != nullptr ? name : "");

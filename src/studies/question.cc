@@ -200,30 +200,6 @@ bool answers(const System& system, std::size_t module) {
   });
 }
 
-Result<std::size_t> find_map(const System& system, const std::string& name,
-                             const std::string& where) {
-  std::vector<std::string> candidates;
-  for (std::size_t module = 0; module < system.modules().size(); ++module) {
-    if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
-      candidates.push_back(system.modules()[module].name);
-    }
-  }
-  if (!name.empty()) {
-    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
-      return system.find(name);
-    }
-    return fail(unknown_name("module of type som", name, where, candidates));
-  }
-  if (candidates.size() == 1) return system.find(candidates.front());
-  return fail(
-      ErrorKind::kUsage,
-      candidates.empty() ? "the system has no map that answers" : "more than one map could answer",
-      where,
-      candidates.empty()
-          ? "add a module of type som, or name one with 'map' in [study]"
-          : fmt::format("name one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
-}
-
 Result<void> find_modules(const System& system, const StudyDescription& description,
                           Question& question) {
   const auto map = find_map(system, description.study.map, description.where);
@@ -257,6 +233,30 @@ void keep_fixed(const System& system, Question& question) {
 }
 
 }  // namespace
+
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where) {
+  std::vector<std::string> candidates;
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
+      candidates.push_back(system.modules()[module].name);
+    }
+  }
+  if (!name.empty()) {
+    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
+      return system.find(name);
+    }
+    return fail(unknown_name("module of type som", name, where, candidates));
+  }
+  if (candidates.size() == 1) return system.find(candidates.front());
+  return fail(
+      ErrorKind::kUsage,
+      candidates.empty() ? "the system has no map that answers" : "more than one map could answer",
+      where,
+      candidates.empty()
+          ? "add a module of type som, or name one with 'map' in [study]"
+          : fmt::format("name one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
+}
 
 FoldSamples Question::divided_by(const std::string& group) const {
   FoldSamples divided = samples;

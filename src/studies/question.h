@@ -57,6 +57,11 @@ struct Question {
   Result<System> system(const StudyDescription& description) const;
 };
 
+/// The map that answers: the one of that name, or where that is empty, the only one that nobody
+/// listens to. Errors (kUsage, at `where`): there is none, or more than one.
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where);
+
 /// Errors: see run_study(). `test` may be nullptr.
 Result<Question> make_question(const StudyDescription& description, const Recording& recording,
                                const Recording* test, std::size_t threads);

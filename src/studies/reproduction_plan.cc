@@ -172,6 +172,16 @@ Result<void> add_claims(const Table& file, std::size_t first_part, const std::st
   return {};
 }
 
+// Without the tables within it.
+std::vector<Setting> values_of(const Table& table) {
+  std::vector<Setting> settings;
+  for (const Table::Entry& entry : table.entries) {
+    const auto* value = std::get_if<Value>(&entry.content);
+    if (value) settings.push_back({entry.name, to_toml(*value)});
+  }
+  return settings;
+}
+
 }  // namespace
 
 const Declarations<QuestionParameters>& QuestionParameters::declarations() {
@@ -208,6 +218,19 @@ Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& sy
     added = add_variations(file.content, plan.parts[first].system, {}, *variations, {}, plan);
   }
   return added ? add_claims(file.content, first, {}, plan) : added;
+}
+
+std::vector<Settings> explore_settings(const Table& explore) {
+  std::vector<Settings> all;
+  Settings own{"explore", {}};
+  for (const Table::Entry& entry : explore.entries) {
+    if (const auto* table = std::get_if<Table>(&entry.content)) {
+      all.push_back({"explore." + entry.name, values_of(*table)});
+    }
+  }
+  own.settings = values_of(explore);
+  if (!own.settings.empty()) all.insert(all.begin(), std::move(own));
+  return all;
 }
 
 }  // namespace somato

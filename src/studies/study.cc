@@ -7,53 +7,11 @@
 #include "somato/core/threads.h"
 #include "somato/recording/content_hash.h"
 #include "studies/question.h"
+#include "studies/settings.h"
 #include "studies/system_runner.h"
 
 namespace somato {
 namespace {
-
-template <typename Parameters>
-Settings settings_of(std::string part, const Parameters& parameters) {
-  Settings settings{std::move(part), {}};
-  for (const auto& parameter : Parameters::declarations().all()) {
-    settings.settings.push_back({parameter.info.name, to_toml(parameter.read(parameters))});
-  }
-  return settings;
-}
-
-// What was decided where the description leaves it automatic.
-std::string decided(const ParameterInfo& parameter, const Som* som) {
-  const auto* known = som ? SomParameters::declarations().find(parameter.name) : nullptr;
-  return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
-}
-
-// What the description says of a module, and what holds where it says nothing.
-Settings settings_of(const ModuleDescription& module, const ModuleType& type, const Som* som) {
-  Settings settings{"module." + module.name, {}};
-  for (const Table::Entry& entry : module.settings.entries) {
-    if (const auto* value = std::get_if<Value>(&entry.content)) {
-      settings.settings.push_back({entry.name, to_toml(*value)});
-    }
-  }
-  for (const ParameterInfo& parameter : type.parameters) {
-    if (module.settings.find(parameter.name)) continue;
-    settings.settings.push_back({parameter.name, decided(parameter, som)});
-  }
-  return settings;
-}
-
-std::vector<Settings> all_settings(const StudyDescription& description, const System& trained) {
-  std::vector<Settings> settings{settings_of("study", description.study),
-                                 settings_of("recording", description.recording)};
-  for (std::size_t i = 0; i < trained.modules().size(); ++i) {
-    settings.push_back(
-        settings_of(description.system.modules[i], *trained.modules()[i].type, som_of(trained, i)));
-  }
-  for (std::size_t i = 0; i < description.system.phases.size(); ++i) {
-    settings.push_back(settings_of("phase." + std::to_string(i + 1), description.system.phases[i]));
-  }
-  return settings;
-}
 
 // What decides the trainings: a study with the same text here has the same ones. More seeds have
 // more of them.
@@ -91,7 +49,7 @@ StudyOutcome outcome_of(const StudyDescription& description, const Question& que
   outcome.model.answer = SystemAnswer{
       system.modules()[question.map].name, description.study.label, outcome.classes.names,
       NeuronLabels::by_majority(outcome.winners, outcome.classes.of_sample, som.neurons())};
-  outcome.results.settings = all_settings(description, system);
+  outcome.results.settings = study_settings(description, system);
   return outcome;
 }
 

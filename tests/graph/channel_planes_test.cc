@@ -99,9 +99,8 @@ TEST(ChannelPlanes, WeightsOfLengthOneHaveNoUnit) {
 }
 
 TEST(ChannelPlanes, ElementsThatAreTakenKeepTheirNames) {
-  const Problem problem(
-      module("some", "channel", "channel = 'joints'\nelements = ['3', 'thumb']") +
-      module("closed", "last", "input = 'some'") + map_on("closed"));
+  const Problem problem(module("some", "channel", "channel = 'joints'\nelements = ['3', 'thumb']") +
+                        module("closed", "last", "input = 'some'") + map_on("closed"));
   EXPECT_EQ(problem.planes().front().elements, (Words{"little", "thumb"}));
 }
 
@@ -221,13 +220,14 @@ INSTANTIATE_TEST_SUITE_P(WeightsFrom, FullTensor, ::testing::Values(0.0, -1.0));
 // As it was trained, with weights of the elements alone that were ever met.
 TEST(ChannelPlanes, ElementsWithoutWeightsCountAsZeros) {
   const Recording recording = with_units(hand_recording(4, 3));
-  const System system = trained(
-      build(channels() + one_hot("height_code", "height", "50") +
-                one_hot("wrist_code", "wrist", "40") +
-                module("crossed", "tensor_product", "inputs = ['height_code', 'wrist_code', 'touch']") +
-                module("memory", "accumulate", "input = 'crossed'") + map_on("memory"),
-            recording),
-      recording, 4);
+  const System system =
+      trained(build(channels() + one_hot("height_code", "height", "50") +
+                        one_hot("wrist_code", "wrist", "40") +
+                        module("crossed", "tensor_product",
+                               "inputs = ['height_code', 'wrist_code', 'touch']") +
+                        module("memory", "accumulate", "input = 'crossed'") + map_on("memory"),
+                    recording),
+              recording, 4);
   const std::size_t map = *system.find("map");
   const Som& som = *som_of(system, map);
   ASSERT_FALSE(som.elements().all());
@@ -242,10 +242,10 @@ TEST(ChannelPlanes, ElementsWithoutWeightsCountAsZeros) {
 }
 
 TEST(ChannelPlanes, ATMpsomDealsWeightsOutAsItHears) {
-  const Problem problem(channels({"wrist", "touch"}) + one_hot("code", "wrist", "7") +
-                        module("felt", "t_mpsom",
-                               "inputs = ['code', 'touch']\nshape = [9, 8]\niterations = 30") +
-                        module("memory", "accumulate", "input = 'felt'") + map_on("memory"));
+  const Problem problem(
+      channels({"wrist", "touch"}) + one_hot("code", "wrist", "7") +
+      module("felt", "t_mpsom", "inputs = ['code', 'touch']\nshape = [9, 8]\niterations = 30") +
+      module("memory", "accumulate", "input = 'felt'") + map_on("memory"));
   const auto planes = problem.planes();
   ASSERT_EQ(names_of(planes), (Words{"wrist", "touch"}));
   const auto map = t_mpsom_of(problem.system, *problem.system.find("felt"));

@@ -14,8 +14,7 @@ using testing::module;
 using testing::trained;
 
 const std::string kText =
-    channels({"joints", "height"}) +
-    module("closed", "last", "input = 'joints'") +
+    channels({"joints", "height"}) + module("closed", "last", "input = 'joints'") +
     module("standard", "standardization", "input = 'closed'") +
     module("code", "one_hot", "input = 'height'\nelements = 3") +
     module("told", "one_hot", "input = 'joints'\nelements = 2\nlow = -1\nhigh = [2, 3, 4.5]") +

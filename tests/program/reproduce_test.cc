@@ -28,11 +28,12 @@ TEST_F(Reproduce, SpreadsPairsOverRecordings) {
     for (const Json& run : protocol["runs"]) EXPECT_EQ(run["winners"].size(), 16U);
   }
   const Words made = files("out");
-  ASSERT_EQ(made.size(), 4U) << ::testing::PrintToString(made);
+  ASSERT_EQ(made.size(), 5U) << ::testing::PrintToString(made);
   EXPECT_EQ(made[0], "maps/press.svg");
   EXPECT_TRUE(made[1].starts_with("recordings/hardness-") && made[1].ends_with("-2011.mcap"));
   EXPECT_TRUE(made[2].starts_with("recordings/hardness-") && made[2].ends_with("-2012.mcap"));
   EXPECT_EQ(made[3], "results.json");
+  EXPECT_EQ(made[4], "systems/press.somato");
 }
 
 // What each pair gives is what 'run' gives on its recording with its seeds.

@@ -9,6 +9,7 @@
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/studies/claim.h"
+#include "somato/studies/results.h"
 #include "somato/studies/study_parameters.h"
 #include "somato/studies/variation.h"
 
@@ -53,5 +54,9 @@ struct NamedFile {
 /// not among them; a claim about something that is not run.
 Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
                          ReproductionPlan& plan);
+
+/// What a table `[explore]` says: `explore`, and for each table within it `explore.NAME`. None
+/// where it says nothing.
+std::vector<Settings> explore_settings(const Table& explore);
 
 }  // namespace somato

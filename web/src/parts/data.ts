@@ -49,12 +49,13 @@ export interface ThingData {
   mass: number | null; // kg
 }
 
-/** For each neuron what its weights stand for at the elements of a channel: the weights summed over
- * everything else that they are crossed with. values[neuron][element]. */
+/** For each neuron what its weights stand for at the elements of a channel (or of a module, where the
+ * way back ends before one): the weights summed over everything else that they are crossed with; of
+ * one-hot codes the mean of the bins. values[neuron][element]. */
 export interface ChannelPlanes {
   channel: ChannelData;
   unit: string; // of the values; "" for weights without one
-  values: number[][];
+  values: (number | null)[][]; // null where the weights say nothing
 }
 
 /** From which elements of its input a T-MPSOM's neurons hear. weights[neuron][element]; where there

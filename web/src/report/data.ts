@@ -50,17 +50,19 @@ export interface SystemReport {
   question: string; // "" where it is not part of one
   settings: Record<string, Record<string, string>>; // part, such as "module.map", to settings
   data_hash: string;
-  recordings: string[]; // names; one for the results of `somato run`
+  recordings: string[]; // names; one for the results of `somato run`, "" where it is not at hand
   protocols: ProtocolData[];
   graph: GraphData | null;
   grid: GridData | null; // of the map that answers
-  // The values of each label of the explorations, in the order of the samples, where known.
+  // The values of each label of the explorations, in the order of the samples (of all protocols but
+  // test_data), where known: those of the first recording that was at hand.
   samples: Record<string, string>[] | null;
   things: ThingData[];
   not_given: NotGiven[];
   // What only the trained system knows, of the seed that is saved; null without system.somato.
   trained: TrainedData | null;
-  // A moment of a grasp, where a recording was at hand: of each thing one exploration.
+  // A moment of a grasp, where a recording was at hand: of each thing one exploration. [] for
+  // variations and questions, which are on recordings like those of the system as it stands.
   moments: MomentData[];
   missing: string[]; // sentences: what is not here and how to get it
 }
@@ -75,7 +77,7 @@ export interface NotGiven {
 
 export interface TrainedData {
   file: string;
-  seed: number | null;
+  seed: number | null; // of the run whose winners are all its own; null: none, or no recording
   classes: string[];
   neuron_classes: (number | null)[]; // index into classes
   u_matrix: number[]; // mean distance of a neuron's weights from its neighbours'
@@ -104,6 +106,8 @@ export interface MomentChannel {
 
 /** A sentence of a paper, and how often it holds here. */
 export interface ClaimReport {
+  file: string; // as that of its system
+  question: string; // "" for a claim about a system as its own file has it
   system: string;
   variation: string;
   text: string;

@@ -1,1 +1,33 @@
-document.title = "Somato report";
+// The report: one page that shows what `somato report` put into it.
+
+import "../parts/style.css";
+import "./report.css";
+
+import { element } from "../parts/dom";
+import { themeButton } from "../parts/theme";
+import { drawAllForPrint } from "./lazy";
+import { reportPage } from "./page";
+import { readReport } from "./read";
+
+function start(): void {
+  const place = document.getElementById("report");
+  const text = document.getElementById("report-data")?.textContent ?? "";
+  if (!place) return;
+  const read = readReport(text);
+  if ("problem" in read) {
+    place.append(problemPage(read.problem));
+    return;
+  }
+  drawAllForPrint();
+  reportPage(place, read.data);
+}
+
+function problemPage(problem: string): HTMLElement {
+  return element("div", { class: "problem-page" }, [
+    themeButton(),
+    element("h1", {}, ["Somato report"]),
+    element("p", { class: "message problem", role: "alert" }, [problem]),
+  ]);
+}
+
+start();

@@ -1,1 +1,32 @@
-document.title = "Somato view";
+import "uplot/dist/uPlot.min.css";
+import "../parts/style.css";
+import "./view.css";
+
+import { Connection } from "./connection";
+import type { Frame, Training } from "./data";
+import { FrameLoop } from "./frame_loop";
+import { Model } from "./model";
+import { buildPage } from "./page";
+import { Server } from "./server";
+import { watchTheme } from "./theme_colours";
+import { takeToken } from "./token";
+
+const root = document.getElementById("view");
+if (root !== null) start(root);
+
+function start(place: HTMLElement): void {
+  const server = new Server(takeToken());
+  const model = new Model(server);
+  const frames = new FrameLoop((text) => model.draw(JSON.parse(text) as Frame), (work) => page.status.work(work));
+  const trainings = new FrameLoop((text) => model.training.set(JSON.parse(text) as Training), () => undefined);
+  const connection = new Connection(server, {
+    link: (link) => model.link(link),
+    state: (state) => model.state(state),
+    scene: (scene) => model.scene(scene),
+    frame: (text) => frames.take(text),
+    training: (text) => trainings.take(text),
+  });
+  connection.open(); // first: the program answers while the page is built
+  const page = buildPage(place, model, () => connection.open());
+  watchTheme(() => model.theme.set(model.theme.value + 1));
+}

@@ -1,0 +1,54 @@
+#include "report_recordings.h"
+
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+namespace somato::program {
+
+Result<void> ReportRecordings::add_named(const std::string& path) {
+  auto given = GivenRecordings::at(path);
+  if (!given) return fail(std::move(given.error()));
+  given_.push_back(std::move(*given));
+  for (std::size_t i = 0; i < given_.back().count(); ++i) {
+    if (auto read = look_at({given_.size() - 1, i}); !read) return fail(std::move(read.error()));
+  }
+  return {};
+}
+
+void ReportRecordings::add_beside(const std::filesystem::path& results) {
+  const std::filesystem::path folder = std::filesystem::absolute(results).parent_path();
+  for (const auto& place : {folder, folder / "recordings"}) {
+    std::error_code missing;
+    if (!std::filesystem::is_directory(place, missing)) continue;
+    auto given = GivenRecordings::files_in(place);
+    for (std::size_t i = 0; i < given.count(); ++i) unread_.push_back({given_.size(), i});
+    given_.push_back(std::move(given));
+  }
+}
+
+ReportRecording ReportRecordings::find(const std::string& hash) {
+  if (const auto known = known_.find(hash); known != known_.end()) return take(known->second);
+  while (!unread_.empty()) {
+    const Place place = unread_.front();
+    unread_.erase(unread_.begin());
+    const auto found = look_at(place);
+    if (found && *found == hash) return take(place);
+  }
+  return {};
+}
+
+Result<std::string> ReportRecordings::look_at(Place place) {
+  auto kept = given_[place.given].get(place.number);
+  if (!kept) return fail(std::move(kept.error()));
+  known_.emplace((*kept)->info.data_hash, place);
+  return (*kept)->info.data_hash;
+}
+
+ReportRecording ReportRecordings::take(Place place) {
+  const auto kept = given_[place.given].get(place.number);
+  if (!kept) return {};
+  return {(*kept)->info.name, {*kept, &(*kept)->recording}};
+}
+
+}  // namespace somato::program

@@ -1,0 +1,121 @@
+#include "report/checked_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace somato::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDeepestList = 16;
+constexpr std::size_t kLongestPath = 200;
+
+const Json& nothing() {
+  static const Json null;
+  return null;
+}
+
+// A path is as long as whoever wrote the text likes.
+std::string shortened(const std::string& path) {
+  const std::string from = path.starts_with(".") ? path.substr(1) : path;
+  return from.size() <= kLongestPath ? from : from.substr(0, kLongestPath) + "...";
+}
+
+// The byte of what the parser throws; it is caught here alone.
+Result<Json> parsed(std::string_view text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const bool cut = error.byte > text.size();
+    return fail(ErrorKind::kData, cut ? std::string("it is no JSON: it ends too early")
+                                      : fmt::format("it is no JSON from byte {} on", error.byte));
+  } catch (const Json::exception&) {
+    return fail(ErrorKind::kData, "it is no JSON that can be read: a number is too large");
+  }
+}
+
+}  // namespace
+
+Result<Json> parse_json(std::string_view text, const std::string& where) {
+  auto json = parsed(text);
+  if (!json) json.error().where = where;
+  return json;
+}
+
+void CheckedJson::refuse(const std::string& what) const {
+  if (trouble_) return;
+  const std::string place = path_.empty() ? "the whole" : "'" + shortened(path_) + "'";
+  trouble_ = Error{ErrorKind::kData, place + " " + what, {}, {}};
+}
+
+bool CheckedJson::expect(bool is, const char* what) const {
+  if (!is) refuse(fmt::format("is {}, where {} is needed", value_.type_name(), what));
+  return is;
+}
+
+CheckedJson CheckedJson::at(const std::string& key) const {
+  if (!expect(value_.is_object(), "an object")) return {nothing(), path_, trouble_};
+  const auto found = value_.find(key);
+  if (found == value_.end()) {
+    CheckedJson(nothing(), path_ + "." + key, trouble_).refuse("is missing");
+    return {nothing(), path_, trouble_};
+  }
+  return {*found, path_ + "." + key, trouble_};
+}
+
+std::string CheckedJson::text() const {
+  return expect(value_.is_string(), "a text") ? value_.get<std::string>() : std::string();
+}
+
+double CheckedJson::number() const {
+  if (!expect(value_.is_number(), "a number")) return 0.0;
+  const auto number = value_.get<double>();
+  if (!std::isfinite(number)) refuse("is not finite");
+  return number;
+}
+
+double CheckedJson::number_or_nan() const {
+  return value_.is_null() ? std::numeric_limits<double>::quiet_NaN() : number();
+}
+
+std::optional<double> CheckedJson::number_or_nothing() const {
+  if (value_.is_null()) return {};
+  return number();
+}
+
+std::uint64_t CheckedJson::whole(std::uint64_t most) const {
+  if (!expect(value_.is_number_unsigned(), "a whole number from 0 on")) return 0;
+  const auto number = value_.get<std::uint64_t>();
+  if (number <= most) return number;
+  refuse(fmt::format("is {}, where {} is the most", number, most));
+  return 0;
+}
+
+Value CheckedJson::value() const {
+  return value_of(value_, 0);
+}
+
+Value CheckedJson::value_of(const Json& json, int depth) const {
+  if (json.is_boolean()) return {json.get<bool>()};
+  if (json.is_string()) return {json.get<std::string>()};
+  if (json.is_number_float()) return {json.get<double>()};
+  if (json.is_number_unsigned() &&
+      json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
+    refuse("is too large");
+    return {false};
+  }
+  if (json.is_number_integer()) return {json.get<std::int64_t>()};
+  if (!json.is_array() || depth > kDeepestList) {
+    refuse(fmt::format("is {}, where a setting is needed", json.type_name()));
+    return {false};
+  }
+  Value::List list;
+  list.reserve(json.size());
+  for (const Json& one : json) list.push_back(value_of(one, depth + 1));
+  return {std::move(list)};
+}
+
+}  // namespace somato::detail

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "somato/core/result.h"
+#include "somato/core/value.h"
+
+namespace somato::detail {
+
+/// A JSON text that nobody vouches for. Errors (kData, at `where`): no JSON, with the byte.
+Result<nlohmann::ordered_json> parse_json(std::string_view text, const std::string& where);
+
+/// A place in such a text that is read as what it should be. The first that is something else is
+/// kept with its path, and whoever reads goes on with zeros and empty texts: ask ok() before using
+/// any of it.
+class CheckedJson {
+ public:
+  /// Of the whole text, which must outlive it and all its parts, as must `trouble`.
+  CheckedJson(const nlohmann::ordered_json& whole, std::optional<Error>& trouble)
+      : CheckedJson(whole, {}, trouble) {}
+
+  bool ok() const { return !trouble_.has_value(); }
+  bool is_object() const { return value_.is_object(); }
+  bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
+
+  /// The part of that name, which must be there.
+  CheckedJson at(const std::string& key) const;
+
+  std::string text() const;
+  /// A number that is finite.
+  double number() const;
+  /// The same, or null for NaN.
+  double number_or_nan() const;
+  std::optional<double> number_or_nothing() const;
+  /// A whole number from 0 to `most`.
+  std::uint64_t whole(std::uint64_t most) const;
+  /// A text, number, switch or list of them.
+  Value value() const;
+
+  std::size_t size() const { return value_.size(); }
+
+  /// Calls `use` with each part of a list, or with the name and part of each entry of an object.
+  template <typename Use>
+  void each(const Use& use) const {
+    if (!expect(value_.is_array(), "a list")) return;
+    for (std::size_t i = 0; ok() && i < value_.size(); ++i) {
+      use(CheckedJson(value_[i], path_ + "[" + std::to_string(i) + "]", trouble_));
+    }
+  }
+  template <typename Use>
+  void entries(const Use& use) const {
+    if (!expect(value_.is_object(), "an object")) return;
+    for (const auto& [name, part] : value_.items()) {
+      if (ok()) use(name, CheckedJson(part, path_ + "." + name, trouble_));
+    }
+  }
+
+  /// Keeps it as the trouble there is, unless there is one.
+  void refuse(const std::string& what) const;
+
+ private:
+  CheckedJson(const nlohmann::ordered_json& value, std::string path, std::optional<Error>& trouble)
+      : value_(value), path_(std::move(path)), trouble_(trouble) {}
+  bool expect(bool is, const char* what) const;
+  Value value_of(const nlohmann::ordered_json& json, int depth) const;
+
+  const nlohmann::ordered_json& value_;
+  std::string path_;
+  std::optional<Error>& trouble_;
+};
+
+}  // namespace somato::detail

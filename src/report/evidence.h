@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/report/report.h"
+#include "somato/studies/study_parameters.h"
+
+namespace somato::detail {
+
+/// What there is to look at beside the results of a part: whatever was at hand and fits.
+struct Evidence {
+  const ResultsFile* file = nullptr;
+  const PartResults* part = nullptr;
+  std::optional<StudyDescription> study;  ///< Made of the settings.
+  std::shared_ptr<const ReportModel> model;
+  std::shared_ptr<const Recording> recording;
+  std::string recording_name;
+  std::size_t recording_number = 0;       ///< Of `recording`, among those of the part.
+  std::vector<std::size_t> explorations;  ///< Of `recording`, those that are samples, in order.
+  std::optional<System> built;            ///< Without a model, from `study`.
+  std::optional<std::size_t> map;         ///< The module that answers, of system().
+  std::vector<std::string> missing;       ///< Sentences.
+
+  /// The trained system, or one that has learned nothing, or nullptr.
+  const System* system() const;
+};
+
+/// Looks for model and recording of `part`, which is one of `file`.
+Evidence find_evidence(const ReportFile& file, const PartResults& part,
+                       const ReportSources& sources);
+
+}  // namespace somato::detail

@@ -1,0 +1,65 @@
+#include "studies/settings.h"
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "somato/graph/system_model.h"
+
+namespace somato {
+namespace {
+
+template <typename Parameters>
+Settings settings_of(std::string part, const Parameters& parameters) {
+  Settings settings{std::move(part), {}};
+  for (const auto& parameter : Parameters::declarations().all()) {
+    settings.settings.push_back({parameter.info.name, to_toml(parameter.read(parameters))});
+  }
+  return settings;
+}
+
+// What was decided where the description leaves it automatic.
+std::string decided(const ParameterInfo& parameter, const Som* som) {
+  const auto* known = som ? SomParameters::declarations().find(parameter.name) : nullptr;
+  return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
+}
+
+// What the description says of a module, and what holds where it says nothing.
+Settings settings_of(const ModuleDescription& module, const ModuleType& type, const Som* som) {
+  Settings settings{"module." + module.name, {}};
+  for (const Table::Entry& entry : module.settings.entries) {
+    if (const auto* value = std::get_if<Value>(&entry.content)) {
+      settings.settings.push_back({entry.name, to_toml(*value)});
+    }
+  }
+  for (const ParameterInfo& parameter : type.parameters) {
+    if (module.settings.find(parameter.name)) continue;
+    settings.settings.push_back({parameter.name, decided(parameter, som)});
+  }
+  return settings;
+}
+
+}  // namespace
+
+std::vector<Settings> system_settings(const System& system) {
+  const SystemDescription& description = system.description();
+  std::vector<Settings> settings;
+  for (std::size_t i = 0; i < system.modules().size(); ++i) {
+    settings.push_back(
+        settings_of(description.modules[i], *system.modules()[i].type, som_of(system, i)));
+  }
+  for (std::size_t i = 0; i < description.phases.size(); ++i) {
+    settings.push_back(settings_of("phase." + std::to_string(i + 1), description.phases[i]));
+  }
+  return settings;
+}
+
+std::vector<Settings> study_settings(const StudyDescription& description, const System& trained) {
+  std::vector<Settings> settings{settings_of("study", description.study),
+                                 settings_of("recording", description.recording)};
+  std::vector<Settings> more = system_settings(trained);
+  std::move(more.begin(), more.end(), std::back_inserter(settings));
+  return settings;
+}
+
+}  // namespace somato

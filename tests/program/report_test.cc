@@ -1,0 +1,180 @@
+#include <algorithm>
+
+#include "program/reproducing.h"
+
+namespace somato {
+namespace {
+
+class Report : public Reproduce {
+ protected:
+  void make_results() const {
+    write_study("2");
+    output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
+  }
+
+  // What the page holds.
+  Json data_of(const std::string& page) const {
+    const std::string text = read(page);
+    const std::string mark = "id=\"report-data\">";
+    const std::size_t begin = text.find(mark) + mark.size();
+    return Json::parse(text.substr(begin, text.find("</script>", begin) - begin));
+  }
+
+  static bool says(const Json& sentences, const std::string& part) {
+    return std::any_of(sentences.begin(), sentences.end(), [&](const Json& sentence) {
+      return sentence.get<std::string>().find(part) != std::string::npos;
+    });
+  }
+};
+
+TEST_F(Report, OfAStudyWithAllThatIsAtHand) {
+  make_results();
+  const std::string said =
+      output_of({"report", "out/results.json", "--data", kTrials, "-o", "report.html"});
+  EXPECT_EQ(said, "report.html: 1 system, 0 claims\n");
+  const Json report = data_of("report.html");
+  const Json results = Json::parse(read("out/results.json"));
+  const Json& system = report["systems"][0];
+  EXPECT_EQ(system["missing"], Json::array());
+  EXPECT_EQ(system["file"], "out/results.json");
+  EXPECT_EQ(system["protocols"][0]["metrics"], results["systems"][0]["metrics"]);
+  EXPECT_EQ(system["protocols"][1]["runs"][1]["winners"],
+            results["systems"][1]["runs"][1]["winners"]);
+  EXPECT_EQ(system["trained"]["seed"], 1);
+  EXPECT_EQ(system["trained"]["file"], "out/system.somato");
+  EXPECT_EQ(system["samples"].size(), results["systems"][0]["samples"]);
+  EXPECT_TRUE(read("report.html").starts_with("<!doctype html>"));
+}
+
+TEST_F(Report, FindsARecordingBesideTheResultsByWhatIsInIt) {
+  write_study("1");
+  output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
+  output_of({"run", "study.toml", "--data", "grasps.mcap", "--out", "out"});
+  output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "out/a_press.mcap"});
+  write("out/broken.mcap", read("grasps.mcap").substr(0, 5000));
+  fs::rename(path("grasps.mcap"), path("out/some.mcap"));
+  output_of({"report", "out/results.json", "-o", "report.html"});
+  const Json system = data_of("report.html")["systems"][0];
+  EXPECT_EQ(system["missing"], Json::array());
+  EXPECT_EQ(system["recordings"], Json::array({"some.mcap"}));
+}
+
+TEST_F(Report, SaysWhatIsMissing) {
+  make_results();
+  fs::remove(path("out/system.somato"));
+  const std::string said = output_of({"report", "out/results.json", "-o", "report.html"});
+  EXPECT_NE(said.find("The trained system is not at hand"), std::string::npos);
+  EXPECT_NE(said.find("The recording is not at hand"), std::string::npos);
+  const Json system = data_of("report.html")["systems"][0];
+  EXPECT_TRUE(says(system["missing"], "--model"));
+  EXPECT_TRUE(says(system["missing"], "--data"));
+  EXPECT_TRUE(system["trained"].is_null());
+}
+
+TEST_F(Report, ARecordingOfSomethingElseIsNotTaken) {
+  make_results();
+  output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "press.mcap"});
+  output_of({"report", "out/results.json", "--data", "press.mcap", "-o", "report.html"});
+  const Json system = data_of("report.html")["systems"][0];
+  EXPECT_TRUE(system["samples"].is_null());
+  EXPECT_TRUE(says(system["missing"], "The recording is not at hand"));
+}
+
+TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
+  make_results();
+  write("other.toml",
+        "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
+  output_of({"run", "other.toml", "--data", kTrials, "--out", "other"});
+  fs::remove(path("out/system.somato"));
+  output_of({"report", "out/results.json", "--model", "other/system.somato", "-o", "report.html"});
+  const Json system = data_of("report.html")["systems"][0];
+  EXPECT_TRUE(system["trained"].is_null());
+  EXPECT_TRUE(says(system["missing"], "'other/system.somato' has other settings"));
+}
+
+TEST_F(Report, OfAReproductionFindsItsRecordings) {
+  write("press.toml", press() +
+                          "[[claim]]\ntext = 'Named rightly </script><b>'\n"
+                          "metric = 'accuracy'\nat_least = 0.5\npublished = 1\n" +
+                          "[variation.a]\nmodule.map.iterations = 60\n"
+                          "[variation.b]\nmodule.map.iterations = 70\n");
+  output_of(reproduce("press.toml", "out"));
+  output_of({"report", "out/results.json", "-o", "report.html"});
+  const Json report = data_of("report.html");
+  const Json found = results("out");
+  ASSERT_EQ(report["systems"].size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json& system = report["systems"][i];
+    EXPECT_EQ(system["recordings"], found["systems"][i]["recordings"]);
+    EXPECT_EQ(system["protocols"][0]["metrics"], found["systems"][i]["protocols"][0]["metrics"]);
+    EXPECT_EQ(system["protocols"][0]["runs"][2]["recording"], 1);
+    EXPECT_EQ(system["samples"].size(), 16U);
+    EXPECT_EQ(system["missing"], Json::array());
+    EXPECT_EQ(system["trained"]["seed"], 2011);
+    EXPECT_EQ(system["graph"]["map"], "map");
+    EXPECT_EQ(system["moments"].size(), i == 0 ? 8U : 0U);
+  }
+  EXPECT_EQ(report["systems"][0]["settings"]["explore"]["body"], "\"hardness\"");
+  ASSERT_EQ(report["claims"].size(), 1U);
+  EXPECT_EQ(report["claims"][0]["text"], "Named rightly </script><b>");
+  EXPECT_EQ(report["claims"][0]["share"], found["claims"][0]["share"]);
+  EXPECT_EQ(report["claims"][0]["values"],
+            found["systems"][0]["protocols"][0]["metrics"]["accuracy"]["values"]);
+  EXPECT_EQ(report["curves"][0]["x"], "iterations");
+  EXPECT_EQ(report["curves"][0]["lines"][0]["points"].size(), 3U);
+  EXPECT_EQ(read("report.html").find("</script><b>"), std::string::npos);
+}
+
+TEST_F(Report, OfSeveralResultsAtOnce) {
+  make_results();
+  fs::create_directory(path("more"));
+  fs::copy(path("out/results.json"), path("more/results.json"));
+  EXPECT_TRUE(output_of({"report", "out/results.json", "more/results.json", "-o", "report.html"})
+                  .starts_with("report.html: 2 systems"));
+}
+
+TEST_F(Report, RefusesWhatCannotBe) {
+  make_results();
+  const Words report{"report", "out/results.json", "-o", "report.html"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), report.begin(), report.end());
+    return more;
+  };
+  write("bad.json", read("out/results.json").substr(0, 400));
+  write("nan.json", "{\"version\": 3, \"study\": NaN}");
+  write("foreign.json", "{\"version\": 1, \"study\": \"a\"}");
+  write("junk.somato", "junk");
+  expect_refused(2, {"report", "-o", "x"}, {"RESULTS is required"});
+  expect_refused(2, {"report", "out/results.json"}, {"--output is required"});
+  expect_refused(1, {"report", "none.json", "-o", "x"}, {"none.json"});
+  expect_refused(1, {"report", "bad.json", "-o", "x"}, {"bad.json", "ends too early"});
+  expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "no JSON"});
+  expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "no results.json"});
+  expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "no JSON"});
+  expect_refused(2, {"report", "out/results.json", "./out/results.json", "-o", "x"}, {"twice"});
+  expect_refused(2, {"report", "out/results.json", "-o", "out/results.json"}, {"write over"});
+  expect_refused(1, {"report", "out/results.json", "-o", "no/where.html"}, {"no/where.html"});
+  expect_refused(1, {"report", "out/results.json", "-o", "out"}, {"out"});
+  expect_refused(1, with({"--model", "junk.somato"}), {"junk.somato"});
+  expect_refused(1, with({"--model", "none.somato"}), {"none.somato"});
+  expect_refused(1, with({"--data", "none"}), {"none"});
+  expect_refused(
+      2, {"report", "out/results.json", "--model", "out/system.somato", "-o", "out/system.somato"},
+      {"write over"});
+}
+
+TEST_F(Report, IsSavedWhollyOrNotAtAll) {
+  make_results();
+  write("report.html", "as it was");
+  ProgramWorld world;
+  world.largest_file = 4096;
+  const ProgramRun done = run({"report", "out/results.json", "-o", "report.html"}, world);
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_EQ(read("report.html"), "as it was");
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,170 @@
+// Reports of the papers' nine systems, each run once on made-up touch.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "somato/report/report.h"
+#include "somato/studies/own_systems.h"
+#include "somato/studies/reproduction_plan.h"
+#include "support/made_report.h"
+
+namespace somato {
+namespace {
+
+using testing::Json;
+using testing::MadeStudy;
+using testing::report_of;
+
+Channel made(const std::string& name, std::size_t elements, std::size_t frames, double low,
+             double high, Random& random) {
+  Matrix<float> values(frames, elements);
+  for (float& value : values.values()) {
+    value = static_cast<float>(low + (high - low) * random.uniform());
+  }
+  return {name, "", {}, std::move(values), {}, name == "sound" ? 44100.0 : 0.0, {elements}, {}};
+}
+
+// All that any of the nine listens to, within the ranges of their codes.
+Recording made_touch(std::size_t joints) {
+  Random random(3);
+  Recording recording;
+  for (std::size_t thing = 0; thing < 4; ++thing) {
+    for (std::size_t trial = 0; trial < 2; ++trial) {
+      const std::string number = std::to_string(thing);
+      recording.explorations.push_back(
+          {{{"object", thing == 0 ? "boule" : "thing " + number},
+            {"shape", thing < 2 ? "sphere" : "block"},
+            {"symmetry", thing < 2 ? "radial" : "none"},
+            {"width", std::to_string(40 + 10 * thing)},
+            {"material", thing == 0 ? "metal" : "stuff " + number},
+            {"hardness", thing < 2 ? "hard" : "soft"},
+            {"trial", std::to_string(trial + 1)}},
+           "",
+           {made("height", 1, 6, 101, 249, random), made("wrist", 1, 6, -89, 89, random),
+            made("joints", joints, 6, 1, 29, random), made("touch", 45, 6, 0, 1, random),
+            made("sound", 1, 8192, -1, 1, random),
+            made("potentiometer", 1, 6, 1, 262143, random)}});
+    }
+  }
+  return recording;
+}
+
+class OfNineSystems : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  static ReportThing boule() {
+    return {"boule", "sphere", std::array<double, 3>{82, 82, 82}, 0.0, "metal", "hard", {}, 2.2};
+  }
+};
+
+StudyDescription once(const NamedFile& file, const std::vector<NamedFile>& systems) {
+  ReproductionPlan plan;
+  static_cast<void>(add_to_plan(file, systems, plan));
+  StudyDescription description = plan.parts.front().description;
+  description.study.seeds = 1;
+  description.study.wrong_groupings = 2;
+  description.study.protocols = {Protocol::kTrainIsTest};
+  description.study.groups = {};
+  return description;
+}
+
+TEST_P(OfNineSystems, HoldsWhatTheResultsSay) {
+  const OwnSystems own = own_systems().value();
+  const NamedFile& file = own.systems.at(GetParam());
+  const MadeStudy study(once(file, own.systems),
+                        made_touch(file.name == "shape_and_size" ? 11 : 6));
+  ReportSources sources = study.sources();
+  sources.things = {boule()};
+  const Json report = report_of({study.file()}, sources);
+  const Json results = Json::parse(to_json(study.outcome.results));
+  const Json& system = report["systems"][0];
+  EXPECT_EQ(system["missing"], Json::array());
+  EXPECT_EQ(system["protocols"][0]["metrics"], results["systems"][0]["metrics"]);
+  EXPECT_EQ(system["graph"]["modules"].size(), study.description.system.modules.size());
+  EXPECT_EQ(system["grid"]["rows"], 15);
+  EXPECT_EQ(system["trained"]["seed"], 1);
+  const auto hits = system["trained"]["hits"].get<std::vector<int>>();
+  EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), 0), 8);
+  EXPECT_FALSE(system["trained"]["planes"].empty());
+  for (const Json& planes : system["trained"]["planes"]) {
+    ASSERT_EQ(planes["values"].size(), 225U);
+    EXPECT_EQ(planes["values"][0].size(), planes["channel"]["elements"].size());
+    EXPECT_LE(planes["channel"]["elements"].size(), 256U);
+  }
+  EXPECT_EQ(system["things"].size(), 4U);
+  EXPECT_EQ(system["things"][0]["size"], Json::array({82.0, 82.0, 82.0}));
+  EXPECT_EQ(system["moments"].size(), 4U);
+  EXPECT_FALSE(system["not_given"].empty());
+}
+
+// The same claims, judged in the same way as the reproduction of the system judges them.
+TEST_P(OfNineSystems, JudgesTheClaimsOfTheSystemsOwnFile) {
+  const OwnSystems own = own_systems().value();
+  const NamedFile& file = own.systems.at(GetParam());
+  const MadeStudy study(once(file, own.systems),
+                        made_touch(file.name == "shape_and_size" ? 11 : 6));
+  const Json report = report_of({study.file()}, study.sources());
+  ReproductionPlan plan;
+  ASSERT_TRUE(add_to_plan(file, own.systems, plan));
+  PartResults part;
+  part.system = study.description.study.name;
+  part.protocols = study.outcome.results.systems;
+  const auto judged = judge(plan.claims, {part});
+  ASSERT_EQ(report["claims"].size(), judged.size());
+  EXPECT_GT(judged.size(), 0U);
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    EXPECT_EQ(report["claims"][i]["text"], judged[i].claim.text);
+    EXPECT_EQ(report["claims"][i]["values"], Json(judged[i].values));
+    EXPECT_EQ(report["claims"][i]["share"], judged[i].share());
+    EXPECT_EQ(report["claims"][i]["system"], file.name);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, OfNineSystems, ::testing::Range<std::size_t>(0, 9));
+
+TEST(ReportOfSystems, FoldsTheTensorChainBackToTheHand) {
+  const OwnSystems own = own_systems().value();
+  const auto file = std::find_if(own.systems.begin(), own.systems.end(),
+                                 [](const NamedFile& one) { return one.name == "tensor_chain"; });
+  const MadeStudy study(once(*file, own.systems), made_touch(6));
+  const Json planes = report_of({study.file()}, study.sources())["systems"][0]["trained"]["planes"];
+  ASSERT_EQ(planes.size(), 4U);
+  const Som& som = study.outcome.map();
+  ASSERT_EQ(som.input_size(), 270000U);
+  for (const std::size_t neuron : {0U, 112U, 224U}) {
+    std::vector<double> touch(45);
+    double wrist = 0.0;
+    double all = 0.0;
+    for (std::size_t e = 0; e < som.input_size(); ++e) {
+      const double weight = double{som.weight(neuron, e)};
+      touch[e % 45] += weight;
+      wrist += weight * (-81.0 + 18.0 * static_cast<double>(e / (60 * 45) % 10));
+      all += weight;
+    }
+    for (std::size_t t = 0; t < 45; ++t) {
+      EXPECT_NEAR(planes[3]["values"][neuron][t].get<double>(), touch[t], 1e-5 * all);
+    }
+    EXPECT_NEAR(planes[1]["values"][neuron][0].get<double>(), wrist / all, 1e-3);
+  }
+}
+
+// A system of that name with another setting is not what the claims are about.
+TEST(ReportOfSystems, ClaimsAreNotThoseOfAChangedSystem) {
+  const OwnSystems own = own_systems().value();
+  const auto file = std::find_if(own.systems.begin(), own.systems.end(),
+                                 [](const NamedFile& one) { return one.name == "hardness"; });
+  StudyDescription description = once(*file, own.systems);
+  for (ModuleDescription& module : description.system.modules) {
+    for (Table::Entry& entry : module.settings.entries) {
+      if (entry.name == "rows") entry.content = Value{std::int64_t{14}};
+    }
+  }
+  const MadeStudy study(description, made_touch(6));
+  const Json report = report_of({study.file()}, study.sources());
+  EXPECT_EQ(report["claims"], Json::array());
+  EXPECT_EQ(report["systems"][0]["grid"]["rows"], 14);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,21 @@
+// Tables as CSV (RFC 4180): a field with a comma, a quote or a line break is put in quotes. A text
+// that a spreadsheet would take for a formula gets an apostrophe before it, because names come from
+// recordings of others.
+
+export type Cell = string | number | null;
+
+export interface Table {
+  columns: string[];
+  rows: Cell[][];
+}
+
+export function csv(table: Table): string {
+  return [table.columns, ...table.rows].map((row) => row.map(field).join(",")).join("\r\n") + "\r\n";
+}
+
+function field(cell: Cell): string {
+  if (cell === null || (typeof cell === "number" && !Number.isFinite(cell))) return "";
+  if (typeof cell === "number") return String(cell);
+  const safe = /^[=+\-@\t\r]/.test(cell) ? `'${cell}` : cell;
+  return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+}

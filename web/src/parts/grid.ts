@@ -1,0 +1,104 @@
+// Where the neurons of a map lie, and which are neighbours. Lengths are in widths of a cell. On a
+// hexagonal lattice odd rows are shifted right by a half; on a torus opposite edges touch.
+
+import type { GridData } from "./data";
+
+export type Point = readonly [number, number];
+
+const kRowStep = Math.sqrt(3) / 2;
+const kSide = 1 / Math.sqrt(3);
+const kSquare: readonly Point[] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
+const kHexagon: readonly Point[] = [
+  [0, -kSide], [0.5, -kSide / 2], [0.5, kSide / 2], [0, kSide], [-0.5, kSide / 2], [-0.5, -kSide / 2],
+];
+
+export const isHexagonal = (grid: GridData) => grid.lattice === "hexagonal";
+export const neuronCount = (grid: GridData) => grid.rows * grid.columns;
+export const rowOf = (grid: GridData, neuron: number) => Math.floor(neuron / grid.columns);
+export const columnOf = (grid: GridData, neuron: number) => neuron % grid.columns;
+
+export function widthOf(grid: GridData): number {
+  return grid.columns + (isHexagonal(grid) && grid.rows > 1 ? 0.5 : 0);
+}
+
+export function heightOf(grid: GridData): number {
+  return isHexagonal(grid) ? (grid.rows - 1) * kRowStep + 2 * kSide : grid.rows;
+}
+
+export function centreOf(grid: GridData, neuron: number): Point {
+  const row = rowOf(grid, neuron);
+  const column = columnOf(grid, neuron);
+  if (!isHexagonal(grid)) return [column + 0.5, row + 0.5];
+  return [column + 0.5 + (row % 2) / 2, row * kRowStep + kSide];
+}
+
+export function cornersOf(grid: GridData, neuron: number): Point[] {
+  const [x, y] = centreOf(grid, neuron);
+  return (isHexagonal(grid) ? kHexagon : kSquare).map(([dx, dy]) => [x + dx, y + dy]);
+}
+
+/** "row 3, column 4": counted from 1, as everywhere that a person reads. */
+export function placeOf(grid: GridData, neuron: number): string {
+  return `row ${rowOf(grid, neuron) + 1}, column ${columnOf(grid, neuron) + 1}`;
+}
+
+/** The square of the distance between two neurons, on a torus the shortest way around. */
+export function squaredDistance(grid: GridData, one: number, other: number): number {
+  const [ax, ay] = centreOf(grid, one);
+  const [bx, by] = centreOf(grid, other);
+  if (grid.topology === "plane") return (ax - bx) ** 2 + (ay - by) ** 2;
+  const tall = grid.rows * (isHexagonal(grid) ? kRowStep : 1);
+  return around(ax - bx, grid.columns) ** 2 + around(ay - by, tall) ** 2;
+}
+
+function around(difference: number, length: number): number {
+  const apart = Math.abs(difference) % length;
+  return Math.min(apart, length - apart);
+}
+
+/** The neuron one step up, down, left or right, or itself at an edge; on a torus beyond it. */
+export function stepFrom(grid: GridData, neuron: number, rows: number, columns: number): number {
+  const row = moved(rowOf(grid, neuron) + rows, grid.rows, grid.topology);
+  const column = moved(columnOf(grid, neuron) + columns, grid.columns, grid.topology);
+  return row * grid.columns + column;
+}
+
+function moved(to: number, size: number, topology: GridData["topology"]): number {
+  if (topology === "torus") return (to + size) % size;
+  return Math.min(size - 1, Math.max(0, to));
+}
+
+export interface Edge {
+  from: Point;
+  to: Point;
+}
+
+/** The edges between cells of different areas, and those around the map. */
+export function borders(grid: GridData, areas: readonly (number | null)[]): { between: Edge[]; outside: Edge[] } {
+  const seen = new Map<string, { edge: Edge; area: number | null; paired: boolean; differs: boolean }>();
+  for (let neuron = 0; neuron < neuronCount(grid); neuron += 1) {
+    const corners = cornersOf(grid, neuron);
+    const area = areas[neuron] ?? null;
+    corners.forEach((from, i) => addEdge(seen, { from, to: corners[(i + 1) % corners.length]! }, area));
+  }
+  const all = [...seen.values()];
+  return {
+    between: all.filter((side) => side.paired && side.differs).map((side) => side.edge),
+    outside: all.filter((side) => !side.paired).map((side) => side.edge),
+  };
+}
+
+type Sides = Map<string, { edge: Edge; area: number | null; paired: boolean; differs: boolean }>;
+
+function addEdge(seen: Sides, edge: Edge, area: number | null): void {
+  const key = [edge.from, edge.to].map(([x, y]) => `${Math.round(x * 1e4)} ${Math.round(y * 1e4)}`).sort().join();
+  const other = seen.get(key);
+  if (other === undefined) seen.set(key, { edge, area, paired: false, differs: false });
+  else Object.assign(other, { paired: true, differs: other.area !== area });
+}
+
+/** Edges as one SVG path, `scale` pixels a cell. */
+export function edgesPath(edges: readonly Edge[], scale: number): string {
+  const at = ([x, y]: Point) => `${Math.round(x * scale * 100) / 100} ${Math.round(y * scale * 100) / 100}`;
+  return edges.map(({ from, to }) => `M${at(from)}L${at(to)}`).join("");
+}

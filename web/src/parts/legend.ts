@@ -1,0 +1,55 @@
+// Legends, as parts of a picture: a bar of colours with its ends, and markers with names.
+
+import { uniqueId } from "./dom";
+import { marker } from "./markers";
+import { readable } from "./numbers";
+import { rounded, shape, shortened, text, textWidth } from "./svg";
+
+export interface ColourBar {
+  group: SVGGElement;
+  setRange(low: number, high: number): void;
+}
+
+const kStops = 16;
+
+/** 44 pixels tall at most. */
+export function colourBar(width: number, unit: string, colour: (share: number) => string): ColourBar {
+  const id = uniqueId("colours");
+  const stops = Array.from({ length: kStops + 1 }, (_, i) =>
+    shape("stop", { offset: rounded(i / kStops), "stop-color": colour(i / kStops) }),
+  );
+  const gradient = shape("linearGradient", { id }, stops);
+  const bar = shape("rect", { x: 0, y: 0, width: rounded(width), height: 9, fill: `url(#${id})` });
+  const low = text(0, 25, "");
+  const high = text(width, 25, "", { class: "end" });
+  const middle = text(width / 2, 25, unit, { class: "middle muted" });
+  const group = shape("g", { class: "colour-bar" }, [shape("defs", {}, [gradient]), bar, low, middle, high]);
+  const setRange = (from: number, to: number) => {
+    low.textContent = readable(from);
+    high.textContent = readable(to);
+  };
+  return { group, setRange };
+}
+
+const kRow = 20;
+
+/** Markers of the classes in columns, `counts` beside the names where given. */
+export function markerLegend(
+  width: number,
+  names: readonly string[],
+  counts: readonly number[] = [],
+): { group: SVGGElement; height: number } {
+  const words = names.map((name, i) => (counts[i] === undefined ? name : `${name} (${counts[i]})`));
+  const widest = Math.min(width, 34 + Math.max(24, ...words.map((name) => textWidth(name, 12))));
+  const columns = Math.max(1, Math.floor(width / widest));
+  const rows = Math.ceil(words.length / columns);
+  const group = shape("g", { class: "marker-legend" });
+  words.forEach((name, i) => {
+    const x = Math.floor(i / rows) * widest;
+    const y = (i % rows) * kRow + 8;
+    const label = text(x + 20, y + 4, shortened(name, widest - 22, 12));
+    label.append(shape("title", {}, [name]));
+    group.append(marker(i, x + 8, y, 5), label);
+  });
+  return { group, height: rows * kRow };
+}

@@ -1,0 +1,66 @@
+// What every picture of a map has: cells, border, and layers for marks and rings.
+
+import type { GridData } from "./data";
+import { borders, cornersOf, edgesPath, heightOf, neuronCount, stepFrom, widthOf } from "./grid";
+import type { CursorPlace } from "./map_cursor";
+import { rounded, shape, svg } from "./svg";
+
+export interface MapFrame extends CursorPlace {
+  grid: GridData;
+  cell: number; // pixels a cell
+  width: number; // of the map, pixels
+  height: number;
+  border: SVGPathElement;
+  marks: SVGGElement;
+  winner: SVGGElement;
+  foot: SVGGElement; // below the map: legends
+}
+
+const kMargin = 3; // room for rings at the edge
+const kFootGap = 12;
+
+/** Pixels a cell so that a map is about `size` wide and no taller. */
+export function cellSize(grid: GridData, size: number): number {
+  const fitting = Math.min(size / widthOf(grid), size / heightOf(grid));
+  return Math.max(6, Math.min(56, fitting));
+}
+
+export function mapFrame(grid: GridData, label: string, cell: number, footHeight: number): MapFrame {
+  const width = widthOf(grid) * cell;
+  const height = heightOf(grid) * cell;
+  const wide = Math.max(width, footHeight > 0 ? 180 : 0);
+  const cells = Array.from({ length: neuronCount(grid) }, (_, neuron) => cellOf(grid, neuron, cell));
+  const border = borderOf(grid, cell);
+  const [marks, winner, rings] = [layer("map-marks"), layer("map-winner"), layer("map-rings")];
+  rings.setAttribute("data-transient", "");
+  const foot = shape("g", { transform: `translate(0 ${rounded(height + kFootGap)})` });
+  const all = [shape("g", { class: "map-cells" }, cells), border, marks, winner, rings, foot];
+  const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, all);
+  const tall = height + (footHeight > 0 ? kFootGap + footHeight : 0);
+  const picture = svg(wide + 2 * kMargin, tall + 2 * kMargin, label, [inner]);
+  const step = (at: number, rows: number, columns: number) => stepFrom(grid, at, rows, columns);
+  const cursor = { svg: picture, cells, rings, kind: "map", cellName: "neurons", step };
+  return { ...cursor, grid, cell, width: wide, height, border, marks, winner, foot };
+}
+
+/** Makes room for a foot that turned out so tall. */
+export function setFootHeight(frame: MapFrame, tall: number): void {
+  const height = rounded(frame.height + (tall > 0 ? kFootGap + tall : 0) + 2 * kMargin);
+  const width = rounded(frame.width + 2 * kMargin);
+  frame.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  frame.svg.setAttribute("height", String(height));
+}
+
+function layer(name: string): SVGGElement {
+  return shape("g", { class: name });
+}
+
+function cellOf(grid: GridData, neuron: number, cell: number): SVGPathElement {
+  const corners = cornersOf(grid, neuron).map(([x, y]) => `${rounded(x * cell)} ${rounded(y * cell)}`);
+  return shape("path", { d: `M${corners.join("L")}Z`, fill: "none", "data-cell": neuron });
+}
+
+function borderOf(grid: GridData, cell: number): SVGPathElement {
+  const { outside } = borders(grid, []);
+  return shape("path", { d: edgesPath(outside, cell), class: `map-border ${grid.topology}` });
+}

@@ -1,0 +1,56 @@
+// Light or dark: as the system says, until somebody chooses. The choice is kept where the browser
+// lets us keep it.
+//
+//   place.append(themeButton());
+
+import { element } from "./dom";
+
+const kKey = "somato-theme";
+
+type Theme = "light" | "dark";
+
+export function themeButton(): HTMLButtonElement {
+  const button = element("button", { type: "button", class: "theme-button no-print" });
+  const show = (theme: Theme) => {
+    const other = theme === "dark" ? "light" : "dark";
+    button.textContent = other === "dark" ? "Dark" : "Light";
+    button.setAttribute("aria-label", `Use ${other} colours`);
+  };
+  apply(kept());
+  show(current());
+  button.addEventListener("click", () => {
+    const next: Theme = current() === "dark" ? "light" : "dark";
+    apply(next);
+    keep(next);
+    show(next);
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show(current()));
+  return button;
+}
+
+export function current(): Theme {
+  const chosen = document.documentElement.dataset["theme"];
+  if (chosen === "light" || chosen === "dark") return chosen;
+  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+}
+
+function apply(theme: Theme | null): void {
+  if (theme !== null) document.documentElement.dataset["theme"] = theme;
+}
+
+function kept(): Theme | null {
+  try {
+    const value = localStorage.getItem(kKey);
+    return value === "light" || value === "dark" ? value : null;
+  } catch {
+    return null; // a file may not be allowed to keep anything
+  }
+}
+
+function keep(theme: Theme): void {
+  try {
+    localStorage.setItem(kKey, theme);
+  } catch {
+    // The choice then lasts as long as the page.
+  }
+}

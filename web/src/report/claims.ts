@@ -1,0 +1,109 @@
+// The papers' sentences, and how often each holds.
+
+import type { Table } from "../parts/csv";
+import { breakable, element, type Child } from "../parts/dom";
+import { figure } from "../parts/figure";
+import { percent, readable } from "../parts/numbers";
+import type { ClaimReport, ReportData } from "./data";
+import { holds } from "./words";
+
+export function claimsSection(data: ReportData): HTMLElement {
+  return element("section", { id: "claims", "aria-labelledby": "claims-title" }, [
+    element("h2", { id: "claims-title" }, ["Claims"]),
+    element("p", { class: "muted lead" }, [
+      "The papers trained each system once and read its figure by eye. Here each sentence is a number, asked of every run.",
+    ]),
+    claimsFigure(data.claims, "somato-claims", true),
+  ]);
+}
+
+export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boolean): HTMLElement {
+  const head = kColumns.map((name) => element("th", { scope: "col", class: kNumbers.has(name) ? "number" : "" }, [name]));
+  const table = element("table", { class: "wide-table" }, [
+    element("thead", {}, [element("tr", {}, head)]),
+    ...(hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))]),
+  ]);
+  return figure({
+    title: "How the claims hold",
+    file,
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Claims" }, [table]),
+    numbers: () => claimsTable(claims),
+    note: "Here: the median over the runs, with the least and the greatest. By luck: the same on wrong groupings.",
+    wide: true,
+  });
+}
+
+/** The claims of each system below its name. */
+function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
+  const groups = new Map<string, ClaimReport[]>();
+  for (const claim of claims) {
+    const name = claimedSystem(claim);
+    groups.set(name, [...(groups.get(name) ?? []), claim]);
+  }
+  return [...groups].map(([name, own]) => {
+    const title = element("th", { scope: "rowgroup", colspan: kColumns.length, class: "group" }, breakable(name));
+    return element("tbody", {}, [element("tr", {}, [title]), ...own.map(claimRow)]);
+  });
+}
+
+function claimedSystem({ system, variation, question }: ClaimReport): string {
+  const asked = question ? ` (${question.replaceAll("_", " ")})` : "";
+  return `${variation === "" ? system : `${system}, ${variation}`}${asked}`;
+}
+
+const kColumns = ["claim", "paper", "published", "here", "by luck", "holds in"];
+const kNumbers = new Set(["published", "here", "by luck"]);
+
+function claimRow(claim: ClaimReport): HTMLElement {
+  const measured = [claim.metric, bound(claim), claim.protocol.replaceAll("_", " "), claim.group]
+    .filter((words) => words !== "")
+    .join(" ");
+  return element("tr", {}, [
+    element("td", { class: "claim" }, [claim.text, element("span", { class: "measured" }, [measured])]),
+    element("td", { class: "paper" }, [claim.paper || "ours"]),
+    element("td", { class: "number" }, [readable(claim.published)]),
+    element("td", { class: "number" }, hereWords(claim.values)),
+    element("td", { class: "number" }, [readable(claim.by_luck)]),
+    element("td", {}, [shareBar(claim.share)]),
+  ]);
+}
+
+function bound(claim: ClaimReport): string {
+  const less = claim.than === "" ? "" : `less that of ${claim.than} `;
+  const least = claim.at_least === null ? "" : `≥ ${readable(claim.at_least)}`;
+  const most = claim.at_most === null ? "" : `≤ ${readable(claim.at_most)}`;
+  return less + [least, most].filter((words) => words !== "").join(" and ");
+}
+
+function hereWords(values: (number | null)[]): Child[] {
+  const sorted = values.filter((value) => value !== null).sort((one, other) => one - other);
+  if (sorted.length === 0) return ["–"];
+  const [low, high] = [sorted[0], sorted.at(-1)];
+  const middle = readable(median(sorted));
+  return low === high ? [middle] : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
+}
+
+/** Of numbers in order. */
+export function median(sorted: readonly number[]): number | null {
+  if (sorted.length === 0) return null;
+  const half = (sorted.length - 1) / 2;
+  return ((sorted[Math.floor(half)] ?? 0) + (sorted[Math.ceil(half)] ?? 0)) / 2;
+}
+
+/** A bar and words: the colour is never the only sign. */
+function shareBar(share: number): HTMLElement {
+  const { words, kind } = holds(share);
+  const filled = element("span", { class: "filled", style: `width:${Math.round(100 * (share || 0))}%` });
+  return element("span", { class: `share ${kind}` }, [
+    element("span", { class: "bar", "aria-hidden": "true" }, [filled]),
+    element("span", { class: "words" }, [`${percent(share)}, ${words}`]),
+  ]);
+}
+
+function claimsTable(claims: ClaimReport[]): Table {
+  const columns = ["file", "question", "system", "variation", "claim", "paper", "metric", "protocol", "group", "than", "published", "at_least",
+    "at_most", "by_luck", "share", "values"];
+  const rows = claims.map((claim) => [claim.file ?? null, claim.question ?? null, claim.system, claim.variation, claim.text, claim.paper, claim.metric, claim.protocol,
+    claim.group, claim.than, claim.published, claim.at_least, claim.at_most, claim.by_luck, claim.share, claim.values.join(" ")]);
+  return { columns, rows };
+}

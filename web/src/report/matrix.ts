@@ -1,0 +1,100 @@
+// A matrix of numbers as a picture: drawn on a canvas once, for it may have tens of thousands.
+
+import { sequenceColour, parsed } from "../parts/colour_maps";
+import { colourBar } from "../parts/legend";
+import { rangeOf } from "../parts/numbers";
+import { rounded, shape, svg, text } from "../parts/svg";
+
+export interface MatrixPicture {
+  svg: SVGSVGElement;
+  markRow(row: number): void;
+  markColumn(column: number): void;
+}
+
+export interface MatrixOptions {
+  label: string;
+  rowName: string;
+  columnName: string;
+  unit: string;
+  width?: number;
+  height?: number;
+  rowEnds: [string, string];
+  columnEnds: [string, string];
+  onRow?: (row: number) => void;
+}
+
+const kLeft = 34;
+const kTop = 8;
+
+export function matrixPicture(values: readonly (readonly (number | null)[])[], options: MatrixOptions): MatrixPicture {
+  const rows = values.length;
+  const columns = Math.max(1, ...values.map((row) => row.length));
+  const [width, height] = [options.width ?? 460, options.height ?? Math.max(80, Math.min(380, rows * 12))];
+  const [low, high] = rangeOf(values.flatMap((row) => rangeOf(row) ?? [])) ?? [0, 1];
+  const href = pixels(values, rows, columns, low, high);
+  const image = shape("image", { x: kLeft, y: kTop, width, height, href, preserveAspectRatio: "none", style: "image-rendering:pixelated" });
+  const line = shape("rect", { class: "matrix-mark", "data-transient": "" });
+  const bar = colourBar(width, options.unit, sequenceColour);
+  bar.setRange(low, high);
+  bar.group.setAttribute("transform", `translate(${kLeft} ${kTop + height + 34})`);
+  const below = kTop + height + 16;
+  const words = [
+    text(kLeft, below, options.columnEnds[0], { class: "muted" }),
+    text(kLeft + width / 2, below, `${options.columnName} →`, { class: "muted middle" }),
+    text(kLeft + width, below, options.columnEnds[1], { class: "muted end" }),
+    sideways(options.rowEnds[0], kTop, "end"),
+    sideways(`← ${options.rowName}`, kTop + height / 2, "middle"),
+    sideways(options.rowEnds[1], kTop + height, ""),
+  ];
+  const frame = shape("rect", { x: kLeft, y: kTop, width, height, class: "rule" });
+  const picture = svg(kLeft + width + 6, kTop + height + 66, options.label, [image, frame, line, ...words, bar.group]);
+  if (options.onRow) listen(picture, image, rows, options.onRow);
+  return { svg: picture, markRow: (row) => mark(line, rows, row, width, height), markColumn: (column) => markColumn(line, columns, column, width, height) };
+}
+
+function sideways(words: string, y: number, anchor: string): SVGTextElement {
+  return text(0, 0, words, { class: `muted ${anchor}`, transform: `translate(${kLeft - 9} ${rounded(y)}) rotate(-90)` });
+}
+
+function mark(line: SVGRectElement, rows: number, row: number, width: number, height: number): void {
+  const tall = Math.max(2.5, height / rows);
+  place(line, kLeft - 2, kTop + ((row + 0.5) * height) / rows - tall / 2, width + 4, tall);
+}
+
+function markColumn(line: SVGRectElement, columns: number, column: number, width: number, height: number): void {
+  const wide = Math.max(2.5, width / columns);
+  place(line, kLeft + ((column + 0.5) * width) / columns - wide / 2, kTop - 2, wide, height + 4);
+}
+
+function place(line: SVGRectElement, x: number, y: number, width: number, height: number): void {
+  for (const [name, value] of Object.entries({ x, y, width, height })) line.setAttribute(name, String(rounded(value)));
+}
+
+function listen(picture: SVGSVGElement, image: SVGImageElement, rows: number, onRow: (row: number) => void): void {
+  picture.style.cursor = "crosshair";
+  picture.addEventListener("click", (event) => {
+    const box = image.getBoundingClientRect();
+    const row = Math.floor(((event.clientY - box.top) / box.height) * rows);
+    if (row >= 0 && row < rows) onRow(row);
+  });
+}
+
+function pixels(values: readonly (readonly (number | null)[])[], rows: number, columns: number, low: number, high: number): string {
+  const canvas = document.createElement("canvas");
+  canvas.width = columns;
+  canvas.height = Math.max(1, rows);
+  const context = canvas.getContext("2d");
+  if (!context) return "";
+  const image = context.createImageData(columns, Math.max(1, rows));
+  const table = Array.from({ length: 257 }, (_, i) => parsed(sequenceColour(i / 256)));
+  const scale = high > low ? 256 / (high - low) : 0;
+  values.forEach((row, y) =>
+    row.forEach((value, x) => {
+      if (value === null || !Number.isFinite(value)) return;
+      const colour = table[Math.round((value - low) * scale)] ?? [0, 0, 0];
+      image.data.set([...colour, 255], 4 * (y * columns + x));
+    }),
+  );
+  context.putImageData(image, 0, 0);
+  return canvas.toDataURL("image/png");
+}

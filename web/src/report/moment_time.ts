@@ -1,0 +1,13 @@
+// When the moment of an exploration was.
+
+import type { MomentChannel } from "./data";
+
+export function momentTime(of: MomentChannel): number {
+  return of.rate > 0 ? of.frame / of.rate : (of.times.at(-1) ?? 0);
+}
+
+/** Which of the frames over time is nearest to the moment. */
+export function momentIndex(of: MomentChannel): number {
+  const away = of.times.map((time) => Math.abs(time - momentTime(of)));
+  return Math.max(0, away.indexOf(Math.min(...away)));
+}

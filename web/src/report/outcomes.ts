@@ -1,0 +1,73 @@
+// What came out over the seeds, against the paper, the nearest neighbour and wrong groupings.
+
+import type { Table } from "../parts/csv";
+import { element } from "../parts/dom";
+import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "./data";
+import { classesOf } from "./labels";
+import { liveFigure, nothing, type Drawn } from "./live_figure";
+import type { Selection } from "./selection";
+import { stripsPicture, type Strip } from "./strips";
+import { metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
+
+export function outcomesFigure(system: SystemReport, selection: Selection, claims: ClaimReport[]): HTMLElement {
+  const options = {
+    title: "Outcomes",
+    file: `${systemName(system)}-outcomes`,
+    note: "A dot is a run; where runs agree one dot stands for them, as large as they are many. The upright stroke is the median.",
+    wide: true,
+  };
+  return liveFigure(options, selection, () => draw(system, selection, claims)).element;
+}
+
+function draw(system: SystemReport, selection: Selection, claims: ClaimReport[]): Drawn {
+  const { protocol, label } = selection;
+  if (!protocol) return nothing("There is no protocol to show.");
+  const strips = stripsOf(system, protocol, label, claims);
+  if (strips.length === 0) return nothing(`Nothing was measured for the label ${label} under this protocol.`);
+  const words = `${protocolName(protocol)}, ${label}, ${protocol.runs.length} runs of ${protocol.samples} samples`;
+  const picture = stripsPicture(strips, `Outcomes: ${words}`);
+  const seeds = protocol.runs.map((run) => run.seed);
+  return { body: [element("p", { class: "small what" }, [words]), picture], svg: picture, table: stripsTable(strips, seeds) };
+}
+
+const kBeside = /^baseline_|_by_luck$/;
+
+function stripsOf(system: SystemReport, protocol: ProtocolData, label: string, claims: ClaimReport[]): Strip[] {
+  const prefix = label === protocol.label ? "" : label;
+  const classes = classesOf(system, label).length;
+  return Object.entries(protocol.metrics).flatMap(([metric, data]) => {
+    const [own, name] = splitMetric(metric);
+    if (own !== prefix || kBeside.test(name)) return [];
+    return [stripOf(protocol, metric, data, metricRange(metric, protocol.samples, classes), claims)];
+  });
+}
+
+function stripOf(protocol: ProtocolData, metric: string, data: MetricData, range: [number, number] | null, claims: ClaimReport[]): Strip {
+  const [prefix, name] = splitMetric(metric);
+  const other = (own: string) => protocol.metrics[prefix === "" ? own : `${prefix}.${own}`];
+  const claim = claims.find((one) => one.metric === metric && one.than === "" && isOf(one, protocol));
+  return {
+    metric,
+    name: metricName(metric),
+    values: data.values,
+    luck: other(`${name}_by_luck`)?.values ?? [],
+    baseline: name === "accuracy" ? (other("baseline_accuracy")?.mean ?? null) : null,
+    published: claim?.published ?? null,
+    range,
+  };
+}
+
+function isOf(claim: ClaimReport, protocol: ProtocolData): boolean {
+  const of = claim.protocol === "" ? "train_is_test" : claim.protocol;
+  return of === protocol.protocol && (claim.group || "") === (protocol.group ?? "");
+}
+
+function stripsTable(strips: Strip[], seeds: number[]): Table {
+  const rows = strips.flatMap((strip) => [
+    ...strip.values.map((value, i) => [strip.metric, "here", seeds[i] ?? null, value]),
+    ...strip.luck.map((value, i) => [strip.metric, "by luck", seeds[i] ?? null, value]),
+    ...(strip.baseline === null ? [] : [[strip.metric, "nearest neighbour", null, strip.baseline]]),
+    ...(strip.published === null ? [] : [[strip.metric, "paper", null, strip.published]]),
+  ]);
+  return { columns: ["metric", "what", "seed", "value"], rows };
+}

@@ -1,0 +1,140 @@
+// What was found, at a glance: every system with its main figures and how its claims hold.
+
+import { breakable, element, type Child } from "../parts/dom";
+import { readable } from "../parts/numbers";
+import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
+import { questionsOf, standing, systemId, type Numbered } from "./groups";
+import { figure } from "../parts/figure";
+import type { Table } from "../parts/csv";
+import { countOf, holds, systemName } from "./words";
+
+export function overviewSection(data: ReportData): HTMLElement {
+  const systems = standing(data);
+  const questions = questionsOf(data).length;
+  const counts = [
+    countOf(systems.length, "system"),
+    ...(questions > 0 ? [countOf(questions, "question")] : []),
+    ...(data.claims.length > 0 ? [countOf(data.claims.length, "claim")] : []),
+  ];
+  return element("section", { id: "overview", class: "overview", "aria-labelledby": "overview-title" }, [
+    element("header", { class: "title" }, [
+      element("h1", { id: "overview-title" }, ["What the hands felt, and what the maps made of it"]),
+      element("p", { class: "muted" }, [`${counts.join(", ")}. Written by Somato ${data.somato}.`]),
+    ]),
+    ...summary(data),
+    data.systems.length === 0
+      ? element("p", { class: "message" }, [
+          "No results were given, so there is no system to show. Name one or more results.json: somato report RESULTS.json -o report.html",
+        ])
+      : systems.length > 0
+        ? systemsFigure(systems, data, "somato-systems")
+        : null,
+  ]);
+}
+
+function summary(data: ReportData): Child[] {
+  const shares = data.claims.filter((claim) => claim.paper !== "").map((claim) => claim.share);
+  if (shares.length === 0) return [];
+  const count = (kind: string) => shares.filter((share) => holds(share).kind === kind).length;
+  const tile = (kind: "good" | "middling" | "bad", words: string) =>
+    element("div", { class: `tile ${kind}` }, [
+      element("strong", {}, [String(count(kind))]),
+      element("span", {}, [words]),
+    ]);
+  const tiles = [
+    tile("good", "hold in at least 95 % of the runs"),
+    tile("middling", "hold in some runs"),
+    tile("bad", "hold in at most 5 %"),
+  ];
+  const label = `Of ${countOf(shares.length, "claim")} of the papers`;
+  return [element("div", { class: "tiles", role: "group", "aria-label": label }, [element("p", {}, [label]), ...tiles])];
+}
+
+const kColumns = ["system", "runs", "named rightly, train = test", "held out", "nearest neighbour, held out", "claims that hold"];
+
+export function systemsFigure(systems: Numbered[], data: ReportData, file: string): HTMLElement {
+  const rows = systems.map(({ system, index }) => systemRow(system, index, data));
+  const head = kColumns.map((name, i) => element("th", { scope: "col", class: i > 0 ? "number" : "" }, [name]));
+  const table = element("table", { class: "wide-table" }, [
+    element("thead", {}, [element("tr", {}, head)]),
+    element("tbody", {}, rows),
+  ]);
+  return figure({
+    title: "Systems",
+    file,
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Systems" }, [table]),
+    numbers: () => systemsTable(systems, data),
+    wide: true,
+    note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned.",
+  });
+}
+
+function systemRow(system: SystemReport, index: number, data: ReportData): HTMLElement {
+  const main = mainFigures(system);
+  const link = element("a", { href: `#${systemId(index)}` }, breakable(systemName(system)));
+  const cells: Child[] = [
+    String(main.runs),
+    spread(main.trained),
+    spread(main.heldOut),
+    spread(main.baseline),
+    claimsWords(claimsOf(system, data)),
+  ];
+  return element("tr", {}, [
+    element("th", { scope: "row" }, [link]),
+    ...cells.map((cell) => element("td", { class: "number" }, [cell])),
+  ]);
+}
+
+export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] {
+  return data.claims.filter((claim) => {
+    const isOfFile = (claim.file ?? system.file) === system.file && (claim.question ?? "") === system.question;
+    return isOfFile && claim.system === system.name && claim.variation === system.variation;
+  });
+}
+
+function claimsWords(claims: ClaimReport[]): string {
+  if (claims.length === 0) return "–";
+  const good = claims.filter((claim) => holds(claim.share).kind === "good").length;
+  return `${good} of ${claims.length}`;
+}
+
+interface MainFigures {
+  runs: number;
+  trained: MetricData | undefined;
+  heldOut: MetricData | undefined;
+  baseline: MetricData | undefined;
+}
+
+function mainFigures(system: SystemReport): MainFigures {
+  const trained = system.protocols.find((one) => one.protocol === "train_is_test");
+  const heldOut = system.protocols.find((one) => one.protocol !== "train_is_test");
+  return {
+    runs: Math.max(0, ...system.protocols.map((one) => one.runs.length)),
+    trained: trained?.metrics["accuracy"],
+    heldOut: heldOut?.metrics["accuracy"],
+    baseline: heldOut?.metrics["baseline_accuracy"],
+  };
+}
+
+/** "0.85 ± 0.07" */
+export function spread(metric: MetricData | undefined): string {
+  return metric ? `${fixed(metric.mean)} ± ${fixed(metric.sd)}` : "–";
+}
+
+function fixed(value: number | null): string {
+  if (value === null) return "–";
+  return Math.abs(value) < 100 ? value.toFixed(2).replace("-", "−") : readable(value);
+}
+
+function systemsTable(systems: Numbered[], data: ReportData): Table {
+  const columns = ["system", "variation", "runs", "accuracy_train_is_test", "accuracy_train_is_test_sd", "accuracy_held_out",
+    "accuracy_held_out_sd", "baseline_accuracy_held_out", "claims_that_hold", "claims"];
+  const rows = systems.map(({ system }) => {
+    const main = mainFigures(system);
+    const claims = claimsOf(system, data);
+    const good = claims.filter((claim) => holds(claim.share).kind === "good").length;
+    return [system.name, system.variation, main.runs, main.trained?.mean ?? null, main.trained?.sd ?? null,
+      main.heldOut?.mean ?? null, main.heldOut?.sd ?? null, main.baseline?.mean ?? null, good, claims.length];
+  });
+  return { columns, rows };
+}

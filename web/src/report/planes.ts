@@ -1,0 +1,147 @@
+// Component planes, folded back onto the hand: at the left the map by one element, at the right what
+// one neuron stands for at all elements. Choosing on one side changes the other.
+
+import { choice } from "../parts/controls";
+import type { ChannelPlanes, GridData } from "../parts/data";
+import { element, fill, type Child } from "../parts/dom";
+import { figure } from "../parts/figure";
+import { placeOf } from "../parts/grid";
+import { handMap, type HandPicture } from "../parts/hand_map";
+import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
+import { rangeOf } from "../parts/numbers";
+import type { SystemReport } from "./data";
+import type { Selection } from "./selection";
+import { neuronTable } from "./system_map";
+import { systemName } from "./words";
+
+export function planeFigures(system: SystemReport, _selection: Selection): Child[] {
+  const { grid, trained } = system;
+  if (!grid || !trained) return [];
+  const place = element("div", { class: "figures" });
+  const names = trained.planes.map((planes) => planes.channel.name);
+  const show = (index: number) => {
+    const planes = trained.planes[index];
+    if (planes) fill(place, new LinkedPlanes(system, grid, planes).figures());
+  };
+  const first = richest(trained.planes);
+  show(first);
+  const channels = names.length > 1 ? [choice("Channel", names, first, show).element] : [];
+  return [element("div", { class: "controls" }, channels), place];
+}
+
+/** What has most to show comes first. */
+function richest(all: ChannelPlanes[]): number {
+  const counts = all.map((planes) => planes.channel.elements.length);
+  return Math.max(0, counts.indexOf(Math.max(...counts)));
+}
+
+class LinkedPlanes {
+  private element = 0;
+  private neuron = 0;
+  private readonly map: ValuesPicture;
+  private readonly hand: HandPicture;
+  private readonly elements;
+  private readonly mapTitle = element("p", { class: "small what" });
+  private readonly handTitle = element("p", { class: "small what" });
+
+  constructor(
+    private readonly system: SystemReport,
+    private readonly grid: GridData,
+    private readonly planes: ChannelPlanes,
+  ) {
+    const { channel, unit } = planes;
+    this.neuron = busiest(planes);
+    this.element = strongest(planes.values[this.neuron] ?? []);
+    const mapLabel = `Component plane of ${channel.name}`;
+    const keep = { onChoose: (neuron: number) => this.setNeuron(neuron), onPoint: (neuron: number | null) => this.preview(neuron) };
+    this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
+    const handLabel = `What a neuron stands for at ${channel.name}`;
+    const keepElement = { onChoose: (one: number) => this.setElement(one), onPoint: (one: number | null) => this.previewPlane(one) };
+    this.hand = handMap(channel, { label: handLabel, unit, size: 380, ...keepElement });
+    this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
+    this.setElement(this.element);
+    this.setNeuron(this.neuron);
+  }
+
+  figures(): Child[] {
+    const { channel } = this.planes;
+    const name = `${systemName(this.system)}-${channel.name}`;
+    const isOne = channel.elements.length === 1;
+    const figures: Child[] = [
+      figure({
+        title: isOne ? `The map by ${channel.name}` : `The map by one element of ${channel.name}`,
+        file: `${name}-plane`,
+        controls: isOne ? [] : [this.elements.element],
+        body: element("div", {}, [this.mapTitle, this.map.element]),
+        picture: () => this.map.svg,
+        numbers: () => neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
+        note: isOne ? "" : "Choose a neuron to see what it stands for. The CSV has the planes of all elements.",
+      }),
+      figure({
+        title: this.hand.isHand ? "One neuron on the hand" : "One neuron, all elements",
+        file: `${name}-neuron`,
+        body: element("div", {}, [this.handTitle, this.hand.element]),
+        picture: () => this.hand.svg,
+        numbers: () => this.neuronNumbers(),
+        note: "Choose an element to see where on the map it matters.",
+      }),
+    ];
+    return isOne ? figures.slice(0, 1) : figures;
+  }
+
+  private setElement(one: number): void {
+    this.element = one;
+    this.elements.set(one);
+    this.hand.select(one);
+    this.previewPlane(null);
+  }
+
+  private setNeuron(neuron: number): void {
+    this.neuron = neuron;
+    this.map.select(neuron);
+    this.preview(null);
+  }
+
+  /** The plane of an element that is pointed at, or of the chosen one. */
+  private previewPlane(pointed: number | null): void {
+    const one = pointed ?? this.element;
+    this.map.setValues(this.planes.values.map((values) => values[one] ?? null));
+    const { elements } = this.planes.channel;
+    this.mapTitle.textContent = elements.length > 1 ? (elements[one] ?? "") : "";
+  }
+
+  private preview(pointed: number | null): void {
+    const neuron = pointed ?? this.neuron;
+    this.hand.setValues(this.planes.values[neuron] ?? [], rangeOfAll(this.planes));
+    this.handTitle.textContent = `Neuron at ${placeOf(this.grid, neuron)}`;
+  }
+
+  private neuronNumbers() {
+    const values = this.planes.values[this.neuron] ?? [];
+    const columns = ["element", `weight at ${placeOf(this.grid, this.neuron).replace(",", "")}`];
+    return { columns, rows: this.planes.channel.elements.map((name, i) => [name, values[i] ?? null]) };
+  }
+}
+
+const ranges = new WeakMap<ChannelPlanes, [number, number]>();
+
+/** The same for all neurons, so that they can be compared. */
+function rangeOfAll(planes: ChannelPlanes): [number, number] {
+  const known = ranges.get(planes);
+  if (known) return known;
+  const ends = planes.values.map((values) => rangeOf(values)).filter((range) => range !== null);
+  const range: [number, number] = ends.length === 0 ? [0, 1] : [Math.min(...ends.map(([low]) => low)), Math.max(...ends.map(([, high]) => high))];
+  ranges.set(planes, range);
+  return range;
+}
+
+/** The neuron whose weights reach highest: something to see at first. */
+function busiest(planes: ChannelPlanes): number {
+  const peaks = planes.values.map((values) => rangeOf(values)?.[1] ?? Number.NEGATIVE_INFINITY);
+  return Math.max(0, peaks.indexOf(Math.max(...peaks)));
+}
+
+function strongest(values: (number | null)[]): number {
+  const high = rangeOf(values)?.[1];
+  return high === undefined ? 0 : Math.max(0, values.indexOf(high));
+}

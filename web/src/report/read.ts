@@ -1,0 +1,86 @@
+// Reads what `somato report` put into the page. What is missing is filled with what stands for
+// nothing, so that a report of another version of the program shows what it can.
+
+import type { ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
+
+export type Read = { data: ReportData } | { problem: string };
+
+const kMakeAnother = "Make the page anew with: somato report RESULTS.json -o report.html";
+
+export function readReport(text: string): Read {
+  if (text.trim() === "" || text.trim() === "null") {
+    return { problem: `This page carries no results yet. ${kMakeAnother}` };
+  }
+  let parsed: unknown;
+  try {
+    parsed = JSON.parse(text);
+  } catch (problem) {
+    return { problem: `The results in this page are damaged (${String(problem)}). ${kMakeAnother}` };
+  }
+  return checked(parsed);
+}
+
+function checked(parsed: unknown): Read {
+  if (!isObject(parsed)) return { problem: `The results in this page are not a report. ${kMakeAnother}` };
+  if (parsed["version"] !== 1) {
+    const version = String(parsed["version"]);
+    return { problem: `The results in this page are of version ${version}; this page reads version 1. ${kMakeAnother}` };
+  }
+  const systems = listOf(parsed["systems"]).filter(isObject).map(completed);
+  const [claims, curves] = [listOf(parsed["claims"]), listOf(parsed["curves"])];
+  return { data: { ...parsed, somato: String(parsed["somato"] ?? ""), systems, claims, curves } as unknown as ReportData };
+}
+
+const kEmpty: SystemReport = {
+  file: "",
+  name: "",
+  variation: "",
+  question: "",
+  settings: {},
+  data_hash: "",
+  recordings: [],
+  protocols: [],
+  graph: null,
+  grid: null,
+  samples: null,
+  things: [],
+  not_given: [],
+  trained: null,
+  moments: [],
+  missing: [],
+};
+
+const kEmptyProtocol: ProtocolData = { protocol: "", label: "", samples: 0, metrics: {}, runs: [] };
+
+const kEmptyTrained: TrainedData = {
+  file: "",
+  seed: null,
+  classes: [],
+  neuron_classes: [],
+  u_matrix: [],
+  hits: [],
+  planes: [],
+  receptive_fields: [],
+};
+
+function completed(system: Record<string, unknown>): SystemReport {
+  const whole: SystemReport = { ...kEmpty, ...given(system) };
+  const protocols = listOf(whole.protocols).filter(isObject);
+  return {
+    ...whole,
+    protocols: protocols.map((protocol) => ({ ...kEmptyProtocol, ...given(protocol) })),
+    trained: isObject(whole.trained) ? { ...kEmptyTrained, ...given(whole.trained) } : null,
+  };
+}
+
+function given(from: object): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(from).filter(([, value]) => value !== null && value !== undefined));
+}
+
+function isObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+function listOf(value: unknown): unknown[] {
+  return Array.isArray(value) ? value : [];
+}

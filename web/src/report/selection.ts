@@ -1,0 +1,56 @@
+// What is chosen for a system: a protocol, a label and a run. Whoever shows it listens.
+
+import { labelNames } from "./labels";
+import type { ProtocolData, RunData, SystemReport } from "./data";
+
+export class Selection {
+  protocolIndex = 0;
+  labelIndex = 0;
+  runIndex = 0;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(readonly system: SystemReport) {}
+
+  get protocol(): ProtocolData | undefined {
+    return this.system.protocols[this.protocolIndex];
+  }
+
+  get labels(): string[] {
+    return this.protocol ? labelNames(this.system, this.protocol) : [];
+  }
+
+  get label(): string {
+    return this.labels[this.labelIndex] ?? "";
+  }
+
+  get run(): RunData | undefined {
+    return this.protocol?.runs[this.runIndex];
+  }
+
+  /** The label and the run stay as they are where the new protocol has them. */
+  setProtocol(index: number): void {
+    const label = this.label;
+    this.protocolIndex = index;
+    this.labelIndex = Math.max(0, this.labels.indexOf(label));
+    this.runIndex = Math.max(0, Math.min(this.runIndex, (this.protocol?.runs.length ?? 1) - 1));
+    this.tell();
+  }
+
+  setLabel(index: number): void {
+    this.labelIndex = index;
+    this.tell();
+  }
+
+  setRun(index: number): void {
+    this.runIndex = index;
+    this.tell();
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  private tell(): void {
+    this.listeners.forEach((listener) => listener());
+  }
+}

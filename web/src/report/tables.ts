@@ -1,0 +1,53 @@
+// What the papers do not give, what this page does not show, and every setting.
+
+import { element, type Child } from "../parts/dom";
+import { figure } from "../parts/figure";
+import type { SystemReport } from "./data";
+import { systemName } from "./words";
+
+export function notGivenFigure(system: SystemReport): Child {
+  const rows = system.not_given.map((one) => [one.part, one.name, one.value, one.text]);
+  return figure({
+    title: "What was not given in the paper",
+    file: `${systemName(system)}-not-given`,
+    body: plainTable("Not given", ["module", "setting", "taken", "what it is"], rows, 3),
+    numbers: () => ({ columns: ["part", "setting", "value", "text"], rows }),
+    note: "The papers leave these open; the values here are ours.",
+    wide: true,
+  });
+}
+
+/** A table of words; the first `codes` columns are as in the file. */
+function plainTable(label: string, columns: string[], rows: string[][], codes: number): HTMLElement {
+  const head = columns.map((name) => element("th", { scope: "col" }, [name]));
+  const cell = (words: string, i: number) => element("td", {}, [i < codes ? element("code", {}, [words]) : words]);
+  const table = element("table", {}, [
+    element("thead", {}, [element("tr", {}, head)]),
+    element("tbody", {}, rows.map((row) => element("tr", {}, row.map(cell)))),
+  ]);
+  return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
+}
+
+/** What is not here and how to get it. */
+export function missingList(system: SystemReport): Child[] {
+  if (system.missing.length === 0) return [];
+  const items = system.missing.map((sentence) => element("li", {}, [sentence]));
+  return [
+    element("div", { class: "message missing" }, [
+      element("p", {}, ["Not on this page:"]),
+      element("ul", {}, items),
+    ]),
+  ];
+}
+
+export function settingsList(system: SystemReport): Child[] {
+  const parts = Object.entries(system.settings);
+  if (parts.length === 0) return [];
+  const rows = parts.flatMap(([part, settings]) => Object.entries(settings).map(([name, value]) => [part, name, String(value)]));
+  return [
+    element("details", { class: "settings" }, [
+      element("summary", {}, [`All ${rows.length} settings`]),
+      plainTable("Settings", ["part", "setting", "value"], rows, 3),
+    ]),
+  ];
+}

@@ -1,0 +1,73 @@
+// The things and materials that were explored, each with a picture at the same scale.
+
+import type { Table } from "../parts/csv";
+import type { ThingData } from "../parts/data";
+import { element, type Child } from "../parts/dom";
+import { figure } from "../parts/figure";
+import { readable } from "../parts/numbers";
+import { commonScale, thingPicture } from "../parts/thing_picture";
+import type { SystemReport } from "./data";
+import { systemName } from "./words";
+
+const kSize = 84;
+
+export function thingsFigure(system: SystemReport): Child {
+  const { things } = system;
+  const scale = commonScale(things, kSize);
+  const columns = columnsOf(things);
+  const head = columns.map(({ name, isNumber }) => element("th", { scope: "col", class: isNumber ? "number" : "" }, [name]));
+  const table = element("table", { class: "things" }, [
+    element("thead", {}, [element("tr", {}, [element("td", {}), ...head])]),
+    element("tbody", {}, things.map((thing) => thingRow(thing, scale, columns))),
+  ]);
+  return figure({
+    title: "Things",
+    file: `${systemName(system)}-things`,
+    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Things" }, [table]),
+    numbers: () => thingsTable(things),
+    note: things.some((thing) => thing.size !== null) ? "All drawn at the same scale; width × depth × height." : "",
+    wide: true,
+  });
+}
+
+interface Column {
+  name: string;
+  isNumber: boolean;
+  value: (thing: ThingData) => string;
+}
+
+const kColumns: Column[] = [
+  { name: "name", isNumber: false, value: (thing) => thing.name },
+  { name: "shape", isNumber: false, value: (thing) => thing.shape ?? "" },
+  { name: "size, mm", isNumber: true, value: sizeWords },
+  { name: "material", isNumber: false, value: (thing) => thing.material.replaceAll("_", " ") },
+  { name: "hardness", isNumber: false, value: (thing) => thing.hardness },
+  { name: "mass, g", isNumber: true, value: (thing) => (thing.mass === null ? "" : readable(thing.mass * 1000)) },
+];
+
+/** Those columns in which something stands. */
+function columnsOf(things: ThingData[]): Column[] {
+  return kColumns.filter(({ value }) => things.some((thing) => value(thing) !== ""));
+}
+
+function sizeWords(thing: ThingData): string {
+  if (thing.size === null) return "";
+  const words = thing.size.map((one) => readable(one)).join(" × ");
+  return thing.top_diameter > 0 ? `${words}, top ${readable(thing.top_diameter)}` : words;
+}
+
+function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLElement {
+  const [first, ...rest] = columns;
+  return element("tr", {}, [
+    element("td", { class: "thing" }, [thingPicture(thing, scale)]),
+    element("th", { scope: "row" }, [first?.value(thing) ?? ""]),
+    ...rest.map(({ value, isNumber }) => element("td", { class: isNumber ? "number" : "" }, [value(thing)])),
+  ]);
+}
+
+function thingsTable(things: ThingData[]): Table {
+  const columns = ["name", "shape", "width (mm)", "depth (mm)", "height (mm)", "top diameter (mm)", "material", "hardness", "mass (kg)"];
+  const rows = things.map((thing) => [thing.name, thing.shape, ...(thing.size ?? [null, null, null]), thing.top_diameter,
+    thing.material, thing.hardness, thing.mass]);
+  return { columns, rows };
+}

@@ -1,0 +1,80 @@
+// The names of protocols and metrics in words. docs/reference/results.md defines every metric.
+
+import type { ProtocolData, SystemReport } from "./data";
+
+export function systemName(system: SystemReport): string {
+  const name = system.name || system.file || "A system without a name";
+  return system.variation === "" ? name : `${name}, ${system.variation}`;
+}
+
+const kProtocols: Record<string, string> = {
+  train_is_test: "Train = test",
+  leave_one_out: "Leave one out",
+  test_data: "New recording",
+};
+
+export function protocolName(protocol: ProtocolData): string {
+  if (protocol.protocol === "leave_group_out") return `Leave out each ${protocol.group ?? "group"}`;
+  if (protocol.protocol === "k_folds") return "Folds";
+  return kProtocols[protocol.protocol] ?? protocol.protocol.replaceAll("_", " ");
+}
+
+/** Whether all winners of one run are of one map, so that areas mean something. */
+export function hasOneMap(protocol: ProtocolData): boolean {
+  return protocol.protocol === "train_is_test" || protocol.protocol === "test_data";
+}
+
+const kMetrics: Record<string, string> = {
+  accuracy: "Named rightly",
+  baseline_accuracy: "Named rightly by the nearest neighbour",
+  baseline_accuracy_raw: "Nearest neighbour, raw",
+  baseline_accuracy_standardized: "Nearest neighbour, standardized",
+  individuals_apart: "No neuron wins two classes",
+  areas_connected: "One connected area a class",
+  told_exactly: "Classes told exactly",
+  undetermined: "Samples undetermined",
+  with_own: "Samples among their own",
+  on_border: "Winners on the border",
+  order_around: "Order around the map",
+  order_within: "Order within a group",
+  placed_with_most_similar: "Placed with the most similar",
+  quantization_error: "Quantization error",
+  topographic_error: "Topographic error",
+};
+
+/** "shape.with_own" is ["shape", "with_own"]; the label of the study itself has no name there. */
+export function splitMetric(metric: string): [string, string] {
+  const match = /^([^.\s]+)\.(.+)$/s.exec(metric);
+  return match ? [match[1] ?? "", match[2] ?? ""] : ["", metric];
+}
+
+export function metricName(metric: string): string {
+  const [, own] = splitMetric(metric);
+  const mapped = /^mapped_with (.+) (\S+)$/.exec(own);
+  if (mapped) return `Samples of ${mapped[1]} among ${mapped[2]}`;
+  return kMetrics[own] ?? own.replaceAll("_", " ");
+}
+
+const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|similar)/;
+
+/** The least and greatest that a metric can be, where that is known. */
+export function metricRange(metric: string, samples: number, classes: number): [number, number] | null {
+  const [, own] = splitMetric(metric);
+  if (own === "quantization_error") return null;
+  if (own.startsWith("mapped_with")) return null;
+  if (own.startsWith("told_exactly")) return [0, Math.max(1, classes)];
+  if (/^(undetermined|with_own)/.test(own)) return [0, Math.max(1, samples)];
+  return kShares.test(own) ? [0, 1] : null;
+}
+
+/** How well a claim holds, as docs/reproduction.md says it. */
+export function holds(share: number): { words: string; kind: "good" | "middling" | "bad" } {
+  if (share >= 0.95) return { words: "holds", kind: "good" };
+  if (share > 0.5) return { words: "mostly", kind: "middling" };
+  if (share > 0.05) return { words: "sometimes", kind: "middling" };
+  return { words: "does not hold", kind: "bad" };
+}
+
+export function countOf(count: number, one: string, many = `${one}s`): string {
+  return `${count} ${count === 1 ? one : many}`;
+}

@@ -1,0 +1,113 @@
+// The stream of events, and what becomes of it: it is lost when the browser says so or when nothing
+// has come for three pings' time. Then it is tried again every few seconds, and at once when asked.
+
+import type { Scene, State } from "./data";
+import type { Server } from "./server";
+
+export type Link =
+  | { kind: "connecting" }
+  | { kind: "open" }
+  | { kind: "lost"; seconds: number; full: boolean } // until it is tried again; too many look on
+  | { kind: "refused" }; // the token is not the program's
+
+export interface Listener {
+  link(link: Link): void;
+  state(state: State): void;
+  scene(scene: Scene | null): void;
+  frame(text: string): void; // not parsed: most frames may be dropped
+  training(text: string): void;
+}
+
+const silence = 6500; // ms
+const pause = 3; // s
+
+export class Connection {
+  private events: EventSource | null = null;
+  private silent = 0;
+  private countdown = 0;
+  private full = false;
+  private known = false; // whether the scene has been told since connecting
+
+  constructor(
+    private readonly server: Server,
+    private readonly listener: Listener,
+  ) {}
+
+  open(): void {
+    this.close();
+    this.listener.link({ kind: "connecting" });
+    const events = this.server.events();
+    this.events = events;
+    events.onerror = () => void this.lose();
+    events.onopen = () => this.greet();
+    this.listen(events);
+    this.heard();
+  }
+
+  close(): void {
+    this.events?.close();
+    this.events = null;
+    window.clearTimeout(this.silent);
+    window.clearInterval(this.countdown);
+  }
+
+  private listen(events: EventSource): void {
+    const on = (name: string, tell: (text: string) => void) =>
+      events.addEventListener(name, (event: MessageEvent<string>) => {
+        this.heard();
+        tell(event.data);
+      });
+    on("state", (text) => this.listener.state(JSON.parse(text) as State));
+    on("scene", (text) => this.tellScene(JSON.parse(text) as Scene | null));
+    on("frame", (text) => this.listener.frame(text));
+    on("training", (text) => this.listener.training(text));
+    on("ping", () => undefined);
+  }
+
+  private greet(): void {
+    this.known = false;
+    this.listener.link({ kind: "open" });
+    void this.askScene();
+  }
+
+  private async askScene(): Promise<void> {
+    try {
+      const scene = await this.server.scene();
+      if (!this.known) this.tellScene(scene);
+    } catch {
+      // The stream's end tells of what is wrong.
+    }
+  }
+
+  private tellScene(scene: Scene | null): void {
+    this.known = true;
+    this.listener.scene(scene);
+  }
+
+  private heard(): void {
+    window.clearTimeout(this.silent);
+    this.silent = window.setTimeout(() => void this.lose(), silence);
+  }
+
+  private async lose(): Promise<void> {
+    this.close();
+    this.full = false;
+    this.wait(pause);
+    const status = await this.server.status();
+    this.full = status === 503;
+    if (status !== 401 && status !== 403) return;
+    this.close();
+    this.listener.link({ kind: "refused" });
+  }
+
+  private wait(seconds: number): void {
+    let left = seconds;
+    const tell = () => this.listener.link({ kind: "lost", seconds: left, full: this.full });
+    tell();
+    this.countdown = window.setInterval(() => {
+      left -= 1;
+      if (left <= 0) this.open();
+      else tell();
+    }, 1000);
+  }
+}

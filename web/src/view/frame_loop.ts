@@ -1,0 +1,80 @@
+// Draws the newest of what has come, once for each picture of the browser, and counts what came in
+// between and was dropped. Nothing is drawn while nobody sees it, since the browser then asks for no
+// pictures.
+
+export interface Work {
+  drawn: number;
+  dropped: number;
+  usual: number; // ms of the page's own work, the middle of the last `remembered` frames
+  most: number; // ms, of those
+  drawing: number; // ms, the middle of what drawing in three dimensions took besides
+}
+
+/** Where drawing in three dimensions adds the time it takes: it waits for the browser. */
+export const drawingClock = { time: 0 };
+
+const remembered = 120;
+
+export class FrameLoop {
+  private waiting: string | null = null;
+  private asked = false;
+  private drawn = 0;
+  private dropped = 0;
+  private readonly times = new Times();
+  private readonly drawings = new Times();
+
+  constructor(
+    private readonly draw: (text: string) => void,
+    private readonly tell: (work: Work) => void,
+  ) {}
+
+  take(text: string): void {
+    if (this.waiting !== null) this.dropped += 1;
+    this.waiting = text;
+    this.ask();
+  }
+
+  private ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    window.requestAnimationFrame(() => this.picture());
+  }
+
+  private picture(): void {
+    this.asked = false;
+    const text = this.waiting;
+    this.waiting = null;
+    if (text === null) return;
+    const begin = performance.now();
+    const drawnBefore = drawingClock.time;
+    this.draw(text);
+    const drawing = drawingClock.time - drawnBefore;
+    this.count(performance.now() - begin - drawing, drawing);
+  }
+
+  private count(time: number, drawing: number): void {
+    this.drawn += 1;
+    this.times.add(time);
+    this.drawings.add(drawing);
+    const { drawn, dropped, times, drawings } = this;
+    this.tell({ drawn, dropped, usual: times.middle, most: times.most, drawing: drawings.middle });
+  }
+}
+
+/** The newest of some times. */
+class Times {
+  private readonly all: number[] = [];
+
+  add(time: number): void {
+    this.all.push(time);
+    if (this.all.length > remembered) this.all.shift();
+  }
+
+  get middle(): number {
+    return [...this.all].sort((a, b) => a - b)[Math.floor(this.all.length / 2)] ?? 0;
+  }
+
+  get most(): number {
+    return Math.max(...this.all);
+  }
+}

@@ -1,0 +1,74 @@
+// How things in the three-dimensional picture look: lamps, table, materials. A machine that draws
+// without a graphics processor gets simpler materials and no shadows.
+
+import {
+  Color,
+  DirectionalLight,
+  GridHelper,
+  Group,
+  HemisphereLight,
+  type Material,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  MeshStandardMaterial,
+} from "three";
+
+import { sequenceColour } from "../parts/colour_maps";
+import type { Geom } from "./data";
+
+const kObjectOpacity = 0.72; // that the contacts behind it are seen
+const kGrid = 0.05; // m
+
+export interface Surroundings {
+  table: string; // CSS colours
+  line: string;
+}
+
+export function materialOf(geom: Geom, simple: boolean): Material {
+  if (geom.taxel !== null) return new MeshBasicMaterial({ color: forceColour(0) });
+  const [red, green, blue, alpha] = geom.colour;
+  const isObject = geom.role === "object";
+  const opacity = isObject ? Math.min(alpha, kObjectOpacity) : alpha;
+  const color = new Color().setRGB(red, green, blue, "srgb");
+  const look = { color, opacity, transparent: opacity < 1, depthWrite: !isObject };
+  if (simple) return new MeshLambertMaterial(look);
+  return new MeshStandardMaterial({ ...look, roughness: 0.55, metalness: 0.05 });
+}
+
+/** Colours of 0 to 1 in 255 steps; those of the legend, whatever the lamps do. */
+const kForceColours = Array.from({ length: 256 }, (_, i) => new Color(sequenceColour(i / 255)));
+
+export function forceColour(share: number): Color {
+  return kForceColours[Math.round(share * 255)] ?? kForceColours[0]!;
+}
+
+export function lamps(simple: boolean): Group {
+  const group = new Group();
+  const sky = new HemisphereLight(0xffffff, 0x8a8f98, simple ? 2.0 : 1.6);
+  sky.position.set(0, 0, 1);
+  const sun = new DirectionalLight(0xffffff, 1.9);
+  sun.position.set(0.25, -0.35, 0.6);
+  if (!simple) castShadows(sun);
+  group.add(sky, sun, sun.target);
+  return group;
+}
+
+function castShadows(sun: DirectionalLight): void {
+  sun.castShadow = true;
+  sun.shadow.mapSize.set(1024, 1024);
+  sun.shadow.radius = 5;
+  sun.shadow.bias = -0.0004;
+  const view = sun.shadow.camera;
+  Object.assign(view, { left: -0.25, right: 0.25, top: 0.3, bottom: -0.2, near: 0.1, far: 1.6 });
+  view.updateProjectionMatrix();
+}
+
+/** Lines every 5 cm on the table, to measure by eye. */
+export function tableLines(): GridHelper {
+  const lines = new GridHelper(16 * kGrid, 16, "white", "white"); // times the material's colour
+  lines.rotateX(Math.PI / 2);
+  lines.position.z = 0.0006;
+  lines.material.transparent = true;
+  lines.material.opacity = 0.55;
+  return lines;
+}

@@ -1,0 +1,127 @@
+// A map as it answers now, or as it learns.
+
+import { sequenceColour } from "../parts/colour_maps";
+import { element, fill } from "../parts/dom";
+import { choice, segments } from "../parts/controls";
+import { markerLegend } from "../parts/legend";
+import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
+import { svg } from "../parts/svg";
+import type { Frame, State } from "./data";
+import type { Model } from "./model";
+import { Panel } from "./panel";
+import { TrainingView } from "./training_view";
+
+type MapState = State["maps"][number];
+
+export class MapPanel {
+  readonly panel = new Panel(5, "map", "Map");
+  private readonly place = element("div", { class: "map-place" });
+  private readonly legend = element("div", { class: "map-legend" });
+  private readonly nothing = element("p", { class: "empty" });
+  private readonly activity = element("div", { class: "map-activity" }, [this.place, this.legend, this.nothing]);
+  private readonly training: TrainingView;
+  private readonly mode: HTMLElement;
+  private readonly maps = choice("map", [], 0, (index) => this.choose(index));
+  private picture: ValuesPicture | null = null;
+  private map: MapState | null = null;
+  private built = "";
+
+  constructor(private readonly model: Model) {
+    this.training = new TrainingView(model);
+    this.mode = segments("show", ["activity", "learning"], 0, (index) => this.show(index === 1));
+    this.panel.addTools(this.maps.element, this.mode, this.training.button);
+    this.panel.add(this.activity, this.training.root);
+    this.show(false);
+    model.shownState.watch((state) => state && this.take(state));
+    model.map.watch(() => this.build());
+    model.frame.watch((frame) => this.draw(frame));
+    model.question.watch(() => this.markChosen());
+    this.panel.whenOpen(() => this.draw(model.frame.value));
+    this.followTraining();
+  }
+
+  /** Learning is shown when it begins. */
+  private followTraining(): void {
+    let before = false;
+    this.model.shownState.watch((state) => {
+      const now = state?.training ?? false;
+      if (now && !before) this.switchTo(1);
+      before = now;
+    });
+  }
+
+  private switchTo(index: 0 | 1): void {
+    const option = this.mode.querySelectorAll("input")[index];
+    if (option !== undefined) option.checked = true;
+    this.show(index === 1);
+  }
+
+  private show(learning: boolean): void {
+    this.activity.hidden = learning;
+    this.training.root.hidden = !learning;
+  }
+
+  private choose(index: number): void {
+    this.model.map.set(this.model.shownState.value?.maps[index]?.module ?? null);
+  }
+
+  private take(state: State): void {
+    const names = state.maps.map(({ module }) => module);
+    this.maps.setOptions(names, Math.max(0, names.indexOf(this.model.map.value ?? "")));
+    this.maps.element.hidden = names.length < 2;
+    this.build();
+  }
+
+  /** Anew only when the map is another: what is pointed at stays. */
+  private build(): void {
+    const state = this.model.shownState.value;
+    this.map = state?.maps.find(({ module }) => module === this.model.map.value) ?? null;
+    const text = JSON.stringify(this.map);
+    if (text === this.built) return;
+    this.built = text;
+    this.picture = this.map === null ? null : this.makePicture(this.map);
+    fill(this.place, [this.picture?.element ?? null]);
+    fill(this.legend, [this.map === null ? null : classLegend(this.map.classes)]);
+    this.draw(this.model.frame.value);
+  }
+
+  private makePicture(map: MapState): ValuesPicture {
+    const picture = valuesPicture(map.grid, {
+      label: `Activity of the map ${map.module}`,
+      colour: sequenceColour,
+      legend: false,
+      onChoose: (neuron) => void this.model.askNeuron(map.module, neuron),
+    });
+    picture.setMarks(map.neuron_classes, map.classes);
+    picture.element.querySelector("output")?.setAttribute("aria-live", "off"); // changes with every frame
+    return picture;
+  }
+
+  private draw(frame: Frame | null): void {
+    const shown = this.map === null ? undefined : frame?.maps[this.map.module];
+    this.nothing.hidden = this.map !== null && (shown !== undefined || this.map.classes.length > 0);
+    this.nothing.textContent = whyNoMap(this.model.shownState.value);
+    if (this.picture === null || !this.panel.isOpen.value) return;
+    this.picture.setValues(shown?.activity ?? [], [0, 1]);
+    this.picture.setWinner(shown?.winner ?? null);
+    this.place.dataset["winner"] = String(shown?.winner ?? "");
+  }
+
+  private markChosen(): void {
+    const question = this.model.question.value;
+    const neuron = question?.about === "neuron" && question.map === this.map?.module ? question.neuron : null;
+    this.picture?.select(neuron);
+  }
+}
+
+function classLegend(names: readonly string[]): SVGSVGElement {
+  const { group, height } = markerLegend(380, names);
+  return svg(380, height, `Classes: ${names.join(", ")}`, [group]);
+}
+
+function whyNoMap(state: State | null): string {
+  if (state === null) return "Waiting for the program.";
+  if (state.system === null) return "No system is chosen.";
+  if (state.graph !== null && state.maps.length === 0) return "None of its maps can be drawn.";
+  return "This system has not learned yet: press Learn, and watch its map unfold.";
+}

@@ -1,0 +1,128 @@
+// What the page knows, and what it asks the program. Panels watch it and tell it; they do not know
+// each other.
+
+import type { ChannelData } from "../parts/data";
+import type { Link, Listener } from "./connection";
+import type { Command, Frame, NeuronAnswer, Scene, State, TaxelAnswer, Training } from "./data";
+import { ForceScale } from "./force_scale";
+import { History } from "./history";
+import { Observable } from "./observable";
+import { Refused, type Server } from "./server";
+
+/** What was clicked, and what came of it; null until it has come. */
+export type Question =
+  | { about: "neuron"; map: string; neuron: number; answer: NeuronAnswer | null }
+  | { about: "taxel"; element: number; answer: TaxelAnswer | null };
+
+type Tell = Pick<Listener, "link" | "state" | "scene">;
+
+export class Model implements Tell {
+  readonly shownState = new Observable<State | null>(null);
+  readonly shownScene = new Observable<Scene | null>(null);
+  readonly sceneKnown = new Observable(false);
+  readonly frame = new Observable<Frame | null>(null);
+  readonly training = new Observable<Training | null>(null);
+  readonly shownLink = new Observable<Link>({ kind: "connecting" });
+  readonly problem = new Observable<string | null>(null);
+  readonly question = new Observable<Question | null>(null);
+  readonly module = new Observable<string | null>(null);
+  readonly map = new Observable<string | null>(null);
+  readonly theme = new Observable(0); // set when the colours have changed
+  readonly history = new History();
+  readonly scale = new ForceScale();
+
+  constructor(private readonly server: Server) {}
+
+  link(link: Link): void {
+    this.shownLink.set(link);
+  }
+
+  state(told: State): void {
+    const state = { ...told, channels: told.channels.map(named) };
+    const before = this.shownState.value;
+    if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
+    if (before?.name !== state.name) this.history.clear();
+    this.keepChoices(state);
+    this.scale.unit = state.channels.find(({ name }) => name === "touch")?.unit ?? "";
+    this.shownState.set(state);
+    if (before !== null && before.system !== state.system) this.forget();
+  }
+
+  scene(scene: Scene | null): void {
+    this.sceneKnown.set(true);
+    this.shownScene.set(scene);
+  }
+
+  draw(frame: Frame): void {
+    this.history.add(frame);
+    this.scale.see(frame.exploration, frame.channels["touch"] ?? []);
+    this.frame.set(frame);
+  }
+
+  async tell(command: Command): Promise<void> {
+    try {
+      await this.server.command(command);
+    } catch (problem) {
+      this.problem.set(sentenceOf(problem));
+    }
+  }
+
+  async askNeuron(map: string, neuron: number): Promise<void> {
+    const question: Question = { about: "neuron", map, neuron, answer: null };
+    await this.ask(question, async () => ({ ...question, answer: await this.server.neuron(map, neuron) }));
+  }
+
+  async askTaxel(element: number): Promise<void> {
+    const question: Question = { about: "taxel", element, answer: null };
+    await this.ask(question, async () => ({ ...question, answer: await this.server.taxel(element) }));
+  }
+
+  /** An answer that comes after the next question is not shown. */
+  private async ask(question: Question, answer: () => Promise<Question>): Promise<void> {
+    this.question.set(question);
+    try {
+      const answered = await answer();
+      if (this.question.value === question) this.question.set(answered);
+    } catch (problem) {
+      if (this.question.value === question) this.question.set(null);
+      this.problem.set(sentenceOf(problem));
+    }
+  }
+
+  private keepChoices(state: State): void {
+    const maps = state.maps.map((map) => map.module);
+    if (!maps.includes(this.map.value ?? "")) this.map.set(this.preferredMap(state, maps));
+    const modules = state.graph?.modules.map((module) => module.name) ?? [];
+    if (!modules.includes(this.module.value ?? "")) this.module.set(preferredModule(state));
+  }
+
+  private preferredMap(state: State, maps: string[]): string | null {
+    const answering = state.graph?.map ?? "";
+    return maps.includes(answering) ? answering : (maps[0] ?? null);
+  }
+
+  /** Answers of another system say nothing about this one. */
+  private forget(): void {
+    this.question.set(null);
+    this.training.set(null);
+  }
+}
+
+/** A channel nothing has come from yet may not know how many elements it has. */
+function named(channel: ChannelData): ChannelData {
+  if (channel.elements.length > 0) return channel;
+  const count = Math.max(1, channel.shape.reduce((product, size) => product * size, 1));
+  return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
+}
+
+/** A memory, where there is one: it shows most. */
+function preferredModule(state: State): string | null {
+  const modules = state.graph?.modules ?? [];
+  const memory = modules.find((module) => module.type === "accumulate");
+  return (memory ?? modules[0])?.name ?? null;
+}
+
+function sentenceOf(problem: unknown): string {
+  if (problem instanceof Refused) return problem.message;
+  return "The program did not answer; the command was not carried out";
+}

@@ -1,0 +1,41 @@
+// What a neuron stands for: its class, its weights back on the hand, and the explorations nearest.
+
+import type { ChannelPlanes } from "../parts/data";
+import { element } from "../parts/dom";
+import { placeOf } from "../parts/grid";
+import { handMap } from "../parts/hand_map";
+import { readable } from "../parts/numbers";
+import type { NeuronAnswer, State } from "./data";
+import { describe } from "./labels";
+import type { Model } from "./model";
+
+const kWidth = 230;
+
+export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): HTMLElement[] {
+  const map = state.maps.find(({ module }) => module === answer.map);
+  const where = map === undefined ? `neuron ${answer.neuron + 1}` : placeOf(map.grid, answer.neuron);
+  const head = element("h3", {}, [`Neuron in ${where}`]);
+  const says = answer.answer === null ? "It stands for none of the classes." : `It stands for ${answer.answer}.`;
+  const planes = answer.planes.map(plane).filter((one) => one !== null);
+  return [head, element("p", { class: "closer-answer" }, [says]), ...nearest(answer, model), ...planes];
+}
+
+function nearest({ nearest: near }: NeuronAnswer, model: Model): HTMLElement[] {
+  if (near.length === 0) return [];
+  const items = near.map(({ exploration, labels, distance }) => {
+    const go = () => void model.tell({ command: "seek", exploration, frame: 0 });
+    const words = describe(labels) || `exploration ${exploration + 1}`;
+    const button = element("button", { type: "button", class: "quiet link-button", title: "Play it", onclick: go }, [words]);
+    return element("li", {}, [button, element("span", { class: "number muted" }, [readable(distance)])]);
+  });
+  return [element("h4", {}, ["Nearest explorations"]), element("ol", { class: "nearest" }, items)];
+}
+
+function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {
+  const own = values[0];
+  if (own === undefined || own.length === 0) return null;
+  const label = `What it expects of ${channel.name}`;
+  const picture = handMap(channel, { label, unit, size: kWidth });
+  picture.setValues(own);
+  return element("div", { class: "plane" }, [element("h4", {}, [channel.name]), picture.element]);
+}

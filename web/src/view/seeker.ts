@@ -1,0 +1,29 @@
+// Scrubbing: at most one seek is under way; of those wanted meanwhile only the newest follows.
+
+import type { Model } from "./model";
+
+export class Seeker {
+  private wanted: { exploration: number; frame: number } | null = null;
+  private running = false;
+
+  constructor(private readonly model: Model) {}
+
+  get busy(): boolean {
+    return this.running;
+  }
+
+  seek(exploration: number, frame: number): void {
+    this.wanted = { exploration, frame };
+    if (!this.running) void this.run();
+  }
+
+  private async run(): Promise<void> {
+    this.running = true;
+    while (this.wanted !== null) {
+      const next = this.wanted;
+      this.wanted = null;
+      await this.model.tell({ command: "seek", ...next });
+    }
+    this.running = false;
+  }
+}

@@ -1,0 +1,42 @@
+// What the page itself does: its connection, and how long it works on a frame.
+
+import { element } from "../parts/dom";
+import type { Link } from "./connection";
+import type { Work } from "./frame_loop";
+import type { Model } from "./model";
+
+export class StatusLine {
+  readonly root: HTMLElement;
+  private readonly link = element("span", { class: "status-link" });
+  private readonly clients = element("span");
+  private readonly frames = element("span", { class: "status-frames" }, ["no frames yet"]);
+  private readonly time = element("span", { class: "status-time" });
+  private told = 0;
+
+  constructor(model: Model) {
+    const label = { class: "status", role: "group", "aria-label": "State of the page" };
+    this.root = element("div", label, [this.link, this.clients, this.frames, this.time]);
+    model.shownLink.watch((link) => this.showLink(link));
+    model.shownState.watch((state) => {
+      const others = state === null ? 0 : state.clients;
+      this.clients.textContent = others === 1 ? "1 page looks on" : `${others} pages look on`;
+      this.clients.hidden = state === null;
+    });
+  }
+
+  /** Words change a few times a second; the numbers in data attributes are always the newest. */
+  work(work: Work): void {
+    const { drawn, dropped, usual, most, drawing } = work;
+    Object.assign(this.root.dataset, { drawn, dropped, usual: usual.toFixed(2), most: most.toFixed(2), drawing: drawing.toFixed(2) });
+    const now = performance.now();
+    if (now - this.told < 250) return;
+    this.told = now;
+    this.frames.textContent = `frames: ${drawn} drawn, ${dropped} dropped`;
+    this.time.textContent = `own work ${usual.toFixed(1)} ms a frame, at most ${most.toFixed(1)} ms; 3D drawing ${drawing.toFixed(1)} ms`;
+  }
+
+  private showLink(link: Link): void {
+    this.link.textContent = { connecting: "connecting", open: "connected", lost: "not connected", refused: "refused" }[link.kind];
+    this.link.dataset["kind"] = link.kind;
+  }
+}

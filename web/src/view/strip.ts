@@ -1,0 +1,107 @@
+// One channel over time: lines, a band for each element where there are many, or the wave of a sound.
+
+import uPlot from "uplot";
+
+import type { ChannelData } from "../parts/data";
+import { element, fill } from "../parts/dom";
+import type { Model } from "./model";
+import { bandPlot } from "./strip_band";
+import { linePlot } from "./strip_lines";
+import { wavePlot } from "./strip_wave";
+import { StripValues } from "./strip_values";
+
+/** How a kind of strip is made and what it is given. */
+export interface Plot {
+  options: Partial<uPlot.Options>;
+  data: () => uPlot.AlignedData;
+}
+
+type Kind = "lines" | "bands" | "wave";
+
+/** Its types leave this out: changes made inside are drawn at its end, not later. */
+interface Batching extends uPlot {
+  batch(run: (plot: uPlot) => void): void;
+}
+
+const kMostLines = 12;
+const kHeight = 60; // before its place is known
+
+export class Strip {
+  readonly root: HTMLElement;
+  private readonly place = element("div", { class: "strip-plot" });
+  private readonly values: StripValues;
+  private plot: Batching | null = null;
+  private data: (() => uPlot.AlignedData) | null = null;
+  private kind: Kind | null = null;
+  private readonly observer = new ResizeObserver(() => this.resize());
+
+  constructor(
+    private readonly channel: ChannelData,
+    private readonly model: Model,
+  ) {
+    this.values = new StripValues(channel);
+    const unit = channel.unit === "" ? null : element("span", { class: "muted" }, [channel.unit]);
+    const title = element("h3", {}, [channel.name, " ", unit]);
+    const head = element("div", { class: "strip-head" }, [title, this.values.root]);
+    this.root = element("div", { class: "strip", "data-channel": channel.name }, [head, this.place]);
+    this.place.setAttribute("role", "img");
+    this.place.setAttribute("aria-label", `${channel.name} over time${channel.unit && `, in ${channel.unit}`}`);
+    this.observer.observe(this.place);
+  }
+
+  draw(): void {
+    const values = this.model.frame.value?.channels[this.channel.name] ?? null;
+    this.values.show(values);
+    if (values === null && this.plot === null) return;
+    this.make(this.kindOf(values));
+    const data = this.data?.() ?? null;
+    // As one batch, so that it is drawn now and counted as the page's own work.
+    if (data !== null) this.plot?.batch((plot: uPlot) => plot.setData(data));
+  }
+
+  destroy(): void {
+    this.observer.disconnect();
+    this.plot?.destroy();
+  }
+
+  private kindOf(values: readonly number[] | null): Kind {
+    if (values === null) return this.kind ?? "lines";
+    if (values.length > this.channel.elements.length) return "wave";
+    return this.channel.elements.length > kMostLines ? "bands" : "lines";
+  }
+
+  private make(kind: Kind): void {
+    if (kind === this.kind) return;
+    this.kind = kind;
+    this.plot?.destroy();
+    fill(this.place, []);
+    const make = { lines: linePlot, bands: bandPlot, wave: wavePlot }[kind];
+    const { options, data } = make(this.channel, this.model);
+    const size = { width: this.place.clientWidth || 300, height: this.place.clientHeight || kHeight };
+    this.data = data;
+    this.plot = new uPlot({ ...size, legend: { show: false }, padding: [5, 6, 0, 0], series: [], ...options }, data(), this.place) as Batching;
+    this.seekOnClick(kind);
+  }
+
+  /** A click goes to that moment. */
+  private seekOnClick(kind: Kind): void {
+    const plot = this.plot;
+    if (plot === null || kind === "wave") return;
+    plot.over.addEventListener("click", (event) => {
+      const box = plot.over.getBoundingClientRect();
+      this.seek(plot.posToVal(event.clientX - box.left, "x"));
+    });
+  }
+
+  private seek(time: number): void {
+    const { exploration, frames, duration } = this.model.shownState.value ?? {};
+    if (exploration === null || exploration === undefined || !frames || !duration) return;
+    const frame = Math.round((time / duration) * (frames - 1));
+    void this.model.tell({ command: "seek", exploration, frame: Math.min(frames - 1, Math.max(0, frame)) });
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.place;
+    if (width > 0 && height > 0) this.plot?.setSize({ width, height });
+  }
+}

@@ -1,0 +1,64 @@
+// What the strips over time have in common: the axes, and the line at the moment that is shown.
+
+import type uPlot from "uplot";
+
+import type { Model } from "./model";
+import { themeColour } from "./theme_colours";
+
+const kLeast = 5; // s, shown when little has come yet
+const kFont = "10px system-ui, 'Noto Sans', 'Liberation Sans', sans-serif";
+
+export function timeScale(model: Model): uPlot.Scale {
+  return {
+    time: false,
+    range: () => [0, timeEnd(model)],
+  };
+}
+
+/** The time that the strips end at. */
+export function timeEnd(model: Model): number {
+  const known = model.shownState.value?.duration ?? null;
+  const seen = model.history.times.at(-1) ?? 0;
+  return Math.max(known ?? kLeast, seen, 0.1);
+}
+
+export function axes(y: Partial<uPlot.Axis> = {}): uPlot.Axis[] {
+  const look = {
+    stroke: themeColour("muted"),
+    font: kFont,
+    grid: { stroke: themeColour("line"), width: 1 },
+    ticks: { show: false },
+  };
+  const x = { ...look, size: 18, gap: 2, space: 50 };
+  return [x, { ...look, size: 40, gap: 4, space: 22, ...y }];
+}
+
+export function drawMoment(model: Model): (plot: uPlot) => void {
+  const colour = themeColour("accent");
+  return (plot) => {
+    const time = model.frame.value?.time;
+    if (time === undefined) return;
+    const x = Math.round(plot.valToPos(time, "x", true)) + 0.5;
+    const { context, top, height } = { context: plot.ctx, top: plot.bbox.top, height: plot.bbox.height };
+    context.save();
+    context.strokeStyle = colour;
+    context.lineWidth = 1.5 * devicePixelRatio;
+    context.beginPath();
+    context.moveTo(x, top);
+    context.lineTo(x, top + height);
+    context.stroke();
+    context.restore();
+  };
+}
+
+export const kCursor: uPlot.Cursor = {
+  drag: { x: false, y: false, setScale: false },
+  points: { show: false },
+  y: false,
+  sync: { key: "strips" },
+};
+
+/** Numbers at an axis: short. */
+export function tickWords(_: uPlot, values: number[]): string[] {
+  return values.map((value) => String(Number(value.toPrecision(6))).replace("-", "−"));
+}

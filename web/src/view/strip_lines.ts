@@ -1,0 +1,56 @@
+// A line for each element. Colour and dashes tell them apart.
+
+import type uPlot from "uplot";
+
+import type { ChannelData } from "../parts/data";
+import { kClassColours } from "../parts/colour_maps";
+import { isGap } from "./gaps";
+import type { Model } from "./model";
+import type { Plot } from "./strip";
+import { axes, drawMoment, kCursor, tickWords, timeEnd, timeScale } from "./strip_axes";
+import { themeColour } from "./theme_colours";
+
+const kDashes = [[], [5, 2], [2, 2], [6, 2, 1, 2]];
+const kOrder = [0, 1, 2, 3, 5, 4, 7, 6]; // yellow last: it is faint on white
+
+export function lineLook(element: number): { colour: string; dash: number[] } {
+  const colour = themeColour(`class-${kOrder[element % kClassColours] ?? 0}`);
+  return { colour, dash: kDashes[element % kDashes.length] ?? [] };
+}
+
+export function linePlot(channel: ChannelData, model: Model): Plot {
+  const series = channel.elements.map((name, i): uPlot.Series => {
+    const { colour, dash } = lineLook(i);
+    return { label: name, stroke: colour, dash, width: 1.5, points: { show: fewPoints, size: 4 } };
+  });
+  const options = {
+    scales: { x: timeScale(model), y: { range: comfortable } },
+    axes: axes({ values: tickWords }),
+    series: [{}, ...series],
+    cursor: kCursor,
+    hooks: { draw: [drawMoment(model)] },
+  };
+  return { options, data: () => columns(channel, model) };
+}
+
+/** A little air above and below; never a range of nothing. */
+function comfortable(_: uPlot, low: number | null, high: number | null): [number, number] {
+  if (low === null || high === null || !Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
+  const air = high > low ? (high - low) * 0.08 : Math.max(1, Math.abs(high) * 0.1);
+  return [low - air, high + air];
+}
+
+/** Where few frames have been seen, each is a dot. */
+function fewPoints(_: uPlot, __: number, first: number, last: number): boolean {
+  return last - first < 16;
+}
+
+/** With nothing in the middle of a gap, so that no line is drawn over it. */
+function columns(channel: ChannelData, model: Model): uPlot.AlignedData {
+  const { times } = model.history;
+  const rows = model.history.rows(channel.name);
+  const end = timeEnd(model);
+  const cuts = times.map((time, i) => (isGap(times, i, end) ? [time, (time + times[i + 1]!) / 2] : [time]));
+  const column = (element: number) => cuts.flatMap(({ length }, i) => [rows[i]?.[element] ?? null, null].slice(0, length));
+  return [cuts.flat(), ...channel.elements.map((_, i) => column(i))];
+}

@@ -1,0 +1,87 @@
+// What was felt, over time: a strip for each channel that is chosen.
+
+import type { ChannelData } from "../parts/data";
+import { element, fill } from "../parts/dom";
+import type { State } from "./data";
+import { drawsInSoftware } from "./graphics";
+import type { Model } from "./model";
+import { Panel } from "./panel";
+import { Strip } from "./strip";
+
+// ms: strips change slowly.
+const kPause = 60;
+const kPauseInSoftware = 250;
+const kFirst = ["joints", "touch", "sound"];
+const kMost = 4;
+
+export class StripsPanel {
+  readonly panel = new Panel(2, "strips", "Over time");
+  private readonly place = element("div", { class: "strips" });
+  private readonly buttons = element("div", { class: "strip-choice", role: "group", "aria-label": "Channels" });
+  private strips: Strip[] = [];
+  private chosen = new Set<string>();
+  private listed = "";
+  private last = 0;
+  private timer = 0;
+
+  constructor(private readonly model: Model) {
+    this.panel.addTools(this.buttons);
+    this.panel.add(this.place);
+    model.shownState.watch((state) => state && this.take(state));
+    model.frame.watch(() => this.ask());
+    model.theme.watch(() => this.rebuild());
+    this.panel.whenOpen(() => this.rebuild());
+  }
+
+  private take(state: State): void {
+    const text = JSON.stringify(state.channels);
+    if (text !== this.listed) {
+      this.listed = text;
+      this.chosen = new Set(preferred(state.channels));
+      this.rebuild();
+    }
+    this.ask();
+  }
+
+  private rebuild(): void {
+    const channels = this.model.shownState.value?.channels ?? [];
+    for (const strip of this.strips) strip.destroy();
+    this.strips = channels.filter(({ name }) => this.chosen.has(name)).map((channel) => new Strip(channel, this.model));
+    fill(this.buttons, channels.map((channel) => this.button(channel)));
+    const empty = element("p", { class: "empty" }, [channels.length === 0 ? "Nothing has been felt yet." : "No channel is chosen."]);
+    fill(this.place, this.strips.length === 0 ? [empty] : this.strips.map(({ root }) => root));
+    this.place.dataset["count"] = String(this.strips.length);
+    this.ask();
+  }
+
+  private button({ name }: ChannelData): HTMLButtonElement {
+    const attributes = { type: "button", class: "chip", "aria-pressed": String(this.chosen.has(name)) };
+    const button = element("button", attributes, [name]);
+    button.addEventListener("click", () => {
+      if (!this.chosen.delete(name)) this.chosen.add(name);
+      this.rebuild();
+      [...this.buttons.querySelectorAll("button")].find((other) => other.textContent === name)?.focus();
+    });
+    return button;
+  }
+
+  /** Draws now if the last time is long enough ago, else soon. */
+  private ask(): void {
+    window.clearTimeout(this.timer);
+    const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();
+    if (wait <= 0) this.draw();
+    else this.timer = window.setTimeout(() => this.draw(), wait);
+  }
+
+  private draw(): void {
+    this.last = performance.now();
+    if (!this.panel.isOpen.value || document.hidden) return;
+    for (const strip of this.strips) strip.draw();
+  }
+}
+
+function preferred(channels: readonly ChannelData[]): string[] {
+  const names = channels.map(({ name }) => name);
+  const first = kFirst.filter((name) => names.includes(name));
+  return [...first, ...names.filter((name) => !first.includes(name))].slice(0, kMost);
+}

@@ -1,0 +1,92 @@
+// A map that is learning: how far it is, its U-matrix, and who wins where.
+
+import { element, fill } from "../parts/dom";
+import { markerLegend } from "../parts/legend";
+import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
+import { svg } from "../parts/svg";
+import type { State, Training } from "./data";
+import { mostOften } from "./most_often";
+import type { Model } from "./model";
+import { digits } from "./numbers";
+
+export class TrainingView {
+  readonly root = element("div", { class: "training" });
+  readonly button = element("button", { type: "button", class: "learn-button" }, ["Learn"]);
+  private readonly progress = element("progress", { max: 1, value: 0, "aria-label": "Learning" });
+  private readonly words = element("p", { class: "training-words" });
+  private readonly place = element("div", { class: "map-place" });
+  private readonly legend = element("div", { class: "map-legend" });
+  private picture: ValuesPicture | null = null;
+  private names: string[] = [];
+  private built = "";
+
+  constructor(private readonly model: Model) {
+    fill(this.root, [this.progress, this.words, this.place, this.legend]);
+    this.button.addEventListener("click", () => this.press());
+    model.shownState.watch((state) => this.showButton(state));
+    model.training.watch((training) => this.draw(training));
+  }
+
+  private press(): void {
+    const running = this.model.shownState.value?.training ?? false;
+    void this.model.tell({ command: running ? "stop_training" : "train" });
+  }
+
+  private showButton(state: State | null): void {
+    const running = state?.training ?? false;
+    this.button.textContent = running ? "Stop learning" : "Learn";
+    this.button.disabled = state === null || state.system === null;
+  }
+
+  private draw(training: Training | null): void {
+    this.progress.hidden = training === null;
+    this.words.textContent = training === null ? "Nothing has learned here yet: press Learn." : wordsOf(training);
+    if (training === null) return this.clear();
+    this.progress.max = Math.max(1, training.steps);
+    this.progress.value = training.step;
+    this.build(training);
+    this.picture?.setValues(training.u_matrix);
+    this.mark(training);
+  }
+
+  private clear(): void {
+    this.built = "";
+    this.picture = null;
+    fill(this.place, []);
+    fill(this.legend, []);
+  }
+
+  private build(training: Training): void {
+    const grid = this.model.shownState.value?.maps.find(({ module }) => module === training.module)?.grid;
+    const text = JSON.stringify([training.system, training.module, grid]);
+    if (grid === undefined || text === this.built) return;
+    this.built = text;
+    this.names = [];
+    const label = `U-matrix of ${training.module} while it learns`;
+    this.picture = valuesPicture(grid, { label, legend: false });
+    fill(this.place, [this.picture.element]);
+  }
+
+  private mark(training: Training): void {
+    const names = [...new Set([...this.classes(training), ...training.winners.map((won) => won.class)])];
+    if (names.join("\n") !== this.names.join("\n")) fill(this.legend, [legendOf(names)]);
+    this.names = names;
+    const neurons = training.u_matrix.length;
+    this.picture?.setMarks(mostOften(training.winners, names, neurons), names);
+  }
+
+  private classes(training: Training): string[] {
+    return this.model.shownState.value?.maps.find(({ module }) => module === training.module)?.classes ?? [];
+  }
+}
+
+function wordsOf({ module, step, steps, radius, learning_rate, u_matrix, done }: Training): string {
+  const head = `${module || "The system"} ${done ? "has learned" : "learns"}: step ${step} of ${steps}`;
+  if (u_matrix.length === 0) return head; // what comes before the map
+  return `${head}, radius ${digits(radius)}, learning rate ${learning_rate.toFixed(3)}`;
+}
+
+function legendOf(names: readonly string[]): SVGSVGElement {
+  const { group, height } = markerLegend(380, names);
+  return svg(380, height, `Classes: ${names.join(", ")}`, [group]);
+}

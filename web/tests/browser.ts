@@ -1,0 +1,62 @@
+// What tests of pages share: Debian's Chromium, the built pages, and where screenshots go.
+
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+import { chromium, type Browser, type Page } from "playwright-core";
+
+const kHere = fileURLToPath(new URL(".", import.meta.url));
+const kBuilt = process.env["SOMATO_WEB_OUT"] ?? join(kHere, "..", "dist");
+
+export async function launchBrowser(): Promise<Browser> {
+  const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
+  const args = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+  return chromium.launch({ executablePath, args });
+}
+
+/** The text of a page that `npm run build` made, such as "report.html". */
+export function builtPage(name: string): string {
+  const path = join(kBuilt, name);
+  if (!existsSync(path)) throw new Error(`${path} is not there: run \`npm run build\` first.`);
+  return readFileSync(path, "utf8");
+}
+
+/** JSON as it stands inside a script element: no "<" that could end it. */
+export function asScriptText(data: unknown): string {
+  return JSON.stringify(data).replaceAll("<", "\\u003c");
+}
+
+const kEmptyData = '<script type="application/json" id="report-data">null</script>';
+
+/** Writes report.html with this text as its data, as `somato report` does; its address. */
+export function writeReport(text: string): string {
+  const page = builtPage("report.html");
+  if (page.split(kEmptyData).length !== 2) throw new Error("report.html has no place for its data");
+  const filled = page.split(kEmptyData).join(kEmptyData.replace("null", () => text));
+  const path = join(mkdtempSync(join(tmpdir(), "somato-report-")), "report.html");
+  writeFileSync(path, filled);
+  return pathToFileURL(path).href;
+}
+
+export function screenshotPath(name: string): string {
+  const folder = process.env["SOMATO_SCREENSHOTS"] ?? join(kBuilt, "screenshots");
+  mkdirSync(folder, { recursive: true });
+  return join(folder, `${name}.png`);
+}
+
+/** What axe-core has against the page as it is now: [] when nothing. */
+export async function accessibilityViolations(page: Page): Promise<string[]> {
+  const source = readFileSync(join(kHere, "..", "node_modules", "axe-core", "axe.min.js"), "utf8");
+  await page.evaluate(source);
+  return page.evaluate(async () => {
+    const axe = (globalThis as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } }).axe;
+    interface Violation {
+      id: string;
+      nodes: { target: string[]; failureSummary?: string }[];
+    }
+    const { violations } = await axe.run();
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => `${node.target.join(" ")} (${node.failureSummary ?? ""})`).join("; ")}`);
+  });
+}

@@ -1,0 +1,105 @@
+import { describe, expect, test } from "vitest";
+
+import type { ModuleData } from "../../src/parts/data";
+import { graphLayout } from "../../src/parts/graph_layout";
+import { gridLayout, handLayout, rowSizes } from "../../src/parts/hand_layout";
+import { nearestTowards } from "../../src/parts/hand_map";
+import { hull } from "../../src/parts/thing_picture";
+import { randomNumbers, reportFixture, touchElements } from "../report_fixture";
+
+function module(name: string, inputs: string[], type = "code"): ModuleData {
+  const ports = inputs.map((one, i) => ({ port: String(i), module: one }));
+  return { name, type, text: "", inputs: ports, shape: [], sparse: false, rate: "frame", learns: false, parameters: {}, not_given: [] };
+}
+
+function overlaps(modules: ModuleData[]): string[] {
+  const { layers, rows } = graphLayout(modules);
+  return modules.flatMap((one, i) =>
+    modules.slice(0, i).flatMap((other, j) => (layers[i] === layers[j] && Math.abs(rows[i]! - rows[j]!) < 0.999 ? [`${one.name} on ${other.name}`] : [])),
+  );
+}
+
+describe("the layout of a graph", () => {
+  test("goes from left to right without overlaps", () => {
+    const { modules } = reportFixture().systems[0]!.graph!;
+    const { layers, links } = graphLayout(modules);
+    for (const link of links) if (!link.isBack) expect(layers[link.to]!).toBeGreaterThan(layers[link.from]!);
+    expect(overlaps(modules)).toEqual([]);
+  });
+
+  test("draws backwards what enters a delay, and nothing else", () => {
+    const loop = [module("a", []), module("sum", ["a", "late"]), module("late", ["sum"], "delay"), module("map", ["sum"])];
+    const back = graphLayout(loop).links.filter((link) => link.isBack);
+    expect(back.map((link) => [loop[link.from]!.name, loop[link.to]!.name])).toEqual([["sum", "late"]]);
+  });
+
+  test("ends on loops without a delay, on itself and on inputs that are not there", () => {
+    const odd = [module("a", ["b"]), module("b", ["a"]), module("c", ["c", "nobody"])];
+    expect(graphLayout(odd).links.filter((link) => link.isBack).length).toBe(2);
+    expect(graphLayout([]).rowCount).toBe(1);
+  });
+
+  test("has no overlaps in random graphs", () => {
+    const random = randomNumbers(5);
+    for (let round = 0; round < 60; round += 1) {
+      const modules = Array.from({ length: 2 + Math.floor(random() * 25) }, (_, i) =>
+        module(`m${i}`, Array.from({ length: i === 0 ? 0 : Math.floor(random() * 4) }, () => `m${Math.floor(random() * i)}`)),
+      );
+      expect(overlaps(modules)).toEqual([]);
+      for (const row of graphLayout(modules).rows) expect(row).toBeGreaterThanOrEqual(0);
+    }
+  });
+});
+
+describe("the layout of a hand", () => {
+  test("has rows as the hands' models have", () => {
+    expect(rowSizes(7, "proximal")).toEqual([2, 3, 2]);
+    expect(rowSizes(8, "distal")).toEqual([3, 2, 3]);
+    expect(rowSizes(3, "distal")).toEqual([2, 1]);
+    expect(rowSizes(3, "proximal")).toEqual([1, 1, 1]);
+    expect(rowSizes(20, "proximal").reduce((sum, size) => sum + size, 0)).toBe(20);
+  });
+
+  test("sets fingers side by side, distal above proximal, low numbers next to the palm", () => {
+    const names = touchElements();
+    const layout = handLayout(names)!;
+    const at = (name: string) => layout.dots[names.indexOf(name)]!;
+    expect(layout.fingers.map((finger) => finger.name)).toEqual(["finger1", "finger2", "finger3"]);
+    expect(at("finger1_distal_8").y).toBeLessThan(at("finger1_distal_1").y);
+    expect(at("finger1_distal_1").y).toBeLessThan(at("finger1_proximal_7").y);
+    expect(at("finger2_proximal_1").x).toBeGreaterThan(at("finger1_proximal_1").x);
+  });
+
+  test.each([
+    ["Hand II", touchElements()],
+    ["Hand III", ["thumb", "index", "middle", "ring", "little"].flatMap((finger) =>
+      [["proximal", finger === "thumb" ? 2 : 3], ["middle", finger === "thumb" ? 0 : 2], ["distal", 3]].flatMap(([segment, count]) =>
+        Array.from({ length: Number(count) }, (_, i) => `${finger}_${segment}_${i + 1}`)))],
+  ])("has no two elements of %s on each other, and all on a segment", (_, names) => {
+    const layout = handLayout(names)!;
+    layout.dots.forEach((dot, i) => {
+      const within = layout.segments.filter(({ x, y, width, height }) => dot.x > x && dot.x < x + width && dot.y > y && dot.y < y + height);
+      expect(within.length).toBe(1);
+      for (const other of layout.dots.slice(0, i)) expect(Math.hypot(dot.x - other.x, dot.y - other.y)).toBeGreaterThan(0.95);
+    });
+  });
+
+  test("is a grid where names do not tell of a hand", () => {
+    expect(handLayout(["height", "wrist"])).toBeNull();
+    expect(handLayout([])).toBeNull();
+    expect(gridLayout(6, [2, 3])).toMatchObject({ width: 3, height: 2 });
+    expect(gridLayout(0, []).dots).toEqual([]);
+  });
+
+  test("is walked by arrow keys from end to end", () => {
+    const layout = handLayout(touchElements())!;
+    const seen = new Set([0]);
+    for (const at of seen) for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) seen.add(nearestTowards(layout, at, dx!, dy!));
+    expect(seen.size).toBe(45);
+  });
+});
+
+test("a hull goes around all points and through corners alone", () => {
+  const square = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1], [1, 0]] as [number, number][];
+  expect(hull(square).length).toBe(4);
+});

@@ -1,0 +1,110 @@
+// What the view works out without a browser.
+
+import { describe, expect, test } from "vitest";
+
+import type { Frame } from "../../src/view/data";
+import { ForceScale, roundNumber } from "../../src/view/force_scale";
+import { isGap } from "../../src/view/gaps";
+import { geometryOf } from "../../src/view/geometry";
+import { History } from "../../src/view/history";
+import { describe as describeLabels } from "../../src/view/labels";
+import { mostOften } from "../../src/view/most_often";
+import { digits, withUnit } from "../../src/view/numbers";
+import { fakeFrame } from "../fake_frames";
+import { fakePoses, fakeScene, kThings } from "../fake_hand";
+
+function frame(exploration: number, index: number): Frame {
+  return fakeFrame(exploration, index);
+}
+
+describe("the frames that have been seen", () => {
+  test("stand in their order, each once", () => {
+    const history = new History();
+    for (const index of [3, 1, 2, 3, 0]) history.add(frame(0, index));
+    expect(history.times).toEqual([0, 0.1, 0.2, 0.3]);
+    expect(history.rows("joints")[2]).toEqual(frame(0, 2).channels["joints"]);
+    expect(history.rows("nothing")).toEqual([[], [], [], []]);
+  });
+
+  test("are those of one exploration", () => {
+    const history = new History();
+    history.add(frame(0, 5));
+    history.add(frame(1, 7));
+    expect(history.times).toEqual([0.7]);
+  });
+});
+
+describe("the scale of touch", () => {
+  test("ends at a round number not below the most that was seen", () => {
+    expect([0, 0.03, 1, 1.01, 2, 4.2, 70, 5.000000001].map(roundNumber)).toEqual([1, 0.05, 1, 2, 2, 5, 100, 5]);
+  });
+
+  test("follows the exploration, unless it is held", () => {
+    const scale = new ForceScale();
+    scale.see(0, [3, Number.NaN, -4]);
+    expect([scale.end, scale.share(2.5), scale.share(-9), scale.share(Number.NaN)]).toEqual([5, 0.5, 1, 0]);
+    scale.see(1, [0.2]);
+    expect(scale.end).toBe(0.2);
+    scale.held = true;
+    scale.see(1, [40]);
+    expect(scale.end).toBe(0.2);
+  });
+
+  test("does not show the noise of a force as if it were touch", () => {
+    const scale = new ForceScale();
+    scale.unit = "N";
+    scale.see(0, [0.05]);
+    expect(scale.end).toBe(1);
+  });
+});
+
+test("a jump makes a gap, a dropped frame none", () => {
+  const times = [0, 0.1, 0.4, 3, 3.1];
+  expect(times.map((_, i) => isGap(times, i, 20))).toEqual([false, false, true, false, false]);
+  expect(isGap([0, 3], 0, 60)).toBe(false);
+});
+
+test("a neuron's class is the one that it won most of", () => {
+  const won = (winner: number, name: string) => ({ sample: 0, winner, class: name });
+  const winners = [won(1, "ball"), won(1, "cup"), won(1, "cup"), won(3, "ball")];
+  expect(mostOften(winners, ["ball", "cup"], 4)).toEqual([null, 1, null, 0]);
+});
+
+test("numbers that change keep their decimals", () => {
+  expect([0, 1.234, -12.34, 99.96, 9.996, Number.NaN].map(digits)).toEqual(["0.00", "1.23", "−12.3", "100", "10.0", "–"]);
+  expect(withUnit(1, "N")).toBe("1.00 N");
+});
+
+test("an exploration is called by its object and trial", () => {
+  expect(describeLabels({ object: "cup", trial: "2", shape: "round" })).toBe("cup, trial 2");
+  expect(describeLabels({ material: "cork" })).toBe("cork");
+  expect(describeLabels({})).toBe("");
+});
+
+test("shapes are as large as MuJoCo says", () => {
+  const scene = fakeScene(kThings[1]!);
+  for (const geom of scene.geoms) {
+    const geometry = geometryOf(geom);
+    geometry.computeBoundingBox();
+    const { x, y, z } = geometry.boundingBox!.max;
+    const [a, b, c] = geom.size;
+    const expected = { box: [a, b, c], sphere: [a, a, a], cylinder: [a, a, b] }[geom.type as "box" | "sphere" | "cylinder"];
+    [x, y, z].forEach((size, i) => expect(size, geom.name).toBeCloseTo(expected[i]!, 4));
+  }
+});
+
+test("a mesh of few faces has flat ones", () => {
+  const corner = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], faces: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] };
+  const geometry = geometryOf({ ...fakeScene(kThings[0]!).geoms[0]!, type: "mesh", ...corner });
+  expect(geometry.getAttribute("position").count).toBe(12);
+  expect([0, 1, 2].map((i) => geometry.getAttribute("normal").getZ(i))).toEqual([-1, -1, -1]);
+});
+
+// Of the tests' own hand: straight fingers hang two segments below their pivots.
+test("the made-up hand hangs together", () => {
+  const poses = fakePoses(0.2, 0, [0, 0, 0, 0, 0, 0]);
+  const at = (body: number) => poses.slice(body * 7, body * 7 + 3);
+  [0.065, 0, 0.2].forEach((value, i) => expect(at(2)[i]).toBeCloseTo(value));
+  [0.065, 0, 0.14].forEach((value, i) => expect(at(3)[i]).toBeCloseTo(value));
+  expect(at(8)).toEqual([0, 0, 0]);
+});

@@ -1,0 +1,115 @@
+// What `somato report` writes, in a browser: the page has the numbers of results.json. A probe
+// explores, a system of a few lines is trained and reported; nothing but the program is needed.
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+import type { Browser, Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+
+import { accessibilityViolations, launchBrowser, screenshotPath } from "./browser";
+
+const kSystem = `
+[study]
+name = "pressed"
+label = "material"
+labels = ["hardness"]
+individual = "material"
+protocols = ["train_is_test", "leave_group_out"]
+groups = ["trial"]
+
+[module.potentiometer]
+type = "channel"
+channel = "potentiometer"
+shape = [1]
+
+[module.reading]
+type = "last"
+input = "potentiometer"
+
+[module.map]
+type = "som"
+input = "reading"
+rows = 6
+columns = 8
+lattice = "hexagonal"
+learning_rate_start = 0.3
+iterations = 300
+`;
+
+interface Results {
+  systems: { protocol: string; metrics: Record<string, { values: number[] }>; runs: { winners: number[]; predictions: string[] }[] }[];
+}
+
+let browser: Browser;
+let page: Page;
+let results: Results;
+const problems: string[] = [];
+
+function somato(folder: string, ...words: string[]): void {
+  const program = process.env["SOMATO_PROGRAM"];
+  if (program === undefined) throw new Error("SOMATO_PROGRAM does not say where the program is");
+  execFileSync(program, words, { cwd: folder, stdio: "pipe" });
+}
+
+beforeAll(async () => {
+  const folder = mkdtempSync(join(tmpdir(), "somato-program-"));
+  writeFileSync(join(folder, "pressed.toml"), kSystem);
+  somato(folder, "explore", "--body", "hardness", "--explorations", "3", "-o", "pressed.mcap");
+  somato(folder, "run", "pressed.toml", "--data", "pressed.mcap", "--seeds", "3", "--out", "out");
+  somato(folder, "report", "out/results.json", "--data", "pressed.mcap", "-o", "report.html");
+  results = JSON.parse(readFileSync(join(folder, "out", "results.json"), "utf8")) as Results;
+  browser = await launchBrowser();
+  page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
+  await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#system-1`);
+  await page.waitForFunction(() => document.querySelector("#system-1 .lazy") && !document.querySelector("#system-1 .lazy:empty"));
+});
+
+afterAll(async () => {
+  await browser?.close();
+});
+
+async function savedRows(figure: Locator): Promise<string[][]> {
+  const waiting = page.waitForEvent("download");
+  await figure.getByRole("button", { name: /^CSV:/ }).click();
+  const bytes = readFileSync(await (await waiting).path());
+  return bytes.toString("utf8").trimEnd().split("\r\n").map((line) => line.split(","));
+}
+
+test("has the winners and what was named of results.json, for every protocol and seed", async () => {
+  const winners = page.locator('figure[aria-label="Winners"]');
+  for (const [protocol, { runs }] of results.systems.entries()) {
+    await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: protocol });
+    for (const [seed, run] of runs.entries()) {
+      await page.getByRole("slider", { name: "Seed" }).fill(String(seed));
+      const rows = (await savedRows(winners)).slice(1);
+      expect(rows.map((row) => Number(row[1]) - 1)).toEqual(run.winners);
+      expect(rows.map((row) => row[5])).toEqual(run.predictions);
+    }
+  }
+});
+
+test("has the outcomes of results.json", async () => {
+  await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 0 });
+  const rows = await savedRows(page.locator('figure[aria-label="Outcomes"]'));
+  const values = rows.filter((row) => row[0] === "quantization_error" && row[1] === "here").map((row) => Number(row[3]));
+  expect(values).toEqual(results.systems[0]!.metrics["quantization_error"]!.values);
+});
+
+test("has the graph, the trained map, the moments and the materials", async () => {
+  expect(await page.locator('figure[aria-label="Modules"] .module').count()).toBe(3);
+  expect(await page.locator('figure[aria-label="U-matrix"] [data-cell]').count()).toBe(48);
+  expect(await page.locator('figure[aria-label="Potentiometer at the end"] dd').textContent()).toContain("counts");
+  expect(await page.locator(".things tbody tr").count()).toBe(8);
+});
+
+test("finds no barrier and no error, and looks like this", async () => {
+  expect(await accessibilityViolations(page)).toEqual([]);
+  expect(problems).toEqual([]);
+  await page.screenshot({ path: screenshotPath("report-of-program"), fullPage: true });
+});

@@ -1,0 +1,48 @@
+// What the tests of the view read off its page.
+
+import { fileURLToPath } from "node:url";
+
+import { type Browser, chromium, type Page } from "playwright-core";
+
+import { screenshotPath } from "./browser";
+
+export { accessibilityViolations, launchBrowser } from "./browser";
+
+/** Where `npm run build` has put the pages. */
+export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
+
+/** One that draws nothing in three dimensions. */
+export function launchFlatBrowser(): Promise<Browser> {
+  const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
+  return chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
+}
+
+export async function screenshot(page: Page, name: string): Promise<void> {
+  await page.screenshot({ path: screenshotPath(name) });
+}
+
+/** Tells of everything that goes wrong in a page, for tests to expect none. */
+export function complaints(page: Page): string[] {
+  const heard: string[] = [];
+  page.on("pageerror", (error) => heard.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error" && !/Failed to load resource|ERR_CONNECTION/.test(message.text())) heard.push(message.text());
+  });
+  return heard;
+}
+
+export async function words(page: Page, selector: string): Promise<string> {
+  return (await page.locator(selector).first().innerText()).trim();
+}
+
+export async function firstFrame(page: Page): Promise<void> {
+  await page.waitForSelector(".status[data-drawn]", { state: "attached" });
+}
+
+/** Waits until frame `frame` stands on the page. */
+export async function frameShown(page: Page, frame: number): Promise<void> {
+  await page.waitForFunction(
+    (expected) => document.querySelector<HTMLInputElement>(".transport input[type=range]")?.getAttribute("aria-valuetext")?.startsWith(`frame ${expected} `),
+    frame + 1,
+  );
+}

@@ -1,0 +1,144 @@
+// The view page of the real program: what stands on it is what the recording holds and what the
+// study found. SOMATO_PROGRAM is the program, SOMATO_MCAP_SCRIPTS where tests/mcap has put the
+// official reader of MCAP files.
+
+import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it, vi } from "vitest";
+
+import { digits } from "../src/view/numbers";
+import { complaints, firstFrame, frameShown, launchBrowser, screenshot, words } from "./view_browser";
+
+interface Message {
+  topic: string;
+  value: { event?: string; index?: number; values: number[] };
+}
+
+const program = process.env["SOMATO_PROGRAM"] ?? "";
+const scripts = process.env["SOMATO_MCAP_SCRIPTS"] ?? "";
+const folder = mkdtempSync(join(tmpdir(), "somato-view-"));
+const recording = join(folder, "hand2.mcap");
+const source = process.env["SOMATO_SOURCE"] ?? new URL("../..", import.meta.url).pathname;
+const systems = join(source, "systems");
+
+vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
+
+let browser: Browser;
+let page: Page;
+let heard: string[];
+let view: ChildProcess;
+let messages: Message[];
+let predictions: string[];
+
+beforeAll(async () => {
+  expect(program, "SOMATO_PROGRAM names the program").not.toBe("");
+  expect(scripts, "SOMATO_MCAP_SCRIPTS names where the MCAP reader is").not.toBe("");
+  somato("explore", "--body", "lucs2", "--explorations", "2", "-o", recording);
+  somato("run", join(systems, "tensor_chain.toml"), "--data", recording, "--out", folder, "--seeds", "1");
+  messages = recorded();
+  predictions = predicted();
+  view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], { stdio: ["ignore", "pipe", "inherit"] });
+  const address = await startAddress(view);
+  browser = await launchBrowser();
+  page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  heard = complaints(page);
+  await page.goto(address);
+  await firstFrame(page);
+  await page.getByRole("button", { name: "Pause", exact: true }).click(); // it plays when somebody looks
+  await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  view?.kill();
+  rmSync(folder, { recursive: true });
+  expect(heard ?? []).toEqual([]);
+});
+
+function somato(...flags: string[]): void {
+  execFileSync(program, flags, { stdio: ["ignore", "ignore", "inherit"] });
+}
+
+function recorded(): Message[] {
+  const text = execFileSync(process.execPath, [join(scripts, "read.mjs"), recording], { maxBuffer: 1 << 30, encoding: "utf8" });
+  return (JSON.parse(text) as { stream: Message[] }).stream;
+}
+
+function predicted(): string[] {
+  interface Results {
+    systems: { protocol: string; runs: { predictions: string[] }[] }[];
+  }
+  const { systems } = JSON.parse(readFileSync(join(folder, "results.json"), "utf8")) as Results;
+  return systems.find(({ protocol }) => protocol === "train_is_test")!.runs[0]!.predictions;
+}
+
+function startAddress(program: ChildProcess): Promise<string> {
+  return new Promise((found, failed) => {
+    let said = "";
+    program.on("exit", () => failed(new Error(`somato view has ended: ${said}`)));
+    program.stdout!.on("data", (part: Buffer) => {
+      said += String(part);
+      const address = /http:\/\/\S+token=\w+/.exec(said)?.[0];
+      if (address !== undefined) found(address);
+    });
+  });
+}
+
+const soon = <T>(read: () => T) => expect.poll(read, { timeout: 15_000 });
+
+/** The values of a channel in an exploration, frame by frame. */
+function framesOf(exploration: number, channel: string): number[][] {
+  const begin = messages.findIndex(({ value }) => value.event === "begin" && value.index === exploration);
+  const end = messages.findIndex(({ value }) => value.event === "end" && value.index === exploration);
+  return messages.slice(begin, end).filter(({ topic }) => topic === `/${channel}`).map(({ value }) => value.values);
+}
+
+async function go(exploration: number, frame: number): Promise<void> {
+  await page.getByLabel("Exploration", { exact: true }).selectOption(String(exploration));
+  await frameShown(page, 0);
+  await page.getByRole("slider", { name: "Frame" }).fill(String(frame));
+  await frameShown(page, frame);
+}
+
+it("shows what the recording holds", async () => {
+  for (const [exploration, frame] of [[0, 100], [3, 150]] as const) {
+    await go(exploration, frame);
+    const degrees = framesOf(exploration, "joints")[frame]!.map((angle) => (angle * 180) / Math.PI);
+    await soon(() => page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(degrees.map(digits));
+    const touch = framesOf(exploration, "touch")[frame]!;
+    expect(await words(page, "[data-channel=touch] .strip-values")).toContain(`most ${digits(Math.max(...touch))} at`);
+    expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(digits(framesOf(exploration, "height")[frame]![0]!));
+  }
+  await screenshot(page, "view-program");
+});
+
+it("reads at the end what the study has read", async () => {
+  for (let exploration = 0; exploration < predictions.length; exploration += 1) {
+    await go(exploration, framesOf(exploration, "touch").length - 1);
+    await soon(() => words(page, ".reading-answer")).toBe(predictions[exploration]);
+  }
+});
+
+it("plays and pauses", async () => {
+  await go(0, 10);
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => Number(document.querySelector<HTMLInputElement>(".transport input[type=range]")!.value) > 14);
+  await page.keyboard.press("Space");
+  await soon(() => page.getByRole("button", { name: "Play", exact: true }).count()).toBe(1);
+});
+
+it("tells what neurons and touch sensors stand for", async () => {
+  await page.locator(".panel-map [data-cell='112']").click();
+  await page.waitForSelector(".nearest li");
+  await page.getByLabel("Touch sensor", { exact: true }).selectOption("20");
+  await page.waitForSelector(".closer .map-picture");
+});
+
+it("says that the program has ended", async () => {
+  view.kill();
+  await page.locator(".link-banner", { hasText: "The program has ended or the connection is lost" }).waitFor();
+});
