@@ -62,8 +62,7 @@ Result<void> evaluate(const System& system, const Recording& recording,
   return {};
 }
 
-Result<Activations> evaluate_fixed(const System& system, const Recording& recording,
-                                   const std::vector<std::size_t>& also, std::size_t threads) {
+std::vector<std::size_t> fixed_inputs(const System& system, const std::vector<std::size_t>& also) {
   std::vector<bool> is_wanted(system.modules().size(), false);
   for (const std::size_t module : also) is_wanted[module] = system.is_fixed(module);
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
@@ -76,10 +75,16 @@ Result<Activations> evaluate_fixed(const System& system, const Recording& record
   for (std::size_t module = 0; module < is_wanted.size(); ++module) {
     if (is_wanted[module]) wanted.push_back(module);
   }
+  return wanted;
+}
+
+Result<Activations> evaluate_fixed(const System& system, const Recording& recording,
+                                   const std::vector<std::size_t>& also, std::size_t threads) {
   std::vector<std::size_t> explorations(recording.explorations.size());
   for (std::size_t i = 0; i < explorations.size(); ++i) explorations[i] = i;
   Activations activations(system.modules().size(), explorations.size());
-  auto evaluated = evaluate(system, recording, explorations, wanted, threads, activations);
+  auto evaluated =
+      evaluate(system, recording, explorations, fixed_inputs(system, also), threads, activations);
   if (!evaluated) return fail(std::move(evaluated.error()));
   return activations;
 }

@@ -31,6 +31,11 @@ void EventHub::close() {
   news_.notify_all();
 }
 
+bool EventHub::is_closed() const {
+  const std::lock_guard lock(mutex_);
+  return closed_;
+}
+
 std::unique_ptr<EventHub::Seat> EventHub::take_seat(std::size_t most) {
   {
     const std::lock_guard lock(mutex_);

@@ -38,6 +38,7 @@ class EventHub {
 
   /// Makes everybody leave, now and later.
   void close();
+  bool is_closed() const;
 
   /// Somebody who looks on; used by one thread. It must not outlive the hub.
   class Seat {

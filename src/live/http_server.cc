@@ -125,9 +125,13 @@ void HttpServer::turn_away(int socket) const {
 }
 
 void HttpServer::serve(Visit& visit) {
-  const auto request = visit.connection.read();
-  const bool head_only = request && request->method == "HEAD";
-  visit.connection.write(request ? answer_to(*request) : response_of(request.error()), head_only);
+  try {
+    const auto request = visit.connection.read();
+    const bool head_only = request && request->method == "HEAD";
+    visit.connection.write(request ? answer_to(*request) : response_of(request.error()), head_only);
+  } catch (const std::exception&) {
+    visit.connection.interrupt();
+  }
   visit.done = true;
 }
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "live/view_json.h"
 #include "somato/graph/evaluation.h"
 
 namespace somato::live {
@@ -28,25 +27,6 @@ Json plane_json(const ChannelPlanes& planes, std::size_t neuron) {
           {"values", Json::array({values})}};
 }
 
-Json nearest_json(const Som& som, const Samples& inputs, const Recording& recording,
-                  std::size_t neuron) {
-  SomWorkspace workspace;
-  std::vector<std::pair<double, std::size_t>> distances;
-  distances.reserve(inputs.count());
-  for (std::size_t i = 0; i < inputs.count(); ++i) {
-    distances.emplace_back(som.distance(inputs[i], neuron, workspace), i);
-  }
-  std::sort(distances.begin(), distances.end());
-  Json nearest = Json::array();
-  for (std::size_t i = 0; i < std::min(kNearest, distances.size()); ++i) {
-    const auto& [distance, exploration] = distances[i];
-    nearest.push_back({{"exploration", exploration},
-                       {"labels", labels_json(recording.explorations[exploration].labels)},
-                       {"distance", distance}});
-  }
-  return nearest;
-}
-
 Signal owned(const SignalView& view) {
   std::vector<float> values(view.values.begin(), view.values.end());
   if (!view.sparse) return Signal::dense(std::move(values));
@@ -55,16 +35,16 @@ Signal owned(const SignalView& view) {
 
 }  // namespace
 
+// What a body explores only grows: what was found of its explorations holds.
 void Inquiries::turn_to(const InquiredSystem& asked) {
-  const std::size_t explorations = asked.recording->explorations.size();
-  const bool is_known = asked_.model == asked.model && explorations_ == explorations;
+  const bool is_known = asked_.model == asked.model && asked_.recording->explorations.size() <=
+                                                           asked.recording->explorations.size();
   asked_ = asked;
   if (is_known) return;
-  explorations_ = explorations;
   maps_.clear();
   for (std::size_t i = 0; i < asked_.model->system.modules().size(); ++i) {
     if (som_of(asked_.model->system, i) == nullptr) continue;
-    maps_.push_back({i, channel_planes(asked_.model->system, i), false, {}});
+    maps_.push_back({i, channel_planes(asked_.model->system, i), 0, {}});
   }
 }
 
@@ -75,22 +55,39 @@ Inquiries::KnownMap* Inquiries::find(const std::string& map) {
   return found == maps_.end() ? nullptr : &*found;
 }
 
-// What does not fit the system has no inputs, and nothing is near.
-void Inquiries::find_inputs(KnownMap& map) const {
-  if (std::exchange(map.has_inputs, true)) return;
+// What does not fit the system has no input, and is near to nothing.
+Result<void> Inquiries::find_inputs(KnownMap& map) const {
   const System& system = asked_.model->system;
-  if (system.modules()[map.module].output.rate == Rate::kFrame) return;
+  if (system.modules()[map.module].output.rate == Rate::kFrame) return {};
   const std::size_t input = system.modules()[map.module].inputs.front();
-  std::vector<std::size_t> all(std::min(explorations_, kMostExplorations));
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Activations activations(system.modules().size(), explorations_);
-  if (!evaluate(system, *asked_.recording, all, {input}, 1, activations)) return;
-  std::vector<Signal> signals;
-  signals.reserve(all.size());
-  for (const std::size_t exploration : all) {
-    signals.push_back(owned(activations.find(input, exploration)->values[0]));
+  const std::size_t explorations = asked_.recording->explorations.size();
+  for (; map.seen < std::min(explorations, kMostExplorations); ++map.seen) {
+    if (is_over_()) return fail(ErrorKind::kUsage, "the view is about to end");
+    Activations activations(system.modules().size(), explorations);
+    const std::array<std::size_t, 1> one{map.seen};
+    if (!evaluate(system, *asked_.recording, one, {input}, 1, activations)) continue;
+    map.inputs.push_back({map.seen, owned(activations.find(input, map.seen)->values[0])});
   }
-  if (!signals.empty()) map.inputs = Samples::from_signals(signals);
+  return {};
+}
+
+Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
+  const Som& som = *som_of(asked_.model->system, map.module);
+  SomWorkspace workspace;
+  std::vector<std::pair<double, std::size_t>> distances;
+  distances.reserve(map.inputs.size());
+  for (const ExplorationInput& input : map.inputs) {
+    distances.emplace_back(som.distance(input.signal.view(), neuron, workspace), input.exploration);
+  }
+  std::sort(distances.begin(), distances.end());
+  Json nearest = Json::array();
+  for (std::size_t i = 0; i < std::min(kNearest, distances.size()); ++i) {
+    const auto& [distance, exploration] = distances[i];
+    nearest.push_back({{"exploration", exploration},
+                       {"labels", labels_json(asked_.recording->explorations[exploration].labels)},
+                       {"distance", distance}});
+  }
+  return nearest;
 }
 
 Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::string& map,
@@ -103,7 +100,7 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
   if (neuron >= som.neurons()) {
     return fail(ErrorKind::kUsage, fmt::format("the map has {} neurons", som.neurons()));
   }
-  find_inputs(*known);
+  if (auto found = find_inputs(*known); !found) return fail(std::move(found.error()));
   const auto& answer = asked_.model->answer;
   const bool answers = answer && answer->map == map && answer->labels[neuron];
   Json planes = Json::array();
@@ -112,7 +109,7 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
                     {"neuron", neuron},
                     {"answer", answers ? Json(answer->classes[*answer->labels[neuron]]) : Json()},
                     {"planes", std::move(planes)},
-                    {"nearest", nearest_json(som, known->inputs, *asked_.recording, neuron)}});
+                    {"nearest", nearest(*known, neuron)}});
 }
 
 Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t element) {

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "live/view_json.h"
 #include "somato/core/result.h"
-#include "somato/core/samples.h"
+#include "somato/core/signal.h"
 #include "somato/graph/channel_planes.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
@@ -24,8 +27,12 @@ struct InquiredSystem {
 /// any thread, one at a time; what takes long is kept for the next question about the same system.
 class Inquiries {
  public:
-  /// What a neuron of a map stands for, and which explorations are nearest to it. Errors (kUsage):
-  /// no such map or neuron.
+  /// `is_over` is asked now and then by whoever waits for an answer: then there is none.
+  explicit Inquiries(std::function<bool()> is_over = [] { return false; })
+      : is_over_(std::move(is_over)) {}
+
+  /// What a neuron of a map stands for, and which explorations are nearest to it, of the first two
+  /// thousand. Errors (kUsage): no such map or neuron; all is over.
   Result<std::string> neuron(const InquiredSystem& asked, const std::string& map,
                              std::size_t neuron);
 
@@ -34,20 +41,25 @@ class Inquiries {
   Result<std::string> taxel(const InquiredSystem& asked, std::size_t element);
 
  private:
+  struct ExplorationInput {
+    std::size_t exploration = 0;
+    Signal signal;
+  };
   struct KnownMap {
     std::size_t module = 0;
     std::vector<ChannelPlanes> planes;
-    bool has_inputs = false;
-    Samples inputs;  ///< Of each exploration; none where they come with every frame.
+    std::size_t seen = 0;                  ///< Explorations.
+    std::vector<ExplorationInput> inputs;  ///< None where they come with every frame.
   };
 
   void turn_to(const InquiredSystem& asked);
   KnownMap* find(const std::string& map);
-  void find_inputs(KnownMap& map) const;
+  Result<void> find_inputs(KnownMap& map) const;
+  Json nearest(const KnownMap& map, std::size_t neuron) const;
 
+  std::function<bool()> is_over_;
   std::mutex mutex_;
   InquiredSystem asked_;
-  std::size_t explorations_ = 0;
   std::vector<KnownMap> maps_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace somato::live {
 
-KeptScene::KeptScene(Scene scene, std::vector<std::vector<ScenePose>> poses)
+KeptScene::KeptScene(std::shared_ptr<const Scene> scene, std::vector<std::vector<ScenePose>> poses)
     : scene_(std::move(scene)), poses_(std::move(poses)) {}
 
 std::vector<ScenePose> KeptScene::poses(const Exploration& exploration, std::size_t frame) {
@@ -12,8 +12,9 @@ std::vector<ScenePose> KeptScene::poses(const Exploration& exploration, std::siz
   for (const Channel& channel : exploration.channels) {
     frames = std::max(frames, channel.frames.rows());
   }
-  if (poses_.empty()) return std::vector<ScenePose>(scene_.bodies.size());
-  return poses_[std::min(frame * poses_.size() / frames, poses_.size() - 1)];
+  if (poses_.empty()) return std::vector<ScenePose>(scene_->bodies.size());
+  // As it was at the frame's end.
+  return poses_[std::min(((frame + 1) * poses_.size() - 1) / frames, poses_.size() - 1)];
 }
 
 }  // namespace somato::live

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,13 +13,13 @@ namespace somato::live {
 class KeptScene : public ScenePlayer {
  public:
   /// `poses` are those of moments evenly spread over the exploration.
-  KeptScene(Scene scene, std::vector<std::vector<ScenePose>> poses);
+  KeptScene(std::shared_ptr<const Scene> scene, std::vector<std::vector<ScenePose>> poses);
 
-  const Scene& scene() const override { return scene_; }
+  const Scene& scene() const override { return *scene_; }
   std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override;
 
  private:
-  Scene scene_;
+  std::shared_ptr<const Scene> scene_;
   std::vector<std::vector<ScenePose>> poses_;
 };
 

@@ -1,6 +1,7 @@
 #include "live/map_training.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -34,8 +35,8 @@ Signal owned(const SignalView& view) {
 class VisibleTraining {
  public:
   VisibleTraining(const ViewSystem& wanted, const Recording& recording, std::uint64_t seed,
-                  const TrainingEyes& eyes)
-      : wanted_(wanted), recording_(recording), seed_(seed), eyes_(eyes) {}
+                  const TrainingEyes& eyes, const std::function<bool()>& goes_on)
+      : wanted_(wanted), recording_(recording), seed_(seed), eyes_(eyes), goes_on_(goes_on) {}
 
   Result<std::shared_ptr<const SystemModel>> train() {
     auto trained = build()
@@ -73,11 +74,21 @@ class VisibleTraining {
     return {};
   }
 
+  // One exploration after the other: it may be told to stop in between.
+  Result<void> evaluate_all(const std::vector<std::size_t>& wanted) {
+    for (const std::size_t exploration : all_) {
+      if (!goes_on_()) return stopped();
+      const std::array<std::size_t, 1> one{exploration};
+      auto evaluated = evaluate(system_, recording_, one, wanted, 1, activations_);
+      if (!evaluated) return evaluated;
+    }
+    return {};
+  }
+
   // All phases but that of a map that is looked at.
   Result<void> learn_before_map() {
-    auto fixed = evaluate_fixed(system_, recording_, {}, 1);
-    if (!fixed) return fail(std::move(fixed.error()));
-    activations_ = std::move(*fixed);
+    activations_ = Activations(system_.modules().size(), all_.size());
+    if (auto fixed = evaluate_all(fixed_inputs(system_, {})); !fixed) return fixed;
     SystemTraining training;
     training.seed = seed_;
     training.progress = [&](std::uint64_t done, std::uint64_t total) {
@@ -94,8 +105,7 @@ class VisibleTraining {
     if (system_.modules()[map_].output.rate == Rate::kFrame) {
       return fail(ErrorKind::kUsage, "the map that answers has frames coming in");
     }
-    auto seen = evaluate(system_, recording_, all_, {input}, 1, activations_);
-    if (!seen) return seen;
+    if (auto seen = evaluate_all({input}); !seen) return seen;
     std::vector<Signal> signals;
     signals.reserve(all_.size());
     for (const std::size_t exploration : all_) {
@@ -165,6 +175,7 @@ class VisibleTraining {
   const Recording& recording_;
   std::uint64_t seed_;
   const TrainingEyes& eyes_;
+  const std::function<bool()>& goes_on_;
   Classes classes_;
   std::vector<std::size_t> all_;
   System system_;
@@ -180,8 +191,9 @@ class VisibleTraining {
 Result<std::shared_ptr<const SystemModel>> train_visibly(const ViewSystem& system,
                                                          const Recording& recording,
                                                          std::uint64_t seed,
-                                                         const TrainingEyes& eyes) {
-  return VisibleTraining(system, recording, seed, eyes).train();
+                                                         const TrainingEyes& eyes,
+                                                         const std::function<bool()>& goes_on) {
+  return VisibleTraining(system, recording, seed, eyes, goes_on).train();
 }
 
 }  // namespace somato::live

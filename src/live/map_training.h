@@ -35,10 +35,13 @@ using TrainingEyes = std::function<bool(const TrainingLook&)>;
 /// its time), at the same steps whoever looks, so that what is learned
 /// depends on the seed alone. (Each look settles the map, which changes roundings: `somato run`
 /// gives the same map but for these.) A map that learns together with other modules, or in batches,
-/// can be looked at when it is done only. Errors: kUsage and kData with their place; kInterrupted.
+/// can be looked at when it is done only. `goes_on` is asked before each exploration is evaluated,
+/// while there is nothing to look at; false ends the training too. Errors: kUsage and kData with
+/// their place; kInterrupted.
 Result<std::shared_ptr<const SystemModel>> train_visibly(const ViewSystem& system,
                                                          const Recording& recording,
                                                          std::uint64_t seed,
-                                                         const TrainingEyes& eyes);
+                                                         const TrainingEyes& eyes,
+                                                         const std::function<bool()>& goes_on);
 
 }  // namespace somato::live

@@ -1,5 +1,6 @@
 #include "live/narrator.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace somato::live {
@@ -29,12 +30,15 @@ void Narrator::follow(const Exploration& exploration, const std::vector<std::siz
 }
 
 const Saying* Narrator::say(bool now, const std::function<Exploration()>& so_far) {
-  constexpr auto kPatience = std::chrono::milliseconds(250);
+  constexpr Clock::duration kPatience = std::chrono::milliseconds(250);
   if (!reading_ || !problem_.empty()) return nullptr;
-  const bool is_due = now || !reading_->is_costly() || Clock::now() - said_at_ >= kPatience;
+  const bool is_due =
+      now || !reading_->is_costly() || Clock::now() - said_at_ >= std::max(kPatience, 10 * took_);
   if (!is_due) return saying_ ? &*saying_ : nullptr;
+  const auto begun = Clock::now();
   auto said = reading_->say(so_far);
   said_at_ = Clock::now();
+  took_ = said_at_ - begun;
   // A costly system may need more of the exploration than there is yet.
   saying_ = said ? std::move(*said) : std::nullopt;
   return saying_ ? &*saying_ : nullptr;

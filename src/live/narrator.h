@@ -27,7 +27,7 @@ class Narrator {
   void follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
 
   /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of
-  /// a second ago, unless it is wanted `now`.
+  /// a second ago, or ten times as long as it took to say, unless it is wanted `now`.
   const Saying* say(bool now, const std::function<Exploration()>& so_far);
 
   const SystemModel* model() const { return reading_ ? &reading_->model() : nullptr; }
@@ -46,6 +46,7 @@ class Narrator {
   std::unique_ptr<SystemReading> reading_;
   std::optional<Saying> saying_;
   Clock::time_point said_at_;
+  Clock::duration took_{};
 };
 
 }  // namespace somato::live

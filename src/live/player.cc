@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "live/kept_scene.h"
@@ -12,9 +13,12 @@
 namespace somato::live {
 namespace {
 
+constexpr std::size_t kMostExplorations = 10000;  // of a body
 constexpr double kLongestPause = 1.0;         // s, between two moments: nothing was recorded there
 constexpr double kBetweenExplorations = 1.5;  // s
 constexpr auto kMostLate = std::chrono::milliseconds(250);
+constexpr auto kSlice = std::chrono::milliseconds(20);          // between two looks at the queue
+constexpr auto kMostFollowed = std::chrono::milliseconds(250);  // that a command waits for
 
 template <typename... Cases>
 struct Overloaded : Cases... {
@@ -25,6 +29,20 @@ std::chrono::steady_clock::duration in_clock(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
       std::chrono::duration<double>(seconds));
 }
+
+// True as long as this lives.
+class Raised {
+ public:
+  explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
+  Raised(const Raised&) = delete;
+  Raised(Raised&&) = delete;
+  Raised& operator=(const Raised&) = delete;
+  Raised& operator=(Raised&&) = delete;
+  ~Raised() { flag_ = false; }
+
+ private:
+  bool& flag_;
+};
 
 tl::unexpected<Error> not_now(std::string what) {
   return fail(ErrorKind::kUsage, std::move(what));
@@ -44,6 +62,23 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
 }
 
 void Player::run() {
+  guarded([this] { begin(); });
+  while (!closed_) guarded([this] { go_on(); });
+}
+
+void Player::guarded(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    problem_ = fmt::format("Something went wrong here: {}.", error.what());
+    playing_ = false;
+    wanted_.reset();
+    if (std::exchange(live_, false)) lose_exploration();
+    publish_state();
+  }
+}
+
+void Player::begin() {
   tell_narrator();
   if (source_.body) {
     wants_exploring_ = welcomed_;
@@ -53,15 +88,15 @@ void Player::run() {
     show(0);
   }
   publish_state();
-  while (!closed_) {
-    if (wants_exploring_) {
-      explore();
-      continue;
-    }
-    const TaskQueue::Woken woken = queue_.wait(due());
-    closed_ = woken == TaskQueue::Woken::kClosed;
-    if (woken == TaskQueue::Woken::kTime) advance();
-  }
+}
+
+// Tasks that keep coming must not hold up what plays.
+void Player::go_on() {
+  if (wants_exploring_) return explore();
+  if (wanted_) return follow_on();
+  closed_ = queue_.wait(due()) == TaskQueue::Woken::kClosed;
+  const auto next = due();
+  if (!closed_ && next && *next <= Clock::now()) advance();
 }
 
 Result<void> Player::handle(const ViewCommand& command) {
@@ -69,6 +104,7 @@ Result<void> Player::handle(const ViewCommand& command) {
       Overloaded{[&](const PlayCommand&) { return play(); },
                  [&](const PauseCommand&) -> Result<void> {
                    playing_ = false;
+                   steps_left_ = 0;
                    return {};
                  },
                  [&](const StepCommand& one) { return step(one.frames); },
@@ -101,28 +137,54 @@ void Player::begin_exploration(std::size_t exploration) {
   timeline_ = Timeline(chosen);
   next_ = 0;
   followed_ = 0;
+  wanted_.reset();
   narrator_.start();
   scene_ = exploration < explored_scenes_.size() ? explored_scenes_[exploration] : nullptr;
   if (!scene_ && source_.scenes) scene_ = source_.scenes(chosen);
   publish_scene(scene_ ? &scene_->scene() : nullptr);
 }
 
-// What a system remembers depends on every moment before.
-void Player::follow_to(std::size_t moment) {
+// Whoever follows already goes there instead of where it was going.
+void Player::show(std::size_t moment) {
+  if (timeline_.moments() == 0) return;
+  wanted_ = moment;
+  next_ = moment + 1;
+  if (!following_) follow_on();
+}
+
+// It may be a long way to the moment that is wanted: tasks are done in between, which may want
+// another. What is not reached in time go_on() takes up.
+void Player::follow_on() {
+  const auto until = Clock::now() + kMostFollowed;
+  const Raised following(following_);
+  while (wanted_ && !closed_ && !wants_exploring_ && Clock::now() < until) {
+    if (follow_to(*wanted_)) {
+      publish_moment(*std::exchange(wanted_, std::nullopt));
+    } else {
+      closed_ = queue_.wait(Clock::now()) == TaskQueue::Woken::kClosed;
+    }
+  }
+}
+
+// What a system remembers depends on every moment before. Returns whether it is there.
+bool Player::follow_to(std::size_t moment) {
   if (moment + 1 < followed_) {
     narrator_.start();
     followed_ = 0;
   }
-  followed_ = moment + 1;
+  const auto until = Clock::now() + kSlice;
   const Exploration& exploration = source_.recording.explorations[*exploration_];
   std::vector<std::size_t> come(exploration.channels.size());
-  for (std::size_t i = 0; i < come.size(); ++i) come[i] = timeline_.frames(i, moment);
-  narrator_.follow(exploration, come);
+  do {
+    if (followed_ > moment) return true;
+    for (std::size_t i = 0; i < come.size(); ++i) come[i] = timeline_.frames(i, followed_);
+    narrator_.follow(exploration, come);
+    ++followed_;
+  } while (Clock::now() < until);
+  return followed_ > moment;
 }
 
-void Player::show(std::size_t moment) {
-  if (timeline_.moments() == 0) return;
-  follow_to(moment);
+void Player::publish_moment(std::size_t moment) {
   const Exploration& exploration = source_.recording.explorations[*exploration_];
   ShownMoment shown{*exploration_,
                     moment,
@@ -136,10 +198,9 @@ void Player::show(std::size_t moment) {
     const std::size_t come = timeline_.frames(i, moment);
     frame = std::max(frame, come);
     shown.channels.emplace_back(exploration.channels[i].name,
-                                shown_values(exploration.channels[i], come));
+                                shown_values(exploration.channels[i], timeline_.rate(i), come));
   }
   if (scene_) shown.poses = scene_->poses(exploration, frame - 1);
-  next_ = moment + 1;
   publish_frame(shown, [&] { return cut_at(exploration, timeline_, moment); });
 }
 
@@ -149,10 +210,9 @@ void Player::show_again() {
 }
 
 void Player::publish_frame(const ShownMoment& moment, const std::function<Exploration()>& so_far) {
-  const std::string problem = narrator_.problem();
   const Saying* saying = narrator_.say(moment.last || !playing_, so_far);
   hub_.publish(EventKind::kFrame, frame_text(moment, narrator_.model(), saying));
-  if (narrator_.problem() != problem) publish_state();
+  if (narrator_.problem() != told_problem_) publish_state();
 }
 
 void Player::publish_scene(const Scene* scene) {
@@ -162,7 +222,7 @@ void Player::publish_scene(const Scene* scene) {
 }
 
 std::optional<Player::Clock::time_point> Player::due() const {
-  if (!playing_ || !exploration_) return {};
+  if (!playing_ || !exploration_ || wanted_) return {};
   double pause = kBetweenExplorations;
   if (next_ < timeline_.moments()) {
     const double before = next_ == 0 ? 0.0 : timeline_.time(next_ - 1);
@@ -196,15 +256,16 @@ Result<void> Player::play() {
 }
 
 Result<void> Player::step(std::int64_t frames) {
-  playing_ = false;
   if (live_) {
     if (frames < 0) return not_now("while the body explores there is no way back");
+    playing_ = false;
     steps_left_ = static_cast<std::size_t>(frames);
     return {};
   }
   if (!exploration_ || timeline_.moments() == 0) {
     return not_now("there is nothing to step through");
   }
+  playing_ = false;
   const auto last = static_cast<std::int64_t>(timeline_.moments()) - 1;
   const auto shown = static_cast<std::int64_t>(next_) - 1;
   show(static_cast<std::size_t>(std::clamp<std::int64_t>(shown + frames, 0, last)));
@@ -245,6 +306,9 @@ Result<void> Player::place(const Placement& placement) {
 
 Result<void> Player::begin_exploring() {
   if (!source_.body) return not_now("only a body can explore");
+  if (source_.recording.explorations.size() >= kMostExplorations) {
+    return not_now(fmt::format("{} explorations are kept, and no more", kMostExplorations));
+  }
   abandoned_ = live_;
   wants_exploring_ = true;
   welcomed_ = true;
@@ -312,7 +376,7 @@ void Player::publish_state() {
   state.thing = thing_;
   state.placement = placement_;
   state.system = system_;
-  state.system_problem = narrator_.problem();
+  state.system_problem = told_problem_ = narrator_.problem();
   state.training = training_;
   state.clients = hub_.lookers_on();
   state.problem = problem_;
@@ -325,6 +389,7 @@ void Player::explore() {
   live_ = true;
   playing_ = true;
   steps_left_ = 0;
+  wanted_.reset();
   problem_.clear();
   exploration_ = source_.recording.explorations.size();
   live_poses_.clear();
@@ -354,8 +419,7 @@ void Player::keep_explored(Exploration exploration) {
     problem_ = sentence_of(valid.error());
     return lose_exploration();
   }
-  explored_scenes_.push_back(
-      std::make_shared<KeptScene>(std::move(live_scene_), std::move(live_poses_)));
+  explored_scenes_.push_back(std::make_shared<KeptScene>(live_scene_, std::move(live_poses_)));
   begin_exploration(source_.recording.explorations.size() - 1);
   show(timeline_.moments() - 1);
 }
@@ -363,12 +427,19 @@ void Player::keep_explored(Exploration exploration) {
 void Player::begins(const BodyDescription& body, const Scene& scene) {
   growing_ = GrowingExploration(body);
   felt_last_.assign(body.sensors.size(), {});
-  live_scene_ = scene;
+  keep_scene(scene);
   time_ = -1.0;
   shown_at_ = Clock::now();
   narrator_.start();
   publish_scene(&scene);
   publish_state();
+}
+
+// That of a thing is the same each time.
+void Player::keep_scene(const Scene& scene) {
+  std::shared_ptr<const Scene>& kept = kept_scenes_[json_text(scene_json(scene))];
+  if (!kept) kept = std::make_shared<const Scene>(scene);
+  live_scene_ = kept;
 }
 
 Result<void> Player::felt(const BodyState& state) {
@@ -403,24 +474,26 @@ void Player::publish_live() {
   const auto& channels = growing_.so_far().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const bool fast = channels[i].rate > 0.0 && growing_.frames()[i] > 0;
-    shown.channels.emplace_back(channels[i].name,
-                                fast ? shown_values(channels[i], growing_.frames()[i])
-                                     : std::span<const float>(felt_last_[i]));
+    shown.channels.emplace_back(
+        channels[i].name, fast ? shown_values(channels[i], channels[i].rate, growing_.frames()[i])
+                               : std::span<const float>(felt_last_[i]));
   }
   publish_frame(shown, [&] { return growing_.so_far(); });
 }
 
 // The body waits until its time has come, as long as it is paused, and for what others want.
 Result<void> Player::keep_pace(double passed) {
+  const auto due = [&]() -> std::optional<Clock::time_point> {
+    if (!playing_ && steps_left_ == 0) return {};
+    return shown_at_ + in_clock(passed / speed_);
+  };
   const auto stop = [] { return fail(ErrorKind::kInterrupted, "something else is wanted"); };
   for (;;) {
     if (closed_ || abandoned_) return stop();
-    const bool runs = playing_ || steps_left_ > 0;
-    const auto due = shown_at_ + in_clock(passed / speed_);
-    const auto woken = queue_.wait(runs ? std::optional(due) : std::nullopt);
-    closed_ = woken == TaskQueue::Woken::kClosed;
-    if (woken == TaskQueue::Woken::kTime) {
-      shown_at_ = std::max(due, Clock::now() - kMostLate);
+    closed_ = queue_.wait(due()) == TaskQueue::Woken::kClosed;
+    if (closed_ || abandoned_) return stop();
+    if (const auto next = due(); next && *next <= Clock::now()) {
+      shown_at_ = std::max(*next, Clock::now() - kMostLate);
       return {};
     }
   }

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +26,7 @@ class Player : private ExplorationWatcher {
  public:
   Player(ViewSource source, const ViewSettings& settings, EventHub& hub, TaskQueue& queue);
 
-  /// Plays until the queue is closed.
+  /// Plays until the queue is closed; a mistake of ours is told as a problem and does not end it.
   void run();
 
   /// What follows is for the thread of run(), by tasks. Errors (kUsage): what cannot be done now.
@@ -47,9 +49,14 @@ class Player : private ExplorationWatcher {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void begin();
+  void go_on();
+  void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t exploration);
-  void follow_to(std::size_t moment);
   void show(std::size_t moment);
+  void follow_on();
+  bool follow_to(std::size_t moment);
+  void publish_moment(std::size_t moment);
   void show_again();
   void publish_frame(const ShownMoment& moment, const std::function<Exploration()>& so_far);
   void publish_scene(const Scene* scene);
@@ -72,6 +79,7 @@ class Player : private ExplorationWatcher {
   void lose_exploration();
   Result<void> keep_pace(double passed);
   void publish_live();
+  void keep_scene(const Scene& scene);
   void begins(const BodyDescription& body, const Scene& scene) override;
   Result<void> moved(const BodyState& state, const std::vector<ScenePose>& poses) override;
   Result<void> felt(const BodyState& state) override;
@@ -82,13 +90,16 @@ class Player : private ExplorationWatcher {
   Narrator narrator_;
   std::optional<std::size_t> system_;
   std::string problem_;
+  std::string told_problem_;  // of the system, in the last state
   bool training_ = false;
   bool closed_ = false;
 
   std::optional<std::size_t> exploration_;  // that plays
   Timeline timeline_;
-  std::size_t next_ = 0;      // the moment to come
-  std::size_t followed_ = 0;  // moments
+  std::size_t next_ = 0;               // the moment to come
+  std::size_t followed_ = 0;           // moments
+  std::optional<std::size_t> wanted_;  // the moment to be shown once all before is followed
+  bool following_ = false;
   bool playing_ = false;
   bool welcomed_ = false;
   double speed_ = 1.0;
@@ -107,10 +118,11 @@ class Player : private ExplorationWatcher {
   std::vector<std::vector<float>> felt_last_;  // of each channel
   double time_ = 0.0;                          // by the body's clock
   double begun_ = 0.0;
-  Scene live_scene_;
-  std::vector<ScenePose> poses_;                               // after the last step
-  std::vector<std::vector<ScenePose>> live_poses_;             // of each moment
-  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;  // of each, or nullptr
+  std::shared_ptr<const Scene> live_scene_;
+  std::map<std::string, std::shared_ptr<const Scene>> kept_scenes_;  // by what is told of them
+  std::vector<ScenePose> poses_;                                     // after the last step
+  std::vector<std::vector<ScenePose>> live_poses_;                   // of each moment
+  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;        // of each, or nullptr
 };
 
 }  // namespace somato::live

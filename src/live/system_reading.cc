@@ -20,12 +20,6 @@ void scale_to_one(std::vector<float>& activity) {
   for (float& value : activity) value = std::max(0.0F, value / most);
 }
 
-// Whether every value of the channels was given; a live system cannot do without.
-bool all_valid(const Exploration& exploration) {
-  return std::all_of(exploration.channels.begin(), exploration.channels.end(),
-                     [](const Channel& channel) { return channel.valid.empty(); });
-}
-
 std::vector<std::vector<std::size_t>> neurons_by_class(const SystemAnswer& answer) {
   std::vector<std::vector<std::size_t>> neurons(answer.classes.size());
   for (const std::size_t neuron : answer.labels.labelled()) {
@@ -71,18 +65,27 @@ void SystemReading::start() {
 
 Result<void> SystemReading::follow(const Exploration& exploration,
                                    const std::vector<std::size_t>& frames) {
-  if (live_ && !all_valid(exploration)) live_.reset();
-  if (!live_) {
+  if (live_) {
+    if (auto found = find_channels(exploration); !found) return found;
+    by_live_ = all_valid(exploration);
+  }
+  if (is_costly()) {
     followed_ = frames.empty() ? 0 : *std::min_element(frames.begin(), frames.end());
     return {};
   }
-  if (auto found = find_channels(exploration); !found) return found;
   std::size_t come = channels_.empty() ? 0 : frames[channels_.front()];
   for (const std::size_t channel : channels_) come = std::min(come, frames[channel]);
   for (; followed_ < come; ++followed_) {
     if (auto stepped = step(exploration, followed_); !stepped) return stepped;
   }
   return {};
+}
+
+// Whether every value of its channels was given; a live system cannot do without.
+bool SystemReading::all_valid(const Exploration& exploration) const {
+  return std::all_of(channels_.begin(), channels_.end(), [&](std::size_t channel) {
+    return exploration.channels[channel].valid.empty();
+  });
 }
 
 Result<void> SystemReading::find_channels(const Exploration& exploration) {
@@ -121,7 +124,7 @@ Result<void> SystemReading::step(const Exploration& exploration, std::size_t fra
 
 Result<std::optional<Saying>> SystemReading::say(const std::function<Exploration()>& so_far) {
   if (followed_ == 0) return std::optional<Saying>{};
-  if (live_) return std::optional<Saying>(say_live());
+  if (!is_costly()) return std::optional<Saying>(say_live());
   return say_as_whole(so_far());
 }
 
@@ -179,12 +182,13 @@ Saying SystemReading::say_live() {
   return saying;
 }
 
-Result<std::optional<Saying>> SystemReading::say_as_whole(const Exploration& exploration) const {
+Result<std::optional<Saying>> SystemReading::say_as_whole(Exploration exploration) const {
   const auto& modules = model_->system.modules();
   std::vector<std::size_t> all(modules.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   Activations activations(modules.size(), 1);
-  const Recording recording{{exploration}};
+  Recording recording;
+  recording.explorations.push_back(std::move(exploration));
   const std::array<std::size_t, 1> only{0};
   if (auto done = evaluate(model_->system, recording, only, all, 1, activations); !done) {
     return fail(std::move(done.error()));

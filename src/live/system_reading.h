@@ -47,7 +47,7 @@ class SystemReading {
   static Result<SystemReading> build(std::shared_ptr<const SystemModel> model);
 
   /// Whether saying something costs as much as evaluating the exploration so far.
-  bool is_costly() const { return !live_; }
+  bool is_costly() const { return !live_ || !by_live_; }
 
   const SystemModel& model() const { return *model_; }
   std::size_t map() const { return map_; }
@@ -66,11 +66,12 @@ class SystemReading {
  private:
   SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map);
 
+  bool all_valid(const Exploration& exploration) const;
   Result<void> find_channels(const Exploration& exploration);
   std::size_t elements_of(const std::string& channel) const;
   Result<void> step(const Exploration& exploration, std::size_t frame);
   Saying say_live();
-  Result<std::optional<Saying>> say_as_whole(const Exploration& exploration) const;
+  Result<std::optional<Saying>> say_as_whole(Exploration exploration) const;
   std::vector<Candidate> candidates_by(
       const std::function<std::size_t(std::span<const std::size_t>)>& winner_among,
       const std::function<double(std::size_t)>& distance) const;
@@ -80,6 +81,7 @@ class SystemReading {
   std::size_t map_;
   std::vector<std::vector<std::size_t>> neurons_of_class_;
   std::optional<LiveSystem> live_;
+  bool by_live_ = true;                // whether it can follow this exploration
   std::vector<std::size_t> channels_;  // of the exploration, in the order of the live system
   std::size_t followed_ = 0;           // frames
 };

@@ -33,8 +33,10 @@ Matrix<Number> first_rows(const Matrix<Number>& whole, std::size_t rows) {
 
 Timeline::Timeline(const Exploration& exploration) {
   channel_frames_.reserve(exploration.channels.size());
+  rates_.reserve(exploration.channels.size());
   for (const Channel& channel : exploration.channels) {
     channel_frames_.push_back(channel.frames.rows());
+    rates_.push_back(channel.frame_rate());
   }
   const Channel* main = longest(exploration);
   if (main == nullptr || main->frames.rows() == 0) return;

@@ -20,6 +20,9 @@ class Timeline {
   /// Seconds from the first moment's beginning; where nobody knows, ten moments a second.
   double time(std::size_t moment) const { return times_[moment]; }
 
+  /// Frames a second of the channel; 0 where nobody knows.
+  double rate(std::size_t channel) const { return rates_[channel]; }
+
   /// How many frames of the channel have come when that moment is over.
   std::size_t frames(std::size_t channel, std::size_t moment) const;
 
@@ -27,6 +30,7 @@ class Timeline {
   std::size_t moments_ = 0;
   std::size_t stretch_ = 1;                  ///< Frames a moment, of the channel with most.
   std::vector<std::size_t> channel_frames_;  ///< Of each channel.
+  std::vector<double> rates_;                ///< Of each channel.
   std::size_t most_frames_ = 0;
   std::vector<double> times_;
 };

@@ -1,5 +1,8 @@
 #include "live/training_thread.h"
 
+#include <fmt/format.h>
+
+#include <exception>
 #include <utility>
 
 #include "live/view_json.h"
@@ -30,10 +33,19 @@ void TrainingThread::start(ViewSystem system, std::shared_ptr<const Recording> r
   stop();
   stopping_ = false;
   thread_ = std::thread([this, seed, system = std::move(system), recording = std::move(recording),
-                         done = std::move(done)] {
-    done(train_visibly(system, *recording, seed,
-                       [&](const TrainingLook& look) { return show(system.name, look); }));
-  });
+                         done = std::move(done)] { done(train(system, *recording, seed)); });
+}
+
+// A mistake of ours must not end the run.
+Result<std::shared_ptr<const SystemModel>> TrainingThread::train(const ViewSystem& system,
+                                                                 const Recording& recording,
+                                                                 std::uint64_t seed) {
+  try {
+    const auto eyes = [&](const TrainingLook& look) { return show(system.name, look); };
+    return train_visibly(system, recording, seed, eyes, [&] { return !stopping_; });
+  } catch (const std::exception& error) {
+    return fail(ErrorKind::kData, fmt::format("the training went wrong: {}", error.what()));
+  }
 }
 
 void TrainingThread::stop() {

@@ -38,6 +38,8 @@ class TrainingThread {
   void stop();
 
  private:
+  Result<std::shared_ptr<const SystemModel>> train(const ViewSystem& system,
+                                                   const Recording& recording, std::uint64_t seed);
   bool show(const std::string& system, const TrainingLook& look);
 
   EventHub& hub_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -130,7 +131,7 @@ class FrameText {
       if (value == 0.0F) {
         text_.push_back('0');
       } else {
-        add("{:.5g}", value);
+        finite("{:.5g}", value);
       }
     }
     return close(']');
@@ -140,9 +141,15 @@ class FrameText {
     open('[');
     for (const float value : values) {
       separate();
-      add("{}", value);
+      finite("{}", value);
     }
     return close(']');
+  }
+
+  // JSON knows no infinity, and nothing that is no number.
+  template <typename Number>
+  FrameText& finite(fmt::format_string<Number&> format, Number value) {
+    return std::isfinite(value) ? add(format, value) : add("null");
   }
 
   std::string take() && { return std::move(text_); }
@@ -163,11 +170,11 @@ void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
   for (const ScenePose& pose : poses) {
     for (const double value : pose.position) {
       text.separate();
-      text.add("{:.6g}", value);
+      text.finite("{:.6g}", value);
     }
     for (const double value : pose.turn) {
       text.separate();
-      text.add("{:.6g}", value);
+      text.finite("{:.6g}", value);
     }
   }
   text.close(']');
@@ -210,11 +217,11 @@ void add_reading(FrameText& text, const SystemModel* model, const Saying* saying
   const auto name = [&](const Candidate& one) { return json_text(Json(classes[one.number])); };
   text.open('{');
   text.key("answer").add("{}", name(saying->candidates.front()));
-  text.key("confidence").add("{:.6g}", saying->confidence());
+  text.key("confidence").finite("{:.6g}", saying->confidence());
   text.key("candidates").open('[');
   for (const Candidate& one : saying->candidates) {
     text.separate();
-    text.add(R"({{"name":{},"distance":{:.6g}}})", name(one), one.distance);
+    text.add("{{\"name\":{},\"distance\":", name(one)).finite("{:.6g}", one.distance).add("}}");
   }
   text.close(']').close('}');
 }
@@ -225,12 +232,12 @@ std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::span<const float> shown_values(const Channel& channel, std::size_t come) {
+std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come) {
   constexpr std::size_t kStretch = 512;
   constexpr double kFast = 60.0;  // frames a second
   if (come == 0) return {};
   const std::size_t columns = channel.frames.columns();
-  const bool fast = columns == 1 && channel.frame_rate() > kFast;
+  const bool fast = columns == 1 && rate > kFast;
   const std::size_t first = fast && come > kStretch ? come - kStretch : fast ? 0 : come - 1;
   return channel.frames.values().subspan(first * columns, (come - first) * columns);
 }

@@ -40,8 +40,8 @@ struct ShownMoment {
 };
 
 /// What is shown of a channel of which so many frames have come: the latest, or of what comes too
-/// fast for frames the latest stretch.
-std::span<const float> shown_values(const Channel& channel, std::size_t come);
+/// fast for frames (`rate` a second) the latest stretch.
+std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come);
 
 /// The JSON as text; what is no UTF-8 is replaced.
 std::string json_text(const Json& json);

@@ -138,6 +138,10 @@ class ViewServer::Works {
   }
 
   HttpResponse answer_get(const HttpRequest& request) {
+    // Nobody would be told anything at the seat that it takes.
+    if (request.method == "HEAD" && request.path == "/api/events") {
+      return refused(405, "Events are listened to by GET.");
+    }
     if (request.path == "/api/state") return latest(EventKind::kState);
     if (request.path == "/api/scene") return latest(EventKind::kScene);
     if (request.path == "/api/neuron") return neuron(request);

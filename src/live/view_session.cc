@@ -1,6 +1,10 @@
 #include "somato/live/view_session.h"
 
+#include <fmt/format.h>
+
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <future>
 #include <thread>
@@ -74,12 +78,25 @@ class ViewSession::Works {
   Result<T> ask(std::function<Result<T>()> question) {
     auto answer = std::make_shared<std::promise<Result<T>>>();
     auto result = answer->get_future();
-    const bool posted =
-        queue_.post([answer, question = std::move(question)] { answer->set_value(question()); });
+    auto forgotten = std::make_shared<std::atomic<bool>>(false);
+    const bool posted = queue_.post([answer, forgotten, question = std::move(question)] {
+      if (!*forgotten) answer->set_value(answer_to(question));
+    });
     if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
+      *forgotten = true;
       return fail(ErrorKind::kUsage, "the view is busy or about to end");
     }
     return result.get();
+  }
+
+  // A mistake of ours must not end the run.
+  template <typename T>
+  static Result<T> answer_to(const std::function<Result<T>()>& question) {
+    try {
+      return question();
+    } catch (const std::exception& error) {
+      return fail(ErrorKind::kData, fmt::format("something went wrong here: {}", error.what()));
+    }
   }
 
   Result<live::InquiredSystem> asked_system() {
@@ -147,7 +164,7 @@ class ViewSession::Works {
   TaskQueue queue_;
   live::Player player_;
   live::TrainingThread training_;
-  live::Inquiries inquiries_;
+  live::Inquiries inquiries_{[this] { return hub_.is_closed(); }};
   // For the thread of the player alone.
   bool is_training_ = false;
   std::shared_ptr<const Recording> explored_;

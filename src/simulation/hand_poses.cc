@@ -124,9 +124,18 @@ std::vector<ScenePose> poses_in(const mjModel& model, const mjData& data) {
 const Channel* channel_of(const Exploration& exploration, const std::string& name,
                           std::size_t elements) {
   for (const Channel& channel : exploration.channels) {
-    if (channel.name == name && channel.frames.columns() == elements) return &channel;
+    const Matrix<float>& frames = channel.frames;
+    if (channel.name == name && frames.columns() == elements && frames.rows() > 0) return &channel;
   }
   return nullptr;
+}
+
+std::size_t most_frames(const Exploration& exploration) {
+  std::size_t frames = 0;
+  for (const Channel& channel : exploration.channels) {
+    frames = std::max(frames, channel.frames.rows());
+  }
+  return frames;
 }
 
 struct NeededChannel {
@@ -181,13 +190,15 @@ class HandPlayer : public ScenePlayer {
 
   std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override {
     const mjModel& model = *parts_->model;
+    const std::size_t frames = most_frames(exploration);
     std::size_t servo =
         parts_->hand == Hand::kLucs2 ? 0 : 1;  // the wrist of Hand III tells nothing
     for (const NeededChannel& needed : channels_of(parts_->hand)) {
       const Channel* channel = channel_of(exploration, needed.name, needed.elements);
-      require(channel != nullptr && frame < channel->frames.rows(),
-              "this hand recorded no such frame");
-      for (const float value : channel->frames.row(frame)) set_servo(servo++, double{value});
+      require(channel != nullptr && frame < frames, "this hand recorded no such frame");
+      // Slower channels are spread over the same time.
+      const std::size_t row = frame * channel->frames.rows() / frames;
+      for (const float value : channel->frames.row(row)) set_servo(servo++, double{value});
     }
     for (int tendon = 0; tendon < static_cast<int>(model.ntendon); ++tendon) {
       pull(model, tendon, *data_);

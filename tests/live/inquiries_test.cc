@@ -53,6 +53,43 @@ TEST(Inquiries, OrderExplorationsByTheirDistance) {
   }
 }
 
+InquiredSystem with_explorations(InquiredSystem asked, std::size_t count) {
+  Recording recording = *asked.recording;
+  recording.explorations.resize(count);
+  asked.recording = std::make_shared<const Recording>(std::move(recording));
+  return asked;
+}
+
+TEST(Inquiries, EvaluateEachExplorationOnce) {
+  std::size_t evaluated = 0;
+  Inquiries inquiries([&] { return ++evaluated == 0; });
+  const InquiredSystem asked = asked_system();
+  ASSERT_TRUE(inquiries.neuron(with_explorations(asked, 4), "map", 5));
+  EXPECT_EQ(evaluated, 4U);
+  const std::string grown = inquiries.neuron(asked, "map", 5).value();
+  EXPECT_EQ(evaluated, 6U);
+  EXPECT_EQ(grown, Inquiries().neuron(asked, "map", 5).value());
+}
+
+TEST(Inquiries, EndWhenAllIsOver) {
+  std::size_t evaluated = 0;
+  Inquiries inquiries([&] { return ++evaluated == 3; });
+  const InquiredSystem asked = asked_system();
+  EXPECT_FALSE(inquiries.neuron(asked, "map", 5));
+  EXPECT_EQ(evaluated, 3U);
+  EXPECT_EQ(inquiries.neuron(asked, "map", 5).value(), Inquiries().neuron(asked, "map", 5).value());
+}
+
+// One that does not fit is near to nothing; the others are found all the same.
+TEST(Inquiries, LeaveOutWhatDoesNotFit) {
+  const InquiredSystem asked = asked_system();
+  Recording recording = *asked.recording;
+  recording.explorations[2].channels.clear();
+  const InquiredSystem broken{asked.model, std::make_shared<const Recording>(recording)};
+  const json answer = json::parse(Inquiries().neuron(broken, "map", 5).value());
+  EXPECT_EQ(answer["nearest"].size(), 5U);
+}
+
 TEST(Inquiries, TellWhereATaxelMatters) {
   Inquiries inquiries;
   const InquiredSystem asked = asked_system();

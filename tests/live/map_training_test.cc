@@ -9,14 +9,18 @@
 namespace somato::live {
 namespace {
 
+const auto kGoesOn = [] { return true; };
+
 std::vector<TrainingLook> looks_at(const std::string& text) {
   const Recording recording = testing::hand_recording(6, 2);
   std::vector<TrainingLook> looks;
-  const auto trained =
-      train_visibly(testing::view_system(text), recording, 1, [&](const TrainingLook& look) {
+  const auto trained = train_visibly(
+      testing::view_system(text), recording, 1,
+      [&](const TrainingLook& look) {
         looks.push_back(look);
         return true;
-      });
+      },
+      kGoesOn);
   EXPECT_TRUE(trained);
   return looks;
 }
@@ -71,18 +75,33 @@ TEST(MapTraining, LabelsItsNeuronsByMajority) {
 TEST(MapTraining, StopsWhenItIsToldTo) {
   const Recording recording = testing::hand_recording(6, 2);
   int looks = 0;
-  const auto trained = train_visibly(testing::view_system(testing::crossed_system()), recording, 1,
-                                     [&](const TrainingLook&) { return ++looks < 3; });
+  const auto trained = train_visibly(
+      testing::view_system(testing::crossed_system()), recording, 1,
+      [&](const TrainingLook&) { return ++looks < 3; }, kGoesOn);
   ASSERT_FALSE(trained);
   EXPECT_EQ(trained.error().kind, ErrorKind::kInterrupted);
   EXPECT_EQ(looks, 3);
 }
 
+TEST(MapTraining, StopsBetweenExplorationsThatItEvaluates) {
+  const Recording recording = testing::hand_recording(6, 2);
+  int looks = 0;
+  int asked = 0;
+  const auto trained = train_visibly(
+      testing::view_system(testing::crossed_system()), recording, 1,
+      [&](const TrainingLook&) { return ++looks > 0; }, [&] { return ++asked < 3; });
+  ASSERT_FALSE(trained);
+  EXPECT_EQ(trained.error().kind, ErrorKind::kInterrupted);
+  EXPECT_EQ(looks, 0);
+  EXPECT_EQ(asked, 3);
+}
+
 TEST(MapTraining, NeedsTwoClasses) {
   Recording recording = testing::hand_recording(6, 2);
   for (Exploration& one : recording.explorations) one.labels = {{"object", "ball"}};
-  const auto trained = train_visibly(testing::view_system(testing::crossed_system()), recording, 1,
-                                     [](const TrainingLook&) { return true; });
+  const auto trained = train_visibly(
+      testing::view_system(testing::crossed_system()), recording, 1,
+      [](const TrainingLook&) { return true; }, kGoesOn);
   ASSERT_FALSE(trained);
   EXPECT_EQ(trained.error().kind, ErrorKind::kData);
 }

@@ -106,6 +106,27 @@ TEST(SystemReading, IsCostlyWhereExplorationsAreNeededAsAWhole) {
   EXPECT_TRUE(reading.is_costly());
 }
 
+// A value that is missing makes this exploration costly alone, and only where the system hears it.
+TEST(SystemReading, FollowsLiveAgainAfterAnExplorationWithGaps) {
+  Recording recording = testing::hand_recording(6, 3);
+  auto reading =
+      SystemReading::build(testing::trained_model(testing::crossed_system(), recording)).value();
+  const auto costs = [&](const char* name) {
+    Exploration exploration = recording.explorations[0];
+    for (Channel& channel : exploration.channels) {
+      if (channel.name != name) continue;
+      channel.valid = Matrix<std::uint8_t>(channel.frames.rows(), channel.frames.columns(), 1);
+    }
+    reading.start();
+    EXPECT_TRUE(reading.follow(exploration, {2, 2, 2, 2, 2}));
+    EXPECT_TRUE(*reading.say([&] { return exploration; }));
+    return reading.is_costly();
+  };
+  EXPECT_TRUE(costs("touch"));
+  EXPECT_FALSE(costs("none"));
+  EXPECT_FALSE(costs("sound"));
+}
+
 TEST(SystemReading, SaysNothingBeforeThereWasAFrame) {
   const Recording recording = testing::hand_recording(6, 3);
   auto reading =

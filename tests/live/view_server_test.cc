@@ -94,6 +94,12 @@ TEST_F(ServerThread, AnswersHeadWithoutABody) {
   EXPECT_EQ(body_of(response), "");
 }
 
+TEST_F(ServerThread, RefusesEventsWithoutTheirBody) {
+  const std::string request = fmt::format("HEAD {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n",
+                                          viewing_.with_token("/api/events"), viewing_.port());
+  EXPECT_EQ(status_of(ask(viewing_.port(), request)), 405);
+}
+
 TEST_F(ServerThread, TellsTheBrowserToTrustNobodyElse) {
   const std::string response = ask(viewing_.port(), get_request(viewing_.port(), "/"));
   for (const char* header :

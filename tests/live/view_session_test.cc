@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
 
-#include "live/fake_watched_body.h"
+#include "live/sessions.h"
 #include "live/view_systems.h"
 #include "live/viewing.h"
 
@@ -20,38 +18,12 @@ using live::EventKind;
 using nlohmann::json;
 using testing::Viewing;
 
-json latest(ViewSession& session, EventKind kind) {
-  const auto text = session.hub().latest(kind);
-  return text ? json::parse(*text) : json();
-}
-json state_of(ViewSession& session) {
-  return latest(session, EventKind::kState);
-}
-json frame_of(ViewSession& session) {
-  return latest(session, EventKind::kFrame);
-}
-
-// Looks until it holds, for as long as a slow machine may take.
-bool eventually(const std::function<bool()>& holds) {
-  for (int i = 0; i < 6000; ++i) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
-
-bool command(ViewSession& session, const std::string& text) {
-  const auto done = session.command(text);
-  EXPECT_TRUE(done) << text << ": " << (done ? "" : done.error().what);
-  return done.has_value();
-}
-
-ViewSource body_source(std::size_t steps = 10) {
-  ViewSource source;
-  source.name = "fake";
-  source.body = std::make_unique<testing::FakeWatchedBody>(steps);
-  return source;
-}
+using testing::body_source;
+using testing::command;
+using testing::eventually;
+using testing::frame_of;
+using testing::latest;
+using testing::state_of;
 
 ViewSource source_with_systems() {
   ViewSource source = testing::hand_source(6);

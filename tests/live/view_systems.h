@@ -51,8 +51,8 @@ inline ViewSystem view_system(const std::string& text, const std::string& name =
 
 inline std::shared_ptr<const SystemModel> trained_model(const std::string& text,
                                                         const Recording& recording) {
-  return value_or_throw(
-      live::train_visibly(view_system(text), recording, 1, [](const auto&) { return true; }));
+  return value_or_throw(live::train_visibly(
+      view_system(text), recording, 1, [](const auto&) { return true; }, [] { return true; }));
 }
 
 }  // namespace somato::testing

@@ -90,6 +90,25 @@ TEST(HandPoses, StandAsTheHandStood) {
       Hand::kLucs3, {0.0, 10.0, 20.0, 30.0, 30.0, 40.0, 20.0, 50.0, 40.0, 30.0, 35.0, 45.0}, 0.006);
 }
 
+// A slow channel of joints beside a fast one: each frame of the fast one has a pose.
+TEST(HandPoses, SpreadSlowChannelsOverTheSameTime) {
+  Exploration exploration;
+  Channel joints;
+  joints.name = "joints";
+  joints.frames = Matrix<float>(2, 11);
+  for (float& angle : joints.frames.row(1)) angle = 20.0F;
+  Channel sound;
+  sound.name = "sound";
+  sound.frames = Matrix<float>(100, 1);
+  exploration.channels = {joints, sound};
+  const auto player = play_hand(scene_with(Hand::kLucs3, sphere_thing()));
+  const auto first = player->poses(exploration, 0);
+  EXPECT_EQ(farthest(player->poses(exploration, 49), first), 0.0);
+  EXPECT_GT(farthest(player->poses(exploration, 50), first), 0.0);
+  EXPECT_GT(farthest(player->poses(exploration, 99), first), 0.0);
+  EXPECT_THROW(player->poses(exploration, 100), InvalidArgument);
+}
+
 TEST(HandPoses, KnowWhichHandRecorded) {
   Exploration exploration;
   EXPECT_FALSE(is_of_hand(exploration, Hand::kLucs2));

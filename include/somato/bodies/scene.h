@@ -70,7 +70,7 @@ class ScenePlayer {
   virtual const Scene& scene() const = 0;
 
   /// A pose for each body of the scene at a frame of the exploration, counting from 0 and among
-  /// those that there are.
+  /// those of its channel with most frames.
   virtual std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) = 0;
 };
 

@@ -40,8 +40,11 @@ Result<void> evaluate(const System& system, const Recording& recording,
                       const std::vector<std::size_t>& wanted, std::size_t threads,
                       Activations& activations);
 
-/// What never depends on learning, computed once for all explorations of the recording: of the
-/// modules that are fixed, those that learning ones, or the modules `also` among them, build on.
+/// The modules that are fixed and that learning ones, or the modules `also` among them, build on.
+std::vector<std::size_t> fixed_inputs(const System& system, const std::vector<std::size_t>& also);
+
+/// What never depends on learning, computed once for all explorations of the recording: of
+/// the modules fixed_inputs().
 Result<Activations> evaluate_fixed(const System& system, const Recording& recording,
                                    const std::vector<std::size_t>& also, std::size_t threads);
 

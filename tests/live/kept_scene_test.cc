@@ -1,0 +1,48 @@
+#include "live/kept_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace somato::live {
+namespace {
+
+Exploration of_frames(std::size_t frames) {
+  Channel channel;
+  channel.name = "touch";
+  channel.frames = Matrix<float>(frames, 1);
+  return {{}, "", {channel}};
+}
+
+KeptScene kept_scene(std::size_t moments) {
+  std::vector<std::vector<ScenePose>> poses(moments, std::vector<ScenePose>(1));
+  for (std::size_t i = 0; i < moments; ++i) poses[i][0].position[0] = static_cast<double>(i);
+  Scene scene;
+  scene.bodies = {"finger"};
+  return {std::make_shared<const Scene>(std::move(scene)), std::move(poses)};
+}
+
+double shown(KeptScene& scene, std::size_t frames, std::size_t frame) {
+  return scene.poses(of_frames(frames), frame).at(0).position[0];
+}
+
+TEST(KeptScene, ShowsTheMomentOfEachFrame) {
+  KeptScene scene = kept_scene(4);
+  for (std::size_t frame = 0; frame < 4; ++frame) {
+    EXPECT_EQ(shown(scene, 4, frame), static_cast<double>(frame));
+  }
+}
+
+// A probe that presses for a while gives one frame: it is shown pressed.
+TEST(KeptScene, ShowsTheEndOfWhatWentIntoAFrame) {
+  KeptScene scene = kept_scene(6);
+  EXPECT_EQ(shown(scene, 1, 0), 5.0);
+  EXPECT_EQ(shown(scene, 2, 0), 2.0);
+  EXPECT_EQ(shown(scene, 2, 1), 5.0);
+}
+
+TEST(KeptScene, RestsWhereNothingWasSeen) {
+  KeptScene scene = kept_scene(0);
+  EXPECT_EQ(shown(scene, 3, 1), 0.0);
+}
+
+}  // namespace
+}  // namespace somato::live
