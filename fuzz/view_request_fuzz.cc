@@ -9,7 +9,6 @@
 
 namespace {
 
-using somato::live::HttpRequest;
 
 bool is_printable(const std::string& text) {
   return std::all_of(text.begin(), text.end(),
