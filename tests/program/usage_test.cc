@@ -12,7 +12,7 @@ TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
   expect_refused(
       2, {{{},
            {"a command is missing",
-            "run, report, information, apply, systems, import, inspect, recover, som, reference",
+            "run, report, view, information, apply, systems, import, inspect, recover, som, reference",
             "somato --help"}},
           {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
           {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
