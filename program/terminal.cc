@@ -81,13 +81,17 @@ void report_file_size_limits() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void catch_stop_requests() {
+  catch_signal(SIGINT);
+  catch_signal(SIGTERM);
+}
+
 bool stop_requested() {
   return interrupted != 0;
 }
 
 Progress terminal_progress(std::string what) {
-  catch_signal(SIGINT);
-  catch_signal(SIGTERM);
+  catch_stop_requests();
   std::shared_ptr<ProgressLine> line;
   if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
   return [line](std::uint64_t done, std::uint64_t total) {

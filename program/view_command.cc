@@ -148,7 +148,6 @@ Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
 }
 
 void wait_for_interrupt() {
-  const Progress goes_on = terminal_progress("viewing");
   while (!stop_requested()) ::usleep(50000);
 }
 
@@ -159,6 +158,7 @@ Result<void> run(const Arguments& arguments) {
   if (!source) return fail(std::move(source.error()));
   auto served = view_pages();
   if (!served) return fail(std::move(served.error()));
+  catch_stop_requests();
   ViewSession session(std::move(*source));
   session.start();
   auto server = ViewServer::start(session, std::move(*served), *settings);
