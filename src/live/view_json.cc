@@ -221,7 +221,7 @@ void add_reading(FrameText& text, const SystemModel* model, const Saying* saying
   text.key("candidates").open('[');
   for (const Candidate& one : saying->candidates) {
     text.separate();
-    text.add("{{\"name\":{},\"distance\":", name(one)).finite("{:.6g}", one.distance).add("}}");
+    text.add(R"({{"name":{},"distance":)", name(one)).finite("{:.6g}", one.distance).add("}}");
   }
   text.close(']').close('}');
 }

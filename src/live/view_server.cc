@@ -82,8 +82,8 @@ std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port
 
 class ViewServer::Works {
  public:
-  Works(ViewSession& session, std::vector<ViewPage> pages, const ViewServerSettings& settings)
-      : session_(session), pages_(std::move(pages)), settings_(settings) {}
+  Works(ViewSession& session, std::vector<ViewPage> pages, ViewServerSettings settings)
+      : session_(session), pages_(std::move(pages)), settings_(std::move(settings)) {}
 
   Result<void> start() {
     auto token = live::new_token();
