@@ -144,7 +144,7 @@ class WatchedHardnessProbe : public WatchedProbe {
     auto probe = make_hardness_probe(material, built, seed_for(what, Draws::kHardness));
     if (!probe) return fail(std::move(probe.error()));
     watcher.begins((*probe)->description(), detail::hardness_probe_scene(material));
-    const double counts = static_cast<double>(std::size_t{1} << built.potentiometer_bits);
+    const auto counts = static_cast<double>(std::size_t{1} << built.potentiometer_bits);
     SeenBody seen(**probe, watcher, [&] {
       const auto read = (*probe)->state().readings.front().values();
       const double share = read.empty() ? 0.0 : static_cast<double>(read.back()) / counts;

@@ -44,6 +44,7 @@ Settings settings_of(const ModuleDescription& module, const ModuleType& type, co
 std::vector<Settings> system_settings(const System& system) {
   const SystemDescription& description = system.description();
   std::vector<Settings> settings;
+  settings.reserve(system.modules().size() + description.phases.size());
   for (std::size_t i = 0; i < system.modules().size(); ++i) {
     settings.push_back(
         settings_of(description.modules[i], *system.modules()[i].type, som_of(system, i)));
