@@ -116,15 +116,16 @@ inline void combine_with(const float* from, std::size_t columns, const Vector<fl
     gain[j] = Vector<float>::load(gains + j * kLaneCount<float>);
   }
   auto sum = Vector<float>::all(0);
-  std::size_t column = 0;
-  const auto add = [&]<std::size_t Columns>() {
+  const auto add = [&]<std::size_t Columns>(std::size_t column) {
     add_inputs<Count, Columns, Last>(from + column * kLaneCount<float>, kept, gain,
                                      {inputs.first + column, inputs.stride}, limit,
                                      to + column * kLaneCount<float>, sum);
-    column += Columns;
   };
-  while (column + kColumnsAtOnce <= columns) add.template operator()<kColumnsAtOnce>();
-  while (column < columns) add.template operator()<1>();
+  std::size_t column = 0;
+  for (; column + kColumnsAtOnce <= columns; column += kColumnsAtOnce) {
+    add.template operator()<kColumnsAtOnce>(column);
+  }
+  for (; column < columns; ++column) add.template operator()<1>(column);
   if (Last) (Vector<float>::load(squares) + sum).store(squares);
 }
 
