@@ -103,7 +103,8 @@ Json not_given_json(const std::vector<Settings>& settings) {
   Json json = Json::array();
   for (const Settings& part : settings) {
     const ModuleType* type = part.part.starts_with(kModule) ? type_of(part) : nullptr;
-    for (const Setting& setting : type ? part.settings : std::vector<Setting>{}) {
+    if (type == nullptr) continue;
+    for (const Setting& setting : part.settings) {
       for (const ParameterInfo& info : type->parameters) {
         if (info.name != setting.name || !is_not_given(info)) continue;
         json.push_back({{"part", part.part},

@@ -65,7 +65,7 @@ class FakeWatchedBody : public WatchedBody {
 
   static void feel(Random& random, BodyState& state) {
     state.readings.clear();
-    for (const std::size_t elements : {1, 1, 3, 4}) {
+    for (const std::size_t elements : {1U, 1U, 3U, 4U}) {
       Matrix<float> frame(1, elements);
       for (float& value : frame.values()) value = static_cast<float>(random.uniform());
       state.readings.push_back(std::move(frame));
