@@ -9,7 +9,6 @@
 
 namespace {
 
-
 bool is_printable(const std::string& text) {
   return std::all_of(text.begin(), text.end(),
                      [](char c) { return c == '\t' || (c >= ' ' && c < 0x7F); });

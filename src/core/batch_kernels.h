@@ -70,8 +70,8 @@ struct BatchTable {
   /// Writes where values are not above `limit` to `places`, in order; returns how many there are.
   std::size_t (*places_up_to)(const float* values, std::size_t blocks, float limit,
                               std::uint32_t* places);
-  /// marks = 1 where 2 * score + shift <= (reach + radius)^2, for each of `count` blocks; others stay
-  /// as they are.
+  /// marks = 1 where 2 * score + shift <= (reach + radius)^2, for each of `count` blocks; others
+  /// stay as they are.
   void (*mark_near)(const float* scores, const float* radii, std::size_t count, float reach,
                     float shift, std::int32_t* marks);
   /// out = (x - centre) * factor, rounded to the nearest integers, which must be within 16 bits.

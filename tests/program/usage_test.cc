@@ -10,24 +10,25 @@ class Usage : public ProgramTest {};
 TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
   write_data();
   expect_refused(
-      2, {{{},
-           {"a command is missing",
-            "run, report, view, information, apply, systems, import, inspect, recover, som, reference",
-            "somato --help"}},
-          {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
-          {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
-          {{"som", "trian", "data.csv", "-o", "x"},
-           {"som: unknown command 'trian'", "did you mean 'train'?"}},
-          {{"--hlep"}, {"unknown flag '--hlep'", "'--help'"}},
-          {{"som", "train", "data.csv", "-o", "x", "--rwos", "3"},
-           {"som train: unknown flag '--rwos'", "did you mean '--rows'?"}},
-          {{"som", "train", "data.csv", "--rwos=3"}, {"unknown flag '--rwos'", "'--rows'"}},
-          {{"som", "train", "data.csv", "-o", "x", "-z"},
-           {"unknown flag '-z'", "see 'somato som train --help'"}},
-          {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
-          {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
-          {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
-          {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
+      2,
+      {{{},
+        {"a command is missing",
+         "run, report, view, information, apply, systems, import, inspect, recover, som, reference",
+         "somato --help"}},
+       {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
+       {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
+       {{"som", "trian", "data.csv", "-o", "x"},
+        {"som: unknown command 'trian'", "did you mean 'train'?"}},
+       {{"--hlep"}, {"unknown flag '--hlep'", "'--help'"}},
+       {{"som", "train", "data.csv", "-o", "x", "--rwos", "3"},
+        {"som train: unknown flag '--rwos'", "did you mean '--rows'?"}},
+       {{"som", "train", "data.csv", "--rwos=3"}, {"unknown flag '--rwos'", "'--rows'"}},
+       {{"som", "train", "data.csv", "-o", "x", "-z"},
+        {"unknown flag '-z'", "see 'somato som train --help'"}},
+       {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
+       {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
+       {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
+       {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
 }
 
 TEST_F(Usage, MissingArgumentsAreNamed) {
