@@ -309,7 +309,7 @@ inline Vector<Real> zero_below(Vector<Real> a, const Vector<Real>& limit) {
   return a;
 }
 inline Vector<float> greatest(Vector<float> a, const Vector<float>& b) {
-  for (std::size_t i = 0; i < a.kCount; ++i) {
+  for (std::size_t i = 0; i < Vector<float>::kCount; ++i) {
     const float magnitude = b.lanes[i] < 0 ? -b.lanes[i] : b.lanes[i];
     if (magnitude > a.lanes[i]) a.lanes[i] = magnitude;
   }
