@@ -2,19 +2,15 @@
 
 #include <utility>
 
+#include "bodies/driving.h"
+
 namespace somato::live {
 
 GrowingExploration::GrowingExploration(const BodyDescription& body)
     : frames_(body.sensors.size(), 0) {
   exploration_.channels.reserve(body.sensors.size());
   for (const ChannelDescription& sensor : body.sensors) {
-    Channel channel;
-    channel.name = sensor.name;
-    channel.unit = sensor.unit;
-    channel.element_names = sensor.element_names;
-    channel.shape = sensor.shape;
-    channel.rate = sensor.rate;
-    exploration_.channels.push_back(std::move(channel));
+    exploration_.channels.push_back(detail::empty_channel(sensor));
   }
 }
 

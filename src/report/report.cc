@@ -13,6 +13,7 @@
 #include "report/rebuilt_study.h"
 #include "report/samples_json.h"
 #include "report/trained_json.h"
+#include "studies/results_json.h"
 
 namespace somato {
 namespace {
@@ -30,40 +31,15 @@ Json settings_json(const std::vector<Settings>& parts) {
   return json;
 }
 
-Json metrics_json(const std::vector<Metric>& metrics) {
-  Json json = Json::object();
-  for (const Metric& metric : metrics) {
-    json[metric.name] = {
-        {"mean", metric.mean()}, {"sd", metric.standard_deviation()}, {"values", metric.values}};
-  }
-  return json;
-}
-
-Json runs_json(const PartResults& part, const SystemResults& protocol) {
-  Json json = Json::array();
-  for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
-    const Run& run = protocol.runs[i];
-    json.push_back({{"seed", run.seed},
-                    {"recording", part.pairs[i].recording},
-                    {"winners", run.winners},
-                    {"labels", run.labels},
-                    {"predictions", run.predictions}});
-    for (const auto& [label, predictions] : run.other_predictions) {
-      json.back()["other_predictions"][label] = predictions;
-    }
-  }
-  return json;
-}
-
+// As in results.json, each run with its recording.
 Json protocols_json(const PartResults& part) {
   Json json = Json::array();
   for (const SystemResults& protocol : part.protocols) {
-    Json one = {{"protocol", protocol.protocol}};
-    if (!protocol.group.empty()) one["group"] = protocol.group;
-    one.update({{"label", protocol.label},
-                {"samples", protocol.samples},
-                {"metrics", metrics_json(protocol.metrics)},
-                {"runs", runs_json(part, protocol)}});
+    Json one = detail::system_json(protocol);
+    one.erase("name");
+    for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
+      one["runs"][i]["recording"] = part.pairs[i].recording;
+    }
     json.push_back(std::move(one));
   }
   return json;
