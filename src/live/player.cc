@@ -61,8 +61,11 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
   explored_scenes_.resize(source_.recording.explorations.size());
 }
 
+void Player::begin() {
+  guarded([this] { set_out(); });
+}
+
 void Player::run() {
-  guarded([this] { begin(); });
   while (!closed_) guarded([this] { go_on(); });
 }
 
@@ -78,7 +81,7 @@ void Player::guarded(const std::function<void()>& work) {
   }
 }
 
-void Player::begin() {
+void Player::set_out() {
   tell_narrator();
   if (source_.body) {
     wants_exploring_ = welcomed_;

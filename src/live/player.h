@@ -26,6 +26,9 @@ class Player : private ExplorationWatcher {
  public:
   Player(ViewSource source, const ViewSettings& settings, EventHub& hub, TaskQueue& queue);
 
+  /// Shows what there is before anything plays; before run().
+  void begin();
+
   /// Plays until the queue is closed; a mistake of ours is told as a problem and does not end it.
   void run();
 
@@ -49,7 +52,7 @@ class Player : private ExplorationWatcher {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void begin();
+  void set_out();
   void go_on();
   void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t exploration);

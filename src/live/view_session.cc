@@ -35,7 +35,9 @@ class ViewSession::Works {
     });
   }
 
+  // Whoever asks once this is done is told what there is.
   void start() {
+    player_.begin();
     thread_ = std::thread([this] { player_.run(); });
   }
 

@@ -26,6 +26,7 @@ class ViewSession {
   ViewSession& operator=(ViewSession&&) = delete;
   ~ViewSession();
 
+  /// From here on there is something to be told: the state, and of a recording its first frame.
   void start();
 
   /// Ends what goes on and waits for it; nobody is told anything any more.
