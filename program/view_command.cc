@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "pages.h"
 #include "somato/bodies/object_table.h"
+#include "somato/live/address.h"
 #include "somato/live/view_server.h"
 #include "somato/live/view_session.h"
 #include "somato/simulation/watched_explorer.h"
@@ -135,13 +136,18 @@ Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
   }
   settings.port = static_cast<std::uint16_t>(port->value_or(0));
   if (!arguments.has("address")) return settings;
-  settings.address = arguments.text("address");
-  if (settings.address == "0.0.0.0" || settings.address == "::") {
+  auto address = parse_address(arguments.text("address"));
+  if (!address) {
+    address.error().where = "--address";
+    return fail(std::move(address.error()));
+  }
+  settings.address = address->text;
+  if (address->reach == Address::Reach::kAll) {
     return fail(ErrorKind::kUsage, "the view answers to one address alone", "--address",
                 "give that of the interface that others come by");
   }
-  const bool is_loopback = settings.address == "127.0.0.1" || settings.address == "::1";
-  if (is_loopback || arguments.has("allow-others")) return settings;
+  const bool is_ours = address->reach == Address::Reach::kLoopback;
+  if (is_ours || arguments.has("allow-others")) return settings;
   return fail(ErrorKind::kUsage, "others could reach this address", "--address",
               "whoever learns the start address, which goes through the network unprotected, could "
               "then see all and move the body; say --allow-others if that is wanted");
