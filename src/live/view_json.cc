@@ -7,6 +7,8 @@
 #include <iterator>
 #include <span>
 
+#include "somato/bodies/material_colour.h"
+
 namespace somato::live {
 namespace {
 
@@ -256,13 +258,14 @@ Json channel_json(const Channel& channel) {
 }
 
 Json thing_json(const ShownThing& thing) {
+  const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
             {"size", nullptr},
             {"top_diameter", 0.0},
             {"material", thing.material.name},
             {"hardness", choice_name(thing.material.hardness)},
-            {"colour", nullptr},
+            {"colour", colour ? Json(*colour) : Json()},
             {"mass", nullptr}};
   if (!thing.object) return json;
   json["shape"] = choice_name(thing.object->shape);
