@@ -8,6 +8,7 @@
 #include <span>
 
 #include "graph/graph_json.h"
+#include "somato/bodies/material_colour.h"
 
 namespace somato::live {
 namespace {
@@ -215,13 +216,14 @@ Json channel_json(const Channel& channel) {
 }
 
 Json thing_json(const ShownThing& thing) {
+  const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
             {"size", nullptr},
             {"top_diameter", 0.0},
             {"material", thing.material.name},
             {"hardness", choice_name(thing.material.hardness)},
-            {"colour", nullptr},
+            {"colour", colour ? Json(*colour) : Json()},
             {"mass", nullptr}};
   if (!thing.object) return json;
   json["shape"] = choice_name(thing.object->shape);
