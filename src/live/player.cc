@@ -366,6 +366,12 @@ const Exploration* Player::shown() const {
   return exploration_ ? &source_.recording.explorations[*exploration_] : nullptr;
 }
 
+std::optional<Strips> Player::strips() const {
+  if (!exploration_) return {};
+  if (live_) return strips_of(growing_, *exploration_, begun_);
+  return strips_of(source_.recording.explorations[*exploration_], *exploration_, timeline_);
+}
+
 void Player::publish_state() {
   ViewState state{source_, narrator_.picture(), shown(), exploration_};
   state.frame = live_ ? growing_.moments() : next_;
