@@ -23,6 +23,9 @@ class LiveExploration : public ExplorationWatcher {
   std::size_t index() const { return index_; }
   const GrowingExploration& grown() const { return growing_; }
 
+  /// The body's clock at the first step, s: it counts as 0.
+  double begun() const { return begun_; }
+
   /// Has the system, another one, hear what has come so far.
   void follow_anew();
 

@@ -250,6 +250,12 @@ void Player::show_problem(std::string problem) {
   publish_state();
 }
 
+std::optional<Strips> Player::strips() const {
+  if (live_) return strips_of(live_->grown(), live_->index(), live_->begun());
+  if (!replay_.index()) return {};
+  return strips_of(*replay_.exploration(), *replay_.index(), replay_.timeline());
+}
+
 void Player::publish_state() {
   ViewState state{source_, showing_.narrator.picture(),
                   live_ ? &live_->grown().so_far() : replay_.exploration(),

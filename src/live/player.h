@@ -12,6 +12,7 @@
 #include "live/live_exploration.h"
 #include "live/replay.h"
 #include "live/showing.h"
+#include "live/strips.h"
 #include "live/task_queue.h"
 #include "live/view_command.h"
 #include "somato/live/view_source.h"
@@ -37,6 +38,9 @@ class Player {
 
   /// The system that is chosen, or nullptr.
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
+
+  /// What the strips over time show of what plays or grows, or nothing.
+  std::optional<Strips> strips() const;
 
   /// A system that was trained; it is used when it is the one that is chosen.
   void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model);

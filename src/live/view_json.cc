@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <span>
+
+#include "live/json_writer.h"
 
 #include "graph/graph_json.h"
 #include "somato/bodies/material_colour.h"
@@ -53,79 +52,7 @@ Json geom_json(const SceneGeom& geom) {
   return json;
 }
 
-// Text that grows, number by number.
-class FrameText {
- public:
-  template <typename... Arguments>
-  FrameText& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-    return *this;
-  }
-
-  // A name may hold anything.
-  FrameText& key(const std::string& name) {
-    separate();
-    return add("{}:", json_text(Json(name)));
-  }
-
-  FrameText& open(char bracket) {
-    text_.push_back(bracket);
-    first_ = true;
-    return *this;
-  }
-  FrameText& close(char bracket) {
-    text_.push_back(bracket);
-    first_ = false;
-    return *this;
-  }
-  void separate() {
-    if (!first_) text_.push_back(',');
-    first_ = false;
-  }
-
-  // Five digits are more than a picture shows; most of what is sparse is 0.
-  FrameText& numbers(std::span<const float> values) {
-    open('[');
-    for (const float value : values) {
-      separate();
-      if (value == 0.0F) {
-        text_.push_back('0');
-      } else {
-        finite("{:.5g}", value);
-      }
-    }
-    return close(']');
-  }
-
-  FrameText& exact_numbers(std::span<const float> values) {
-    open('[');
-    for (const float value : values) {
-      separate();
-      finite("{}", value);
-    }
-    return close(']');
-  }
-
-  // JSON knows no infinity, and nothing that is no number.
-  template <typename Number>
-  FrameText& finite(fmt::format_string<Number&> format, Number value) {
-    return std::isfinite(value) ? add(format, value) : add("null");
-  }
-
-  std::string take() && { return std::move(text_); }
-
- private:
-  std::string text_;
-  bool first_ = true;
-};
-
-void add_channels(FrameText& text, const ShownMoment& moment) {
-  text.key("channels").open('{');
-  for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
-  text.close('}');
-}
-
-void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
+void add_poses(JsonWriter& text, const std::vector<ScenePose>& poses) {
   text.key("poses").open('[');
   for (const ScenePose& pose : poses) {
     for (const double value : pose.position) {
@@ -140,7 +67,7 @@ void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
   text.close(']');
 }
 
-void add_modules(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_modules(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("modules").open('{');
   if (saying != nullptr) {
     for (const auto& [module, output] : saying->modules) {
@@ -154,7 +81,7 @@ void add_modules(FrameText& text, const SystemModel* model, const Saying* saying
   text.close('}');
 }
 
-void add_maps(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_maps(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("maps").open('{');
   if (saying != nullptr) {
     for (const auto& [module, map] : saying->maps) {
@@ -167,7 +94,7 @@ void add_maps(FrameText& text, const SystemModel* model, const Saying* saying) {
   text.close('}');
 }
 
-void add_reading(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_reading(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("reading");
   if (saying == nullptr || saying->candidates.empty()) {
     text.add("null");
@@ -192,14 +119,17 @@ std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+bool comes_in_stretches(const Channel& channel, double rate) {
+  constexpr double kFast = 60.0;  // frames a second
+  return channel.frames.columns() == 1 && rate > kFast;
+}
+
 std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come) {
   constexpr std::size_t kStretch = 512;
-  constexpr double kFast = 60.0;  // frames a second
   if (come == 0) return {};
   const std::size_t columns = channel.frames.columns();
-  const bool fast = columns == 1 && rate > kFast;
-  const std::size_t first = fast && come > kStretch ? come - kStretch : fast ? 0 : come - 1;
-  return channel.frames.values().subspan(first * columns, (come - first) * columns);
+  const std::size_t shown = comes_in_stretches(channel, rate) ? std::min(come, kStretch) : 1;
+  return channel.frames.values().subspan((come - shown) * columns, shown * columns);
 }
 
 Json labels_json(const std::vector<Label>& labels) {
@@ -269,14 +199,16 @@ Json scene_json(const Scene& scene) {
 }
 
 std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying) {
-  FrameText text;
+  JsonWriter text;
   text.open('{');
   text.key("exploration").add("{}", moment.exploration);
   text.key("frame").add("{}", moment.frame);
   text.key("frames").add("{}", moment.frames ? std::to_string(*moment.frames) : "null");
   text.key("time").add("{:.6g}", moment.time);
   text.key("last").add("{}", moment.last);
-  add_channels(text, moment);
+  text.key("channels").open('{');
+  for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
+  text.close('}');
   add_poses(text, moment.poses);
   add_modules(text, model, saying);
   add_maps(text, model, saying);

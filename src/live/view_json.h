@@ -38,8 +38,11 @@ struct ShownMoment {
   std::vector<ScenePose> poses = {};
 };
 
-/// What is shown of a channel of which so many frames have come: the latest, or of what comes too
-/// fast for frames (`rate` a second) the latest stretch.
+/// Whether the channel comes too fast for frames at `rate` a second.
+bool comes_in_stretches(const Channel& channel, double rate);
+
+/// What is shown of a channel of which so many frames have come: the latest, or of what comes in
+/// stretches the latest one.
 std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come);
 
 /// The JSON as text; what is no UTF-8 is replaced.

@@ -58,6 +58,10 @@ HttpResponse error_response(const Error& error) {
   return json_response(live::json_text({{"error", to_string(error)}}), 400);
 }
 
+HttpResponse answer_of(Result<std::string> answer) {
+  return answer ? json_response(std::move(*answer)) : error_response(answer.error());
+}
+
 std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
   const auto text = request.parameter(name);
   std::size_t number = 0;
@@ -138,6 +142,7 @@ class ViewServer::Works {
     if (request.path == "/api/scene") return latest(EventKind::kScene);
     if (request.path == "/api/neuron") return neuron(request);
     if (request.path == "/api/taxel") return taxel(request);
+    if (request.path == "/api/strips") return answer_of(session_.strips());
     if (request.path == "/api/events") return events();
     if (request.path == "/api/command") return refused(405, "A command is told by POST.");
     return refused(404, "There is nothing here.");
@@ -152,15 +157,13 @@ class ViewServer::Works {
     const auto map = request.parameter("map");
     const auto number = number_in(request, "neuron");
     if (!map || !number) return refused(400, "Ask for map=NAME&neuron=NUMBER.");
-    const auto answer = session_.neuron(*map, *number);
-    return answer ? json_response(*answer) : error_response(answer.error());
+    return answer_of(session_.neuron(*map, *number));
   }
 
   HttpResponse taxel(const HttpRequest& request) {
     const auto number = number_in(request, "element");
     if (!number) return refused(400, "Ask for element=NUMBER.");
-    const auto answer = session_.taxel(*number);
-    return answer ? json_response(*answer) : error_response(answer.error());
+    return answer_of(session_.taxel(*number));
   }
 
   // A seat is taken here and left when the stream ends, or nobody took it.

@@ -73,6 +73,9 @@ TEST_F(ServerThread, ServesItsPageWithoutTokenAndAllElseWithOne) {
   EXPECT_EQ(status_of(state), 200);
   EXPECT_EQ(json::parse(body_of(state))["name"], "hand.mcap");
   EXPECT_EQ(body_of(viewing_.get("/api/scene")), "null");
+  const std::string strips = viewing_.get("/api/strips");
+  EXPECT_EQ(status_of(strips), 200);
+  EXPECT_EQ(json::parse(body_of(strips))["exploration"], 0);
   const std::string by_header =
       ask(viewing_.port(),
           get_request(viewing_.port(), "/api/state", {"X-Somato-Token: " + viewing_.token()}));
