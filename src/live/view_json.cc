@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "live/json_writer.h"
-
 #include "graph/graph_json.h"
+#include "live/json_writer.h"
 #include "somato/bodies/material_colour.h"
 
 namespace somato::live {
