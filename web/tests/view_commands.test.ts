@@ -85,25 +85,49 @@ describe("what it tells the program", () => {
     await view.page.keyboard.press("Escape");
     expect(await reachedByTab()).toEqual(await view.page.locator(kControls).count());
   });
+
+  it("shows where the focus is", async () => {
+    await view.open();
+    const unseen: (string | null)[] = [];
+    await reachedByTab(async () => void unseen.push(await hasVisibleFocus()));
+    expect(unseen.length).toBeGreaterThan(20);
+    expect(unseen.filter((name) => name !== null)).toEqual([]);
+  });
 });
 
 const kControls =
   "button:visible:enabled, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
 
-/** How many controls Tab comes by on its way around the view.page. */
-async function reachedByTab(): Promise<number> {
-  await view.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
-  const seen = await view.page.evaluate(
-    () => ((window as { seen?: Set<Element> }).seen = new Set<Element>()).size,
-  );
-  for (let i = seen; i < 120; i += 1) {
+/** The controls that Tab comes by on its way around the page; `at` is done at each. */
+async function reachedByTab(at: () => Promise<void> = async () => undefined): Promise<number> {
+  await view.page.evaluate(() => {
+    (document.activeElement as HTMLElement | null)?.blur();
+    (window as { seen?: Set<Element> }).seen = new Set();
+  });
+  for (let reached = 0; reached < 120; reached += 1) {
     await view.page.keyboard.press("Tab");
-    const known = await view.page.evaluate(() => {
+    const isNew = await view.page.evaluate(() => {
       const { seen } = window as unknown as { seen: Set<Element> };
       const at = document.activeElement!;
-      return at !== document.body && seen.size === seen.add(at).size;
+      return at === document.body || seen.size < seen.add(at).size;
     });
-    if (known) break;
+    if (!isNew) return reached;
+    await at();
   }
-  return view.page.evaluate(() => (window as unknown as { seen: Set<Element> }).seen.size);
+  return 0;
+}
+
+/** Whether what has the focus, or its label, looks different without it. */
+async function hasVisibleFocus(): Promise<string | null> {
+  const focused = await view.page.evaluate(() => {
+    const at = document.activeElement!;
+    const { x, y, width, height } = (at.closest(".segments label") ?? at).getBoundingClientRect();
+    const name = at.getAttribute("aria-label") ?? at.textContent ?? "";
+    const clip = { x: x - 5, y: y - 5, width: width + 10, height: height + 10 };
+    return { name: `${at.tagName} ${name}`, clip };
+  });
+  const { name, clip } = focused;
+  const before = await view.page.screenshot({ clip });
+  await view.page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  return before.equals(await view.page.screenshot({ clip })) ? name : null;
 }

@@ -3,19 +3,17 @@
 
 import type uPlot from "uplot";
 
-import { parsed, sequenceColour } from "../parts/colour_maps";
+import { sequenceColour } from "../parts/colour_maps";
 import type { ChannelData } from "../parts/data";
 import { gapsOf } from "./gaps";
 import type { History } from "./history";
 import type { Model } from "./model";
+import { pixelColours, Pixels } from "./pixels";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
 
 const kLast = 0.01; // share of the whole that the last frame takes
-const kTable = Array.from({ length: 256 }, (_, i) => {
-  const [red, green, blue] = parsed(sequenceColour(i / 255));
-  return 0xff000000 | (blue << 16) | (green << 8) | red;
-});
+const colour = pixelColours(sequenceColour);
 
 export function bandPlot(channel: ChannelData, model: Model): Plot {
   const count = channel.elements.length;
@@ -43,7 +41,7 @@ function nothingAt(times: number[]): uPlot.AlignedData {
 }
 
 class Bands {
-  private readonly canvas = document.createElement("canvas");
+  private readonly pixels = new Pixels();
   private painted = "";
 
   constructor(
@@ -57,7 +55,7 @@ class Bands {
     const down = Math.max(1, Math.round(height / devicePixelRatio));
     this.paint(across, Math.min(down, this.channel.elements.length), plot.scales["x"]?.max ?? 1);
     plot.ctx.imageSmoothingEnabled = false;
-    plot.ctx.drawImage(this.canvas, left, top, width, height);
+    plot.ctx.drawImage(this.pixels.canvas, left, top, width, height);
   }
 
   /** Only where something else is to be seen. */
@@ -66,7 +64,7 @@ class Bands {
     if (wanted === this.painted) return;
     this.painted = wanted;
     const columns = columnsOf(this.model.history, this.channel.name, width, end);
-    paint(this.canvas, height, this.channel.elements.length, columns);
+    this.pixels.paint(width, height, paintedWith(columns, height, this.channel.elements.length));
   }
 }
 
@@ -90,20 +88,14 @@ function columnsOf(history: History, channel: string, width: number, end: number
 }
 
 /** Where several elements or moments share a pixel it has the colour of the strongest. */
-function paint(canvas: HTMLCanvasElement, height: number, elements: number, columns: Column[]): void {
-  canvas.width = columns.length;
-  canvas.height = height;
-  const context = canvas.getContext("2d");
-  if (context === null) return;
+function paintedWith(columns: Column[], height: number, elements: number): (pixels: Uint32Array) => void {
   const most = Math.max(1e-9, ...columns.map((rows) => strongest(rows, 0, elements)));
-  const image = context.createImageData(columns.length, height);
-  const pixels = new Uint32Array(image.data.buffer);
   const first = (y: number) => Math.ceil((y * elements) / height);
-  columns.forEach((rows, x) => {
-    for (let y = 0; rows.length > 0 && y < height; y += 1)
-      pixels[y * columns.length + x] = colour(strongest(rows, first(y), first(y + 1)) / most);
-  });
-  context.putImageData(image, 0, 0);
+  return (pixels) =>
+    columns.forEach((rows, x) => {
+      for (let y = 0; rows.length > 0 && y < height; y += 1)
+        pixels[y * columns.length + x] = colour(strongest(rows, first(y), first(y + 1)) / most);
+    });
 }
 
 function strongest(rows: Column, first: number, end: number): number {
@@ -111,8 +103,4 @@ function strongest(rows: Column, first: number, end: number): number {
   for (const values of rows)
     for (let i = first; i < end; i += 1) most = Math.max(most, Math.abs(values[i] ?? 0) || 0);
   return most;
-}
-
-function colour(share: number): number {
-  return kTable[Math.round(Math.min(1, share) * 255)] ?? 0;
 }
