@@ -104,17 +104,21 @@ async function reachedByTab(at: () => Promise<void> = async () => undefined): Pr
     (document.activeElement as HTMLElement | null)?.blur();
     (window as { seen?: Set<Element> }).seen = new Set();
   });
-  for (let reached = 0; reached < 120; reached += 1) {
+  let reached = 0;
+  for (let i = 0; i < 120; i += 1) {
     await view.page.keyboard.press("Tab");
-    const isNew = await view.page.evaluate(() => {
+    const stop = await view.page.evaluate(() => {
       const { seen } = window as unknown as { seen: Set<Element> };
       const at = document.activeElement!;
-      return at === document.body || seen.size < seen.add(at).size;
+      if (at === document.body) return "outside"; // between the page's end and its beginning
+      return seen.size < seen.add(at).size ? "new" : "known";
     });
-    if (!isNew) return reached;
+    if (stop === "known") break;
+    if (stop === "outside") continue;
+    reached += 1;
     await at();
   }
-  return 0;
+  return reached;
 }
 
 /** Whether what has the focus, or its label, looks different without it. */
