@@ -1,7 +1,7 @@
 // Distributions as strips: for each metric the values of all runs, those of wrong groupings below,
 // and marks where the paper and the nearest neighbour are.
 
-import { rangeOf, readable } from "../parts/numbers";
+import { counted, rangeOf, readable } from "../parts/numbers";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { median } from "./claims";
 
@@ -60,9 +60,9 @@ function row(strip: Strip, y: number): SVGGElement {
     text(kNames + kWidth, 46, readable(high), { class: "muted note end" }),
   ]);
   group.append(...dots(strip.luck, x, 27, 3, "luck"), ...dots(strip.values, x, 14, 3.2, "run"));
-  if (strip.baseline !== null)
-    group.append(shape("path", { d: `M${rounded(x(strip.baseline))} 3V25`, class: "baseline" }));
   if (middle !== null) group.append(shape("path", { d: `M${rounded(x(middle))} 2V26`, class: "median" }));
+  if (strip.baseline !== null)
+    group.append(shape("path", { d: `M${rounded(x(strip.baseline))} -1V29`, class: "baseline" }));
   if (strip.published !== null)
     group.append(shape("path", { d: diamond(x(strip.published), 1), class: "published" }));
   return group;
@@ -97,7 +97,7 @@ function dots(
     const made = dot(x(mean), y, radiusFor(radius, together.length), kind);
     made.append(
       shape("title", {}, [
-        `${readable(mean)}: ${together.length === 1 ? "1 run" : `${together.length} runs`}`,
+        `${readable(mean)}: ${counted(together.length, "run")}`,
       ]),
     );
     return made;

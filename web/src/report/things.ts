@@ -33,11 +33,18 @@ export function thingsFigure(system: SystemReport): Child {
       table,
     ]),
     numbers: () => thingsTable(things),
-    note: things.some((thing) => thing.size !== null)
-      ? "All drawn at the same scale; width × depth × height."
-      : "",
+    note: noteOf(things),
     wide: true,
   });
+}
+
+function noteOf(things: ThingData[]): string {
+  const isKnown = (thing: ThingData) => thing.size !== null || thing.shape === null;
+  if (things.every((thing) => thing.size === null)) {
+    return things.every(isKnown) ? "" : "Drawn by their shapes alone; their sizes are not known.";
+  }
+  const others = things.every(isKnown) ? "" : " Those without a size are drawn by their shapes alone.";
+  return `All drawn at the same scale; width × depth × height.${others}`;
 }
 
 interface Column {
