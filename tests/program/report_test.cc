@@ -93,7 +93,7 @@ TEST_F(Report, FindsTheRecordingInAFolderWithResultsBelow) {
   make_results();
   fs::create_directories(path("all/out"));
   fs::copy(path("out/results.json"), path("all/out/results.json"));
-  fs::copy(path("grasps.mcap"), path("all/grasps.mcap"));
+  output_of({"import", "icub_grasp", kTrials, "-o", "all/grasps.mcap"});
   output_of({"report", "out/results.json", "--data", "all", "-o", "report.html"});
   EXPECT_EQ(data_of("report.html")["systems"][0]["recordings"], Json::array({"grasps.mcap"}));
 }
