@@ -2,10 +2,22 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 
 #include "somato/bodies/motion.h"
 
 namespace somato::detail {
+namespace {
+
+// 0 where only its frames tell.
+std::size_t elements_of(const ChannelDescription& sensor) {
+  if (!sensor.element_names.empty() || sensor.shape.empty()) return sensor.element_names.size();
+  return std::accumulate(sensor.shape.begin(), sensor.shape.end(), std::size_t{1},
+                         std::multiplies<>());
+}
+
+}  // namespace
 
 Result<void> drive_one(Body& body, std::size_t servo, double target) {
   std::vector<double> targets = present_targets(body);
@@ -35,6 +47,7 @@ Channel empty_channel(const ChannelDescription& sensor) {
   channel.element_names = sensor.element_names;
   channel.shape = sensor.shape;
   channel.rate = sensor.rate;
+  channel.frames = Matrix<float>(0, elements_of(sensor));
   return channel;
 }
 

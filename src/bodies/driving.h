@@ -16,7 +16,8 @@ bool has_arrived(const Body& body, std::size_t servo, double target);
 Result<void> let_pass(Body& body, double seconds, double step,
                       const std::function<Result<void>()>& after_step);
 
-/// The channel of a sensor without frames.
+/// The channel of a sensor without frames; it has as many columns as the sensor has elements, or
+/// none where only its frames tell.
 Channel empty_channel(const ChannelDescription& sensor);
 
 }  // namespace somato::detail

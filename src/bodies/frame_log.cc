@@ -2,24 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <numeric>
 #include <utility>
 
 #include "bodies/driving.h"
 #include "somato/core/check.h"
 
 namespace somato {
-namespace {
-
-// The elements of a sensor's frames, or 0 where only its frames tell.
-std::size_t elements_of(const ChannelDescription& sensor) {
-  if (!sensor.element_names.empty() || sensor.shape.empty()) return sensor.element_names.size();
-  return std::accumulate(sensor.shape.begin(), sensor.shape.end(), std::size_t{1},
-                         std::multiplies<>());
-}
-
-}  // namespace
 
 FrameLog::FrameLog(const BodyDescription& description, AfterFrames after_frames)
     : after_frames_(std::move(after_frames)) {
@@ -27,7 +15,6 @@ FrameLog::FrameLog(const BodyDescription& description, AfterFrames after_frames)
   for (const ChannelDescription& sensor : description.sensors) {
     Channel channel = detail::empty_channel(sensor);
     channel.rate = 0.0;
-    channel.frames = Matrix<float>(0, elements_of(sensor));
     sensors_.push_back(
         {std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0, {}});
   }

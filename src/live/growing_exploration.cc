@@ -10,7 +10,10 @@ GrowingExploration::GrowingExploration(const BodyDescription& body)
     : frames_(body.sensors.size(), 0) {
   exploration_.channels.reserve(body.sensors.size());
   for (const ChannelDescription& sensor : body.sensors) {
-    exploration_.channels.push_back(detail::empty_channel(sensor));
+    Channel channel = detail::empty_channel(sensor);
+    // What declares nothing, such as a height, is one number as far as anybody knows by now.
+    if (channel.frames.columns() == 0) channel.frames = Matrix<float>(0, 1);
+    exploration_.channels.push_back(std::move(channel));
   }
 }
 
@@ -26,7 +29,7 @@ void GrowingExploration::append(const BodyState& state) {
     channel.frames = Matrix<float>(frames_[i], taken.columns(), std::move(values));
     if (channel.rate == 0.0) channel.times.push_back(state.time);
   }
-  ++moments_;
+  moments_.push_back({state.time, frames_});
 }
 
 }  // namespace somato::live

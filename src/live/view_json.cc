@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <span>
+
+#include "graph/graph_json.h"
+#include "live/json_writer.h"
+#include "somato/bodies/material_colour.h"
 
 namespace somato::live {
 namespace {
@@ -25,49 +26,6 @@ Json parameters_json(const ModuleType& type, const Table& settings) {
     parameters[entry.name] = to_toml(*value);
   }
   return parameters;
-}
-
-Json not_given_json(const ModuleType& type) {
-  Json names = Json::array();
-  for (const ParameterInfo& info : type.parameters) {
-    if (info.text.find("ot given in the paper") != std::string::npos) names.push_back(info.name);
-  }
-  return names;
-}
-
-Json inputs_json(const System& system, const SystemModule& module) {
-  Json inputs = Json::array();
-  for (std::size_t i = 0; i < module.inputs.size(); ++i) {
-    inputs.push_back(
-        {{"port", module.ports[i]}, {"module", system.modules()[module.inputs[i]].name}});
-  }
-  return inputs;
-}
-
-Json module_json(const System& system, std::size_t number) {
-  const SystemModule& module = system.modules()[number];
-  Json json{{"name", module.name},
-            {"type", module.type->name},
-            {"text", module.type->text},
-            {"inputs", inputs_json(system, module)},
-            {"shape", module.output.shape},
-            {"sparse", module.output.sparse},
-            {"rate", choice_name(module.output.rate)},
-            {"learns", module.module->learner() != nullptr}};
-  if (const auto* source = dynamic_cast<const Source*>(module.module.get())) {
-    json["channel"] = source->channel();
-  }
-  json["parameters"] = parameters_json(*module.type, system.description().modules[number].settings);
-  json["not_given"] = not_given_json(*module.type);
-  return json;
-}
-
-Json phase_json(const System& system, const Phase& phase) {
-  Json learn = Json::array();
-  for (const std::size_t module : phase.learners) learn.push_back(system.modules()[module].name);
-  return {{"learn", std::move(learn)},
-          {"draws", phase.draws ? Json(*phase.draws) : Json()},
-          {"of", phase.of == Rate::kFrame ? "frames" : "explorations"}};
 }
 
 Json elements_json(const Channel& channel) {
@@ -93,79 +51,7 @@ Json geom_json(const SceneGeom& geom) {
   return json;
 }
 
-// Text that grows, number by number.
-class FrameText {
- public:
-  template <typename... Arguments>
-  FrameText& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-    return *this;
-  }
-
-  // A name may hold anything.
-  FrameText& key(const std::string& name) {
-    separate();
-    return add("{}:", json_text(Json(name)));
-  }
-
-  FrameText& open(char bracket) {
-    text_.push_back(bracket);
-    first_ = true;
-    return *this;
-  }
-  FrameText& close(char bracket) {
-    text_.push_back(bracket);
-    first_ = false;
-    return *this;
-  }
-  void separate() {
-    if (!first_) text_.push_back(',');
-    first_ = false;
-  }
-
-  // Five digits are more than a picture shows; most of what is sparse is 0.
-  FrameText& numbers(std::span<const float> values) {
-    open('[');
-    for (const float value : values) {
-      separate();
-      if (value == 0.0F) {
-        text_.push_back('0');
-      } else {
-        finite("{:.5g}", value);
-      }
-    }
-    return close(']');
-  }
-
-  FrameText& exact_numbers(std::span<const float> values) {
-    open('[');
-    for (const float value : values) {
-      separate();
-      finite("{}", value);
-    }
-    return close(']');
-  }
-
-  // JSON knows no infinity, and nothing that is no number.
-  template <typename Number>
-  FrameText& finite(fmt::format_string<Number&> format, Number value) {
-    return std::isfinite(value) ? add(format, value) : add("null");
-  }
-
-  std::string take() && { return std::move(text_); }
-
- private:
-  std::string text_;
-  bool first_ = true;
-};
-
-void add_channels(FrameText& text, const ShownMoment& moment) {
-  text.key("channels").open('{');
-  for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
-  text.close('}');
-}
-
-void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
+void add_poses(JsonWriter& text, const std::vector<ScenePose>& poses) {
   text.key("poses").open('[');
   for (const ScenePose& pose : poses) {
     for (const double value : pose.position) {
@@ -180,7 +66,7 @@ void add_poses(FrameText& text, const std::vector<ScenePose>& poses) {
   text.close(']');
 }
 
-void add_modules(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_modules(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("modules").open('{');
   if (saying != nullptr) {
     for (const auto& [module, output] : saying->modules) {
@@ -194,7 +80,7 @@ void add_modules(FrameText& text, const SystemModel* model, const Saying* saying
   text.close('}');
 }
 
-void add_maps(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_maps(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("maps").open('{');
   if (saying != nullptr) {
     for (const auto& [module, map] : saying->maps) {
@@ -207,7 +93,7 @@ void add_maps(FrameText& text, const SystemModel* model, const Saying* saying) {
   text.close('}');
 }
 
-void add_reading(FrameText& text, const SystemModel* model, const Saying* saying) {
+void add_reading(JsonWriter& text, const SystemModel* model, const Saying* saying) {
   text.key("reading");
   if (saying == nullptr || saying->candidates.empty()) {
     text.add("null");
@@ -232,14 +118,17 @@ std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+bool comes_in_stretches(const Channel& channel, double rate) {
+  constexpr double kFast = 60.0;  // frames a second
+  return channel.frames.columns() == 1 && rate > kFast;
+}
+
 std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come) {
   constexpr std::size_t kStretch = 512;
-  constexpr double kFast = 60.0;  // frames a second
   if (come == 0) return {};
   const std::size_t columns = channel.frames.columns();
-  const bool fast = columns == 1 && rate > kFast;
-  const std::size_t first = fast && come > kStretch ? come - kStretch : fast ? 0 : come - 1;
-  return channel.frames.values().subspan(first * columns, (come - first) * columns);
+  const std::size_t shown = comes_in_stretches(channel, rate) ? std::min(come, kStretch) : 1;
+  return channel.frames.values().subspan((come - shown) * columns, shown * columns);
 }
 
 Json labels_json(const std::vector<Label>& labels) {
@@ -256,13 +145,14 @@ Json channel_json(const Channel& channel) {
 }
 
 Json thing_json(const ShownThing& thing) {
+  const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
             {"size", nullptr},
             {"top_diameter", 0.0},
             {"material", thing.material.name},
             {"hardness", choice_name(thing.material.hardness)},
-            {"colour", nullptr},
+            {"colour", colour ? Json(*colour) : Json()},
             {"mass", nullptr}};
   if (!thing.object) return json;
   json["shape"] = choice_name(thing.object->shape);
@@ -272,21 +162,11 @@ Json thing_json(const ShownThing& thing) {
   return json;
 }
 
-Json shown_grid_json(const Grid& grid) {
-  return {{"rows", grid.rows()},
-          {"columns", grid.columns()},
-          {"lattice", choice_name(grid.lattice())},
-          {"topology", choice_name(grid.topology())}};
-}
-
 Json graph_json(const System& system, const std::string& map) {
-  Json modules = Json::array();
-  for (std::size_t i = 0; i < system.modules().size(); ++i) {
-    modules.push_back(module_json(system, i));
-  }
-  Json phases = Json::array();
-  for (const Phase& phase : system.phases()) phases.push_back(phase_json(system, phase));
-  return {{"modules", std::move(modules)}, {"map", map}, {"phases", std::move(phases)}};
+  const auto parameters = [&](std::size_t i) {
+    return parameters_json(*system.modules()[i].type, system.description().modules[i].settings);
+  };
+  return detail::graph_json(system, map, parameters);
 }
 
 Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) {
@@ -302,7 +182,7 @@ Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) 
       neurons.push_back(label ? Json(*label) : Json());
     }
     maps.push_back({{"module", name},
-                    {"grid", shown_grid_json(grid)},
+                    {"grid", detail::grid_json(grid)},
                     {"classes", answers ? Json(answer->classes) : Json::array()},
                     {"neuron_classes", std::move(neurons)}});
   }
@@ -318,14 +198,16 @@ Json scene_json(const Scene& scene) {
 }
 
 std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying) {
-  FrameText text;
+  JsonWriter text;
   text.open('{');
   text.key("exploration").add("{}", moment.exploration);
   text.key("frame").add("{}", moment.frame);
   text.key("frames").add("{}", moment.frames ? std::to_string(*moment.frames) : "null");
   text.key("time").add("{:.6g}", moment.time);
   text.key("last").add("{}", moment.last);
-  add_channels(text, moment);
+  text.key("channels").open('{');
+  for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
+  text.close('}');
   add_poses(text, moment.poses);
   add_modules(text, model, saying);
   add_maps(text, model, saying);

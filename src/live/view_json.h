@@ -23,7 +23,6 @@ using Json = nlohmann::ordered_json;
 Json labels_json(const std::vector<Label>& labels);
 Json channel_json(const Channel& channel);
 Json thing_json(const ShownThing& thing);
-Json shown_grid_json(const Grid& grid);
 Json graph_json(const System& system, const std::string& map);
 Json maps_json(const System& system, const std::optional<SystemAnswer>& answer);
 Json scene_json(const Scene& scene);
@@ -39,8 +38,11 @@ struct ShownMoment {
   std::vector<ScenePose> poses = {};
 };
 
-/// What is shown of a channel of which so many frames have come: the latest, or of what comes too
-/// fast for frames (`rate` a second) the latest stretch.
+/// Whether the channel comes too fast for frames at `rate` a second.
+bool comes_in_stretches(const Channel& channel, double rate);
+
+/// What is shown of a channel of which so many frames have come: the latest, or of what comes in
+/// stretches the latest one.
 std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come);
 
 /// The JSON as text; what is no UTF-8 is replaced.

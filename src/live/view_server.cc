@@ -14,6 +14,7 @@
 #include "live/http_access.h"
 #include "live/http_server.h"
 #include "live/view_json.h"
+#include "somato/live/address.h"
 
 namespace somato {
 
@@ -57,6 +58,10 @@ HttpResponse error_response(const Error& error) {
   return json_response(live::json_text({{"error", to_string(error)}}), 400);
 }
 
+HttpResponse answer_of(Result<std::string> answer) {
+  return answer ? json_response(std::move(*answer)) : error_response(answer.error());
+}
+
 std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
   const auto text = request.parameter(name);
   std::size_t number = 0;
@@ -67,17 +72,6 @@ std::optional<std::size_t> number_in(const HttpRequest& request, std::string_vie
   return number;
 }
 
-// A host as browsers write it: the names of the loopback interface, or another address that was
-// asked for.
-std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port) {
-  const bool is_v6 = address.find(':') != std::string::npos;
-  std::vector<std::string> hosts{is_v6 ? fmt::format("[{}]:{}", address, port)
-                                       : fmt::format("{}:{}", address, port)};
-  if (address == "127.0.0.1" || address == "::1")
-    hosts.push_back(fmt::format("localhost:{}", port));
-  return hosts;
-}
-
 }  // namespace
 
 class ViewServer::Works {
@@ -86,15 +80,17 @@ class ViewServer::Works {
       : session_(session), pages_(std::move(pages)), settings_(std::move(settings)) {}
 
   Result<void> start() {
+    const auto address = parse_address(settings_.address);
+    if (!address) return fail(address.error());
     auto token = live::new_token();
     if (!token) {
       return fail(ErrorKind::kSystem, "the system gave no random numbers", "getrandom");
     }
     token_ = std::move(*token);
-    auto bound = http_.bind({settings_.address, settings_.port, settings_.connections,
+    auto bound = http_.bind({address->text, settings_.port, settings_.connections,
                              std::chrono::milliseconds(settings_.patience)});
     if (!bound) return bound;
-    hosts_ = hosts_at(settings_.address, http_.port());
+    hosts_ = live::hosts_at(address->text, http_.port());
     access_.emplace(hosts_, token_);
     http_.start([this](const HttpRequest& request) { return answer(request); });
     return {};
@@ -146,6 +142,7 @@ class ViewServer::Works {
     if (request.path == "/api/scene") return latest(EventKind::kScene);
     if (request.path == "/api/neuron") return neuron(request);
     if (request.path == "/api/taxel") return taxel(request);
+    if (request.path == "/api/strips") return answer_of(session_.strips());
     if (request.path == "/api/events") return events();
     if (request.path == "/api/command") return refused(405, "A command is told by POST.");
     return refused(404, "There is nothing here.");
@@ -160,15 +157,13 @@ class ViewServer::Works {
     const auto map = request.parameter("map");
     const auto number = number_in(request, "neuron");
     if (!map || !number) return refused(400, "Ask for map=NAME&neuron=NUMBER.");
-    const auto answer = session_.neuron(*map, *number);
-    return answer ? json_response(*answer) : error_response(answer.error());
+    return answer_of(session_.neuron(*map, *number));
   }
 
   HttpResponse taxel(const HttpRequest& request) {
     const auto number = number_in(request, "element");
     if (!number) return refused(400, "Ask for element=NUMBER.");
-    const auto answer = session_.taxel(*number);
-    return answer ? json_response(*answer) : error_response(answer.error());
+    return answer_of(session_.taxel(*number));
   }
 
   // A seat is taken here and left when the stream ends, or nobody took it.

@@ -69,6 +69,11 @@ class ViewSession::Works {
         [&](const live::InquiredSystem& asked) { return inquiries_.taxel(asked, element); });
   }
 
+  Result<std::string> strips() {
+    return ask<std::optional<live::Strips>>([this] { return player_.strips(); })
+        .map([](const auto& strips) { return strips ? live::strips_text(*strips) : "null"; });
+  }
+
   live::EventHub& hub() { return hub_; }
   const Recording& recording() const { return player_.source().recording; }
 
@@ -202,6 +207,10 @@ Result<std::string> ViewSession::neuron(const std::string& map, std::size_t neur
 
 Result<std::string> ViewSession::taxel(std::size_t element) {
   return works_->taxel(element);
+}
+
+Result<std::string> ViewSession::strips() {
+  return works_->strips();
 }
 
 live::EventHub& ViewSession::hub() {

@@ -6,10 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "graph/graph_json.h"
 #include "report/claims_json.h"
 #include "report/curves.h"
 #include "report/evidence.h"
-#include "report/graph_json.h"
+#include "report/not_given.h"
 #include "report/rebuilt_study.h"
 #include "report/samples_json.h"
 #include "report/trained_json.h"
@@ -77,9 +78,26 @@ bool is_as_it_stands(const PartResults& part) {
   return part.question.empty() && part.variation.empty();
 }
 
+bool has_parameter(const ModuleType& type, const std::string& name) {
+  return std::any_of(type.parameters.begin(), type.parameters.end(),
+                     [&](const ParameterInfo& info) { return info.name == name; });
+}
+
+Json parameters_json(const ModuleType& type, const Settings* part) {
+  Json json = Json::object();
+  for (const Setting& setting : part ? part->settings : std::vector<Setting>{}) {
+    if (has_parameter(type, setting.name)) json[setting.name] = setting.value;
+  }
+  return json;
+}
+
 Json graph_or_null(const detail::Evidence& evidence) {
   if (!evidence.system() || !evidence.map) return nullptr;
-  return detail::graph_json(*evidence.system(), *evidence.map, evidence.part->settings);
+  const auto& modules = evidence.system()->modules();
+  return detail::graph_json(*evidence.system(), modules[*evidence.map].name, [&](std::size_t i) {
+    return parameters_json(*modules[i].type,
+                           detail::find_part(evidence.part->settings, "module." + modules[i].name));
+  });
 }
 
 // Puts a report together, file by file.

@@ -121,6 +121,7 @@ class HostileRequests {
             {"a wrong token in the header", get("/api/state", "X-Somato-Token: 00\r\n"), 403},
             {"events without a token", get("/api/events"), 403},
             {"a neuron without a token", get("/api/neuron?map=map&neuron=0"), 403},
+            {"strips without a token", get("/api/strips"), 403},
             {"a token of broken characters", get("/api/state?token=%zz"), 400},
             {"a token of control characters", get("/api/state?token=%00%0a"), 400}};
   }

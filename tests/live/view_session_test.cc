@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -78,6 +80,62 @@ TEST_F(SessionThread, StepsAndSeeksToAndFro) {
             std::vector<float>(row.begin(), row.end()));
   command(session, R"({"command":"step","frames":-100})");
   EXPECT_EQ(frame_of(session)["frame"], 0);
+}
+
+json strips_of(ViewSession& session) {
+  const auto strips = session.strips();
+  return strips ? json::parse(*strips) : json(strips.error().what);
+}
+
+TEST_F(SessionThread, TellsOverTimeWhatItsFramesTell) {
+  ViewSession session(testing::hand_source(), resting());
+  session.start();
+  command(session, R"({"command":"seek","exploration":1,"frame":0})");
+  const json strips = strips_of(session);
+  EXPECT_EQ(strips["exploration"], 1);
+  ASSERT_GT(strips["frames"], 1);
+  ASSERT_EQ(strips["frame"].size(), strips["frames"]);
+  for (std::size_t i = 0; i < strips["frames"]; ++i) {
+    command(session, fmt::format(R"({{"command":"seek","exploration":1,"frame":{}}})", i));
+    const json frame = frame_of(session);
+    EXPECT_EQ(strips["frame"][i], frame["frame"]);
+    EXPECT_EQ(strips["time"][i], frame["time"]);
+    for (const char* channel : {"height", "wrist", "joints", "touch"}) {
+      EXPECT_EQ(strips["channels"][channel][i], frame["channels"][channel]) << channel << i;
+    }
+    EXPECT_FALSE(strips["channels"].contains("sound"));
+  }
+}
+
+TEST_F(SessionThread, TellsOverTimeWhatABodyHasFeltSoFar) {
+  ViewSession session(body_source(1000), {false, 1.0, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] {
+    const json frame = frame_of(session);
+    return !frame.is_null() && frame["frame"] >= 3;
+  }));
+  command(session, R"({"command":"pause"})");
+  json frame = frame_of(session);
+  // Between two steps that are felt the frame is told again, with what is not recorded.
+  command(session, R"({"command":"step","frames":1})");
+  ASSERT_TRUE(eventually([&] { return frame_of(session)["frame"] > frame["frame"]; }));
+  frame = frame_of(session);
+  const json strips = strips_of(session);
+  EXPECT_EQ(strips["frames"], nullptr);
+  EXPECT_EQ(strips["frame"].back(), frame["frame"]);
+  EXPECT_EQ(strips["frame"].size(), frame["frame"].get<std::size_t>() + 1);
+  EXPECT_EQ(strips["time"].back(), frame["time"]);
+  for (const auto& [channel, values] : frame["channels"].items()) {
+    EXPECT_EQ(strips["channels"][channel].back(), values) << channel;
+  }
+}
+
+TEST_F(SessionThread, TellsNothingOverTimeWhereNothingIsShown) {
+  ViewSession session(body_source(), {true, 1.0, 0.0});
+  session.start();
+  EXPECT_EQ(strips_of(session), nullptr);
+  session.stop();
+  EXPECT_FALSE(session.strips());
 }
 
 TEST_F(SessionThread, PlaysAllExplorationsToTheirEnd) {
@@ -238,6 +296,8 @@ TEST_F(SessionThread, ShowsABodyWhileItExplores) {
   command(session, R"({"command":"pause"})");
   const json state = state_of(session);
   EXPECT_EQ(state["live"], true);
+  EXPECT_EQ(state["channels"][2]["elements"],
+            (json{"1", "2", "3"}));
   EXPECT_EQ(state["frames"], nullptr);
   EXPECT_EQ(state["things"].size(), 2U);
   EXPECT_EQ(latest(session, EventKind::kScene)["bodies"], (json{"finger"}));

@@ -1,7 +1,7 @@
 // A made-up grasp for the fake server: frames that anyone can work out again.
 
 import type { GraphData, ModuleData } from "../src/parts/data";
-import type { Frame, Reading, Scene, State, Training } from "../src/view/data";
+import type { Frame, Reading, Scene, State, Strips, Training } from "../src/view/data";
 import { fakePoses, fakeScene, kTaxels, kThings } from "./fake_hand";
 
 export const kFrames = 60;
@@ -33,6 +33,20 @@ export function fakeFrame(exploration: number, frame: number): Frame {
     modules: modulesOf(joints, touch, share),
     maps: { map: answerOf(exploration, share) },
     reading: readingOf(exploration, share),
+  };
+}
+
+export function fakeStrips(exploration: number): Strips {
+  const frames = Array.from({ length: kFrames }, (_, i) => fakeFrame(exploration, i));
+  const names = Object.keys(frames[0]!.channels);
+  return {
+    exploration,
+    frames: kFrames,
+    frame: frames.map(({ frame }) => frame),
+    time: frames.map(({ time }) => time),
+    channels: Object.fromEntries(
+      names.map((name) => [name, frames.map(({ channels }) => channels[name]!)]),
+    ),
   };
 }
 

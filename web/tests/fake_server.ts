@@ -7,7 +7,7 @@ import type { AddressInfo, Socket } from "node:net";
 import { join } from "node:path";
 
 import type { Command, NeuronAnswer, Scene, State, TaxelAnswer } from "../src/view/data";
-import { fakeFrame, fakeState, fakeTraining, kFrames, kRate, sceneOf } from "./fake_frames";
+import { fakeFrame, fakeState, fakeStrips, fakeTraining, kFrames, kRate, sceneOf } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 
 const kPolicy =
@@ -103,6 +103,7 @@ export class FakeServer {
     if (url.pathname === "/api/events") return this.listen(response);
     if (url.pathname === "/api/state") return json(response, 200, this.state);
     if (url.pathname === "/api/scene") return json(response, 200, this.sceneNow);
+    if (url.pathname === "/api/strips") return json(response, 200, fakeStrips(this.frame.exploration));
     if (url.pathname === "/api/neuron")
       return json(response, 200, this.neuron(Number(url.searchParams.get("neuron"))));
     if (url.pathname === "/api/taxel")

@@ -45,6 +45,10 @@ class ViewSession {
   Result<std::string> neuron(const std::string& map, std::size_t neuron);
   Result<std::string> taxel(std::size_t element);
 
+  /// Answers in JSON: what the channels told over the exploration that is shown, as far as that is
+  /// known, or null. From any thread. Errors (kUsage): the view is busy or about to end.
+  Result<std::string> strips();
+
   /// For whoever tells others.
   live::EventHub& hub();
 

@@ -5,6 +5,7 @@
 //   GET  /api/scene                the Scene of what plays now, or null
 //   GET  /api/neuron?map=M&neuron=N  a NeuronAnswer: what a neuron stands for
 //   GET  /api/taxel?element=E      a TaxelAnswer: where on the map an element of `touch` matters
+//   GET  /api/strips               the Strips of the exploration that is shown, or null
 //   GET  /api/events               server-sent events: "state" (State; first, and when it changes),
 //                                  "scene" (Scene | null; when the scene changes), "frame" (Frame),
 //                                  "training" (Training), "ping" ({}; every 2 seconds)
@@ -77,6 +78,16 @@ export interface Frame {
   modules: Record<string, { shape: number[]; values: number[]; folded: boolean }>;
   maps: Record<string, { winner: number; activity: number[] }>; // activity 0 to 1
   reading: Reading | null;
+}
+
+/** What the channels told over an exploration: at each moment, or at evenly chosen ones. */
+export interface Strips {
+  exploration: number;
+  frames: number | null; // of the exploration; null while it is not over
+  frame: number[]; // index of each moment, as its frame has it
+  time: number[]; // of each moment, seconds
+  // For each moment what its frame tells; without channels of which frames tell a stretch.
+  channels: Record<string, number[][]>;
 }
 
 /** What the system would say if this frame were the last. */

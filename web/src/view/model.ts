@@ -6,6 +6,7 @@ import type { Link, Listener } from "./connection";
 import type { Command, Frame, NeuronAnswer, Scene, State, TaxelAnswer, Training } from "./data";
 import { ForceScale } from "./force_scale";
 import { History } from "./history";
+import { HistorySource } from "./history_source";
 import { Observable } from "./observable";
 import { Refused, type Server } from "./server";
 
@@ -30,10 +31,14 @@ export class Model implements Tell {
   readonly theme = new Observable(0); // set when the colours have changed
   readonly history = new History();
   readonly scale = new ForceScale();
+  private readonly source: HistorySource;
 
-  constructor(private readonly server: Server) {}
+  constructor(private readonly server: Server) {
+    this.source = new HistorySource(server, this.history, () => this.recall());
+  }
 
   link(link: Link): void {
+    if (link.kind === "open") this.history.clear(); // it may have gone on meanwhile
     this.shownLink.set(link);
   }
 
@@ -56,6 +61,15 @@ export class Model implements Tell {
   draw(frame: Frame): void {
     this.history.add(frame);
     this.scale.see(frame.exploration, frame.channels["touch"] ?? []);
+    this.frame.set(frame);
+    void this.source.look();
+  }
+
+  /** What there is to be seen now stands in a wider frame. */
+  private recall(): void {
+    const frame = this.frame.value;
+    if (frame === null) return;
+    for (const touch of this.history.rows("touch")) this.scale.see(frame.exploration, touch);
     this.frame.set(frame);
   }
 

@@ -1,6 +1,6 @@
 // What the page asks of the program and tells it to do.
 
-import type { Command, NeuronAnswer, Scene, TaxelAnswer } from "./data";
+import type { Command, NeuronAnswer, Scene, Strips, TaxelAnswer } from "./data";
 
 /** What went wrong, in a sentence that may stand on the page. */
 export class Refused extends Error {
@@ -33,6 +33,10 @@ export class Server {
 
   scene(): Promise<Scene | null> {
     return this.get<Scene | null>("api/scene");
+  }
+
+  strips(): Promise<Strips | null> {
+    return this.get<Strips | null>("api/strips");
   }
 
   neuron(map: string, neuron: number): Promise<NeuronAnswer> {

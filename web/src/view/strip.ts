@@ -5,6 +5,7 @@ import uPlot from "uplot";
 import type { ChannelData } from "../parts/data";
 import { element, fill } from "../parts/dom";
 import type { Model } from "./model";
+import { timeEnd } from "./strip_axes";
 import { bandPlot } from "./strip_band";
 import { linePlot } from "./strip_lines";
 import { wavePlot } from "./strip_wave";
@@ -33,6 +34,7 @@ export class Strip {
   private plot: Batching | null = null;
   private data: (() => uPlot.AlignedData) | null = null;
   private kind: Kind | null = null;
+  private drawn = ""; // of the history, over that time
   private readonly observer = new ResizeObserver(() => this.resize());
 
   constructor(
@@ -57,9 +59,17 @@ export class Strip {
     this.values.show(values);
     if (values === null && this.plot === null) return;
     this.make(this.kindOf(values));
-    const data = this.data?.() ?? null;
-    // As one batch, so that it is drawn now and counted as the page's own work.
-    if (data !== null) this.plot?.batch((plot: uPlot) => plot.setData(data));
+    this.plot?.batch((plot: uPlot) => this.bring(plot));
+  }
+
+  /** What has not changed is not worked out again. Inside a batch, so that it is drawn now. */
+  private bring(plot: uPlot): void {
+    const { version, isWhole } = this.model.history;
+    const wanted = [version, timeEnd(this.model)].join();
+    if (this.kind !== "wave" && wanted === this.drawn) return plot.redraw(false);
+    this.drawn = wanted;
+    if (this.data !== null) plot.setData(this.data());
+    this.root.dataset["whole"] = String(isWhole);
   }
 
   destroy(): void {
@@ -76,6 +86,7 @@ export class Strip {
   private make(kind: Kind): void {
     if (kind === this.kind) return;
     this.kind = kind;
+    this.drawn = "";
     this.plot?.destroy();
     fill(this.place, []);
     const make = { lines: linePlot, bands: bandPlot, wave: wavePlot }[kind];

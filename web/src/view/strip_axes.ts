@@ -1,10 +1,12 @@
-// What the strips over time have in common: the axes, and the line at the moment that is shown.
+// What the strips over time have in common: the axes, and the line at the moment that is shown. What is
+// still to come, where it is known, is pale.
 
 import type uPlot from "uplot";
 
 import type { Model } from "./model";
 import { themeColour } from "./theme_colours";
 
+const kVeil = 0.6;
 const kLeast = 5; // s, shown when little has come yet
 const kFont = "10px system-ui, 'Noto Sans', 'Liberation Sans', sans-serif";
 
@@ -18,8 +20,7 @@ export function timeScale(model: Model): uPlot.Scale {
 /** The time that the strips end at. */
 export function timeEnd(model: Model): number {
   const known = model.shownState.value?.duration ?? null;
-  const seen = model.history.times.at(-1) ?? 0;
-  return Math.max(known ?? kLeast, seen, 0.1);
+  return Math.max(known ?? kLeast, model.history.end, 0.1);
 }
 
 export function axes(y: Partial<uPlot.Axis> = {}): uPlot.Axis[] {
@@ -35,12 +36,20 @@ export function axes(y: Partial<uPlot.Axis> = {}): uPlot.Axis[] {
 
 export function drawMoment(model: Model): (plot: uPlot) => void {
   const colour = themeColour("accent");
+  const veil = themeColour("surface");
   return (plot) => {
     const time = model.frame.value?.time;
     if (time === undefined) return;
     const x = Math.round(plot.valToPos(time, "x", true)) + 0.5;
-    const { context, top, height } = { context: plot.ctx, top: plot.bbox.top, height: plot.bbox.height };
+    const { ctx: context } = plot;
+    const { left, top, width, height } = plot.bbox;
     context.save();
+    if (model.history.isWhole) {
+      context.fillStyle = veil;
+      context.globalAlpha = kVeil;
+      context.fillRect(x, top, left + width - x, height);
+      context.globalAlpha = 1;
+    }
     context.strokeStyle = colour;
     context.lineWidth = 1.5 * devicePixelRatio;
     context.beginPath();

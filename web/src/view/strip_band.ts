@@ -5,7 +5,8 @@ import type uPlot from "uplot";
 
 import { parsed, sequenceColour } from "../parts/colour_maps";
 import type { ChannelData } from "../parts/data";
-import { isGap } from "./gaps";
+import { gapsOf } from "./gaps";
+import type { History } from "./history";
 import type { Model } from "./model";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
@@ -18,7 +19,7 @@ const kTable = Array.from({ length: 256 }, (_, i) => {
 
 export function bandPlot(channel: ChannelData, model: Model): Plot {
   const count = channel.elements.length;
-  const canvas = document.createElement("canvas");
+  const bands = new Bands(channel, model);
   const options = {
     scales: { x: timeScale(model), y: { range: (): [number, number] => [count + 0.5, 0.5] } },
     axes: axes({
@@ -29,39 +30,61 @@ export function bandPlot(channel: ChannelData, model: Model): Plot {
     cursor: kCursor,
     hooks: {
       drawSeries: [],
-      drawClear: [(plot: uPlot) => drawBands(plot, canvas, channel, model)],
+      drawClear: [(plot: uPlot) => bands.draw(plot)],
       draw: [drawMoment(model)],
     },
   };
-  return { options, data: () => [model.history.times, model.history.times.map(() => null)] };
+  return { options, data: () => nothingAt(model.history.times) };
 }
 
-function drawBands(plot: uPlot, canvas: HTMLCanvasElement, channel: ChannelData, model: Model): void {
-  const width = Math.max(1, Math.round(plot.bbox.width / devicePixelRatio));
-  const end = plot.scales["x"]?.max ?? 1;
-  const count = channel.elements.length;
-  paint(canvas, width, count, columnsOf(model, channel.name, width, end));
-  const { left, top, width: wide, height } = plot.bbox;
-  plot.ctx.imageSmoothingEnabled = false;
-  plot.ctx.drawImage(canvas, left, top, wide, height);
+function nothingAt(times: number[]): uPlot.AlignedData {
+  return [times, times.map(() => null)];
+}
+
+class Bands {
+  private readonly canvas = document.createElement("canvas");
+  private painted = "";
+
+  constructor(
+    private readonly channel: ChannelData,
+    private readonly model: Model,
+  ) {}
+
+  draw(plot: uPlot): void {
+    const { left, top, width, height } = plot.bbox;
+    this.paint(Math.max(1, Math.round(width / devicePixelRatio)), plot.scales["x"]?.max ?? 1);
+    plot.ctx.imageSmoothingEnabled = false;
+    plot.ctx.drawImage(this.canvas, left, top, width, height);
+  }
+
+  /** Only where something else is to be seen. */
+  private paint(width: number, end: number): void {
+    const wanted = [this.model.history.version, width, end].join();
+    if (wanted === this.painted) return;
+    this.painted = wanted;
+    const columns = columnsOf(this.model.history, this.channel.name, width, end);
+    paint(this.canvas, width, this.channel.elements.length, columns);
+  }
 }
 
 /** For each column of pixels the values that held then, or null where nobody has looked. */
-function columnsOf(model: Model, channel: string, width: number, end: number): (readonly number[] | null)[] {
-  const times = model.history.times;
-  const rows = model.history.rows(channel);
+function columnsOf(
+  history: History,
+  channel: string,
+  width: number,
+  end: number,
+): (readonly number[] | null)[] {
+  const { times } = history;
+  const rows = history.rows(channel);
+  const isGap = gapsOf(history, end);
+  const isSeen = (at: number, time: number) =>
+    at + 1 < times.length ? !isGap(at) : time - (times[at] ?? 0) <= kLast * end;
   let at = -1;
   return Array.from({ length: width }, (_, x) => {
     const time = ((x + 0.5) / width) * end;
     while (at + 1 < times.length && (times[at + 1] ?? 0) <= time) at += 1;
-    const seen = at >= 0 && isSeen(times, at, time, end);
-    return seen ? (rows[at] ?? null) : null;
+    return at >= 0 && isSeen(at, time) ? (rows[at] ?? null) : null;
   });
-}
-
-function isSeen(times: readonly number[], at: number, time: number, end: number): boolean {
-  if (at + 1 < times.length) return !isGap(times, at, end);
-  return time - (times[at] ?? 0) <= kLast * end;
 }
 
 function paint(

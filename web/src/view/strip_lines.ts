@@ -4,7 +4,7 @@ import type uPlot from "uplot";
 
 import type { ChannelData } from "../parts/data";
 import { kClassColours } from "../parts/colour_maps";
-import { isGap } from "./gaps";
+import { gapsOf } from "./gaps";
 import type { Model } from "./model";
 import type { Plot } from "./strip";
 import { axes, drawMoment, kCursor, tickWords, timeEnd, timeScale } from "./strip_axes";
@@ -49,8 +49,8 @@ function fewPoints(_: uPlot, __: number, first: number, last: number): boolean {
 function columns(channel: ChannelData, model: Model): uPlot.AlignedData {
   const { times } = model.history;
   const rows = model.history.rows(channel.name);
-  const end = timeEnd(model);
-  const cuts = times.map((time, i) => (isGap(times, i, end) ? [time, (time + times[i + 1]!) / 2] : [time]));
+  const isGap = gapsOf(model.history, timeEnd(model));
+  const cuts = times.map((time, i) => (isGap(i) ? [time, (time + times[i + 1]!) / 2] : [time]));
   const column = (element: number) =>
     cuts.flatMap(({ length }, i) => [rows[i]?.[element] ?? null, null].slice(0, length));
   return [cuts.flat(), ...channel.elements.map((_, i) => column(i))];

@@ -78,8 +78,9 @@ export class Transport {
     if (exploration !== null) this.seeker.seek(exploration, frame);
   }
 
+  /** The one that is chosen: a state may still be on its way when its first frame is here. */
   private exploration(): number | null {
-    return this.model.shownState.value?.exploration ?? null;
+    return this.choice.value === "" ? null : Number(this.choice.value);
   }
 
   private watchControls(): void {

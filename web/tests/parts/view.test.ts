@@ -2,15 +2,15 @@
 
 import { describe, expect, test } from "vitest";
 
-import type { Frame } from "../../src/view/data";
+import type { Frame, Strips } from "../../src/view/data";
 import { ForceScale, roundNumber } from "../../src/view/force_scale";
-import { isGap } from "../../src/view/gaps";
+import { gapsOf } from "../../src/view/gaps";
 import { geometryOf } from "../../src/view/geometry";
 import { History } from "../../src/view/history";
 import { describe as describeLabels } from "../../src/view/labels";
 import { mostOften } from "../../src/view/most_often";
 import { digits, withUnit } from "../../src/view/numbers";
-import { fakeFrame } from "../fake_frames";
+import { fakeFrame, kFrames } from "../fake_frames";
 import { fakePoses, fakeScene, kThings } from "../fake_hand";
 
 function frame(exploration: number, index: number): Frame {
@@ -60,10 +60,62 @@ describe("the scale of touch", () => {
   });
 });
 
-test("a jump makes a gap, a dropped frame none", () => {
-  const times = [0, 0.1, 0.4, 3, 3.1];
-  expect(times.map((_, i) => isGap(times, i, 20))).toEqual([false, false, true, false, false]);
-  expect(isGap([0, 3], 0, 60)).toBe(false);
+describe("what was told over an exploration", () => {
+  const strips = (frames: number | null, told: number[]): Strips => ({
+    exploration: 0,
+    frames,
+    frame: told,
+    time: told.map((index) => frame(0, index).time),
+    channels: { touch: told.map((index) => frame(0, index).channels["touch"]!) },
+  });
+  const live = (index: number) => ({ ...frame(0, index), frames: null });
+
+  test("is asked for once an exploration", () => {
+    const history = new History();
+    history.add(frame(0, 5));
+    expect(history.isLacking).toBe(true);
+    expect(history.take(strips(kFrames, [0, 30, 59]))).toBe(true);
+    expect([history.isLacking, history.isWhole]).toEqual([false, true]);
+    history.add(frame(0, 6)); // between what is known
+    expect(history.times).toEqual([0, 3, 5.9]);
+    expect(history.rows("touch")[1]).toEqual(frame(0, 30).channels["touch"]);
+    history.add(frame(1, 6));
+    expect([history.isLacking, history.isWhole, history.end]).toEqual([true, false, 0.6]);
+  });
+
+  test("is not that of another one", () => {
+    const history = new History();
+    history.add(frame(1, 5));
+    expect(history.take(strips(kFrames, [0, 59]))).toBe(false);
+    history.add(live(5));
+    expect(history.take(strips(kFrames, [0, 59]))).toBe(false);
+    expect(history.times).toEqual([0.5]);
+  });
+
+  test("goes on while a body explores, until it begins anew", () => {
+    const history = new History();
+    history.add(live(3));
+    history.add(live(4));
+    history.take(strips(null, [0, 1, 2, 3]));
+    history.add(live(5));
+    expect(history.times).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5]);
+    history.add(live(0));
+    expect([history.times, history.isLacking]).toEqual([[0], true]);
+  });
+
+  test("makes a gap where there was a jump, for a dropped frame none", () => {
+    const seen = (indices: number[]) => {
+      const history = new History();
+      for (const index of indices) history.add(frame(0, index));
+      return history;
+    };
+    const gaps = (history: History, end: number) => history.times.map((_, i) => gapsOf(history, end)(i));
+    expect(gaps(seen([0, 1, 4, 30, 31]), 20)).toEqual([false, false, true, false, false]);
+    expect(gaps(seen([0, 30]), 60)).toEqual([false, false]);
+    const sparse = seen([0]);
+    sparse.take(strips(kFrames, [0, 20, 40, 59])); // nothing lies between
+    expect(gaps(sparse, 6)).toEqual([false, false, false, false]);
+  });
 });
 
 test("a neuron's class is the one that it won most of", () => {

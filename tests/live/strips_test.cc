@@ -1,0 +1,127 @@
+#include "live/strips.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/systems.h"
+
+namespace somato::live {
+namespace {
+
+using nlohmann::json;
+
+Channel channel(const std::string& name, Matrix<float> frames, double rate = 0.0) {
+  Channel made;
+  made.name = name;
+  made.frames = std::move(frames);
+  made.rate = rate;
+  return made;
+}
+
+Matrix<float> counted(std::size_t frames, std::size_t elements) {
+  Matrix<float> made(frames, elements);
+  float number = 0.0F;
+  for (float& value : made.values()) value = number++;
+  return made;
+}
+
+Strips strips_of_all(const Exploration& exploration) {
+  return strips_of(exploration, 0, Timeline(exploration));
+}
+
+TEST(Strips, AreTheRecordingFrameByFrame) {
+  const Recording recording = testing::hand_recording(3, 1);
+  for (std::size_t number = 0; number < 3; ++number) {
+    Exploration exploration = recording.explorations[number];
+    exploration.channels.pop_back();  // the sound
+    const Strips strips = strips_of(exploration, number, Timeline(exploration));
+    EXPECT_EQ(strips.exploration, number);
+    ASSERT_EQ(strips.channels.size(), exploration.channels.size());
+    for (std::size_t i = 0; i < strips.channels.size(); ++i) {
+      const Channel& expected = exploration.channels[i];
+      EXPECT_EQ(strips.channels[i].name, expected.name);
+      ASSERT_EQ(strips.channels[i].values.size(), expected.frames.rows());
+      for (std::size_t frame = 0; frame < expected.frames.rows(); ++frame) {
+        const auto row = expected.frames.row(frame);
+        EXPECT_EQ(strips.channels[i].values[frame], std::vector<float>(row.begin(), row.end()));
+        EXPECT_EQ(strips.frame[frame], frame);
+      }
+    }
+  }
+}
+
+TEST(Strips, LeaveOutWhatComesInStretches) {
+  const Strips strips = strips_of_all(
+      {{},
+       {},
+       {channel("sound", counted(8192, 1), 8192.0), channel("touch", counted(20, 3), 10.0)}});
+  ASSERT_EQ(strips.channels.size(), 1U);
+  EXPECT_EQ(strips.channels[0].name, "touch");
+  ASSERT_EQ(strips.frame.size(), 16U);
+  EXPECT_EQ(strips.channels[0].values[15], (std::vector<float>{57, 58, 59}));
+}
+
+TEST(Strips, ChooseEvenlyFromALongExploration) {
+  const Strips strips = strips_of_all({{}, {}, {channel("touch", counted(100000, 1))}});
+  ASSERT_EQ(strips.frame.size(), 600U);
+  EXPECT_EQ(strips.frames, 100000U);
+  EXPECT_EQ(strips.frame.back(), 99999U);
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < 600; ++i) {
+    EXPECT_LE(strips.frame[i] - before, 167U);
+    before = strips.frame[i];
+    EXPECT_EQ(strips.channels[0].values[i], (std::vector<float>{static_cast<float>(before)}));
+    EXPECT_DOUBLE_EQ(strips.time[i], 0.1 * static_cast<double>(before));
+  }
+}
+
+TEST(Strips, OfManyElementsHaveFewerMoments) {
+  const auto moments = [](std::size_t elements) {
+    return strips_of_all({{}, {}, {channel("touch", counted(700, elements))}}).frame;
+  };
+  EXPECT_EQ(moments(1999).size(), 100U);
+  EXPECT_EQ(moments(300000), (std::vector<std::size_t>{699}));
+}
+
+TEST(Strips, OfNothingAreEmpty) {
+  const Strips strips = strips_of_all({{}, {}, {channel("touch", {})}});
+  EXPECT_TRUE(strips.frame.empty());
+  EXPECT_EQ(strips_text(strips),
+            R"({"exploration":0,"frames":0,"frame":[],"time":[],"channels":{"touch":[]}})");
+}
+
+BodyDescription body() {
+  BodyDescription body;
+  body.sensors.resize(2);
+  body.sensors[0].name = "height";
+  body.sensors[1].name = "touch";
+  body.sensors[1].shape = {2, 2};
+  return body;
+}
+
+TEST(Strips, TellWhatABodyHasFeltSoFar) {
+  GrowingExploration growing(body());
+  growing.append({7.5, {}, {counted(1, 1), {}}});
+  growing.append({8.0, {}, {counted(1, 1), counted(1, 4)}});
+  const json told = json::parse(strips_text(strips_of(growing, 2, 7.0)));
+  EXPECT_EQ(told["exploration"], 2);
+  EXPECT_EQ(told["frames"], nullptr);
+  EXPECT_EQ(told["frame"], (json{0, 1}));
+  EXPECT_EQ(told["time"], (json{0.5, 1.0}));
+  EXPECT_EQ(told["channels"]["height"], json::parse("[[0],[0]]"));
+  EXPECT_EQ(told["channels"]["touch"], json::parse("[[],[0,1,2,3]]"));
+}
+
+TEST(Strips, WriteWhatIsNotFiniteAsNull) {
+  Strips strips{0, 1, {0}, {0.0}, {{"a \"name\"", {{std::numeric_limits<float>::infinity()}}}}};
+  EXPECT_EQ(strips_text(strips), R"({"exploration":0,"frames":1,"frame":[0],"time":[0],)"
+                                 R"("channels":{"a \"name\"":[[null]]}})");
+}
+
+}  // namespace
+}  // namespace somato::live
