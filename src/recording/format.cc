@@ -29,13 +29,7 @@ constexpr KnownFiles kKnown[] = {
     {RecordingFormat::kAcousticHardness, kAcousticHardnessFiles},
 };
 
-// What Somato writes itself is no sample of anybody's.
-bool is_results(const std::string& file) {
-  return std::filesystem::path(file).filename() == "results.json";
-}
-
 bool fits(const NamePattern& pattern, const std::string& file) {
-  if (is_results(file)) return false;
   const auto labels = pattern.match(file);
   return labels && labels->has_value();
 }

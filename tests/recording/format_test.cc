@@ -63,14 +63,6 @@ TEST(RecognizeFormat, RefusesTwoFormats) {
             "acoustic_hardness ({sample}.json)");
 }
 
-TEST(RecognizeFormat, WhatSomatoWroteIsNoSample) {
-  const TemporaryFolder folder;
-  add(folder, "out/results.json");
-  EXPECT_EQ(recognize_format(folder.path()).error().kind, ErrorKind::kData);
-  add(folder, kExamples[0].file);
-  EXPECT_EQ(recognize_format(folder.path()), kExamples[0].format);
-}
-
 TEST(RecognizeFormat, SaysWhatCannotBeRead) {
   const TemporaryFolder folder;
   const auto format = recognize_format(folder.file("nowhere"));

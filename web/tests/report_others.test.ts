@@ -17,7 +17,12 @@ const kShapes = ["sphere", "cylinder", "cone", "ellipsoid", "capsule", "block"] 
 function ofOthers(): ReportData {
   const data = reportFixture();
   const system = data.systems[0]!;
-  const channel = { name: "joints", unit: "deg", elements: [...kNames, "a", "b", "ring_and_little"], shape: [9] };
+  const channel = {
+    name: "joints",
+    unit: "deg",
+    elements: [...kNames, "a", "b", "ring_and_little"],
+    shape: [9],
+  };
   const values = channel.elements.map((_, i) => i);
   const series = [0, 1, 2].map((time) => values.map((value) => value + time));
   system.moments = [
@@ -26,9 +31,18 @@ function ofOthers(): ReportData {
       channels: [{ channel, rate: 1, frame: 2, time: 2, values, times: [0, 1, 2], series }],
     },
   ];
-  system.things = kShapes.map((shape) => ({ ...system.things[0]!, name: `a ${shape}`, shape, size: null }));
+  const known = system.things[0]!;
+  system.things = [
+    { ...known, name: "a name", shape: null, size: null, material: "", colour: null },
+    ...kShapes.map((shape) => ({ ...known, name: `a ${shape}`, shape, size: null })),
+  ];
   const neurons = system.trained!.planes[0]!.values.length;
-  const curve = { name: "curve", unit: "N", elements: Array.from({ length: 20 }, (_, i) => `${i + 1}`), shape: [20, 1] };
+  const curve = {
+    name: "curve",
+    unit: "N",
+    elements: Array.from({ length: 20 }, (_, i) => `${i + 1}`),
+    shape: [20, 1],
+  };
   system.trained!.planes = [
     { channel: curve, unit: "N", values: Array.from({ length: neurons }, () => curve.elements.map(Number)) },
     { channel, unit: "deg", values: Array.from({ length: neurons }, () => values) },
@@ -86,10 +100,17 @@ test("draws things whose sizes nobody knows by their shapes, each in its own row
   for (const face of boxes) {
     expect(rows.some((row) => face.top >= row.top - 1 && face.bottom <= row.bottom + 1)).toBe(true);
   }
-  const drawn = await page.locator(".things td.thing svg").evaluateAll((all) => all.map((one) => one.innerHTML));
+  const drawn = await page
+    .locator(".things td.thing svg")
+    .evaluateAll((all) => all.map((one) => one.innerHTML));
   expect(new Set(drawn.map((one) => one.replaceAll(/light-?\d+/g, ""))).size).toBe(kShapes.length);
   const note = page.locator('figure[aria-label="Things"] figcaption');
   expect(await note.textContent()).toContain("their sizes are not known");
+});
+
+test("draws nothing of a thing of which only the name is known", async () => {
+  const row = page.locator(".things tbody tr", { hasText: "a name" });
+  expect(await row.locator("svg").count()).toBe(0);
 });
 
 test("names rows of a matrix without writing one over the other", async () => {
@@ -111,6 +132,12 @@ test("lays a curve's planes out beside each other, and names beside names", asyn
   await page.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
   await expect.poll(() => page.locator(`${figure} image`).count()).toBe(9);
   expect(overlaps(await boxesOf(`${figure} text.note`))).toBe(0);
+});
+
+test("explains no sign that it does not draw", async () => {
+  const legend = 'figure[aria-label="Outcomes"] .strip-legend';
+  expect(await page.locator(legend).textContent()).toContain("nearest neighbour");
+  expect(await page.locator(legend).textContent()).not.toContain("paper");
 });
 
 test("counts a single run as one", async () => {

@@ -71,7 +71,9 @@ function draw(
     planeAt(grid, planes, range, i, { x: (x - 0.5) * pitch, y: (y - 0.5) * tall, pitch }),
   );
   const words = isNamed
-    ? layout.dots.map(({ x, y }, i) => nameAt(channel.elements[i] ?? "", x * pitch, (y + 0.5) * tall - 5, pitch))
+    ? layout.dots.map(({ x, y }, i) =>
+        nameAt(channel.elements[i] ?? "", x * pitch, (y + 0.5) * tall - 5, pitch),
+      )
     : [];
   const fingers = layout.fingers.map(({ name, x, y }) =>
     text(x * pitch, y * tall + 16, name, { class: "middle muted" }),

@@ -40,7 +40,8 @@ export function courseFigure(
 
 /** The moment is that of most touch, where there is touch, else the last. */
 function momentWords({ channels }: MomentData): string {
-  if (channels.some(({ channel }) => handLayout(channel.elements) !== null)) return "the moment shown on the hand";
+  if (channels.some(({ channel }) => handLayout(channel.elements) !== null))
+    return "the moment shown on the hand";
   const hasTouch = channels.some(({ channel }) => channel.name === "touch");
   return hasTouch ? "the moment of most touch" : "the last frame";
 }

@@ -77,10 +77,15 @@ function sizeWords(thing: ThingData): string {
   return thing.top_diameter > 0 ? `${words}, top ${readable(thing.top_diameter)}` : words;
 }
 
+/** Of a name alone nobody knows what it looks like. */
+function hasPicture({ shape, material, colour }: ThingData): boolean {
+  return shape !== null || material !== "" || colour !== null;
+}
+
 function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLElement {
   const [first, ...rest] = columns;
   return element("tr", {}, [
-    element("td", { class: "thing" }, [thingPicture(thing, scale)]),
+    element("td", { class: "thing" }, hasPicture(thing) ? [thingPicture(thing, scale)] : []),
     element("th", { scope: "row" }, [first?.value(thing) ?? ""]),
     ...rest.map(({ value, isNumber }) => element("td", { class: isNumber ? "number" : "" }, [value(thing)])),
   ]);
