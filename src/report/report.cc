@@ -113,10 +113,7 @@ class ReportWriter {
       if (auto added = add_system(evidence); !added) return added;
       add_curve_part(part, *evidence.file, layout);
     }
-    for (JudgedClaim& judged : detail::claims_of(file.results, layout, plans_)) {
-      claims_.push_back(detail::claim_json(judged, file.results.path));
-      judged_.push_back(std::move(judged));
-    }
+    add_claims(file.results, layout);
     return {};
   }
 
@@ -159,6 +156,18 @@ class ReportWriter {
          {"missing", evidence.missing}});
     remember(evidence.missing);
     return {};
+  }
+
+  // What a study says of claims stands with its system, the last one.
+  void add_claims(const ResultsFile& file, const RecordingLayout& layout) {
+    detail::ClaimsOfFile of_file = detail::claims_of(file, layout, plans_);
+    for (JudgedClaim& judged : of_file.claims) {
+      claims_.push_back(detail::claim_json(judged, file.path));
+      judged_.push_back(std::move(judged));
+    }
+    for (const std::string& sentence : of_file.missing)
+      systems_.back()["missing"].push_back(sentence);
+    remember(of_file.missing);
   }
 
   // Results from before exploring stood among the settings: the library's own files say it, unless
