@@ -48,7 +48,8 @@ void add_systems(const ViewState& state, Json& json) {
   const auto& systems = state.source.systems;
   json["systems"] = Json::array();
   for (const ViewSystem& one : systems) {
-    json["systems"].push_back({{"name", one.name}, {"text", one.text}});
+    const bool learns = !one.description.modules.empty();
+    json["systems"].push_back({{"name", one.name}, {"text", one.text}, {"learns", learns}});
   }
   json["system"] = state.system ? Json(systems[*state.system].name) : Json();
   json["system_problem"] = or_null(state.system_problem);

@@ -176,6 +176,7 @@ TEST_F(SessionThread, TrainsASystemAndReadsWithIt) {
   session.start();
   ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
   EXPECT_NE(state_of(session)["system_problem"], nullptr);
+  EXPECT_EQ(state_of(session)["systems"][0]["learns"], true);
   EXPECT_EQ(state_of(session)["graph"]["map"], "map");
   EXPECT_FALSE(session.neuron("map", 0));
   command(session, R"({"command":"train"})");
@@ -191,6 +192,16 @@ TEST_F(SessionThread, TrainsASystemAndReadsWithIt) {
   EXPECT_EQ(frame["modules"]["code"]["shape"], (json{3, 4}));
   EXPECT_TRUE(session.neuron("map", 0));
   EXPECT_TRUE(session.taxel(0));
+}
+
+TEST_F(SessionThread, DoesNotTrainWhatWasGivenAsItHasLearned) {
+  ViewSource source = source_with_systems();
+  source.systems[0].trained = testing::trained_model(testing::crossed_system(), source.recording);
+  source.systems[0].description = {};
+  ViewSession session(std::move(source), resting());
+  session.start();
+  EXPECT_EQ(state_of(session)["systems"][0]["learns"], false);
+  EXPECT_FALSE(session.command(R"({"command":"train"})"));
 }
 
 TEST_F(SessionThread, StopsTrainingWhenItIsTold) {
@@ -296,8 +307,7 @@ TEST_F(SessionThread, ShowsABodyWhileItExplores) {
   command(session, R"({"command":"pause"})");
   const json state = state_of(session);
   EXPECT_EQ(state["live"], true);
-  EXPECT_EQ(state["channels"][2]["elements"],
-            (json{"1", "2", "3"}));
+  EXPECT_EQ(state["channels"][2]["elements"], (json{"1", "2", "3"}));
   EXPECT_EQ(state["frames"], nullptr);
   EXPECT_EQ(state["things"].size(), 2U);
   EXPECT_EQ(latest(session, EventKind::kScene)["bodies"], (json{"finger"}));

@@ -36,7 +36,7 @@ TEST_F(Terminal, AnInterruptStopsTrainingAndKeepsTheOldFile) {
       {"--iterations", "1000000000"},
       {"--iterations", "1000000000", "--arithmetic", "inner_products"},
       {"--training", "batch", "--epochs", "1000000000"},
-      {"--iterations", "1000000000", "--rows", "2000", "--columns", "2000"}};
+      {"--iterations", "1000000000", "--rows", "1000", "--columns", "1000"}};
   for (const Words& flags : trainings) {
     SCOPED_TRACE(::testing::PrintToString(flags));
     Words arguments{"som", "train", "data.csv", "-o", "good.map"};

@@ -227,8 +227,8 @@ export function fakeState(): State {
     thing: null,
     placement: null,
     systems: [
-      { name: "tensor_chain", text: "Tensor products" },
-      { name: "shape_and_size", text: "Joints alone" },
+      { name: "tensor_chain", text: "Tensor products", learns: true },
+      { name: "shape_and_size", text: "Joints alone", learns: false },
     ],
     system: "tensor_chain",
     system_problem: null,

@@ -28,6 +28,8 @@ describe("what it tells the program", () => {
     await view.told({ command: "seek", exploration: 4, frame: 0 });
     await view.page.getByLabel("System", { exact: true }).selectOption("shape_and_size");
     await view.told({ command: "system", name: "shape_and_size" });
+    const learn = view.page.getByRole("button", { name: "Learn", exact: true });
+    await soon(() => learn.isDisabled()).toBe(true); // it was given as it has learned
   });
 
   it("scrubs through what is shown, though the state that tells of it has not come yet", async () => {

@@ -32,6 +32,7 @@ export function colourBar(width: number, unit: string, colour: (share: number) =
 }
 
 const kRow = 20;
+const kTall = 5; // rows: of more names long ones are shortened, so that they stand in two columns
 
 /** Markers of the classes in columns, `counts` beside the names where given. */
 export function markerLegend(
@@ -40,7 +41,8 @@ export function markerLegend(
   counts: readonly number[] = [],
 ): { group: SVGGElement; height: number } {
   const words = names.map((name, i) => (counts[i] === undefined ? name : `${name} (${counts[i]})`));
-  const widest = Math.min(width, 34 + Math.max(24, ...words.map((name) => textWidth(name, 12))));
+  const room = words.length > kTall ? width / 2 : width;
+  const widest = Math.min(room, 34 + Math.max(24, ...words.map((name) => textWidth(name, 12))));
   const columns = Math.max(1, Math.floor(width / widest));
   const rows = Math.ceil(words.length / columns);
   const group = shape("g", { class: "marker-legend" });

@@ -33,7 +33,7 @@ export interface State {
   things: ThingData[]; // what a body can be given; [] for a recording
   thing: string | null;
   placement: { x: number; y: number; turn: number } | null; // mm, mm, deg; of a body
-  systems: { name: string; text: string }[]; // those to choose from
+  systems: { name: string; text: string; learns: boolean }[]; // those to choose from; can it be trained here?
   system: string | null;
   system_problem: string | null; // why there is no reading, in a sentence
   graph: GraphData | null;

@@ -35,7 +35,9 @@ export class TrainingView {
   private showButton(state: State | null): void {
     const running = state?.training ?? false;
     this.button.textContent = running ? "Stop learning" : "Learn";
-    this.button.disabled = state === null || state.system === null;
+    const system = state?.systems.find(({ name }) => name === state.system);
+    this.button.disabled = system?.learns !== true;
+    this.button.title = system?.learns === false ? "It was given to the program as it has learned" : "";
   }
 
   private draw(training: Training | null): void {
