@@ -296,8 +296,7 @@ TEST_F(SessionThread, ShowsABodyWhileItExplores) {
   command(session, R"({"command":"pause"})");
   const json state = state_of(session);
   EXPECT_EQ(state["live"], true);
-  EXPECT_EQ(state["channels"][2]["elements"],
-            (json{"1", "2", "3"}));
+  EXPECT_EQ(state["channels"][2]["elements"], (json{"1", "2", "3"}));
   EXPECT_EQ(state["frames"], nullptr);
   EXPECT_EQ(state["things"].size(), 2U);
   EXPECT_EQ(latest(session, EventKind::kScene)["bodies"], (json{"finger"}));
