@@ -119,7 +119,10 @@ Result<Report> make(const Arguments& arguments) {
   if (!things) return fail(std::move(things.error()));
   const ReportSources sources{SOMATO_VERSION,
                               [&](const std::string& hash) { return recordings->find(hash); },
-                              std::move(*things), explore_units(), *threads};
+                              arguments.has("data") ? arguments.text("data") : "",
+                              std::move(*things),
+                              explore_units(),
+                              *threads};
   return make_report(*files, sources);
 }
 

@@ -1,33 +1,13 @@
 #include "report_things.h"
 
-#include <array>
-#include <optional>
 #include <utility>
 
 #include "explore_table.h"
+#include "somato/bodies/material_colour.h"
 #include "somato/simulation/explorer.h"
 
 namespace somato::program {
 namespace {
-
-struct MaterialColour {
-  const char* name;
-  std::array<double, 3> colour;
-};
-
-// What the real things look like, more or less; nothing in the simulation has a colour.
-constexpr MaterialColour kColours[] = {
-    {"wood", {0.76, 0.57, 0.35}},     {"metal", {0.66, 0.69, 0.73}},
-    {"plastic", {0.83, 0.30, 0.25}},  {"hard_board", {0.55, 0.40, 0.28}},
-    {"rubber", {0.22, 0.24, 0.27}},   {"sponge", {0.93, 0.80, 0.36}},
-    {"corduroy", {0.36, 0.42, 0.62}}, {"felt", {0.35, 0.55, 0.42}}};
-
-std::optional<std::array<double, 3>> colour_of(const std::string& material) {
-  for (const MaterialColour& known : kColours) {
-    if (material == known.name) return known.colour;
-  }
-  return {};
-}
 
 ReportThing thing_of(const Object& object) {
   return {object.name,
@@ -36,7 +16,7 @@ ReportThing thing_of(const Object& object) {
           object.top_diameter,
           object.material.name,
           choice_name(object.material.hardness),
-          colour_of(object.material.name),
+          material_colour(object.material.name),
           object.mass};
 }
 
@@ -47,7 +27,7 @@ ReportThing thing_of(const Material& material) {
           0.0,
           material.name,
           choice_name(material.hardness),
-          colour_of(material.name),
+          material_colour(material.name),
           {}};
 }
 

@@ -8,12 +8,13 @@
 #include "commands.h"
 #include "pages.h"
 #include "somato/bodies/object_table.h"
+#include "somato/live/address.h"
 #include "somato/live/view_server.h"
 #include "somato/live/view_session.h"
+#include "somato/simulation/recorded_scenes.h"
 #include "somato/simulation/watched_explorer.h"
 #include "study_data.h"
 #include "terminal.h"
-#include "view_scenes.h"
 #include "view_systems.h"
 
 namespace somato::program {
@@ -79,22 +80,30 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   }
   source.name = (*watched)->name();
   source.body = std::move(*watched);
-  source.scenes = hand_scenes();
+  source.scenes = recorded_scenes(things->objects);
   source.thing = *thing;
   source.systems = std::move(*systems);
   return source;
+}
+
+// Those beside the program's own.
+Result<ObjectTable> read_objects(const Arguments& arguments) {
+  if (!arguments.has("objects")) return ObjectTable{};
+  return read_object_table(arguments.text("objects"), declared_materials());
 }
 
 Result<ViewSource> recording_source(const Arguments& arguments) {
   const std::string path = arguments.text("RECORDING");
   auto recording = read_study_data(RecordingFormat::kAutomatic, path);
   if (!recording) return fail(std::move(recording.error()));
+  auto objects = read_objects(arguments);
+  if (!objects) return fail(std::move(objects.error()));
   auto systems = systems_for(*recording);
   if (!systems) return fail(std::move(systems.error()));
   ViewSource source;
   source.name = std::filesystem::path(path).filename().string();
   source.recording = std::move(*recording);
-  source.scenes = hand_scenes();
+  source.scenes = recorded_scenes(std::move(objects->objects));
   source.systems = std::move(*systems);
   return source;
 }
@@ -102,14 +111,11 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
 Result<void> check_flags(const Arguments& arguments) {
   if (!arguments.has("RECORDING") && !arguments.has("body")) {
     return fail(ErrorKind::kUsage, "name a recording to play, or a body that explores", "view",
-                "somato view FILE.mcap, or somato view --body lucs2 --object 'boccia boule'");
+                "somato view FILE.mcap, or somato view --body lucs2 --object boule");
   }
-  for (const std::string flag : {"object", "objects"}) {
-    if (!arguments.has(flag) || arguments.has("body")) continue;
-    return fail(ErrorKind::kUsage, "a recording holds what it holds", "--" + flag,
-                "give it with --body");
-  }
-  return {};
+  if (!arguments.has("object") || arguments.has("body")) return {};
+  return fail(ErrorKind::kUsage, "a recording holds what it holds", "--object",
+              "give it with --body");
 }
 
 // The given system comes first, and is chosen.
@@ -135,13 +141,18 @@ Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
   }
   settings.port = static_cast<std::uint16_t>(port->value_or(0));
   if (!arguments.has("address")) return settings;
-  settings.address = arguments.text("address");
-  if (settings.address == "0.0.0.0" || settings.address == "::") {
+  auto address = parse_address(arguments.text("address"));
+  if (!address) {
+    address.error().where = "--address";
+    return fail(std::move(address.error()));
+  }
+  settings.address = address->text;
+  if (address->reach == Address::Reach::kAll) {
     return fail(ErrorKind::kUsage, "the view answers to one address alone", "--address",
                 "give that of the interface that others come by");
   }
-  const bool is_loopback = settings.address == "127.0.0.1" || settings.address == "::1";
-  if (is_loopback || arguments.has("allow-others")) return settings;
+  const bool is_ours = address->reach == Address::Reach::kLoopback;
+  if (is_ours || arguments.has("allow-others")) return settings;
   return fail(ErrorKind::kUsage, "others could reach this address", "--address",
               "whoever learns the start address, which goes through the network unprotected, could "
               "then see all and move the body; say --allow-others if that is wanted");
@@ -185,7 +196,9 @@ Command view_command() {
             "hardness"},
            {"--object",
             "What the body explores first, by its name; the first of its table unless given"},
-           {"--objects", "TOML file with the things to explore, instead of the body's own table"},
+           {"--objects",
+            "TOML file with the things that a body explores, instead of its own table, or that a "
+            "recording's hand explored"},
            {"--model", "A trained system that reads along, saved by 'somato run'"},
            {"--port", "Port of the page; any that is free unless given"},
            {"--address", "Address to be reached at, in digits; 127.0.0.1 unless given"},

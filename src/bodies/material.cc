@@ -1,5 +1,7 @@
 #include "somato/bodies/material.h"
 
+#include <fmt/format.h>
+
 #include "bodies/valid_ranges.h"
 #include "files/embedded.h"
 #include "somato/core/check.h"
@@ -124,6 +126,12 @@ Result<Material> find_material(std::span<const Material> materials, std::string_
     known.push_back(material.name);
   }
   return fail(unknown_name("material", name, {}, known));
+}
+
+std::vector<Label> labels_of(const Material& material, std::size_t trial) {
+  return {{"material", material.name},
+          {"hardness", choice_name(material.hardness)},
+          {"trial", fmt::format("{}", trial + 1)}};
 }
 
 }  // namespace somato

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,11 @@
 #include "live/http_request.h"
 
 namespace somato::live {
+
+/// The hosts that a server at that address answers to, as browsers write them: they leave out the
+/// port that they would take anyway. `address` is as parse_address() writes it; localhost is
+/// another name of those two that it may stand for.
+std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port);
 
 /// Who may ask a server of this machine: only those who came by its start address. A page of
 /// somebody else can send requests to this machine too, and can make its own name point here.

@@ -1,30 +1,13 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "live/http_request.h"
+#include "live/http_response.h"
 
 namespace somato::live {
-
-/// What is answered. With `stream` the body is what that writes, until it returns.
-struct HttpResponse {
-  /// Sends a part of the body; false once nobody takes it any more.
-  using Write = std::function<bool(std::string_view)>;
-
-  int status = 200;
-  std::string type = "text/plain; charset=utf-8";
-  std::string body;
-  std::vector<std::pair<std::string, std::string>> headers = {};
-  std::function<void(const Write&)> stream = {};
-};
-
-/// The response that tells a refusal.
-HttpResponse response_of(const HttpRefusal& refusal);
 
 /// A connection that brings one request and takes one response. It owns the socket.
 class HttpConnection {

@@ -16,6 +16,8 @@
 namespace somato::live {
 namespace {
 
+constexpr std::size_t kTurnedAway = 64;  // that are told so at a time
+
 // An address of either family as the system wants it.
 struct SocketAddress {
   sockaddr_storage storage{};
@@ -106,22 +108,27 @@ void HttpServer::accept_one() {
   }
   collect();
   const std::lock_guard lock(mutex_);
-  if (visits_.size() >= settings_.connections) return turn_away(socket);
+  const bool is_full = visits_.size() >= settings_.connections;
+  if (visits_.size() >= settings_.connections + kTurnedAway) {
+    ::close(socket);
+    return;
+  }
   Visit& visit = visits_.emplace_back(socket, settings_.patience);
   try {
-    visit.thread = std::thread([this, &visit] { serve(visit); });
+    visit.thread =
+        std::thread([this, &visit, is_full] { is_full ? turn_away(visit) : serve(visit); });
   } catch (const std::system_error&) {
     visits_.pop_back();
   }
 }
 
-// Without waiting for anything: this thread has to accept others.
-void HttpServer::turn_away(int socket) const {
-  constexpr std::string_view kSay =
-      "HTTP/1.1 503 Service Unavailable\r\nContent-Type: text/plain\r\nConnection: close\r\n"
-      "Content-Length: 42\r\n\r\nToo many are here already. Come back soon.";
-  (void)::send(socket, kSay.data(), kSay.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-  ::close(socket);
+void HttpServer::turn_away(Visit& visit) {
+  try {
+    visit.connection.write(response_of({503, "Too many are here already. Come back soon."}), false);
+  } catch (const std::exception&) {
+    visit.connection.interrupt();
+  }
+  visit.done = true;
 }
 
 void HttpServer::serve(Visit& visit) {

@@ -58,7 +58,7 @@ class HttpServer {
 
   void accept_all();
   void accept_one();
-  void turn_away(int socket) const;
+  static void turn_away(Visit& visit);
   void serve(Visit& visit);
   HttpResponse answer_to(const HttpRequest& request) const;
   void collect();

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "graph/graph_json.h"
 #include "live/json_writer.h"
+#include "somato/bodies/material_colour.h"
 
 namespace somato::live {
 namespace {
@@ -24,49 +26,6 @@ Json parameters_json(const ModuleType& type, const Table& settings) {
     parameters[entry.name] = to_toml(*value);
   }
   return parameters;
-}
-
-Json not_given_json(const ModuleType& type) {
-  Json names = Json::array();
-  for (const ParameterInfo& info : type.parameters) {
-    if (info.text.find("ot given in the paper") != std::string::npos) names.push_back(info.name);
-  }
-  return names;
-}
-
-Json inputs_json(const System& system, const SystemModule& module) {
-  Json inputs = Json::array();
-  for (std::size_t i = 0; i < module.inputs.size(); ++i) {
-    inputs.push_back(
-        {{"port", module.ports[i]}, {"module", system.modules()[module.inputs[i]].name}});
-  }
-  return inputs;
-}
-
-Json module_json(const System& system, std::size_t number) {
-  const SystemModule& module = system.modules()[number];
-  Json json{{"name", module.name},
-            {"type", module.type->name},
-            {"text", module.type->text},
-            {"inputs", inputs_json(system, module)},
-            {"shape", module.output.shape},
-            {"sparse", module.output.sparse},
-            {"rate", choice_name(module.output.rate)},
-            {"learns", module.module->learner() != nullptr}};
-  if (const auto* source = dynamic_cast<const Source*>(module.module.get())) {
-    json["channel"] = source->channel();
-  }
-  json["parameters"] = parameters_json(*module.type, system.description().modules[number].settings);
-  json["not_given"] = not_given_json(*module.type);
-  return json;
-}
-
-Json phase_json(const System& system, const Phase& phase) {
-  Json learn = Json::array();
-  for (const std::size_t module : phase.learners) learn.push_back(system.modules()[module].name);
-  return {{"learn", std::move(learn)},
-          {"draws", phase.draws ? Json(*phase.draws) : Json()},
-          {"of", phase.of == Rate::kFrame ? "frames" : "explorations"}};
 }
 
 Json elements_json(const Channel& channel) {
@@ -186,13 +145,14 @@ Json channel_json(const Channel& channel) {
 }
 
 Json thing_json(const ShownThing& thing) {
+  const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
             {"size", nullptr},
             {"top_diameter", 0.0},
             {"material", thing.material.name},
             {"hardness", choice_name(thing.material.hardness)},
-            {"colour", nullptr},
+            {"colour", colour ? Json(*colour) : Json()},
             {"mass", nullptr}};
   if (!thing.object) return json;
   json["shape"] = choice_name(thing.object->shape);
@@ -202,21 +162,11 @@ Json thing_json(const ShownThing& thing) {
   return json;
 }
 
-Json shown_grid_json(const Grid& grid) {
-  return {{"rows", grid.rows()},
-          {"columns", grid.columns()},
-          {"lattice", choice_name(grid.lattice())},
-          {"topology", choice_name(grid.topology())}};
-}
-
 Json graph_json(const System& system, const std::string& map) {
-  Json modules = Json::array();
-  for (std::size_t i = 0; i < system.modules().size(); ++i) {
-    modules.push_back(module_json(system, i));
-  }
-  Json phases = Json::array();
-  for (const Phase& phase : system.phases()) phases.push_back(phase_json(system, phase));
-  return {{"modules", std::move(modules)}, {"map", map}, {"phases", std::move(phases)}};
+  const auto parameters = [&](std::size_t i) {
+    return parameters_json(*system.modules()[i].type, system.description().modules[i].settings);
+  };
+  return detail::graph_json(system, map, parameters);
 }
 
 Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) {
@@ -232,7 +182,7 @@ Json maps_json(const System& system, const std::optional<SystemAnswer>& answer) 
       neurons.push_back(label ? Json(*label) : Json());
     }
     maps.push_back({{"module", name},
-                    {"grid", shown_grid_json(grid)},
+                    {"grid", detail::grid_json(grid)},
                     {"classes", answers ? Json(answer->classes) : Json::array()},
                     {"neuron_classes", std::move(neurons)}});
   }

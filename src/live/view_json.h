@@ -23,7 +23,6 @@ using Json = nlohmann::ordered_json;
 Json labels_json(const std::vector<Label>& labels);
 Json channel_json(const Channel& channel);
 Json thing_json(const ShownThing& thing);
-Json shown_grid_json(const Grid& grid);
 Json graph_json(const System& system, const std::string& map);
 Json maps_json(const System& system, const std::optional<SystemAnswer>& answer);
 Json scene_json(const Scene& scene);

@@ -14,6 +14,7 @@
 #include "live/http_access.h"
 #include "live/http_server.h"
 #include "live/view_json.h"
+#include "somato/live/address.h"
 
 namespace somato {
 
@@ -71,17 +72,6 @@ std::optional<std::size_t> number_in(const HttpRequest& request, std::string_vie
   return number;
 }
 
-// A host as browsers write it: the names of the loopback interface, or another address that was
-// asked for.
-std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port) {
-  const bool is_v6 = address.find(':') != std::string::npos;
-  std::vector<std::string> hosts{is_v6 ? fmt::format("[{}]:{}", address, port)
-                                       : fmt::format("{}:{}", address, port)};
-  if (address == "127.0.0.1" || address == "::1")
-    hosts.push_back(fmt::format("localhost:{}", port));
-  return hosts;
-}
-
 }  // namespace
 
 class ViewServer::Works {
@@ -90,15 +80,17 @@ class ViewServer::Works {
       : session_(session), pages_(std::move(pages)), settings_(std::move(settings)) {}
 
   Result<void> start() {
+    const auto address = parse_address(settings_.address);
+    if (!address) return fail(address.error());
     auto token = live::new_token();
     if (!token) {
       return fail(ErrorKind::kSystem, "the system gave no random numbers", "getrandom");
     }
     token_ = std::move(*token);
-    auto bound = http_.bind({settings_.address, settings_.port, settings_.connections,
+    auto bound = http_.bind({address->text, settings_.port, settings_.connections,
                              std::chrono::milliseconds(settings_.patience)});
     if (!bound) return bound;
-    hosts_ = hosts_at(settings_.address, http_.port());
+    hosts_ = live::hosts_at(address->text, http_.port());
     access_.emplace(hosts_, token_);
     http_.start([this](const HttpRequest& request) { return answer(request); });
     return {};

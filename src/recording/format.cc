@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "recording/data_sets.h"
 #include "recording/files_below.h"
@@ -47,6 +48,18 @@ std::vector<KnownFiles> fitting(const std::vector<std::string>& files) {
   return found;
 }
 
+std::optional<std::string> first_recording(const std::vector<std::string>& files) {
+  const auto found = std::find_if(files.begin(), files.end(), [](const std::string& file) {
+    return std::filesystem::path(file).extension() == ".mcap";
+  });
+  return found == files.end() ? std::nullopt : std::optional(*found);
+}
+
+// What a study leaves in a folder is JSON like others.
+bool is_result(const std::string& file) {
+  return std::filesystem::path(file).filename() == "results.json";
+}
+
 template <typename Formats>
 std::string listed(const Formats& formats) {
   std::string text;
@@ -84,8 +97,13 @@ const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFor
 }
 
 Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
-  const auto files = files_below(folder, "");
+  auto files = files_below(folder, "");
   if (!files) return fail(files.error());
+  if (const auto own = first_recording(*files)) {
+    return fail(ErrorKind::kData, fmt::format("the folder holds recordings, such as {}", *own),
+                folder.string(), "give one of them");
+  }
+  std::erase_if(*files, is_result);
   const std::vector<KnownFiles> found = fitting(*files);
   if (found.size() == 1) return found.front().format;
   if (found.empty()) {

@@ -41,7 +41,9 @@ Result<Json> parsed(std::string_view text) {
 
 Result<Json> parse_json(std::string_view text, const std::string& where) {
   auto json = parsed(text);
-  if (!json) json.error().where = where;
+  if (json) return json;
+  json.error().where = where;
+  json.error().advice = "give a results.json of 'somato run' or 'somato reproduce'";
   return json;
 }
 

@@ -35,13 +35,16 @@ void find_model(const ReportFile& file, Evidence& evidence) {
   evidence.missing.push_back(without_model(file, *evidence.part));
 }
 
-std::string without_recording(const Evidence& evidence) {
+std::string without_recording(const Evidence& evidence, const std::string& named) {
   const std::string what =
       "The recording is not at hand, so labels of the explorations, hits and what the sensors told "
       "are left out: ";
-  return evidence.file->is_study
-             ? what + "give it with --data, or put it beside results.json."
-             : what + "leave the folder 'recordings' beside results.json, or give --data.";
+  const std::string others =
+      named.empty() ? "" : "'" + named + "' is not what these results are of; ";
+  return what + others +
+         (evidence.file->is_study
+              ? "give it with --data, or put it beside results.json."
+              : "leave the folder 'recordings' beside results.json, or give --data.");
 }
 
 // Those that the study asks about.
@@ -76,7 +79,7 @@ void find_recording(const ReportSources& sources, Evidence& evidence) {
     evidence.recording_number = i;
   }
   if (!evidence.recording) {
-    evidence.missing.push_back(without_recording(evidence));
+    evidence.missing.push_back(without_recording(evidence, sources.named_recordings));
     return;
   }
   const StudyParameters asked = evidence.study ? evidence.study->study : StudyParameters{};

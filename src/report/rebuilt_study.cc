@@ -65,6 +65,15 @@ void leave_out_without_effect(ModuleDescription& module) {
   });
 }
 
+// A trained module says how long it learned and how it drew, which was for its phase to say.
+void leave_to_phase(const PhaseDescription& phase, ModuleDescription& module) {
+  if (std::find(phase.learn.begin(), phase.learn.end(), module.name) == phase.learn.end()) return;
+  std::erase_if(module.settings.entries, [&](const Table::Entry& entry) {
+    return (entry.name == "iterations" && phase.draws) ||
+           (entry.name == "draws" && (phase.order || phase.learn.size() > 1));
+  });
+}
+
 const std::string* find_value(const Settings& part, const std::string& name) {
   for (const Setting& setting : part.settings) {
     if (setting.name == name) return &setting.value;
@@ -117,7 +126,10 @@ Result<StudyDescription> rebuilt_study(const std::vector<Settings>& settings) {
   if (!table) return fail(table.error());
   auto study = read_study(*table);
   if (!study) return study;
-  for (ModuleDescription& module : study->system.modules) leave_out_without_effect(module);
+  for (ModuleDescription& module : study->system.modules) {
+    leave_out_without_effect(module);
+    for (const PhaseDescription& phase : study->system.phases) leave_to_phase(phase, module);
+  }
   return study;
 }
 

@@ -6,10 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "graph/graph_json.h"
 #include "report/claims_json.h"
 #include "report/curves.h"
 #include "report/evidence.h"
-#include "report/graph_json.h"
+#include "report/not_given.h"
 #include "report/rebuilt_study.h"
 #include "report/samples_json.h"
 #include "report/trained_json.h"
@@ -77,9 +78,26 @@ bool is_as_it_stands(const PartResults& part) {
   return part.question.empty() && part.variation.empty();
 }
 
+bool has_parameter(const ModuleType& type, const std::string& name) {
+  return std::any_of(type.parameters.begin(), type.parameters.end(),
+                     [&](const ParameterInfo& info) { return info.name == name; });
+}
+
+Json parameters_json(const ModuleType& type, const Settings* part) {
+  Json json = Json::object();
+  for (const Setting& setting : part ? part->settings : std::vector<Setting>{}) {
+    if (has_parameter(type, setting.name)) json[setting.name] = setting.value;
+  }
+  return json;
+}
+
 Json graph_or_null(const detail::Evidence& evidence) {
   if (!evidence.system() || !evidence.map) return nullptr;
-  return detail::graph_json(*evidence.system(), *evidence.map, evidence.part->settings);
+  const auto& modules = evidence.system()->modules();
+  return detail::graph_json(*evidence.system(), modules[*evidence.map].name, [&](std::size_t i) {
+    return parameters_json(*modules[i].type,
+                           detail::find_part(evidence.part->settings, "module." + modules[i].name));
+  });
 }
 
 // Puts a report together, file by file.
@@ -95,10 +113,7 @@ class ReportWriter {
       if (auto added = add_system(evidence); !added) return added;
       add_curve_part(part, *evidence.file, layout);
     }
-    for (JudgedClaim& judged : detail::claims_of(file.results, layout, plans_)) {
-      claims_.push_back(detail::claim_json(judged, file.results.path));
-      judged_.push_back(std::move(judged));
-    }
+    add_claims(file.results, layout);
     return {};
   }
 
@@ -141,6 +156,18 @@ class ReportWriter {
          {"missing", evidence.missing}});
     remember(evidence.missing);
     return {};
+  }
+
+  // What a study says of claims stands with its system, the last one.
+  void add_claims(const ResultsFile& file, const RecordingLayout& layout) {
+    detail::ClaimsOfFile of_file = detail::claims_of(file, layout, plans_);
+    for (JudgedClaim& judged : of_file.claims) {
+      claims_.push_back(detail::claim_json(judged, file.path));
+      judged_.push_back(std::move(judged));
+    }
+    for (const std::string& sentence : of_file.missing)
+      systems_.back()["missing"].push_back(sentence);
+    remember(of_file.missing);
   }
 
   // Results from before exploring stood among the settings: the library's own files say it, unless

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "simulation/object_motion.h"
+#include "simulation/played_frames.h"
 #include "simulation/simulated_hand_works.h"
 #include "somato/core/check.h"
 
@@ -121,23 +122,6 @@ std::vector<ScenePose> poses_in(const mjModel& model, const mjData& data) {
   return poses;
 }
 
-const Channel* channel_of(const Exploration& exploration, const std::string& name,
-                          std::size_t elements) {
-  for (const Channel& channel : exploration.channels) {
-    const Matrix<float>& frames = channel.frames;
-    if (channel.name == name && frames.columns() == elements && frames.rows() > 0) return &channel;
-  }
-  return nullptr;
-}
-
-std::size_t most_frames(const Exploration& exploration) {
-  std::size_t frames = 0;
-  for (const Channel& channel : exploration.channels) {
-    frames = std::max(frames, channel.frames.rows());
-  }
-  return frames;
-}
-
 struct NeededChannel {
   const char* name;
   std::size_t elements;
@@ -190,14 +174,13 @@ class HandPlayer : public ScenePlayer {
 
   std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override {
     const mjModel& model = *parts_->model;
-    const std::size_t frames = most_frames(exploration);
+    const std::size_t frames = detail::most_frames(exploration);
     std::size_t servo =
         parts_->hand == Hand::kLucs2 ? 0 : 1;  // the wrist of Hand III tells nothing
     for (const NeededChannel& needed : channels_of(parts_->hand)) {
-      const Channel* channel = channel_of(exploration, needed.name, needed.elements);
+      const Channel* channel = detail::played_channel(exploration, needed.name, needed.elements);
       require(channel != nullptr && frame < frames, "this hand recorded no such frame");
-      // Slower channels are spread over the same time.
-      const std::size_t row = frame * channel->frames.rows() / frames;
+      const std::size_t row = detail::played_row(exploration, *channel, frame);
       for (const float value : channel->frames.row(row)) set_servo(servo++, double{value});
     }
     for (int tendon = 0; tendon < static_cast<int>(model.ntendon); ++tendon) {
@@ -237,7 +220,7 @@ std::unique_ptr<ScenePlayer> play_hand(const HandScene& scene, bool with_object)
 bool is_of_hand(const Exploration& exploration, Hand hand) {
   const auto needed = channels_of(hand);
   return std::all_of(needed.begin(), needed.end(), [&](const NeededChannel& one) {
-    return channel_of(exploration, one.name, one.elements) != nullptr;
+    return detail::played_channel(exploration, one.name, one.elements) != nullptr;
   });
 }
 

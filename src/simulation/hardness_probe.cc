@@ -44,12 +44,15 @@ class Stick {
   double position_ = 0.0;
 };
 
+double most_counts(const P& parameters) {
+  return static_cast<double>((std::size_t{1} << parameters.potentiometer_bits) - 1);
+}
+
 // From mm to counts.
 class Potentiometer {
  public:
   explicit Potentiometer(const P& parameters)
-      : most_(static_cast<double>((std::size_t{1} << parameters.potentiometer_bits) - 1)),
-        counts_per_mm_(most_ / parameters.stroke) {}
+      : most_(most_counts(parameters)), counts_per_mm_(most_ / parameters.stroke) {}
 
   float operator()(double position) const {
     return static_cast<float>(std::clamp(std::round(position * counts_per_mm_), 0.0, most_));
@@ -134,6 +137,12 @@ Result<void> P::validate() const {
   return fail(ErrorKind::kUsage,
               "the stick never reaches the material: 'clearance' is 'stroke' or more", {},
               "lower 'clearance', or raise 'stroke'");
+}
+
+std::optional<double> stick_position(double counts, const P& parameters) {
+  const double share = counts / most_counts(parameters);
+  if (!(share >= 0.0 && share <= 1.0)) return {};
+  return share * parameters.stroke;
 }
 
 Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material, const P& parameters,

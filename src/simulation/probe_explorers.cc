@@ -32,12 +32,6 @@ void append_channels(Exploration& exploration, Exploration&& more) {
                               std::make_move_iterator(more.channels.end()));
 }
 
-std::vector<Label> labels_of_material(const Material& material, std::size_t trial) {
-  return {{"material", material.name},
-          {"hardness", choice_name(material.hardness)},
-          {"trial", std::to_string(trial + 1)}};
-}
-
 class ProbeExplorer : public ThingExplorer {
  public:
   ProbeExplorer(Probe probe, std::vector<Material> materials, ExploringParameters parameters,
@@ -68,7 +62,7 @@ class ProbeExplorer : public ThingExplorer {
       if (!pressed) return pressed;
       append_channels(*exploration, std::move(*pressed));
     }
-    exploration->labels = labels_of_material(material, trial);
+    exploration->labels = labels_of(material, trial);
     return exploration;
   }
 
@@ -78,19 +72,6 @@ class ProbeExplorer : public ThingExplorer {
   ExploringParameters parameters_;
   std::uint64_t seed_;
 };
-
-// The table's own materials, or else those of its objects, each once.
-std::vector<Material> materials_to_explore(const ObjectTable& things) {
-  if (!things.materials.empty()) return things.materials;
-  std::vector<Material> materials;
-  for (const Object& object : things.objects) {
-    const bool known = std::any_of(materials.begin(), materials.end(), [&](const Material& other) {
-      return other.name == object.material.name;
-    });
-    if (!known) materials.push_back(object.material);
-  }
-  return materials;
-}
 
 Result<void> check_probes(const std::vector<Material>& materials,
                           const ExploringParameters& parameters) {
@@ -137,6 +118,18 @@ class AllSensesExplorer : public ThingExplorer {
 };
 
 }  // namespace
+
+std::vector<Material> materials_to_explore(const ObjectTable& things) {
+  if (!things.materials.empty()) return things.materials;
+  std::vector<Material> materials;
+  for (const Object& object : things.objects) {
+    const bool known = std::any_of(materials.begin(), materials.end(), [&](const Material& other) {
+      return other.name == object.material.name;
+    });
+    if (!known) materials.push_back(object.material);
+  }
+  return materials;
+}
 
 Result<std::unique_ptr<ThingExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
                                                       const ExploringParameters& parameters,

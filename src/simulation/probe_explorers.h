@@ -1,18 +1,21 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "simulation/probe.h"
 #include "simulation/thing_explorer.h"
 #include "somato/bodies/object_table.h"
 #include "somato/simulation/exploring_parameters.h"
 
 namespace somato::detail {
 
-/// Which probes try a material: one of them, or both in the same exploration.
-enum class Probe { kTexture, kHardness, kBoth };
+/// The materials that probes try: the table's own, or where it has none those of its objects, each
+/// once.
+std::vector<Material> materials_to_explore(const ObjectTable& things);
 
-/// Probes try each material of the table, or where it has none those of its objects. Errors:
-/// kUsage for a table without either; those of the probes.
+/// Probes try each of materials_to_explore(). Errors: kUsage for a table without any; those of the
+/// probes.
 Result<std::unique_ptr<ThingExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
                                                       const ExploringParameters& parameters,
                                                       std::uint64_t seed);

@@ -1,10 +1,10 @@
 #include "simulation/probe_scene.h"
 
 #include <array>
-#include <string>
 #include <utility>
 
 #include "simulation/units.h"
+#include "somato/bodies/material_colour.h"
 #include "somato/core/elementary.h"
 
 namespace somato::detail {
@@ -12,26 +12,15 @@ namespace {
 
 constexpr double kScale = 2.0;
 constexpr double kLever = 0.040 * kScale;  // m; from its axis to its edge
-constexpr double kSlab = 0.006;            // m; half as thick
+constexpr double kBeside = 0.055;          // m; from the edge to a stick beside it
+constexpr double kSlab = 0.010;            // m; half as thick, so that no stick comes through
 constexpr std::array<double, 4> kMetal{0.62, 0.65, 0.70, 1.0};
 constexpr std::array<double, 4> kDark{0.20, 0.21, 0.24, 1.0};
 
-// Something like what they look like; an unknown one is grey.
-std::array<double, 4> colour_of(const Material& material) {
-  static const std::array<std::pair<const char*, std::array<double, 4>>, 8> known{{
-      {"rubber", {0.28, 0.28, 0.30, 1.0}},
-      {"wood", {0.76, 0.58, 0.38, 1.0}},
-      {"metal", {0.66, 0.68, 0.72, 1.0}},
-      {"felt", {0.40, 0.50, 0.42, 1.0}},
-      {"hard_board", {0.52, 0.38, 0.26, 1.0}},
-      {"corduroy", {0.45, 0.36, 0.52, 1.0}},
-      {"plastic", {0.27, 0.48, 0.70, 1.0}},
-      {"sponge", {0.92, 0.82, 0.45, 1.0}},
-  }};
-  for (const auto& [name, colour] : known) {
-    if (material.name == name) return colour;
-  }
-  return {0.6, 0.6, 0.6, 1.0};
+// An unknown one is grey.
+std::array<double, 4> colour_of(const std::string& material) {
+  const auto [red, green, blue] = material_colour(material).value_or(std::array{0.6, 0.6, 0.6});
+  return {red, green, blue, 1.0};
 }
 
 SceneGeom box(std::string name, std::array<double, 3> half_sizes, std::array<double, 3> position,
@@ -52,9 +41,9 @@ SceneGeom cylinder(std::string name, double radius, double half_length,
 }
 
 // Table and slab, whose top is at height 0.
-Scene bench(const Material& material) {
+Scene bench(const std::string& material) {
   Scene scene;
-  SceneGeom slab = box(material.name, {0.09, 0.09, kSlab}, {0.0, 0.0, -kSlab}, colour_of(material));
+  SceneGeom slab = box(material, {0.09, 0.09, kSlab}, {0.0, 0.0, -kSlab}, colour_of(material));
   slab.role = GeomRole::kObject;
   scene.geoms.push_back(slab);
   SceneGeom table =
@@ -66,53 +55,70 @@ Scene bench(const Material& material) {
   return scene;
 }
 
-void add_moving(Scene& scene, std::vector<SceneGeom> geoms) {
+// Geoms of a body of their own.
+void add_moving(Scene& scene, const char* name, std::vector<SceneGeom> geoms) {
   for (SceneGeom& geom : geoms) {
-    geom.body = 0;
+    geom.body = scene.bodies.size();
     scene.geoms.push_back(std::move(geom));
   }
+  scene.bodies.emplace_back(name);
 }
 
-}  // namespace
-
-Scene texture_probe_scene(const Material& material) {
-  Scene scene = bench(material);
-  scene.bodies = {"lever"};
+void add_lever(Scene& scene) {
   scene.geoms.push_back(cylinder("servo", 0.014, 0.022, {-kLever, 0.0, 0.062}, kDark));
-  add_moving(scene, {box("lever", {kLever / 2, 0.005, 0.003}, {kLever / 2, 0.0, 0.036}, kMetal),
-                     box("edge", {0.002, 0.007, 0.018}, {kLever, 0.0, 0.018}, kMetal),
-                     cylinder("hub", 0.009, 0.006, {0.0, 0.0, 0.036}, kDark)});
-  return scene;
+  add_moving(scene, "lever",
+             {box("lever", {kLever / 2, 0.005, 0.003}, {kLever / 2, 0.0, 0.036}, kMetal),
+              box("edge", {0.002, 0.007, 0.018}, {kLever, 0.0, 0.018}, kMetal),
+              cylinder("hub", 0.009, 0.006, {0.0, 0.0, 0.036}, kDark)});
 }
 
-Scene hardness_probe_scene(const Material& material) {
-  Scene scene = bench(material);
-  scene.bodies = {"stick"};
-  scene.geoms.push_back(box("servo", {0.022, 0.016, 0.022}, {0.0, 0.0, 0.085}, kDark));
+void add_stick(Scene& scene, double along) {
+  scene.geoms.push_back(box("servo", {0.022, 0.016, 0.022}, {along, 0.0, 0.085}, kDark));
   SceneGeom tip;
   tip.name = "tip";
   tip.shape = GeomShape::kSphere;
   tip.size = {0.006, 0.0, 0.0};
   tip.pose.position = {0.0, 0.0, 0.006};
   tip.colour = kMetal;
-  add_moving(scene, {cylinder("stick", 0.005, 0.035, {0.0, 0.0, 0.041}, kMetal), std::move(tip)});
-  return scene;
+  add_moving(scene, "stick",
+             {cylinder("stick", 0.005, 0.035, {0.0, 0.0, 0.041}, kMetal), std::move(tip)});
+}
+
+// Where the stick stands along the slab: beside the lever where there is one.
+double stick_along(Probe probe) {
+  return probe == Probe::kBoth ? kBeside : 0.0;
 }
 
 // The lever turns about the vertical, half of its stroke to either side.
-std::vector<ScenePose> texture_probe_poses(double degrees) {
+ScenePose lever_pose(double degrees) {
   const double half = (degrees - 18.0) / 720.0;  // turns
   ScenePose pose;
   pose.position = {-kLever, 0.0, 0.0};
   pose.turn = {cosine_of_turns(half), 0.0, 0.0, cosine_of_turns(half - 0.25)};
-  return {pose};
+  return pose;
 }
 
 // At 0 the tip is a millimetre above the material.
-std::vector<ScenePose> hardness_probe_poses(double millimetres) {
+ScenePose stick_pose(double along, double millimetres) {
   ScenePose pose;
-  pose.position = {0.0, 0.0, (1.0 - millimetres) * kMetres * kScale};
-  return {pose};
+  pose.position = {along, 0.0, (1.0 - millimetres) * kMetres * kScale};
+  return pose;
+}
+
+}  // namespace
+
+Scene probe_scene(Probe probe, const std::string& material) {
+  Scene scene = bench(material);
+  if (probe != Probe::kHardness) add_lever(scene);
+  if (probe != Probe::kTexture) add_stick(scene, stick_along(probe));
+  return scene;
+}
+
+std::vector<ScenePose> probe_poses(Probe probe, const ProbePlace& place) {
+  std::vector<ScenePose> poses;
+  if (probe != Probe::kHardness) poses.push_back(lever_pose(place.lever));
+  if (probe != Probe::kTexture) poses.push_back(stick_pose(stick_along(probe), place.stick));
+  return poses;
 }
 
 }  // namespace somato::detail

@@ -1,19 +1,24 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "somato/bodies/material.h"
+#include "simulation/probe.h"
 #include "somato/bodies/scene.h"
 
 namespace somato::detail {
 
-/// Simple pictures of the probes, on a slab in the colour of their material. They are twice as
+/// A simple picture of the probes, on a slab in the colour of their material. They are twice as
 /// large as they are, for they are small.
-Scene texture_probe_scene(const Material& material);
-Scene hardness_probe_scene(const Material& material);
+Scene probe_scene(Probe probe, const std::string& material);
 
-/// A pose for each body of those scenes: the lever at `degrees`, the stick at `millimetres`.
-std::vector<ScenePose> texture_probe_poses(double degrees);
-std::vector<ScenePose> hardness_probe_poses(double millimetres);
+/// Where the probes are.
+struct ProbePlace {
+  double lever = 0.0;  ///< deg.
+  double stick = 0.0;  ///< mm.
+};
+
+/// A pose for each body of that scene.
+std::vector<ScenePose> probe_poses(Probe probe, const ProbePlace& place);
 
 }  // namespace somato::detail

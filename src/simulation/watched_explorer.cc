@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "simulation/probe_explorers.h"
 #include "simulation/probe_scene.h"
 #include "simulation/thing_explorer.h"
 #include "somato/bodies/explore_by_grasping.h"
@@ -16,6 +17,7 @@ namespace somato {
 namespace {
 
 using detail::Draws;
+using detail::Probe;
 using Poses = std::function<std::vector<ScenePose>()>;
 
 // A body whose every step is seen; whoever moves it knows no difference.
@@ -104,13 +106,6 @@ class WatchedProbe : public WatchedSimulation {
  public:
   using WatchedSimulation::WatchedSimulation;
   bool takes_placement() const override { return false; }
-
- protected:
-  static std::vector<Label> labels(const Material& material, std::size_t trial) {
-    return {{"material", material.name},
-            {"hardness", choice_name(material.hardness)},
-            {"trial", std::to_string(trial + 1)}};
-  }
 };
 
 class WatchedTextureProbe : public WatchedProbe {
@@ -123,11 +118,12 @@ class WatchedTextureProbe : public WatchedProbe {
     auto probe = make_texture_probe(material, parameters().texture_probe,
                                     {world(), seed_for(what, Draws::kTexture)});
     if (!probe) return fail(std::move(probe.error()));
-    watcher.begins((*probe)->description(), detail::texture_probe_scene(material));
-    SeenBody seen(**probe, watcher,
-                  [&] { return detail::texture_probe_poses((*probe)->state().positions.front()); });
+    watcher.begins((*probe)->description(), detail::probe_scene(Probe::kTexture, material.name));
+    SeenBody seen(**probe, watcher, [&] {
+      return detail::probe_poses(Probe::kTexture, {.lever = (*probe)->state().positions.front()});
+    });
     auto explored = explore_by_stroking(seen, parameters().stroke, told_to(watcher));
-    if (explored) explored->labels = labels(material, what.trial);
+    if (explored) explored->labels = labels_of(material, what.trial);
     return explored;
   }
 };
@@ -143,15 +139,15 @@ class WatchedHardnessProbe : public WatchedProbe {
     const HardnessProbeParameters& built = parameters().hardness_probe;
     auto probe = make_hardness_probe(material, built, seed_for(what, Draws::kHardness));
     if (!probe) return fail(std::move(probe.error()));
-    watcher.begins((*probe)->description(), detail::hardness_probe_scene(material));
-    const auto counts = static_cast<double>(std::size_t{1} << built.potentiometer_bits);
+    watcher.begins((*probe)->description(), detail::probe_scene(Probe::kHardness, material.name));
     SeenBody seen(**probe, watcher, [&] {
-      const auto read = (*probe)->state().readings.front().values();
-      const double share = read.empty() ? 0.0 : static_cast<double>(read.back()) / counts;
-      return detail::hardness_probe_poses(share * built.stroke);
+      const Matrix<float>& read = (*probe)->state().readings.front();
+      const double counts = read.empty() ? 0.0 : double{read(0, 0)};
+      return detail::probe_poses(Probe::kHardness,
+                                 {.stick = stick_position(counts, built).value_or(0.0)});
     });
     auto explored = explore_by_pressing(seen, parameters().press, told_to(watcher));
-    if (explored) explored->labels = labels(material, what.trial);
+    if (explored) explored->labels = labels_of(material, what.trial);
     return explored;
   }
 };
@@ -165,18 +161,10 @@ std::vector<ShownThing> objects_of(const ObjectTable& table) {
   return things;
 }
 
-// The table's own materials, or else those of its objects, each once: as Explorer has them.
-std::vector<ShownThing> materials_of(const Explorer& explorer, const ObjectTable& table) {
+std::vector<ShownThing> materials_of(const ObjectTable& table) {
   std::vector<ShownThing> things;
-  for (const std::string& name : explorer.things()) {
-    for (const Material& material : table.materials) {
-      if (material.name == name) things.push_back({name, {}, material});
-    }
-    for (const Object& object : table.objects) {
-      if (things.empty() || things.back().name != name) {
-        if (object.material.name == name) things.push_back({name, {}, object.material});
-      }
-    }
+  for (const Material& material : detail::materials_to_explore(table)) {
+    things.push_back({material.name, {}, material});
   }
   return things;
 }
@@ -184,11 +172,13 @@ std::vector<ShownThing> materials_of(const Explorer& explorer, const ObjectTable
 Result<std::unique_ptr<WatchedBody>> watch_probe(ExploringBody body, const ObjectTable& table,
                                                  const ExploringParameters& parameters,
                                                  std::uint64_t seed) {
-  auto explorer = Explorer::build(body, table, parameters, seed);
-  if (!explorer) return fail(std::move(explorer.error()));
-  std::vector<ShownThing> things = materials_of(*explorer, table);
+  const bool strokes = body == ExploringBody::kTexture;
+  const auto usable =
+      detail::probe_explorer(strokes ? Probe::kTexture : Probe::kHardness, table, parameters, seed);
+  if (!usable) return fail(usable.error());
+  std::vector<ShownThing> things = materials_of(table);
   std::unique_ptr<WatchedBody> watched;
-  if (body == ExploringBody::kTexture) {
+  if (strokes) {
     watched = std::make_unique<WatchedTextureProbe>(body, std::move(things), parameters, seed);
   } else {
     watched = std::make_unique<WatchedHardnessProbe>(body, std::move(things), parameters, seed);

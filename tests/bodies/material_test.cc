@@ -86,5 +86,11 @@ TEST(Material, AnUnknownNameIsAnsweredWithTheNearest) {
   EXPECT_NE((unknown.error().what + unknown.error().advice).find("'felt'"), std::string::npos);
 }
 
+TEST(Material, SaysWhatIsKnownOfItsExplorations) {
+  const Material sponge = find_material(declared_materials(), "sponge").value();
+  EXPECT_EQ(labels_of(sponge, 4),
+            (std::vector<Label>{{"material", "sponge"}, {"hardness", "soft"}, {"trial", "5"}}));
+}
+
 }  // namespace
 }  // namespace somato

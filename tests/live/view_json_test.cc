@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "somato/bodies/material_colour.h"
+
 namespace somato::live {
 namespace {
 
@@ -18,6 +20,14 @@ TEST(FrameText, WritesWhatIsNotFiniteAsNull) {
   const Json frame = Json::parse(frame_text(moment, nullptr, nullptr));
   EXPECT_EQ(frame["channels"]["touch"], (Json{1.5, nullptr, nullptr}));
   EXPECT_EQ(frame["poses"], (Json{0, 0, nullptr, 1, 0, 0, 0}));
+}
+
+TEST(ThingJson, TellsTheColourOfItsMaterialWhereItIsKnown) {
+  Material material;
+  material.name = "wood";
+  EXPECT_EQ(thing_json({"ball", {}, material})["colour"], Json(*material_colour("wood")));
+  material.name = "cork";
+  EXPECT_EQ(thing_json({"ball", {}, material})["colour"], nullptr);
 }
 
 }  // namespace

@@ -147,10 +147,15 @@ TEST_F(ServerThread, SurvivesManyWhoAreSlow) {
   const std::string told = R"({"exploration":0,"frame":1,)";
   EXPECT_NE(good.until(told).find(told), std::string::npos);
   // They are sent away after their second, and others come in again.
+  std::size_t turned_away = 0;
   for (const auto& one : slow) {
-    const int status = status_of(one->receive());
+    const std::string response = one->receive();
+    const int status = status_of(response);
     EXPECT_TRUE(status == 408 || status == 503) << status;
+    EXPECT_NE(response.find("X-Frame-Options: DENY"), std::string::npos);
+    turned_away += status == 503 ? 1 : 0;
   }
+  EXPECT_GE(turned_away, 16U);
   slow.clear();
   int status = 0;
   for (int i = 0; i < 1000 && status != 200; ++i) status = status_of(viewing_.get("/api/state"));

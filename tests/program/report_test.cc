@@ -85,6 +85,17 @@ TEST_F(Report, ARecordingOfSomethingElseIsNotTaken) {
   const Json system = data_of("report.html")["systems"][0];
   EXPECT_TRUE(system["samples"].is_null());
   EXPECT_TRUE(says(system["missing"], "The recording is not at hand"));
+  EXPECT_TRUE(says(system["missing"], "'press.mcap' is not what these results are of"));
+}
+
+// Such as the one somebody works in: results of others lie in it, too.
+TEST_F(Report, FindsTheRecordingInAFolderWithResultsBelow) {
+  make_results();
+  fs::create_directories(path("all/out"));
+  fs::copy(path("out/results.json"), path("all/out/results.json"));
+  output_of({"import", "icub_grasp", kTrials, "-o", "all/grasps.mcap"});
+  output_of({"report", "out/results.json", "--data", "all", "-o", "report.html"});
+  EXPECT_EQ(data_of("report.html")["systems"][0]["recordings"], Json::array({"grasps.mcap"}));
 }
 
 TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
@@ -157,7 +168,8 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(2, {"report", "-o", "x"}, {"RESULTS is required"});
   expect_refused(2, {"report", "out/results.json"}, {"--output is required"});
   expect_refused(1, {"report", "none.json", "-o", "x"}, {"none.json"});
-  expect_refused(1, {"report", "bad.json", "-o", "x"}, {"bad.json", "ends too early"});
+  expect_refused(1, {"report", "bad.json", "-o", "x"},
+                 {"bad.json", "ends too early", "give a results.json"});
   expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "no JSON"});
   expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "no results.json"});
   expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "no JSON"});

@@ -43,6 +43,13 @@ TEST_F(View, PrintsWhereItIsAndEndsPolitely) {
   }
 }
 
+TEST_F(View, RefusesObjectsThatItCannotRead) {
+  record();
+  write("objects.toml", "[object]\ncup = { shape = \"cup\" }\n");
+  expect_refused(1, {{{"view", "pressed.mcap", "--objects", "missing.toml"}, {"missing.toml"}}});
+  expect_refused(2, {{{"view", "pressed.mcap", "--objects", "objects.toml"}, {"objects.toml"}}});
+}
+
 TEST_F(View, TakesASystemThatDoesNotFit) {
   write_data();
   expect_refused(1, {{{"view", "--body", "texture", "--model", "data.csv"}, {"data.csv"}}});

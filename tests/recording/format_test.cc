@@ -65,7 +65,23 @@ TEST(RecognizeFormat, RefusesTwoFormats) {
 
 TEST(RecognizeFormat, SaysWhatCannotBeRead) {
   const TemporaryFolder folder;
-  EXPECT_EQ(recognize_format(folder.file("nowhere")).error().kind, ErrorKind::kSystem);
+  const auto format = recognize_format(folder.file("nowhere"));
+  ASSERT_FALSE(format);
+  EXPECT_EQ(format.error().kind, ErrorKind::kSystem);
+  EXPECT_EQ(format.error().what, "there is no such file or folder");
+}
+
+// What a study leaves is no data set.
+TEST(RecognizeFormat, AsksForOneOfTheRecordingsThatAFolderHolds) {
+  const TemporaryFolder folder;
+  add(folder, "run/results.json", "{}");
+  const auto without = recognize_format(folder.path());
+  ASSERT_FALSE(without);
+  EXPECT_TRUE(without.error().what.starts_with("the folder holds none of the known formats"));
+  add(folder, "run/hand2.mcap");
+  const auto format = recognize_format(folder.path());
+  ASSERT_FALSE(format);
+  EXPECT_EQ(format.error().what, "the folder holds recordings, such as run/hand2.mcap");
 }
 
 TEST(LoadRecording, ReadsTheFormatThatIsNamedOrFoundOut) {

@@ -84,6 +84,25 @@ TEST(RebuiltStudy, WhatATrainedBatchMapDecidedDoesNotHinder) {
   EXPECT_TRUE(again) << to_string(again.error());
 }
 
+TEST(RebuiltStudy, WhatPhasesDecidedDoesNotHinder) {
+  for (const char* order : {"", "order = 'without_replacement'\n"}) {
+    const auto phased = testing::study_from(
+        "[study]\nname = 'phased'\nseeds = 1\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 5\ncolumns = 5\n"
+        "[[phase]]\nlearn = ['map']\ndraws = 200\n" +
+        std::string(order));
+    const auto outcome = run_study(phased, testing::grasps(3, 3, 1)).value();
+    EXPECT_EQ(*find_setting(outcome.results.settings, "module.map", "iterations"), "200");
+    const auto rebuilt = rebuilt_study(outcome.results.settings);
+    ASSERT_TRUE(rebuilt) << to_string(rebuilt.error());
+    const auto again = System::build(rebuilt->system, layout_of(testing::grasps(3, 3, 1)));
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(again->phases().front().draws, 200U);
+  }
+}
+
 TEST(RebuiltStudy, SettingsThatAreNoneAreRefused) {
   EXPECT_FALSE(rebuilt_study({}));
   EXPECT_FALSE(rebuilt_study({{"study", {{"name", "\"a\""}, {"nonsense", "1"}}}}));

@@ -6,7 +6,7 @@ import { describe, expect, it } from "vitest";
 import { bodyState } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import { frameShown, screenshot, words } from "./view_browser";
-import { ViewedPage } from "./viewed_page";
+import { soon, ViewedPage } from "./viewed_page";
 
 const view = new ViewedPage();
 
@@ -30,9 +30,23 @@ describe("what it tells the program", () => {
     await view.told({ command: "system", name: "shape_and_size" });
   });
 
+  it("scrubs through what is shown, though the state that tells of it has not come yet", async () => {
+    await view.open();
+    view.server.show(2, 5);
+    await frameShown(view.page, 5);
+    await view.page.getByRole("slider", { name: "Frame" }).fill("30");
+    await view.told({ command: "seek", exploration: 2, frame: 30 });
+  });
+
+  it("asks for no place where a body takes none", async () => {
+    await view.open({ ...bodyState(), name: "texture", placement: null });
+    await view.page.getByLabel("Object", { exact: true }).waitFor();
+    expect(await view.page.getByLabel("turn (°)").isVisible()).toBe(false);
+  });
+
   it("gives a body something to explore", async () => {
     await view.open(bodyState());
-    expect(await words(view.page, ".scene-note")).toContain("Nothing has been explored yet");
+    await soon(() => words(view.page, ".scene-note")).toContain("Nothing has been explored yet");
     await view.page.getByLabel("Object", { exact: true }).selectOption("block");
     await view.told({ command: "thing", name: "block" });
     await view.page.getByLabel("turn (°)").fill("15");

@@ -62,7 +62,7 @@ describe("when things go wrong", () => {
     await view.visit({ viewport: { width: 1280, height: 800 } }, flat);
     await view.page.goto(view.server.address);
     await firstFrame(view.page);
-    expect(await words(view.page, ".scene-note")).toContain("cannot draw in three dimensions");
+    await soon(() => words(view.page, ".scene-note")).toContain("cannot draw in three dimensions");
     view.server.show(1, 50);
     await frameShown(view.page, 50);
     await view.page.locator(".unfolded [data-cell='44']").click();

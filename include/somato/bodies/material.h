@@ -10,6 +10,7 @@
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
+#include "somato/recording/recording.h"
 
 namespace somato {
 
@@ -62,5 +63,9 @@ const std::vector<Material>& declared_materials();
 
 /// The material of that name; an unknown name is an error (kUsage) with the nearest known one.
 Result<Material> find_material(std::span<const Material> materials, std::string_view name);
+
+/// What is known about an exploration of the material itself: material, hardness, and trial, which
+/// is written counting from 1 and given from 0.
+std::vector<Label> labels_of(const Material& material, std::size_t trial);
 
 }  // namespace somato

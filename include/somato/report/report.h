@@ -53,6 +53,7 @@ struct ReportSources {
   std::string version;  ///< Of the program.
   /// The recording with that content_hash(); without a function there is none.
   std::function<ReportRecording(const std::string& hash)> recording;
+  std::string named_recordings = {};  ///< What somebody named to look for them in; empty: nothing.
   std::vector<ReportThing> things;
   std::map<std::string, std::string> units;  ///< Of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "somato/bodies/body.h"
 #include "somato/bodies/material.h"
@@ -28,6 +29,9 @@ struct HardnessProbeParameters {
   /// takes up the whole stroke.
   Result<void> validate() const;
 };
+
+/// Where the stick is, in mm, when its potentiometer reads `counts`; none outside its range.
+std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters);
 
 /// A hardness probe over a piece of material: a stick on a servo that presses with a constant
 /// force, and the servo's potentiometer (P11 section IV-C; how it is simulated:

@@ -126,11 +126,12 @@ function placeRow(layout: HandLayout, row: Part[], middle: number, y: number): v
   });
 }
 
-/** Elements without such names, in a grid by the shape of their channel. */
+/** Elements without such names, in a grid by the shape of their channel: axes of length 1 are none. */
 export function gridLayout(count: number, shape: readonly number[]): HandLayout {
+  const axes = shape.filter((length) => length > 1);
   const columns = Math.max(
     1,
-    Math.min(count, shape.length > 1 ? (shape.at(-1) ?? count) : Math.ceil(Math.sqrt(count * 2))),
+    Math.min(count, axes.length > 1 ? (axes.at(-1) ?? count) : Math.ceil(Math.sqrt(count * 2))),
   );
   const dots = Array.from({ length: count }, (_, i) => ({
     x: (i % columns) + 0.5,

@@ -1,6 +1,8 @@
 // A small picture of a thing at true proportions, seen from above at an angle (isometric).
 //
 //   thingPicture(thing, 0.6)   0.6 pixels a mm; the same for all things of a table
+//
+// Of what has a shape and no size only the shape is true; what has neither is a piece of material.
 
 import type { ThingData } from "./data";
 import { uniqueId } from "./dom";
@@ -13,16 +15,14 @@ const kCos30 = Math.sqrt(3) / 2;
 const kNoColour = [0.72, 0.7, 0.66] as const;
 
 export function thingPicture(thing: ThingData, scale: number): SVGSVGElement {
-  const [width, depth, height] = thing.size ?? [50, 50, 10];
-  const [w, d, h] = [width * scale, depth * scale, height * scale];
+  const [w, d, h] = sizeOf(thing).map((length) => length * scale) as [number, number, number];
   const top = (thing.top_diameter || 0) * scale;
   const colour = cssColour(thing, 1);
-  const faces =
-    thing.shape === "block" || thing.size === null || thing.shape === null
-      ? blockFaces(w, d, h, thing)
-      : roundFaces(thing, pointsOf(thing.shape, w, d, h, top), w, d, h, top);
-  const all = hull(pointsOf(thing.shape ?? "block", w, d, h, top));
-  const [left, up, right, down] = boundsOf(all);
+  const kind = thing.shape ?? "block";
+  const points = pointsOf(kind, w, d, h, top);
+  const isRound = kRound.has(kind);
+  const faces = isRound ? roundFaces(thing, points, w, d, h, top) : blockFaces(w, d, h, thing);
+  const [left, up, right, down] = boundsOf(hull(points));
   const label = `${thing.name}: ${thing.shape ?? "a sample of material"}`;
   const picture = svg(right - left + 4, down - up + 4, label, faces);
   picture.setAttribute("viewBox", [left - 2, up - 2, right - left + 4, down - up + 4].map(rounded).join(" "));
@@ -30,10 +30,21 @@ export function thingPicture(thing: ThingData, scale: number): SVGSVGElement {
   return picture;
 }
 
+const kRound = new Set(["sphere", "ellipsoid", "capsule", "cylinder", "cone"]);
+const kPiece = [50, 50, 10] as const;
+const kAround60 = [60, 60, 60] as const;
+const kUpright = [50, 50, 80] as const;
+
+function sizeOf({ size, shape }: ThingData): readonly [number, number, number] {
+  if (size !== null) return size;
+  if (shape === null) return kPiece;
+  return shape === "sphere" ? kAround60 : kUpright;
+}
+
 /** How many pixels a mm so that the largest of `things` is `size` tall or wide. */
 export function commonScale(things: readonly ThingData[], size: number): number {
   const largest = things.map((thing) => {
-    const [width, depth, height] = thing.size ?? [50, 50, 10];
+    const [width, depth, height] = sizeOf(thing);
     return Math.max((width + depth) * kCos30, (width + depth) / 2 + height);
   });
   return size / Math.max(1, ...largest);

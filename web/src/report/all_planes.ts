@@ -13,6 +13,7 @@ import { neuronTable } from "./system_map";
 
 const kMost = 120; // more are too small to see
 const kPitch = 60;
+const kNamedPitch = 104; // where there is room, for the names below
 const kGap = 7;
 const kName = 13;
 
@@ -53,26 +54,29 @@ function draw(
   isNamed: boolean,
 ): SVGSVGElement {
   const { channel, unit } = planes;
-  const tall = kPitch + (isNamed ? kName : 0);
-  const [width, height] = [layout.width * kPitch, layout.height * tall];
+  const pitch = pitchFor(layout, isNamed);
+  const tall = pitch + (isNamed ? kName : 0);
+  const [width, height] = [layout.width * pitch, layout.height * tall];
   const bones = layout.segments.map((one) =>
     shape("rect", {
-      x: rounded(one.x * kPitch),
+      x: rounded(one.x * pitch),
       y: rounded(one.y * tall),
-      width: rounded(one.width * kPitch),
+      width: rounded(one.width * pitch),
       height: rounded(one.height * tall),
       rx: 14,
       class: "bone",
     }),
   );
   const maps = layout.dots.map(({ x, y }, i) =>
-    planeAt(grid, planes, range, i, (x - 0.5) * kPitch, (y - 0.5) * tall),
+    planeAt(grid, planes, range, i, { x: (x - 0.5) * pitch, y: (y - 0.5) * tall, pitch }),
   );
   const words = isNamed
-    ? layout.dots.map(({ x, y }, i) => nameAt(channel.elements[i] ?? "", x * kPitch, (y + 0.5) * tall - 5))
+    ? layout.dots.map(({ x, y }, i) =>
+        nameAt(channel.elements[i] ?? "", x * pitch, (y + 0.5) * tall - 5, pitch),
+      )
     : [];
   const fingers = layout.fingers.map(({ name, x, y }) =>
-    text(x * kPitch, y * tall + 16, name, { class: "middle muted" }),
+    text(x * pitch, y * tall + 16, name, { class: "middle muted" }),
   );
   const below = height + (layout.fingers.length > 0 ? 30 : 8);
   const bar = colourBar(Math.min(320, Math.max(180, width)), unit, sequenceColour);
@@ -82,8 +86,15 @@ function draw(
   return svg(Math.max(width, 190), below + 30, label, [...bones, ...maps, ...words, ...fingers, bar.group]);
 }
 
-function nameAt(name: string, x: number, y: number): SVGTextElement {
-  return text(x, y, shortened(name, kPitch, 10), { class: "middle muted note" });
+const kWide = 880;
+
+/** As large as fits beside each other. */
+function pitchFor(layout: HandLayout, isNamed: boolean): number {
+  return isNamed ? Math.max(kPitch, Math.min(kNamedPitch, kWide / layout.width)) : kPitch;
+}
+
+function nameAt(name: string, x: number, y: number, pitch: number): SVGTextElement {
+  return text(x, y, shortened(name, pitch - 4, 11), { class: "middle muted note" });
 }
 
 function planeAt(
@@ -91,15 +102,14 @@ function planeAt(
   planes: ChannelPlanes,
   range: [number, number],
   which: number,
-  x: number,
-  y: number,
+  { x, y, pitch }: { x: number; y: number; pitch: number },
 ): SVGElement {
   const href = pixels(
     grid,
     planes.values.map((values) => values[which] ?? null),
     range,
   );
-  const side = kPitch - kGap;
+  const side = pitch - kGap;
   const image = shape("image", {
     x: rounded(x + kGap / 2),
     y: rounded(y + kGap / 2),

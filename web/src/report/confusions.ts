@@ -29,11 +29,15 @@ function draw(system: SystemReport, selection: Selection, isAll: boolean): Drawn
   if (!protocol || !run) return nothing("There is no run of this protocol.");
   const counts = countsOf(system, selection, isAll ? protocol.runs : [run]);
   if (!counts) return nothing(`What was named is not known for the label ${label} under this protocol.`);
-  const runs = isAll ? `all ${protocol.runs.length} runs` : `seed ${runWords(selection)}`;
+  const runs = isAll ? allRuns(protocol.runs.length) : `seed ${runWords(selection)}`;
   const words = `${protocolName(protocol)}, by ${label}, ${runs}`;
   const picture = confusionPicture(counts, `Confusions: ${words}`);
   const what = element("p", { class: "small what" }, [words]);
   return { body: [what, picture.element], svg: picture.svg, table: tableOf(counts) };
+}
+
+function allRuns(count: number): string {
+  return count === 1 ? "the only run" : `all ${count} runs`;
 }
 
 function countsOf(system: SystemReport, { protocol, label }: Selection, runs: RunData[]): Counts | null {

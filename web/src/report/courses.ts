@@ -4,9 +4,10 @@ import * as Plot from "@observablehq/plot";
 
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
+import { handLayout } from "../parts/hand_layout";
 import { markerShape, plotSymbol } from "../parts/markers";
 import { readable } from "../parts/numbers";
-import type { MomentChannel, SystemReport } from "./data";
+import type { MomentChannel, MomentData, SystemReport } from "./data";
 import { capital } from "./groups";
 import { matrixPicture } from "./matrix";
 import { momentIndex, momentTime } from "./moment_time";
@@ -15,7 +16,12 @@ import { systemName } from "./words";
 
 const kLines = 8;
 
-export function courseFigure(system: SystemReport, of: MomentChannel, name: string): Child {
+export function courseFigure(
+  system: SystemReport,
+  moment: MomentData,
+  of: MomentChannel,
+  name: string,
+): Child {
   const { channel } = of;
   const isFew = channel.elements.length <= kLines;
   const body = isFew ? linesOf(of, name) : stripsOf(of, name);
@@ -28,10 +34,16 @@ export function courseFigure(system: SystemReport, of: MomentChannel, name: stri
       columns: ["time (s)", ...channel.elements],
       rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]),
     }),
-    note: isFew
-      ? `${name}. The upright line is the moment shown on the hand.`
-      : `${name}. A row is an element; the upright line is the moment shown on the hand.`,
+    note: `${name}. ${isFew ? "The" : "A row is an element; the"} upright line is ${momentWords(moment)}.`,
   });
+}
+
+/** The moment is that of most touch, where there is touch, else the last. */
+function momentWords({ channels }: MomentData): string {
+  if (channels.some(({ channel }) => handLayout(channel.elements) !== null))
+    return "the moment shown on the hand";
+  const hasTouch = channels.some(({ channel }) => channel.name === "touch");
+  return hasTouch ? "the moment of most touch" : "the last frame";
 }
 
 function linesOf(of: MomentChannel, name: string): HTMLElement {

@@ -3,7 +3,7 @@
 import { sequenceColour, parsed } from "../parts/colour_maps";
 import { colourBar } from "../parts/legend";
 import { rangeOf } from "../parts/numbers";
-import { rounded, shape, svg, text } from "../parts/svg";
+import { rounded, shape, shortened, svg, text, textWidth } from "../parts/svg";
 
 export interface MatrixPicture {
   svg: SVGSVGElement;
@@ -53,9 +53,7 @@ export function matrixPicture(
     text(kLeft, below, options.columnEnds[0], { class: "muted" }),
     text(kLeft + width / 2, below, `${options.columnName} →`, { class: "muted middle" }),
     text(kLeft + width, below, options.columnEnds[1], { class: "muted end" }),
-    sideways(options.rowEnds[0], kTop, "end"),
-    sideways(`← ${options.rowName}`, kTop + height / 2, "middle"),
-    sideways(options.rowEnds[1], kTop + height, ""),
+    ...besideRows(options, height),
   ];
   const frame = shape("rect", { x: kLeft, y: kTop, width, height, class: "rule" });
   const picture = svg(kLeft + width + 6, kTop + height + 66, options.label, [
@@ -71,6 +69,21 @@ export function matrixPicture(
     markRow: (row) => mark(line, rows, row, width, height),
     markColumn: (column) => markColumn(line, columns, column, width, height),
   };
+}
+
+const kLetters = 12;
+
+/** The names of the first row and the last, and what rows are, as far as there is room. */
+function besideRows({ rowName, rowEnds }: MatrixOptions, height: number): SVGTextElement[] {
+  const [first, last] = rowEnds.map((words) => shortened(words, height / 2 - 4, kLetters));
+  const between = `← ${rowName}`;
+  const longest = Math.max(textWidth(first ?? "", kLetters), textWidth(last ?? "", kLetters));
+  const hasRoom = 2 * longest + textWidth(between, kLetters) + 16 < height;
+  return [
+    sideways(first ?? "", kTop, "end"),
+    ...(hasRoom ? [sideways(between, kTop + height / 2, "middle")] : []),
+    sideways(last ?? "", kTop + height, ""),
+  ];
 }
 
 function sideways(words: string, y: number, anchor: string): SVGTextElement {

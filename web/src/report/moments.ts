@@ -42,7 +42,7 @@ function figuresOf(system: SystemReport, moment: MomentData, name: string): Chil
     const hasCourse = one.series.length > 1;
     return [
       isOnHand ? handFigure(system, one, name) : null,
-      hasCourse ? courseFigure(system, one, name) : null,
+      hasCourse ? courseFigure(system, moment, one, name) : null,
       isOnHand || hasCourse ? null : valuesFigure(system, one, name),
     ];
   });

@@ -1,7 +1,7 @@
 // Distributions as strips: for each metric the values of all runs, those of wrong groupings below,
 // and marks where the paper and the nearest neighbour are.
 
-import { rangeOf, readable } from "../parts/numbers";
+import { counted, rangeOf, readable } from "../parts/numbers";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { median } from "./claims";
 
@@ -23,19 +23,25 @@ const kHead = 34;
 
 export function stripsPicture(strips: readonly Strip[], label: string): SVGSVGElement {
   const rows = strips.map((strip, i) => row(strip, kHead + i * kRow));
-  return svg(kNames + kWidth + kRight, kHead + strips.length * kRow, label, [legend(), ...rows]);
+  return svg(kNames + kWidth + kRight, kHead + strips.length * kRow, label, [legend(strips), ...rows]);
 }
 
-function legend(): SVGGElement {
-  const entries: [string, SVGElement][] = [
-    ["run", dot(0, 0, 4.5, "run")],
-    ["median", shape("path", { d: "M0 -8V8", class: "median" })],
-    ["wrong groupings", dot(0, 0, 3.5, "luck")],
-    ["paper", shape("path", { d: diamond(0, 0), class: "published" })],
-    ["nearest neighbour", shape("path", { d: "M0 -8V8", class: "baseline" })],
+/** Of the signs that are drawn. */
+function legend(strips: readonly Strip[]): SVGGElement {
+  const entries: [string, SVGElement, (strip: Strip) => boolean][] = [
+    ["run", dot(0, 0, 4.5, "run"), () => true],
+    ["median", shape("path", { d: "M0 -8V8", class: "median" }), () => true],
+    ["wrong groupings", dot(0, 0, 3.5, "luck"), ({ luck }) => luck.length > 0],
+    ["paper", shape("path", { d: diamond(0, 0), class: "published" }), ({ published }) => published !== null],
+    [
+      "nearest neighbour",
+      shape("path", { d: "M0 -8V8", class: "baseline" }),
+      ({ baseline }) => baseline !== null,
+    ],
   ];
   let x = kNames;
-  const drawn = entries.map(([name, sign]) => {
+  const shown = entries.filter(([, , isDrawn]) => strips.some(isDrawn));
+  const drawn = shown.map(([name, sign]) => {
     const at = x;
     x += 26 + name.length * 6.4;
     const group = shape("g", { transform: `translate(${rounded(at + 5)} 10)` }, [
@@ -60,9 +66,9 @@ function row(strip: Strip, y: number): SVGGElement {
     text(kNames + kWidth, 46, readable(high), { class: "muted note end" }),
   ]);
   group.append(...dots(strip.luck, x, 27, 3, "luck"), ...dots(strip.values, x, 14, 3.2, "run"));
-  if (strip.baseline !== null)
-    group.append(shape("path", { d: `M${rounded(x(strip.baseline))} 3V25`, class: "baseline" }));
   if (middle !== null) group.append(shape("path", { d: `M${rounded(x(middle))} 2V26`, class: "median" }));
+  if (strip.baseline !== null)
+    group.append(shape("path", { d: `M${rounded(x(strip.baseline))} -1V29`, class: "baseline" }));
   if (strip.published !== null)
     group.append(shape("path", { d: diamond(x(strip.published), 1), class: "published" }));
   return group;
@@ -95,11 +101,7 @@ function dots(
   return [...bins.values()].map((together) => {
     const mean = together.reduce((sum, value) => sum + value, 0) / together.length;
     const made = dot(x(mean), y, radiusFor(radius, together.length), kind);
-    made.append(
-      shape("title", {}, [
-        `${readable(mean)}: ${together.length === 1 ? "1 run" : `${together.length} runs`}`,
-      ]),
-    );
+    made.append(shape("title", {}, [`${readable(mean)}: ${counted(together.length, "run")}`]));
     return made;
   });
 }

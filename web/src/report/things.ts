@@ -33,11 +33,18 @@ export function thingsFigure(system: SystemReport): Child {
       table,
     ]),
     numbers: () => thingsTable(things),
-    note: things.some((thing) => thing.size !== null)
-      ? "All drawn at the same scale; width × depth × height."
-      : "",
+    note: noteOf(things),
     wide: true,
   });
+}
+
+function noteOf(things: ThingData[]): string {
+  const isKnown = (thing: ThingData) => thing.size !== null || thing.shape === null;
+  if (things.every((thing) => thing.size === null)) {
+    return things.every(isKnown) ? "" : "Drawn by their shapes alone; their sizes are not known.";
+  }
+  const others = things.every(isKnown) ? "" : " Those without a size are drawn by their shapes alone.";
+  return `All drawn at the same scale; width × depth × height.${others}`;
 }
 
 interface Column {
@@ -70,10 +77,15 @@ function sizeWords(thing: ThingData): string {
   return thing.top_diameter > 0 ? `${words}, top ${readable(thing.top_diameter)}` : words;
 }
 
+/** Of a name alone nobody knows what it looks like. */
+function hasPicture({ shape, material, colour }: ThingData): boolean {
+  return shape !== null || material !== "" || colour !== null;
+}
+
 function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLElement {
   const [first, ...rest] = columns;
   return element("tr", {}, [
-    element("td", { class: "thing" }, [thingPicture(thing, scale)]),
+    element("td", { class: "thing" }, hasPicture(thing) ? [thingPicture(thing, scale)] : []),
     element("th", { scope: "row" }, [first?.value(thing) ?? ""]),
     ...rest.map(({ value, isNumber }) => element("td", { class: isNumber ? "number" : "" }, [value(thing)])),
   ]);

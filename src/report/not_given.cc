@@ -1,0 +1,30 @@
+#include "report/not_given.h"
+
+#include <string>
+
+#include "graph/graph_json.h"
+#include "report/rebuilt_study.h"
+
+namespace somato::detail {
+
+using Json = nlohmann::ordered_json;
+
+Json not_given_json(const std::vector<Settings>& settings) {
+  Json json = Json::array();
+  for (const Settings& part : settings) {
+    const ModuleType* type = part.part.starts_with("module.") ? type_of(part) : nullptr;
+    if (type == nullptr) continue;
+    for (const Setting& setting : part.settings) {
+      for (const ParameterInfo& info : type->parameters) {
+        if (info.name != setting.name || !is_not_given(info)) continue;
+        json.push_back({{"part", part.part},
+                        {"name", info.name},
+                        {"value", setting.value},
+                        {"text", info.text}});
+      }
+    }
+  }
+  return json;
+}
+
+}  // namespace somato::detail

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace somato::detail {
+
+/// Which probes try a material: one of them, or both in the same exploration.
+enum class Probe { kTexture, kHardness, kBoth };
+
+}  // namespace somato::detail

@@ -1,0 +1,66 @@
+#include "graph/graph_json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support/systems.h"
+
+namespace somato::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+System small_system() {
+  const std::string text = testing::channels({"height", "joints"}) +
+                           testing::module("rest", "last", "input = 'joints'") +
+                           testing::module("map", "som", "input = 'rest'\nrows = 2\ncolumns = 3");
+  return testing::build(text, testing::hand_recording(2, 1));
+}
+
+Json graph() {
+  return graph_json(small_system(), "map", [](std::size_t module) { return Json(module); });
+}
+
+TEST(GraphJson, TellsWhatGoesIntoAModuleAndComesOut) {
+  const Json modules = graph()["modules"];
+  ASSERT_EQ(modules.size(), 4U);
+  EXPECT_EQ(modules[1]["channel"], "joints");
+  EXPECT_EQ(modules[1]["shape"], (Json{3}));
+  EXPECT_EQ(modules[2]["inputs"][0]["module"], "joints");
+  EXPECT_EQ(modules[3]["type"], "som");
+  EXPECT_EQ(modules[3]["parameters"], 3);
+  EXPECT_EQ(modules[3]["learns"], true);
+}
+
+// Two words, one for each: the pages know no other.
+TEST(GraphJson, TellsFramesFromExplorations) {
+  const Json modules = graph()["modules"];
+  EXPECT_EQ(modules[1]["rate"], "frame");
+  EXPECT_EQ(modules[2]["rate"], "exploration");
+}
+
+TEST(GraphJson, GivesASingleNumberNoAxes) {
+  EXPECT_EQ(graph()["modules"][0]["shape"], Json::array());
+}
+
+TEST(GraphJson, NamesWhatNoPaperGives) {
+  const Json names = graph()["modules"][3]["not_given"];
+  for (const ParameterInfo& info : small_system().modules()[3].type->parameters) {
+    const bool named = std::find(names.begin(), names.end(), info.name) != names.end();
+    EXPECT_EQ(named, info.text.find("not given in the paper") != std::string::npos ||
+                         info.text.find("Not given in the paper") != std::string::npos)
+        << info.name;
+  }
+}
+
+TEST(GraphJson, TellsWhoLearnsWhenAndFromWhat) {
+  const Json phases = graph()["phases"];
+  ASSERT_EQ(phases.size(), 1U);
+  EXPECT_EQ(phases[0]["learn"], (Json{"map"}));
+  EXPECT_EQ(phases[0]["of"], "explorations");
+}
+
+}  // namespace
+}  // namespace somato::detail

@@ -1,0 +1,148 @@
+// The report of what others recorded: things nobody has measured, sensors that lie on no hand, a
+// single run.
+
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+
+import type { ReportData } from "../src/report/data";
+import { asScriptText, launchBrowser, writeReport } from "./browser";
+import { reportFixture } from "./report_fixture";
+
+let browser: Browser;
+let page: Page;
+
+const kNames = ["finger_spread", "thumb_opposition", "thumb_bent", "thumb_end", "index_bent", "index_end"];
+const kShapes = ["sphere", "cylinder", "cone", "ellipsoid", "capsule", "block"] as const;
+
+function ofOthers(): ReportData {
+  const data = reportFixture();
+  const system = data.systems[0]!;
+  const channel = {
+    name: "joints",
+    unit: "deg",
+    elements: [...kNames, "a", "b", "ring_and_little"],
+    shape: [9],
+  };
+  const values = channel.elements.map((_, i) => i);
+  const series = [0, 1, 2].map((time) => values.map((value) => value + time));
+  system.moments = [
+    {
+      labels: { object: "egg" },
+      channels: [{ channel, rate: 1, frame: 2, time: 2, values, times: [0, 1, 2], series }],
+    },
+  ];
+  const known = system.things[0]!;
+  system.things = [
+    { ...known, name: "a name", shape: null, size: null, material: "", colour: null },
+    ...kShapes.map((shape) => ({ ...known, name: `a ${shape}`, shape, size: null })),
+  ];
+  const neurons = system.trained!.planes[0]!.values.length;
+  const curve = {
+    name: "curve",
+    unit: "N",
+    elements: Array.from({ length: 20 }, (_, i) => `${i + 1}`),
+    shape: [20, 1],
+  };
+  system.trained!.planes = [
+    { channel: curve, unit: "N", values: Array.from({ length: neurons }, () => curve.elements.map(Number)) },
+    { channel, unit: "deg", values: Array.from({ length: neurons }, () => values) },
+  ];
+  system.protocols = system.protocols.map((protocol) => ({ ...protocol, runs: protocol.runs.slice(0, 1) }));
+  return { ...data, systems: [system], claims: [], curves: [] };
+}
+
+beforeAll(async () => {
+  browser = await launchBrowser();
+  page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
+  await page.goto(writeReport(asScriptText(ofOthers())));
+  await page.evaluate(() => (location.hash = "system-1"));
+  await page.waitForFunction(() => document.querySelector("#system-1 .lazy:empty") === null);
+});
+
+afterAll(async () => {
+  await browser.close();
+});
+
+interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+function boxesOf(selector: string): Promise<Box[]> {
+  return page.locator(selector).evaluateAll((all) =>
+    all.map((one) => {
+      const { left, top, right, bottom } = one.getBoundingClientRect();
+      return { left, top, right, bottom };
+    }),
+  );
+}
+
+function overlaps(boxes: Box[]): number {
+  return boxes.filter((one, i) =>
+    boxes
+      .slice(0, i)
+      .some(
+        (other) =>
+          one.left < other.right - 1 &&
+          other.left < one.right - 1 &&
+          one.top < other.bottom - 1 &&
+          other.top < one.bottom - 1,
+      ),
+  ).length;
+}
+
+test("draws things whose sizes nobody knows by their shapes, each in its own row", async () => {
+  const boxes = await boxesOf(".things .thing-face");
+  expect(boxes.length).toBeGreaterThanOrEqual(kShapes.length);
+  const rows = await boxesOf(".things tbody tr");
+  for (const face of boxes) {
+    expect(rows.some((row) => face.top >= row.top - 1 && face.bottom <= row.bottom + 1)).toBe(true);
+  }
+  const drawn = await page
+    .locator(".things td.thing svg")
+    .evaluateAll((all) => all.map((one) => one.innerHTML));
+  expect(new Set(drawn.map((one) => one.replaceAll(/light-?\d+/g, ""))).size).toBe(kShapes.length);
+  const note = page.locator('figure[aria-label="Things"] figcaption');
+  expect(await note.textContent()).toContain("their sizes are not known");
+});
+
+test("draws nothing of a thing of which only the name is known", async () => {
+  const row = page.locator(".things tbody tr", { hasText: "a name" });
+  expect(await row.locator("svg").count()).toBe(0);
+});
+
+test("names rows of a matrix without writing one over the other", async () => {
+  const words = 'figure[aria-label="Joints over time"] text[transform*="rotate"]';
+  expect(await page.locator(words).count()).toBeGreaterThan(1);
+  expect(overlaps(await boxesOf(words))).toBe(0);
+});
+
+test("says of sensors on no hand which moment it shows", async () => {
+  const note = page.locator('figure[aria-label="Joints over time"] figcaption');
+  expect(await note.textContent()).toContain("the upright line is the last frame");
+});
+
+test("lays a curve's planes out beside each other, and names beside names", async () => {
+  const figure = 'figure[aria-label^="The map by every element of"]';
+  const maps = await boxesOf(`${figure} image`);
+  expect(maps).toHaveLength(20);
+  expect(new Set(maps.map(({ left }) => Math.round(left))).size).toBeGreaterThan(3);
+  await page.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
+  await expect.poll(() => page.locator(`${figure} image`).count()).toBe(9);
+  expect(overlaps(await boxesOf(`${figure} text.note`))).toBe(0);
+});
+
+test("explains no sign that it does not draw", async () => {
+  const legend = 'figure[aria-label="Outcomes"] .strip-legend';
+  expect(await page.locator(legend).textContent()).toContain("nearest neighbour");
+  expect(await page.locator(legend).textContent()).not.toContain("paper");
+});
+
+test("counts a single run as one", async () => {
+  const words = await page.locator("#system-1 .what").allTextContents();
+  expect(words.some((one) => /, 1 run of /.test(one))).toBe(true);
+  expect(words.some((one) => one.endsWith("the only run"))).toBe(true);
+  expect(words.join()).not.toMatch(/\b1 runs/);
+});
