@@ -102,7 +102,7 @@ describe("what it tells the program", () => {
     expect(await reachedByTab()).toEqual(await view.page.locator(kControls).count());
   });
 
-  it("shows where the focus is", async () => {
+  it("shows where the focus is", { timeout: 180_000 }, async () => {
     await view.open();
     const unseen: (string | null)[] = [];
     await reachedByTab(async () => void unseen.push(await hasVisibleFocus()));

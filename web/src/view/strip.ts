@@ -54,6 +54,10 @@ export class Strip {
     this.observer.observe(this.place);
   }
 
+  get isMade(): boolean {
+    return this.plot !== null;
+  }
+
   draw(): void {
     const values = this.model.frame.value?.channels[this.channel.name] ?? null;
     this.values.show(values);

@@ -76,12 +76,12 @@ export class StripsPanel {
     return button;
   }
 
-  /** Draws now if the last time is long enough ago, else soon. */
+  /** Draws now if the last time is long enough ago, else soon; what has to be made waits for its turn. */
   private ask(): void {
     window.clearTimeout(this.timer);
     const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();
-    if (wait <= 0) this.draw();
-    else this.timer = window.setTimeout(() => this.draw(), wait);
+    if (wait <= 0 && this.strips.every(({ isMade }) => isMade)) this.draw();
+    else this.timer = window.setTimeout(() => this.draw(), Math.max(0, wait));
   }
 
   private draw(): void {
