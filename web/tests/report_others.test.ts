@@ -6,7 +6,7 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 
 import type { ReportData } from "../src/report/data";
 import { asScriptText, launchBrowser, writeReport } from "./browser";
-import { reportFixture } from "./report_fixture";
+import { metric, reportFixture } from "./report_fixture";
 
 let browser: Browser;
 let page: Page;
@@ -47,7 +47,11 @@ function ofOthers(): ReportData {
     { channel: curve, unit: "N", values: Array.from({ length: neurons }, () => curve.elements.map(Number)) },
     { channel, unit: "deg", values: Array.from({ length: neurons }, () => values) },
   ];
-  system.protocols = system.protocols.map((protocol) => ({ ...protocol, runs: protocol.runs.slice(0, 1) }));
+  system.protocols = system.protocols.map((protocol) => ({
+    ...protocol,
+    runs: protocol.runs.slice(0, 1),
+    metrics: { accuracy: metric([0.75]), baseline_accuracy: metric([0.5]) },
+  }));
   return { ...data, systems: [system], claims: [], curves: [] };
 }
 
@@ -140,9 +144,27 @@ test("explains no sign that it does not draw", async () => {
   expect(await page.locator(legend).textContent()).not.toContain("paper");
 });
 
+test("tells systems of one name by their files", async () => {
+  const data = reportFixture();
+  const [system, claim] = [data.systems[0]!, data.claims[0]!];
+  const files = ["out/noise0/results.json", "out/noise8/results.json"];
+  const twins = await browser.newPage();
+  const systems = files.map((file) => ({ ...system, file }));
+  const claims = files.map((file) => ({ ...claim, file, system: system.name, variation: "", question: "" }));
+  await twins.goto(writeReport(asScriptText({ ...data, systems, claims })));
+  const links = await twins.locator("nav.side a", { hasText: system.name }).allTextContents();
+  expect(links.map((one) => one.replaceAll("\u200b", ""))).toEqual([
+    `${system.name} (noise0)`,
+    `${system.name} (noise8)`,
+  ]);
+  expect(await twins.locator("#claims th.group").count()).toBe(2);
+  await twins.close();
+});
+
 test("counts a single run as one", async () => {
   const words = await page.locator("#system-1 .what").allTextContents();
   expect(words.some((one) => /, 1 run of /.test(one))).toBe(true);
   expect(words.some((one) => one.endsWith("the only run"))).toBe(true);
   expect(words.join()).not.toMatch(/\b1 runs/);
+  expect(await page.locator('figure[aria-label="Systems"] tbody').textContent()).not.toContain("±");
 });

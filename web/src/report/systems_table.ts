@@ -86,9 +86,11 @@ function mainFigures(system: SystemReport): MainFigures {
   };
 }
 
-/** "0.85 ± 0.07" */
+/** "0.85 ± 0.07"; a single run has no spread. */
 function spread(metric: MetricData | undefined): string {
-  return metric ? `${fixed(metric.mean)} ± ${fixed(metric.sd)}` : "–";
+  if (!metric) return "–";
+  const mean = fixed(metric.mean);
+  return metric.values?.length === 1 ? mean : `${mean} ± ${fixed(metric.sd)}`;
 }
 
 function fixed(value: number | null): string {
