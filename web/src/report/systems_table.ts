@@ -110,6 +110,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
     "baseline_accuracy_held_out",
     "claims_that_hold",
     "claims",
+    "file",
   ];
   const rows = systems.map(({ system }) => {
     const main = mainFigures(system);
@@ -126,6 +127,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
       main.baseline?.mean ?? null,
       good,
       claims.length,
+      system.file,
     ];
   });
   return { columns, rows };
