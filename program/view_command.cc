@@ -111,7 +111,7 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
 Result<void> check_flags(const Arguments& arguments) {
   if (!arguments.has("RECORDING") && !arguments.has("body")) {
     return fail(ErrorKind::kUsage, "name a recording to play, or a body that explores", "view",
-                "somato view FILE.mcap, or somato view --body lucs2 --object 'boccia boule'");
+                "somato view FILE.mcap, or somato view --body lucs2 --object boule");
   }
   if (!arguments.has("object") || arguments.has("body")) return {};
   return fail(ErrorKind::kUsage, "a recording holds what it holds", "--object",

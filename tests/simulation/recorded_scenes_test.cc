@@ -27,10 +27,18 @@ Exploration of_hand(const Object& object, std::size_t joints = 6) {
   return exploration;
 }
 
-const SceneGeom* shown_object(const Scene& scene) {
-  const auto found = std::find_if(scene.geoms.begin(), scene.geoms.end(),
-                                  [](const auto& geom) { return geom.role == GeomRole::kObject; });
-  return found == scene.geoms.end() ? nullptr : &*found;
+// What is shown before the hand; a geom of no size where there is nothing.
+SceneGeom shown_object(const std::unique_ptr<ScenePlayer>& player) {
+  if (player == nullptr) return {};
+  const auto& geoms = player->scene().geoms;
+  const auto found = std::find_if(geoms.begin(), geoms.end(), [](const SceneGeom& geom) {
+    return geom.role == GeomRole::kObject;
+  });
+  return found == geoms.end() ? SceneGeom{} : *found;
+}
+
+bool shows_nothing(const std::unique_ptr<ScenePlayer>& player) {
+  return player != nullptr && shown_object(player).size[0] == 0.0;
 }
 
 Object boule() {
@@ -46,41 +54,34 @@ Object own_thing() {
 }
 
 TEST(RecordedScenes, ShowAKnownObject) {
-  const auto player = recorded_scenes()(of_hand(boule()));
-  ASSERT_TRUE(player);
-  const SceneGeom* shown = shown_object(player->scene());
-  ASSERT_NE(shown, nullptr);
-  EXPECT_EQ(shown->shape, GeomShape::kSphere);
-  EXPECT_NEAR(shown->size[0], boule().size[0] / 2000.0, 1e-9);
+  const SceneGeom shown = shown_object(recorded_scenes()(of_hand(boule())));
+  EXPECT_EQ(shown.shape, GeomShape::kSphere);
+  EXPECT_NEAR(shown.size[0], boule().size[0] / 2000.0, 1e-9);
 }
 
 TEST(RecordedScenes, ShowObjectsOfOnesOwn) {
   const Exploration recorded = of_hand(own_thing());
-  EXPECT_EQ(shown_object(recorded_scenes()(recorded)->scene()), nullptr);
-  const auto player = recorded_scenes({own_thing()})(recorded);
-  const SceneGeom* shown = shown_object(player->scene());
-  ASSERT_NE(shown, nullptr);
-  EXPECT_NEAR(shown->size[1], 0.045, 1e-9);
+  EXPECT_TRUE(shows_nothing(recorded_scenes()(recorded)));
+  const SceneGeom shown = shown_object(recorded_scenes({own_thing()})(recorded));
+  EXPECT_NEAR(shown.size[1], 0.045, 1e-9);
 }
 
 TEST(RecordedScenes, TakeNoObjectForAnotherOfItsName) {
   Object other = own_thing();
   other.name = "boule";
-  EXPECT_EQ(shown_object(recorded_scenes()(of_hand(other))->scene()), nullptr);
+  EXPECT_TRUE(shows_nothing(recorded_scenes()(of_hand(other))));
   const auto scenes = recorded_scenes({other});
-  EXPECT_EQ(shown_object(scenes(of_hand(other))->scene())->shape, GeomShape::kCylinder);
-  EXPECT_EQ(shown_object(scenes(of_hand(boule()))->scene())->shape, GeomShape::kSphere);
+  EXPECT_EQ(shown_object(scenes(of_hand(other))).shape, GeomShape::kCylinder);
+  EXPECT_EQ(shown_object(scenes(of_hand(boule()))).shape, GeomShape::kSphere);
   Exploration named = of_hand(boule());
   named.labels.resize(1);
-  EXPECT_EQ(shown_object(recorded_scenes()(named)->scene())->shape, GeomShape::kSphere);
+  EXPECT_EQ(shown_object(recorded_scenes()(named)).shape, GeomShape::kSphere);
 }
 
 TEST(RecordedScenes, ShowTheHandAloneWithWhatDoesNotFitIt) {
   Object wall = thing(Shape::kBlock, 2000, 2000, 2000);
   wall.name = "wall";
-  const auto player = recorded_scenes({wall})(of_hand(wall, 11));
-  ASSERT_TRUE(player);
-  EXPECT_EQ(shown_object(player->scene()), nullptr);
+  EXPECT_TRUE(shows_nothing(recorded_scenes({wall})(of_hand(wall, 11))));
 }
 
 // More than are kept: what was forgotten is built again, and is the same.
@@ -94,7 +95,7 @@ TEST(RecordedScenes, RememberHandsAndForgetThem) {
   for (int round = 0; round < 2; ++round) {
     for (const Object& object : many) {
       const auto player = scenes(of_hand(object));
-      EXPECT_NEAR(shown_object(player->scene())->size[0], object.size[0] / 2000.0, 1e-9);
+      EXPECT_NEAR(shown_object(player).size[0], object.size[0] / 2000.0, 1e-9);
       EXPECT_EQ(player->poses(of_hand(object), 2).size(), player->scene().bodies.size());
     }
   }

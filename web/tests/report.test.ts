@@ -1,84 +1,18 @@
-// The report in a browser: what it shows equals what it was given, choices choose, files are saved,
-// the keyboard suffices, and nothing in the data becomes more than text.
+// The report in a browser: what it shows equals what it was given, choices choose, files are saved.
 
-import { readFileSync } from "node:fs";
+import { describe, expect, test } from "vitest";
 
-import type { Browser, Download, Locator, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { screenshotPath } from "./browser";
+import { figureOf, goTo, readoutAt, ReportBrowser, saved, savedRows } from "./report_browser";
+import { reportFixture } from "./report_fixture";
 
-import type { ReportData } from "../src/report/data";
-import { accessibilityViolations, asScriptText, launchBrowser, screenshotPath, writeReport } from "./browser";
-import { hostileFixture, largeFixture, reportFixture } from "./report_fixture";
-
-let browser: Browser;
+const report = new ReportBrowser();
 const data = reportFixture();
 const hand = data.systems[0]!;
 
-beforeAll(async () => {
-  browser = await launchBrowser();
-});
-
-afterAll(async () => {
-  await browser.close();
-});
-
-interface Opened {
-  page: Page;
-  problems: string[];
-}
-
-async function open(
-  of: ReportData | string,
-  options: Parameters<Browser["newPage"]>[0] = {},
-): Promise<Opened> {
-  const page = await browser.newPage({
-    viewport: { width: 1280, height: 800 },
-    acceptDownloads: true,
-    ...options,
-  });
-  const problems: string[] = [];
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
-  await page.goto(writeReport(typeof of === "string" ? of : asScriptText(of)));
-  return { page, problems };
-}
-
-/** Goes to a system as its link does, so that all of it is drawn. */
-async function goTo(page: Page, system: number): Promise<Locator> {
-  await page.evaluate((id) => (location.hash = id), `system-${system}`);
-  const section = page.locator(`#system-${system}`);
-  await expect.poll(() => section.locator(".lazy:empty").count()).toBe(0);
-  return section;
-}
-
-function figureOf(section: Locator, title: string): Locator {
-  return section.locator(`figure[aria-label="${title}"]`);
-}
-
-async function saved(figure: Locator, kind: string): Promise<{ download: Download; bytes: Buffer }> {
-  const waiting = figure.page().waitForEvent("download");
-  await figure.getByRole("button", { name: new RegExp(`^${kind}:`) }).click();
-  const download = await waiting;
-  return { download, bytes: readFileSync(await download.path()) };
-}
-
-async function savedRows(figure: Locator): Promise<string[][]> {
-  const { bytes } = await saved(figure, "CSV");
-  return bytes
-    .toString("utf8")
-    .trimEnd()
-    .split("\r\n")
-    .map((line) => line.split(","));
-}
-
-async function readoutAt(figure: Locator, cell: number): Promise<string> {
-  await figure.locator(`[data-cell="${cell}"]`).hover();
-  return (await figure.locator(".readout").textContent()) ?? "";
-}
-
 describe("what it shows", () => {
   test("has every system, its figures and its claims in the overview", async () => {
-    const { page, problems } = await open(data);
+    const { page, problems } = await report.open(data);
     const rows = page.locator("#overview tbody tr");
     expect(await rows.count()).toBe(data.systems.filter((system) => system.question === "").length);
     expect(await page.locator(".question h2").allTextContents()).toEqual([
@@ -97,7 +31,7 @@ describe("what it shows", () => {
   });
 
   test("tells at a neuron how many samples of which class it won", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const figure = figureOf(await goTo(page, 1), "Winners");
     const run = hand.protocols[0]!.runs[0]!;
     const winner = run.winners[0]!;
@@ -109,7 +43,7 @@ describe("what it shows", () => {
   });
 
   test("saves winners, U-matrix and planes as the numbers that it was given", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     const winners = await savedRows(figureOf(section, "Winners"));
     expect(winners[0]).toEqual(["sample", "winner", "row", "column", "class", "named"]);
@@ -125,7 +59,7 @@ describe("what it shows", () => {
   });
 
   test("shows outcomes and confusions of the results", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     const outcomes = await savedRows(figureOf(section, "Outcomes"));
     const accuracies = outcomes
@@ -142,7 +76,7 @@ describe("what it shows", () => {
   });
 
   test("draws hexagonal maps, things, receptive fields, moments and curves", async () => {
-    const { page, problems } = await open(data);
+    const { page, problems } = await report.open(data);
     const first = await goTo(page, 1);
     expect(await first.locator(".things tbody tr").count()).toBe(hand.things.length);
     expect(await figureOf(first, "Touch at a moment").locator("[data-cell]").count()).toBe(45);
@@ -163,7 +97,7 @@ describe("what it shows", () => {
 
 describe("what is chosen", () => {
   test("changes with seed, label and protocol", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     const winners = figureOf(section, "Winners");
     await section.getByRole("slider", { name: "Seed" }).fill("4");
@@ -183,7 +117,7 @@ describe("what is chosen", () => {
   });
 
   test("goes from seed to seed by arrow keys", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     await section.getByRole("slider", { name: "Seed" }).focus();
     await page.keyboard.press("ArrowRight");
@@ -195,7 +129,7 @@ describe("what is chosen", () => {
   });
 
   test("a neuron shows its hand, an element its plane", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     const map = figureOf(section, "The map by one element of touch");
     const onHand = figureOf(section, "One neuron on the hand");
@@ -215,7 +149,7 @@ describe("what is chosen", () => {
   });
 
   test("a system of a question opens from its table", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const fold = page.locator(".fold");
     expect(await fold.locator("[data-cell]").count()).toBe(0);
     await page.locator(".question tbody a").click();
@@ -225,7 +159,7 @@ describe("what is chosen", () => {
   });
 
   test("a module tells its settings", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const section = await goTo(page, 1);
     await section.getByRole("button", { name: /^hand/ }).press("Enter");
     const details = await section.locator(".module-details").textContent();
@@ -237,7 +171,7 @@ describe("what is chosen", () => {
 
 describe("what is saved", () => {
   test("SVG stands alone and PNG is a picture", async () => {
-    const { page } = await open(data, { colorScheme: "dark" });
+    const { page } = await report.open(data, { colorScheme: "dark" });
     const section = await goTo(page, 1);
     for (const title of [
       "Winners",
@@ -263,9 +197,9 @@ describe("what is saved", () => {
   });
 
   test("a saved picture opens as an image without the page", async () => {
-    const { page } = await open(data);
+    const { page } = await report.open(data);
     const { bytes } = await saved(figureOf(await goTo(page, 1), "Winners"), "SVG");
-    const alone = await browser.newPage();
+    const alone = await report.browser.newPage();
     await alone.setContent(`<img src="data:image/svg+xml;base64,${bytes.toString("base64")}">`);
     const width = await alone
       .locator("img")
@@ -273,151 +207,6 @@ describe("what is saved", () => {
     expect(width).toBeGreaterThan(300);
     await alone.locator("img").screenshot({ path: screenshotPath("report-saved-winners") });
     await alone.close();
-    await page.close();
-  });
-});
-
-describe("who reads it", () => {
-  test.each(["light", "dark"] as const)("finds no barrier in %s", async (colorScheme) => {
-    const { page } = await open(data, { colorScheme, reducedMotion: "reduce" });
-    for (const system of [1, 2, 3, 4]) await goTo(page, system);
-    expect(await accessibilityViolations(page)).toEqual([]);
-    await page.setViewportSize({ width: 1280, height: 1400 });
-    await (
-      await goTo(page, 1)
-    )
-      .locator(".map-row")
-      .screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
-    await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
-    await page.close();
-  });
-
-  test("needs no mouse", async () => {
-    const { page } = await open(data);
-    const names = new Set<string>();
-    for (let i = 0; i < 14; i += 1) {
-      await page.keyboard.press("Tab");
-      names.add(await page.evaluate(() => document.activeElement?.tagName ?? ""));
-    }
-    expect([...names].sort()).toEqual(expect.arrayContaining(["A", "BUTTON"]));
-    const section = await goTo(page, 1);
-    const map = figureOf(section, "Winners").getByRole("application");
-    await map.focus();
-    for (const key of ["Home", "ArrowRight", "ArrowDown"]) await page.keyboard.press(key);
-    expect(await figureOf(section, "Winners").locator(".readout").textContent()).toContain("row 2, column 2");
-    const planes = figureOf(section, "The map by one element of touch");
-    await planes.getByRole("application").focus();
-    await page.keyboard.press("Home");
-    await page.keyboard.press("Enter");
-    expect(await figureOf(section, "One neuron on the hand").locator(".what").textContent()).toBe(
-      "Neuron at row 1, column 1",
-    );
-    await page.close();
-  });
-
-  test("turns the colours round with a button, and finds them so again", async () => {
-    const { page } = await open(data, { colorScheme: "light" });
-    const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-    const light = await background();
-    await page.getByRole("button", { name: "Use dark colours" }).click();
-    expect(await background()).not.toBe(light);
-    await page.reload();
-    expect(await background()).not.toBe(light);
-    await page.close();
-  });
-
-  test.each([1280, 400])("has no sideways scrolling at %i pixels", async (width) => {
-    const { page } = await open(data, { viewport: { width, height: 800 } });
-    for (const system of [1, 2]) await goTo(page, system);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
-    await page.screenshot({ path: screenshotPath(`report-${width}`) });
-    await page.close();
-  });
-
-  test("prints light, without controls, everything drawn", async () => {
-    const { page } = await open(data, { colorScheme: "dark" });
-    await page.emulateMedia({ media: "print", colorScheme: "dark" });
-    await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
-    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(
-      "rgb(255, 255, 255)",
-    );
-    expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
-    // On A4 with margins of 14 mm no figure is taller than a page; tables may go over pages.
-    await page.setViewportSize({ width: 688, height: 1017 });
-    const heights = await page
-      .locator("figure:not(:has(table))")
-      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
-    expect(Math.max(...heights)).toBeLessThan(1017);
-    const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
-    expect(cut).toBe("page");
-    await page.screenshot({ path: screenshotPath("report-print"), fullPage: true });
-    const pdf = await page.pdf({ path: screenshotPath("report-print").replace(/png$/, "pdf"), format: "A4" });
-    expect(pdf.length).toBeGreaterThan(50_000);
-    await page.close();
-  });
-});
-
-describe("what goes wrong", () => {
-  test.each([
-    ["null", "carries no results yet"],
-    ['{"version":1,', "damaged"],
-    ["[1]", "are not a report"],
-    ['{"version":7}', "version 7"],
-  ])("says in a sentence what is wrong with %s", async (text, words) => {
-    const { page, problems } = await open(text);
-    expect(await page.getByRole("alert").textContent()).toContain(words);
-    expect(problems).toEqual([]);
-    expect(await accessibilityViolations(page)).toEqual([]);
-    await page.close();
-  });
-
-  test("a report without systems says so", async () => {
-    const { page, problems } = await open({ version: 1, somato: "1", systems: [], claims: [], curves: [] });
-    expect(await page.locator("#overview").textContent()).toContain("no system to show");
-    expect(problems).toEqual([]);
-    await page.close();
-  });
-
-  test("says what is missing and how to get it", async () => {
-    const { page } = await open(data);
-    expect(await (await goTo(page, 4)).textContent()).toContain("keep system.somato beside results.json");
-    await page.close();
-  });
-
-  test("a system with half its fields is shown as far as it goes", async () => {
-    const half = {
-      version: 1,
-      somato: "1",
-      systems: [{ name: "half", protocols: [{ protocol: "train_is_test" }], trained: { planes: [{}] } }],
-    };
-    const { page, problems } = await open(JSON.stringify(half));
-    expect(await page.locator("#system-1 h2").textContent()).toBe("half");
-    await goTo(page, 1);
-    expect(problems).toEqual([]);
-    await page.close();
-  });
-
-  test("hostile names are text, and numbers that are none are not drawn", async () => {
-    const nasty = hostileFixture();
-    const { page, problems } = await open(nasty);
-    for (const system of [1, 2]) await goTo(page, system);
-    expect(await page.locator("#system-1 h2").textContent()).toBe(nasty.systems[0]!.name);
-    expect(await page.evaluate(() => (globalThis as { __hurt?: number }).__hurt)).toBeUndefined();
-    expect(await page.locator("main img").count()).toBe(0);
-    expect(await page.locator("svg [d*=NaN], svg [cx=NaN], svg [x=NaN]").count()).toBe(0);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
-    expect(problems).toEqual([]);
-    await page.screenshot({ path: screenshotPath("report-hostile"), fullPage: true });
-    await page.close();
-  });
-
-  test("thirty systems of 900 neurons and 500 runs open at once", async () => {
-    const { page, problems } = await open(largeFixture());
-    // Only what is near to what is seen is drawn.
-    expect(await page.locator("[data-cell]").count()).toBeLessThan(20_000);
-    await goTo(page, 30);
-    expect(await page.locator("#system-30 [data-cell]").count()).toBeGreaterThan(900);
-    expect(problems).toEqual([]);
     await page.close();
   });
 });

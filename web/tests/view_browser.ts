@@ -51,3 +51,20 @@ export async function frameShown(page: Page, frame: number): Promise<void> {
     frame + 1,
   );
 }
+
+/** The colour of a strip's band, as drawn: `time` and `height` are shares of the plot. */
+export function bandColour(page: Page, channel: string, time: number, height: number): Promise<number[]> {
+  return page.evaluate(
+    ([name, across, down]) => {
+      const strip = document.querySelector(`[data-channel=${name}]`)!;
+      const canvas = strip.querySelector("canvas")!;
+      const plot = strip.querySelector(".u-over")!.getBoundingClientRect();
+      const whole = canvas.getBoundingClientRect();
+      const x = plot.left - whole.left + across * plot.width;
+      const y = plot.top - whole.top + down * plot.height;
+      const pixel = canvas.getContext("2d")!.getImageData(x, y, 1, 1);
+      return [...pixel.data].slice(0, 3);
+    },
+    [channel, time, height] as const,
+  );
+}

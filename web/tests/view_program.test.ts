@@ -10,8 +10,17 @@ import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it, vi } from "vitest";
 
+import { parsed, sequenceColour } from "../src/parts/colour_maps";
 import { digits } from "../src/view/numbers";
-import { complaints, firstFrame, frameShown, launchBrowser, screenshot, words } from "./view_browser";
+import {
+  bandColour,
+  complaints,
+  firstFrame,
+  frameShown,
+  launchBrowser,
+  screenshot,
+  words,
+} from "./view_browser";
 
 interface Message {
   topic: string;
@@ -113,6 +122,7 @@ async function go(exploration: number, frame: number): Promise<void> {
 }
 
 it("shows what the recording holds", async () => {
+  await page.getByRole("button", { name: "height", exact: true }).click();
   for (const [exploration, frame] of [
     [0, 100],
     [3, 150],
@@ -131,6 +141,22 @@ it("shows what the recording holds", async () => {
     );
   }
   await screenshot(page, "view-program");
+});
+
+it("shows all that was felt over an exploration after a jump into it", async () => {
+  for (const channel of ["height", "joints"])
+    await page.getByRole("button", { name: channel, exact: true }).click();
+  const felt = framesOf(2, "touch");
+  await go(2, felt.length - 1);
+  const most = Math.max(...felt.flat());
+  const frame = felt.findIndex((touch) => Math.max(...touch) === most);
+  const taxel = felt[frame]!.indexOf(most);
+  const height = (taxel + 0.5) / felt[0]!.length;
+  // Frames are not quite evenly spaced.
+  const times = [-1, -0.5, 0, 0.5, 1, 1.5].map((step) => (frame + step) / (felt.length - 1));
+  const around = () => Promise.all(times.map((time) => bandColour(page, "touch", time, height)));
+  await soon(around).toContainEqual(parsed(sequenceColour(1)));
+  expect(await bandColour(page, "touch", 0.01, height)).toEqual(parsed(sequenceColour(0)));
 });
 
 it("reads at the end what the study has read", async () => {

@@ -41,24 +41,27 @@ function checked(parsed: unknown): Read {
   };
 }
 
-const kEmpty: SystemReport = {
-  file: "",
-  name: "",
-  variation: "",
-  question: "",
-  settings: {},
-  data_hash: "",
-  recordings: [],
-  protocols: [],
-  graph: null,
-  grid: null,
-  samples: null,
-  things: [],
-  not_given: [],
-  trained: null,
-  moments: [],
-  missing: [],
-};
+/** A system of which nothing is known. */
+export function emptySystem(): SystemReport {
+  return {
+    file: "",
+    name: "",
+    variation: "",
+    question: "",
+    settings: {},
+    data_hash: "",
+    recordings: [],
+    protocols: [],
+    graph: null,
+    grid: null,
+    samples: null,
+    things: [],
+    not_given: [],
+    trained: null,
+    moments: [],
+    missing: [],
+  };
+}
 
 const kEmptyProtocol: ProtocolData = { protocol: "", label: "", samples: 0, metrics: {}, runs: [] };
 
@@ -74,7 +77,7 @@ const kEmptyTrained: TrainedData = {
 };
 
 function completed(system: Record<string, unknown>): SystemReport {
-  const whole: SystemReport = { ...kEmpty, ...given(system) };
+  const whole: SystemReport = { ...emptySystem(), ...given(system) };
   const protocols = listOf(whole.protocols).filter(isObject);
   return {
     ...whole,

@@ -21,7 +21,7 @@ export class Candidates {
 
   constructor(private readonly model: Model) {
     const note = element("p", { class: "muted small" }, [
-      "Distance to each one’s nearest neuron: shorter is nearer",
+      "Distance to the nearest neuron of each",
     ]);
     this.root.append(this.list, note);
   }

@@ -17,13 +17,13 @@ export class Exploring {
   private readonly numbers = kParts.map(({ most }) =>
     element("input", { type: "number", step: 1, min: -most, max: most, value: 0 }),
   );
+  private readonly fields = kParts.map(({ words, unit }, i) => labelled(`${words} (${unit})`, this.numbers[i]!));
   private readonly again = element("button", { type: "button", class: "primary" }, ["Explore again"]);
   private listed = "";
 
   constructor(private readonly model: Model) {
-    const fields = kParts.map(({ words, unit }, i) => labelled(`${words} (${unit})`, this.numbers[i]!));
     const label = { class: "exploring", role: "group", "aria-label": "What to explore" };
-    this.root = element("div", label, [labelled("Object", this.thing), ...fields, this.again]);
+    this.root = element("div", label, [labelled("Object", this.thing), ...this.fields, this.again]);
     this.thing.addEventListener(
       "change",
       () => void model.tell({ command: "thing", name: this.thing.value }),
@@ -52,7 +52,7 @@ export class Exploring {
     this.again.textContent = state.live ? "Start again" : "Explore again";
     this.numbers.forEach((number, i) => {
       const value = state.placement?.[kParts[i]!.name];
-      number.disabled = value === undefined;
+      this.fields[i]!.hidden = value === undefined; // a probe has its material below it
       if (document.activeElement !== number) number.value = String(value ?? 0);
     });
   }

@@ -112,7 +112,7 @@ export class HandPanel {
     if (this.model.shownScene.value === null)
       return hasTouch(state)
         ? "Nobody said which body made this recording; its touch sensors are shown unfolded."
-        : "This has no body to be drawn and no touch sensors.";
+        : "Nobody said which body made this recording, and none of its channels is called touch: what it told stands in the strips.";
     return this.view === null ? kNoWebGl : "";
   }
 

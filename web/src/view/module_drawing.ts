@@ -1,15 +1,11 @@
 // Draws the values of a module on a canvas.
 
-import { divergingColour, parsed, sequenceColour } from "../parts/colour_maps";
+import { divergingColour, sequenceColour } from "../parts/colour_maps";
+import { pixelColours, type Pixels } from "./pixels";
 import { themeColour } from "./theme_colours";
 
-const kTable = (colour: (share: number) => string) =>
-  Array.from({ length: 256 }, (_, i) => {
-    const [red, green, blue] = parsed(colour(i / 255));
-    return 0xff000000 | (blue << 16) | (green << 8) | red;
-  });
-const kSequence = kTable(sequenceColour);
-const kDiverging = kTable(divergingColour);
+const sequence = pixelColours(sequenceColour);
+const diverging = pixelColours(divergingColour);
 
 export function drawBars(context: CanvasRenderingContext2D, values: readonly number[], ratio: number): void {
   const { width, height } = context.canvas;
@@ -28,18 +24,14 @@ export function drawBars(context: CanvasRenderingContext2D, values: readonly num
 
 export function drawCells(
   context: CanvasRenderingContext2D,
+  picture: Pixels,
   values: readonly number[],
   shape: readonly number[],
 ): void {
   const [rows, columns] = arrangement(values.length, shape, context.canvas);
-  const picture = new OffscreenCanvas(columns, rows);
-  const inner = picture.getContext("2d");
-  if (inner === null) return;
-  const image = inner.createImageData(columns, rows);
-  colour(new Uint32Array(image.data.buffer), values);
-  inner.putImageData(image, 0, 0);
+  picture.paint(columns, rows, (pixels) => colour(pixels, values));
   context.imageSmoothingEnabled = columns > context.canvas.width || rows > context.canvas.height;
-  context.drawImage(picture, 0, 0, context.canvas.width, context.canvas.height);
+  context.drawImage(picture.canvas, 0, 0, context.canvas.width, context.canvas.height);
 }
 
 /** Its own rows and columns; one long row is broken to fill the place. */
@@ -57,9 +49,7 @@ function arrangement(
 function colour(pixels: Uint32Array, values: readonly number[]): void {
   const most = values.reduce((best, value) => Math.max(best, Math.abs(value) || 0), 1e-12);
   const both = values.some((value) => value < 0);
-  const table = both ? kDiverging : kSequence;
   values.forEach((value, i) => {
-    const share = both ? 0.5 + value / most / 2 : value / most;
-    pixels[i] = table[Math.round(Math.min(1, Math.max(0, share || 0)) * 255)] ?? 0;
+    pixels[i] = both ? diverging(0.5 + value / most / 2) : sequence(value / most);
   });
 }

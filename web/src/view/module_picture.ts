@@ -7,6 +7,7 @@ import type { Frame } from "./data";
 import type { Model } from "./model";
 import { drawBars, drawCells } from "./module_drawing";
 import { digits } from "./numbers";
+import { Pixels } from "./pixels";
 
 const kMostBars = 64;
 
@@ -18,37 +19,48 @@ export class ModulePicture {
   private readonly about = element("span", { class: "muted module-about" });
   private readonly numbers = element("p", { class: "number module-numbers" });
   private readonly canvas = element("canvas", { role: "img", class: "module-canvas" });
+  private readonly context = this.canvas.getContext("2d");
+  private readonly pixels = new Pixels();
 
   constructor(private readonly model: Model) {
     const head = element("div", { class: "module-head" }, [this.name, this.about]);
     this.root.append(head, this.canvas, this.numbers);
-    new ResizeObserver(() => this.draw(model.frame.value)).observe(this.canvas);
+    new ResizeObserver(([entry]) => this.resize(entry!.contentRect)).observe(this.canvas);
+  }
+
+  /** Told, not asked for with each frame: to ask makes the browser lay out the page at once. */
+  private resize({ width, height }: DOMRectReadOnly): void {
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.draw(this.model.frame.value);
   }
 
   draw(frame: Frame | null): void {
     const name = this.model.module.value;
     const module = this.model.shownState.value?.graph?.modules.find((one) => one.name === name);
     if (module === undefined) return;
-    this.name.textContent = module.name;
-    this.about.textContent = this.about.title = module.text;
-    this.canvas.setAttribute("aria-label", `Values of ${module.name}`);
+    this.tell(module);
     const values = frame?.modules[module.name];
     this.numbers.textContent = values === undefined ? notHere(module) : wordsOf(module, values);
     this.paint(values);
   }
 
+  private tell({ name, text }: ModuleData): void {
+    if (this.name.textContent === name && this.about.title === text) return;
+    this.name.textContent = name;
+    this.about.textContent = this.about.title = text;
+    this.canvas.setAttribute("aria-label", `Values of ${name}`);
+  }
+
   private paint(values: Values | undefined): void {
-    const ratio = Math.min(devicePixelRatio, 2);
-    const width = Math.round(this.canvas.clientWidth * ratio);
-    const height = Math.round(this.canvas.clientHeight * ratio);
-    const context = this.canvas.getContext("2d");
+    const { context, pixels } = this;
+    const { width, height } = this.canvas;
     if (context === null || width === 0 || height === 0) return;
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
     context.clearRect(0, 0, width, height);
     if (values === undefined) return;
-    if (values.values.length <= kMostBars) drawBars(context, values.values, ratio);
-    else drawCells(context, values.values, values.shape);
+    if (values.values.length <= kMostBars) drawBars(context, values.values, Math.min(devicePixelRatio, 2));
+    else drawCells(context, pixels, values.values, values.shape);
   }
 }
 

@@ -72,7 +72,11 @@ export class ReadingPanel {
 function whyNothing(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system_problem !== null) return state.system_problem;
+  if (state.systems.length === 0)
+    return "There is no system to choose: one that is to learn here needs explorations of two things or more, told apart by a label; --model brings one that has learned.";
   if (state.system === null)
     return "No system is chosen. Choose one above; it says what it reads from the touch.";
-  return "Nothing to read from yet: play, or step to a frame.";
+  return state.playing
+    ? "Not enough has been felt yet to say anything."
+    : "Nothing to read from yet: play, or step to a frame.";
 }

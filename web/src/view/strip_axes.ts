@@ -23,11 +23,11 @@ export function timeEnd(model: Model): number {
   return Math.max(known ?? kLeast, model.history.end, 0.1);
 }
 
-export function axes(y: Partial<uPlot.Axis> = {}): uPlot.Axis[] {
+export function axes(y: Partial<uPlot.Axis>, isGrid = true): uPlot.Axis[] {
   const look = {
     stroke: themeColour("muted"),
     font: kFont,
-    grid: { stroke: themeColour("line"), width: 1 },
+    grid: { show: isGrid, stroke: themeColour("line"), width: 1 },
     ticks: { show: false },
   };
   const x = { ...look, size: 18, gap: 2, space: 50 };
@@ -50,6 +50,7 @@ export function drawMoment(model: Model): (plot: uPlot) => void {
       context.fillRect(x, top, left + width - x, height);
       context.globalAlpha = 1;
     }
+    context.setLineDash([]); // as the last series may have left it
     context.strokeStyle = colour;
     context.lineWidth = 1.5 * devicePixelRatio;
     context.beginPath();

@@ -15,6 +15,7 @@ export class StripValues {
 
   constructor(private readonly channel: ChannelData) {
     this.few = channel.elements.length <= kMost;
+    this.root.classList.add(this.few ? "few" : "many");
     if (!this.few) return;
     this.cells = channel.elements.map(() => element("span", { class: "number" }));
     const items = channel.elements.map((name, i) => this.item(name, i));

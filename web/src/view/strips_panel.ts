@@ -94,5 +94,5 @@ export class StripsPanel {
 function preferred(channels: readonly ChannelData[]): string[] {
   const names = channels.map(({ name }) => name);
   const first = kFirst.filter((name) => names.includes(name));
-  return [...first, ...names.filter((name) => !first.includes(name))].slice(0, kMost);
+  return first.length > 0 ? first : names.slice(0, kMost);
 }

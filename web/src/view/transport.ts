@@ -105,9 +105,9 @@ export class Transport {
   }
 
   private showExplorations(state: State): void {
-    const text = JSON.stringify([state.explorations, state.live]);
+    const text = JSON.stringify([state.explorations, state.live, state.label]);
     const now = state.live ? [element("option", { value: "" }, ["exploring now"])] : [];
-    if (text !== this.listed) fill(this.choice, [...state.explorations.map(option), ...now]);
+    if (text !== this.listed) fill(this.choice, [...state.explorations.map((one) => option(one, state.label)), ...now]);
     this.listed = text;
     this.choice.disabled = state.explorations.length === 0;
     this.choose(state.exploration);
@@ -171,8 +171,8 @@ export function labelled(words: string, control: HTMLElement): HTMLElement {
   return element("label", { class: "labelled" }, [element("span", {}, [words]), control]);
 }
 
-function option({ index, labels }: State["explorations"][number]): HTMLOptionElement {
-  return element("option", { value: index }, [`${index + 1}  ${describe(labels)}`]);
+function option({ index, labels }: State["explorations"][number], told: string | null): HTMLOptionElement {
+  return element("option", { value: index }, [`${index + 1}  ${describe(labels, told)}`]);
 }
 
 function showSpeed(select: HTMLSelectElement, speed: number): void {

@@ -5,7 +5,9 @@ import { graphLayout } from "../../src/parts/graph_layout";
 import { gridLayout, handLayout, rowSizes } from "../../src/parts/hand_layout";
 import { nearestTowards } from "../../src/parts/hand_map";
 import { hull } from "../../src/parts/thing_picture";
-import { randomNumbers, reportFixture, touchElements } from "../report_fixture";
+import { reportFixture } from "../report_fixture";
+import { randomNumbers } from "../report_runs";
+import { touchElements } from "../report_things";
 
 function module(name: string, inputs: string[], type = "code"): ModuleData {
   const ports = inputs.map((one, i) => ({ port: String(i), module: one }));

@@ -139,6 +139,7 @@ test("numbers that change keep their decimals", () => {
 test("an exploration is called by its object and trial", () => {
   expect(describeLabels({ object: "cup", trial: "2", shape: "round" })).toBe("cup, trial 2");
   expect(describeLabels({ material: "cork" })).toBe("cork");
+  expect(describeLabels({ hardness: "soft", material: "cork", trial: "1" }, "material")).toBe("cork, trial 1");
   expect(describeLabels({})).toBe("");
 });
 

@@ -1,0 +1,71 @@
+// What the tests of the report do with its page.
+
+import { readFileSync } from "node:fs";
+
+import type { Browser, Download, Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, expect } from "vitest";
+
+import type { ReportData } from "../src/report/data";
+import { asScriptText, launchBrowser, writeReport } from "./browser";
+
+interface Opened {
+  page: Page;
+  problems: string[];
+}
+
+/** A browser for a file of tests, and reports in it. */
+export class ReportBrowser {
+  browser!: Browser;
+
+  constructor() {
+    beforeAll(async () => {
+      this.browser = await launchBrowser();
+    });
+    afterAll(() => this.browser.close());
+  }
+
+  async open(of: ReportData | string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<Opened> {
+    const viewport = { width: 1280, height: 800 };
+    const page = await this.browser.newPage({ viewport, acceptDownloads: true, ...options });
+    const problems: string[] = [];
+    page.on("pageerror", (error) => problems.push(error.message));
+    page.on("console", (message) => {
+      if (message.type() === "error") problems.push(message.text());
+    });
+    await page.goto(writeReport(typeof of === "string" ? of : asScriptText(of)));
+    return { page, problems };
+  }
+}
+
+/** Goes to a system as its link does, so that all of it is drawn. */
+export async function goTo(page: Page, system: number): Promise<Locator> {
+  await page.evaluate((id) => (location.hash = id), `system-${system}`);
+  const section = page.locator(`#system-${system}`);
+  await expect.poll(() => section.locator(".lazy:empty").count()).toBe(0);
+  return section;
+}
+
+export function figureOf(section: Locator, title: string): Locator {
+  return section.locator(`figure[aria-label="${title}"]`);
+}
+
+export async function saved(figure: Locator, kind: string): Promise<{ download: Download; bytes: Buffer }> {
+  const waiting = figure.page().waitForEvent("download");
+  await figure.getByRole("button", { name: new RegExp(`^${kind}:`) }).click();
+  const download = await waiting;
+  return { download, bytes: readFileSync(await download.path()) };
+}
+
+export async function savedRows(figure: Locator): Promise<string[][]> {
+  const { bytes } = await saved(figure, "CSV");
+  return bytes
+    .toString("utf8")
+    .trimEnd()
+    .split("\r\n")
+    .map((line) => line.split(","));
+}
+
+export async function readoutAt(figure: Locator, cell: number): Promise<string> {
+  await figure.locator(`[data-cell="${cell}"]`).hover();
+  return (await figure.locator(".readout").textContent()) ?? "";
+}

@@ -1,0 +1,81 @@
+// The report of data that are missing, damaged, hostile or many.
+
+import { describe, expect, test } from "vitest";
+
+import { accessibilityViolations, screenshotPath } from "./browser";
+import { goTo, ReportBrowser } from "./report_browser";
+import { hostileFixture, largeFixture, reportFixture } from "./report_fixture";
+
+const report = new ReportBrowser();
+const data = reportFixture();
+
+describe("what goes wrong", () => {
+  test.each([
+    ["null", "carries no results yet"],
+    ['{"version":1,', "damaged"],
+    ["[1]", "are not a report"],
+    ['{"version":7}', "version 7"],
+  ])("says in a sentence what is wrong with %s", async (text, words) => {
+    const { page, problems } = await report.open(text);
+    expect(await page.getByRole("alert").textContent()).toContain(words);
+    expect(problems).toEqual([]);
+    expect(await accessibilityViolations(page)).toEqual([]);
+    await page.close();
+  });
+
+  test("a report without systems says so", async () => {
+    const { page, problems } = await report.open({
+      version: 1,
+      somato: "1",
+      systems: [],
+      claims: [],
+      curves: [],
+    });
+    expect(await page.locator("#overview").textContent()).toContain("no system to show");
+    expect(problems).toEqual([]);
+    await page.close();
+  });
+
+  test("says what is missing and how to get it", async () => {
+    const { page } = await report.open(data);
+    expect(await (await goTo(page, 4)).textContent()).toContain("keep system.somato beside results.json");
+    await page.close();
+  });
+
+  test("a system with half its fields is shown as far as it goes", async () => {
+    const half = {
+      version: 1,
+      somato: "1",
+      systems: [{ name: "half", protocols: [{ protocol: "train_is_test" }], trained: { planes: [{}] } }],
+    };
+    const { page, problems } = await report.open(JSON.stringify(half));
+    expect(await page.locator("#system-1 h2").textContent()).toBe("half");
+    await goTo(page, 1);
+    expect(problems).toEqual([]);
+    await page.close();
+  });
+
+  test("hostile names are text, and numbers that are none are not drawn", async () => {
+    const nasty = hostileFixture();
+    const { page, problems } = await report.open(nasty);
+    for (const system of [1, 2]) await goTo(page, system);
+    expect(await page.locator("#system-1 h2").textContent()).toBe(nasty.systems[0]!.name);
+    expect(await page.evaluate(() => (globalThis as { __hurt?: number }).__hurt)).toBeUndefined();
+    expect(await page.locator("main img").count()).toBe(0);
+    expect(await page.locator("svg [d*=NaN], svg [cx=NaN], svg [x=NaN]").count()).toBe(0);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
+    expect(problems).toEqual([]);
+    await page.screenshot({ path: screenshotPath("report-hostile"), fullPage: true });
+    await page.close();
+  });
+
+  test("thirty systems of 900 neurons and 500 runs open at once", async () => {
+    const { page, problems } = await report.open(largeFixture());
+    // Only what is near to what is seen is drawn.
+    expect(await page.locator("[data-cell]").count()).toBeLessThan(20_000);
+    await goTo(page, 30);
+    expect(await page.locator("#system-30 [data-cell]").count()).toBeGreaterThan(900);
+    expect(problems).toEqual([]);
+    await page.close();
+  });
+});

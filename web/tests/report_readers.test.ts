@@ -1,0 +1,90 @@
+// The report for all who read it: by keyboard, by a reading machine, in the dark, on paper, on a telephone.
+
+import { describe, expect, test } from "vitest";
+
+import { accessibilityViolations, screenshotPath } from "./browser";
+import { figureOf, goTo, ReportBrowser } from "./report_browser";
+import { reportFixture } from "./report_fixture";
+
+const report = new ReportBrowser();
+const data = reportFixture();
+
+describe("who reads it", () => {
+  test.each(["light", "dark"] as const)("finds no barrier in %s", async (colorScheme) => {
+    const { page } = await report.open(data, { colorScheme, reducedMotion: "reduce" });
+    for (const system of [1, 2, 3, 4]) await goTo(page, system);
+    expect(await accessibilityViolations(page)).toEqual([]);
+    await page.setViewportSize({ width: 1280, height: 1400 });
+    await (
+      await goTo(page, 1)
+    )
+      .locator(".map-row")
+      .screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
+    await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
+    await page.close();
+  });
+
+  test("needs no mouse", async () => {
+    const { page } = await report.open(data);
+    const names = new Set<string>();
+    for (let i = 0; i < 14; i += 1) {
+      await page.keyboard.press("Tab");
+      names.add(await page.evaluate(() => document.activeElement?.tagName ?? ""));
+    }
+    expect([...names].sort()).toEqual(expect.arrayContaining(["A", "BUTTON"]));
+    const section = await goTo(page, 1);
+    const map = figureOf(section, "Winners").getByRole("application");
+    await map.focus();
+    for (const key of ["Home", "ArrowRight", "ArrowDown"]) await page.keyboard.press(key);
+    expect(await figureOf(section, "Winners").locator(".readout").textContent()).toContain("row 2, column 2");
+    const planes = figureOf(section, "The map by one element of touch");
+    await planes.getByRole("application").focus();
+    await page.keyboard.press("Home");
+    await page.keyboard.press("Enter");
+    expect(await figureOf(section, "One neuron on the hand").locator(".what").textContent()).toBe(
+      "Neuron at row 1, column 1",
+    );
+    await page.close();
+  });
+
+  test("turns the colours round with a button, and finds them so again", async () => {
+    const { page } = await report.open(data, { colorScheme: "light" });
+    const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = await background();
+    await page.getByRole("button", { name: "Use dark colours" }).click();
+    expect(await background()).not.toBe(light);
+    await page.reload();
+    expect(await background()).not.toBe(light);
+    await page.close();
+  });
+
+  test.each([1280, 400])("has no sideways scrolling at %i pixels", async (width) => {
+    const { page } = await report.open(data, { viewport: { width, height: 800 } });
+    for (const system of [1, 2]) await goTo(page, system);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    await page.screenshot({ path: screenshotPath(`report-${width}`) });
+    await page.close();
+  });
+
+  test("prints light, without controls, everything drawn", async () => {
+    const { page } = await report.open(data, { colorScheme: "dark" });
+    await page.emulateMedia({ media: "print", colorScheme: "dark" });
+    await expect.poll(() => page.locator(".lazy:empty:visible").count()).toBe(0);
+    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(
+      "rgb(255, 255, 255)",
+    );
+    expect(await page.locator("button:visible, select:visible, nav:visible").count()).toBe(0);
+    // On A4 with margins of 14 mm no figure is taller than a page; tables may go over pages.
+    await page.setViewportSize({ width: 688, height: 1017 });
+    const heights = await page
+      .locator("figure:not(:has(table))")
+      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+    expect(Math.max(...heights)).toBeLessThan(1017);
+    const cut = await page.locator("#system-1").evaluate((section) => getComputedStyle(section).breakBefore);
+    expect(cut).toBe("page");
+    await page.screenshot({ path: screenshotPath("report-print"), fullPage: true });
+    const pdf = await page.pdf({ path: screenshotPath("report-print").replace(/png$/, "pdf"), format: "A4" });
+    expect(pdf.length).toBeGreaterThan(50_000);
+    await page.close();
+  });
+});

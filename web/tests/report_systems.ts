@@ -1,0 +1,142 @@
+// Made-up systems of the report's fixture: a hand on a rectangular plane, probes on a hexagonal torus,
+// a variation, and one system of which little is known.
+
+import type { GridData } from "../src/parts/data";
+import type { ClaimReport, SystemReport } from "../src/report/data";
+import { emptySystem } from "../src/report/read";
+import { clusteredRun, kObjects, kShapeOf, protocol, range } from "./report_runs";
+import { kJoints, kTouch, moment, things } from "./report_things";
+import { fields, handGraph, planes, trained } from "./report_trained";
+
+const kRectangular: GridData = { rows: 15, columns: 15, lattice: "rectangular", topology: "plane" };
+const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topology: "torus" };
+
+export function handSystem(): SystemReport {
+  const shapeOf = (name: string) => kShapeOf[name] ?? "";
+  const runs = range(20).map((i) => clusteredRun(i + 1, kRectangular, kObjects, shapeOf));
+  const outs = range(20)
+    .map((i) => clusteredRun(i + 101, kRectangular, kObjects, shapeOf))
+    .map((run, i) => ({ ...run, seed: i + 1 }));
+  const labels = runs[0]?.labels ?? [];
+  return {
+    file: "out/results.json",
+    name: "t_mpsom_multiplied",
+    variation: "",
+    question: "",
+    settings: { study: { label: "object", seeds: "20" }, "module.map": { rows: "15", columns: "15" } },
+    data_hash: "fnv1a64:a32cd4b13db36891",
+    recordings: ["lucs2.mcap"],
+    protocols: [
+      protocol("train_is_test", undefined, "object", runs),
+      protocol("leave_group_out", "object", "object", outs),
+    ],
+    graph: handGraph(),
+    grid: kRectangular,
+    samples: labels.map((object, i) => ({ object, shape: shapeOf(object), trial: String((i % 5) + 1) })),
+    things: things(),
+    not_given: [
+      {
+        part: "module.hand",
+        name: "arbor_sigma",
+        value: "1.0",
+        text: "Width of the arbor in neurons; not given in the papers.",
+      },
+      {
+        part: "module.map",
+        name: "learning_rate_start",
+        value: "0.3",
+        text: "Learning rate at the start; not given in the papers.",
+      },
+    ],
+    trained: trained(
+      kRectangular,
+      kObjects,
+      [planes(kRectangular, kTouch, "N", 3), planes(kRectangular, kJoints, "", 4)],
+      [fields("hand", [5, 5], "wrist", 0, 10), fields("posture", [6, 15], "joints", 1, 60)],
+    ),
+    moments: kObjects.map((name, i) => moment(name, 50 + i)),
+    missing: [],
+  };
+}
+
+export function probeSystem(variation: string): SystemReport {
+  const materials = [
+    "cloth",
+    "foam",
+    "sandpaper",
+    "wood",
+    "glass",
+    "rubber",
+    "cardboard",
+    "steel",
+    "leather",
+    "cork",
+  ];
+  const runs = range(6).map((i) => ({
+    ...clusteredRun(i + 7, kHexagonal, materials, (name) => (name < "m" ? "soft" : "hard")),
+    recording: i % 2,
+  }));
+  return {
+    ...handSystem(),
+    name: "hardness",
+    variation,
+    question: variation === "" ? "" : "Does the size of the map matter?",
+    recordings: ["probes-1.mcap", "probes-2.mcap"],
+    protocols: [protocol("train_is_test", undefined, "material", runs)],
+    graph: null,
+    grid: kHexagonal,
+    samples: null,
+    trained: trained(
+      kHexagonal,
+      materials,
+      [
+        planes(
+          kHexagonal,
+          { name: "bits", unit: "", elements: range(18).map((i) => String(i + 1)), shape: [18] },
+          "",
+          5,
+        ),
+      ],
+      [],
+    ),
+    moments: [],
+    not_given: [],
+    missing: [],
+  };
+}
+
+export function bareSystem(): SystemReport {
+  const { file, data_hash, recordings } = handSystem();
+  const missing =
+    "The trained system is not here: run somato run with --out and keep system.somato beside results.json.";
+  return { ...emptySystem(), name: "bare", file, data_hash, recordings, missing: [missing] };
+}
+
+export function claim(
+  system: SystemReport,
+  text: string,
+  name: string,
+  least: number,
+  published: number | null,
+): ClaimReport {
+  const values = system.protocols[0]?.metrics[name]?.values ?? [];
+  const luck = system.protocols[0]?.metrics[`${name}_by_luck`]?.mean ?? null;
+  return {
+    file: system.file,
+    system: system.name,
+    variation: system.variation,
+    question: system.question,
+    text,
+    paper: published === null ? "" : "P11 II-C",
+    metric: name,
+    protocol: "train_is_test",
+    group: "",
+    than: "",
+    published,
+    at_least: least,
+    at_most: null,
+    values,
+    by_luck: luck,
+    share: values.filter((value) => value >= least).length / Math.max(1, values.length),
+  };
+}

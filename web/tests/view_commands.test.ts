@@ -1,0 +1,151 @@
+// The view page against a server that speaks its protocol: what it tells the program, by mouse and by
+// keyboard.
+
+import { describe, expect, it } from "vitest";
+
+import { bodyState } from "./fake_frames";
+import { kTaxels } from "./fake_hand";
+import { frameShown, screenshot, words } from "./view_browser";
+import { soon, ViewedPage } from "./viewed_page";
+
+const view = new ViewedPage();
+
+describe("what it tells the program", () => {
+  it("plays, pauses, steps, scrubs and chooses", async () => {
+    await view.open();
+    await view.page.getByRole("button", { name: "Play", exact: true }).click();
+    await view.told({ command: "play" });
+    await view.page.getByRole("button", { name: "Pause", exact: true }).click();
+    await view.told({ command: "pause" });
+    await view.page.getByRole("button", { name: "Step forward" }).click();
+    await view.told({ command: "step", frames: 1 });
+    await view.page.getByRole("slider", { name: "Frame" }).fill("30");
+    await view.told({ command: "seek", exploration: 0, frame: 30 });
+    await frameShown(view.page, 30);
+    await view.page.getByLabel("Speed").selectOption("4");
+    await view.told({ command: "speed", speed: 4 });
+    await view.page.getByLabel("Exploration", { exact: true }).selectOption("4");
+    await view.told({ command: "seek", exploration: 4, frame: 0 });
+    await view.page.getByLabel("System", { exact: true }).selectOption("shape_and_size");
+    await view.told({ command: "system", name: "shape_and_size" });
+  });
+
+  it("scrubs through what is shown, though the state that tells of it has not come yet", async () => {
+    await view.open();
+    view.server.show(2, 5);
+    await frameShown(view.page, 5);
+    await view.page.getByRole("slider", { name: "Frame" }).fill("30");
+    await view.told({ command: "seek", exploration: 2, frame: 30 });
+  });
+
+  it("asks for no place where a body takes none", async () => {
+    await view.open({ ...bodyState(), name: "texture", placement: null });
+    await view.page.getByLabel("Object", { exact: true }).waitFor();
+    expect(await view.page.getByLabel("turn (°)").isVisible()).toBe(false);
+  });
+
+  it("gives a body something to explore", async () => {
+    await view.open(bodyState());
+    await soon(() => words(view.page, ".scene-note")).toContain("Nothing has been explored yet");
+    await view.page.getByLabel("Object", { exact: true }).selectOption("block");
+    await view.told({ command: "thing", name: "block" });
+    await view.page.getByLabel("turn (°)").fill("15");
+    await view.page.getByLabel("x (mm)").fill("-4");
+    await view.page.getByLabel("y (mm)").focus();
+    await view.told({ command: "placement", x: -4, y: 0, turn: 15 });
+    await view.page.getByRole("button", { name: "Explore again" }).click();
+    await view.told({ command: "explore" });
+    view.server.refusal = "The hand cannot hold that.";
+    await view.page.getByRole("button", { name: "Explore again" }).click();
+    await view.page.getByRole("alert").getByText("The hand cannot hold that.").waitFor();
+  });
+
+  it("lets one watch a map learn, and stops it", async () => {
+    await view.open();
+    await view.page.getByRole("button", { name: "Learn", exact: true }).click();
+    await view.told({ command: "train" });
+    await view.page.getByText(/map learns: step \d+ of 1000, radius/).waitFor();
+    await view.page.getByRole("button", { name: "Stop learning" }).click();
+    await view.told({ command: "stop_training" });
+    await screenshot(view.page, "view-learning");
+    expect(await view.page.locator(".training .marker").count()).toBeGreaterThan(3);
+  });
+
+  it("needs no mouse", async () => {
+    await view.open();
+    const keys: [string, object][] = [
+      ["ArrowRight", { command: "step", frames: 1 }],
+      ["ArrowLeft", { command: "step", frames: -1 }],
+      ["Shift+ArrowRight", { command: "step", frames: 10 }],
+      ["ArrowUp", { command: "speed", speed: 2 }],
+      ["End", { command: "seek", exploration: 0, frame: 59 }],
+      ["]", { command: "seek", exploration: 1, frame: 0 }],
+      ["Space", { command: "play" }],
+    ];
+    for (const [key, command] of keys) {
+      await view.page.keyboard.press(key);
+      await view.told(command);
+    }
+    await view.page.keyboard.press("5");
+    expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");
+    await view.page.locator(".panel-map svg[role=application]").focus();
+    for (const key of ["ArrowDown", "ArrowRight", "Enter"]) await view.page.keyboard.press(key);
+    await view.page.waitForSelector('.closer h3:text-is("Neuron in row 2, column 2")');
+    await view.page.getByLabel("Touch sensor", { exact: true }).focus();
+    await view.page.keyboard.press("ArrowDown");
+    await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[0]}")`);
+    await view.page.keyboard.press("?");
+    await view.page.getByRole("dialog").waitFor();
+    await view.page.keyboard.press("Escape");
+    expect(await reachedByTab()).toEqual(await view.page.locator(kControls).count());
+  });
+
+  it("shows where the focus is", async () => {
+    await view.open();
+    const unseen: (string | null)[] = [];
+    await reachedByTab(async () => void unseen.push(await hasVisibleFocus()));
+    expect(unseen.length).toBeGreaterThan(20);
+    expect(unseen.filter((name) => name !== null)).toEqual([]);
+  });
+});
+
+const kControls =
+  "button:visible:enabled, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
+
+/** The controls that Tab comes by on its way around the page; `at` is done at each. */
+async function reachedByTab(at: () => Promise<void> = async () => undefined): Promise<number> {
+  await view.page.evaluate(() => {
+    (document.activeElement as HTMLElement | null)?.blur();
+    (window as { seen?: Set<Element> }).seen = new Set();
+  });
+  let reached = 0;
+  for (let i = 0; i < 120; i += 1) {
+    await view.page.keyboard.press("Tab");
+    const stop = await view.page.evaluate(() => {
+      const { seen } = window as unknown as { seen: Set<Element> };
+      const at = document.activeElement!;
+      if (at === document.body) return "outside"; // between the page's end and its beginning
+      return seen.size < seen.add(at).size ? "new" : "known";
+    });
+    if (stop === "known") break;
+    if (stop === "outside") continue;
+    reached += 1;
+    await at();
+  }
+  return reached;
+}
+
+/** Whether what has the focus, or its label, looks different without it. */
+async function hasVisibleFocus(): Promise<string | null> {
+  const focused = await view.page.evaluate(() => {
+    const at = document.activeElement!;
+    const { x, y, width, height } = (at.closest(".segments label") ?? at).getBoundingClientRect();
+    const name = at.getAttribute("aria-label") ?? at.textContent ?? "";
+    const clip = { x: x - 5, y: y - 5, width: width + 10, height: height + 10 };
+    return { name: `${at.tagName} ${name}`, clip };
+  });
+  const { name, clip } = focused;
+  const before = await view.page.screenshot({ clip });
+  await view.page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  return before.equals(await view.page.screenshot({ clip })) ? name : null;
+}

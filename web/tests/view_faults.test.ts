@@ -1,0 +1,95 @@
+// The view page when things go wrong: without the program, without a token, without WebGL.
+
+import { describe, expect, it } from "vitest";
+
+import { fakeFrame, fakeState } from "./fake_frames";
+import { kTaxels } from "./fake_hand";
+import { firstFrame, frameShown, launchFlatBrowser, screenshot, words } from "./view_browser";
+import { soon, ViewedPage } from "./viewed_page";
+
+const view = new ViewedPage();
+
+describe("when things go wrong", () => {
+  it("says that the connection is lost, and goes on when it is back", async () => {
+    await view.open();
+    await view.page.locator(".panel-map [data-cell='101']").click();
+    await view.page.waitForSelector(".closer-answer");
+    await view.server.stop();
+    await view.page
+      .getByText(/The program has ended or the connection is lost; trying again in [123] s/)
+      .waitFor();
+    await screenshot(view.page, "view-lost");
+    await view.server.start();
+    await view.page.getByRole("button", { name: "Try now" }).click();
+    await soon(() => words(view.page, ".status-link")).toBe("connected");
+    await view.page.locator(".link-banner").waitFor({ state: "hidden" });
+    view.server.show(0, 12);
+    await frameShown(view.page, 12);
+    expect(await words(view.page, ".closer-answer")).toBe("It stands for boccia cylinder.");
+  });
+
+  it("tries again by itself", async () => {
+    await view.open();
+    await view.server.stop();
+    await view.page.getByText(/trying again in 3 s/).waitFor();
+    await view.server.start();
+    await soon(() => words(view.page, ".status-link")).toBe("connected");
+  });
+
+  it("does not take silence for a connection", async () => {
+    await view.serve();
+    view.server.silent = true;
+    await view.visit({ viewport: { width: 1280, height: 800 } });
+    await view.page.clock.install();
+    await view.page.goto(view.server.address);
+    await firstFrame(view.page);
+    await view.page.clock.fastForward(7000);
+    await view.page.locator(".link-banner", { hasText: "connection is lost" }).waitFor();
+    await view.page.clock.fastForward(4000);
+    await soon(() => words(view.page, ".status-link")).toBe("connected");
+  });
+
+  it("says when its token is not the program's", async () => {
+    await view.open();
+    await view.page.goto(view.server.address.replace(view.server.token, "another"));
+    await view.page.getByText(/Open the address that somato view printed/).waitFor();
+  });
+
+  it("shows the unfolded hand without WebGL", async () => {
+    await view.open();
+    await view.page.close();
+    const flat = await launchFlatBrowser();
+    await view.visit({ viewport: { width: 1280, height: 800 } }, flat);
+    await view.page.goto(view.server.address);
+    await firstFrame(view.page);
+    await soon(() => words(view.page, ".scene-note")).toContain("cannot draw in three dimensions");
+    view.server.show(1, 50);
+    await frameShown(view.page, 50);
+    await view.page.locator(".unfolded [data-cell='44']").click();
+    await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[44]}")`);
+    await screenshot(view.page, "view-no-webgl");
+    await flat.close();
+  });
+
+  it("shows hostile words as words", async () => {
+    const evil = `<img src=x onerror="document.title='gone'"><script>document.title='gone'</script>`;
+    const state = fakeState();
+    state.name = evil;
+    state.explorations[0]!.labels["object"] = evil;
+    state.systems[0]!.name = state.system = evil;
+    state.label = state.problem = evil;
+    state.channels[2]!.elements = state.channels[2]!.elements.map(() => evil);
+    state.graph!.modules[4]!.text = evil;
+    state.maps[0]!.classes = state.maps[0]!.classes.map(() => evil);
+    await view.open(state);
+    const frame = fakeFrame(0, 30);
+    frame.reading = { answer: evil, confidence: 0.5, candidates: [{ name: evil, distance: 1 }] };
+    view.server.send("frame", frame);
+    await frameShown(view.page, 30);
+    await view.page.locator(".panel-map [data-cell='101']").click();
+    await view.page.waitForSelector(".closer-answer");
+    expect(await words(view.page, ".reading-answer")).toBe(evil);
+    expect(await view.page.locator("img, #view script").count()).toBe(0);
+    expect(await view.page.title()).toContain("Somato view");
+  });
+});
