@@ -6,13 +6,15 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 
 import type { ReportData } from "../src/report/data";
 import { asScriptText, launchBrowser, writeReport } from "./browser";
-import { metric, reportFixture } from "./report_fixture";
+import { reportFixture } from "./report_fixture";
 
 let browser: Browser;
 let page: Page;
 
 const kNames = ["finger_spread", "thumb_opposition", "thumb_bent", "thumb_end", "index_bent", "index_end"];
 const kShapes = ["sphere", "cylinder", "cone", "ellipsoid", "capsule", "block"] as const;
+
+const ofOneRun = (value: number) => ({ mean: value, sd: 0, values: [value] });
 
 function ofOthers(): ReportData {
   const data = reportFixture();
@@ -50,7 +52,7 @@ function ofOthers(): ReportData {
   system.protocols = system.protocols.map((protocol) => ({
     ...protocol,
     runs: protocol.runs.slice(0, 1),
-    metrics: { accuracy: metric([0.75]), baseline_accuracy: metric([0.5]) },
+    metrics: { accuracy: ofOneRun(0.75), baseline_accuracy: ofOneRun(0.5) },
   }));
   return { ...data, systems: [system], claims: [], curves: [] };
 }
