@@ -13,8 +13,8 @@
 
 namespace somato::detail {
 
-/// The JSON of a results.json that nobody vouches for. Errors (kData, at `where`): no JSON, with the
-/// byte.
+/// The JSON of a results.json that nobody vouches for. Errors (kData, at `where`): no JSON, with
+/// the byte.
 Result<nlohmann::ordered_json> parse_json(std::string_view text, const std::string& where);
 
 /// A place in such a text that is read as what it should be. The first that is something else is

@@ -14,6 +14,8 @@ let page: Page;
 const kNames = ["finger_spread", "thumb_opposition", "thumb_bent", "thumb_end", "index_bent", "index_end"];
 const kShapes = ["sphere", "cylinder", "cone", "ellipsoid", "capsule", "block"] as const;
 
+const ofOneRun = (value: number) => ({ mean: value, sd: 0, values: [value] });
+
 function ofOthers(): ReportData {
   const data = reportFixture();
   const system = data.systems[0]!;
@@ -47,7 +49,11 @@ function ofOthers(): ReportData {
     { channel: curve, unit: "N", values: Array.from({ length: neurons }, () => curve.elements.map(Number)) },
     { channel, unit: "deg", values: Array.from({ length: neurons }, () => values) },
   ];
-  system.protocols = system.protocols.map((protocol) => ({ ...protocol, runs: protocol.runs.slice(0, 1) }));
+  system.protocols = system.protocols.map((protocol) => ({
+    ...protocol,
+    runs: protocol.runs.slice(0, 1),
+    metrics: { accuracy: ofOneRun(0.75), baseline_accuracy: ofOneRun(0.5) },
+  }));
   return { ...data, systems: [system], claims: [], curves: [] };
 }
 
@@ -140,9 +146,27 @@ test("explains no sign that it does not draw", async () => {
   expect(await page.locator(legend).textContent()).not.toContain("paper");
 });
 
+test("tells systems of one name by their files", async () => {
+  const data = reportFixture();
+  const [system, claim] = [data.systems[0]!, data.claims[0]!];
+  const files = ["out/noise0/results.json", "out/noise8/results.json"];
+  const twins = await browser.newPage();
+  const systems = files.map((file) => ({ ...system, file }));
+  const claims = files.map((file) => ({ ...claim, file, system: system.name, variation: "", question: "" }));
+  await twins.goto(writeReport(asScriptText({ ...data, systems, claims })));
+  const links = await twins.locator("nav.side a", { hasText: system.name }).allTextContents();
+  expect(links.map((one) => one.replaceAll("\u200b", ""))).toEqual([
+    `${system.name} (noise0)`,
+    `${system.name} (noise8)`,
+  ]);
+  expect(await twins.locator("#claims th.group").count()).toBe(2);
+  await twins.close();
+});
+
 test("counts a single run as one", async () => {
   const words = await page.locator("#system-1 .what").allTextContents();
   expect(words.some((one) => /, 1 run of /.test(one))).toBe(true);
   expect(words.some((one) => one.endsWith("the only run"))).toBe(true);
   expect(words.join()).not.toMatch(/\b1 runs/);
+  expect(await page.locator('figure[aria-label="Systems"] tbody').textContent()).not.toContain("±");
 });

@@ -17,11 +17,6 @@ export function percent(share: number | null | undefined): string {
   return `${rounded} %`;
 }
 
-/** counted(1, "run") is "1 run", counted(3, "run") "3 runs". */
-export function counted(count: number, what: string): string {
-  return `${count} ${what}${count === 1 ? "" : "s"}`;
-}
-
 function minus(text: string): string {
   return text.replace("-", "−");
 }

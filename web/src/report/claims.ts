@@ -54,9 +54,10 @@ function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
   });
 }
 
-function claimedSystem({ system, variation, question }: ClaimReport): string {
+function claimedSystem({ system, variation, question, place }: ClaimReport): string {
   const asked = question ? ` (${question.replaceAll("_", " ")})` : "";
-  return `${variation === "" ? system : `${system}, ${variation}`}${asked}`;
+  const of = place === undefined ? "" : ` (${place})`;
+  return `${variation === "" ? system : `${system}, ${variation}`}${asked}${of}`;
 }
 
 const kColumns = ["claim", "paper", "published", "here", "by luck", "holds in"];

@@ -45,6 +45,7 @@ export interface ProtocolData {
 /** One system (or variation of one) of one results.json. */
 export interface SystemReport {
   file: string; // the results.json, as it was named on the command line
+  place?: string; // what tells it from one of the same name; made here (same_names.ts)
   name: string;
   variation: string; // "" for the system as it stands
   question: string; // "" where it is not part of one
@@ -108,6 +109,7 @@ export interface MomentChannel {
 /** A sentence of a paper, and how often it holds here. */
 export interface ClaimReport {
   file: string; // as that of its system
+  place?: string; // as that of its system
   question: string; // "" for a claim about a system as its own file has it
   system: string;
   variation: string;

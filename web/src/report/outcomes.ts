@@ -2,13 +2,12 @@
 
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
-import { counted } from "../parts/numbers";
 import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "./data";
 import { classesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
 import type { Selection } from "./selection";
 import { stripsPicture, type Strip } from "./strips";
-import { metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
+import { countOf, metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
 
 export function outcomesFigure(
   system: SystemReport,
@@ -29,7 +28,7 @@ function draw(system: SystemReport, selection: Selection, claims: ClaimReport[])
   if (!protocol) return nothing("There is no protocol to show.");
   const strips = stripsOf(system, protocol, label, claims);
   if (strips.length === 0) return nothing(`Nothing was measured for the label ${label} under this protocol.`);
-  const words = `${protocolName(protocol)}, ${label}, ${counted(protocol.runs.length, "run")} of ${counted(protocol.samples, "sample")}`;
+  const words = `${protocolName(protocol)}, ${label}, ${countOf(protocol.runs.length, "run")} of ${countOf(protocol.samples, "sample")}`;
   const picture = stripsPicture(strips, `Outcomes: ${words}`);
   const seeds = protocol.runs.map((run) => run.seed);
   return {

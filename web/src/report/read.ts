@@ -1,7 +1,8 @@
 // Reads what `somato report` put into the page. What is missing is filled with what stands for
 // nothing, so that a report of another version of the program shows what it can.
 
-import type { ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
+import type { ClaimReport, ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
+import { withPlaces } from "./same_names";
 
 export type Read = { data: ReportData } | { problem: string };
 
@@ -29,13 +30,12 @@ function checked(parsed: unknown): Read {
     };
   }
   const systems = listOf(parsed["systems"]).filter(isObject).map(completed);
-  const [claims, curves] = [listOf(parsed["claims"]), listOf(parsed["curves"])];
+  const [claims, curves] = [listOf(parsed["claims"]) as ClaimReport[], listOf(parsed["curves"])];
   return {
     data: {
       ...parsed,
       somato: String(parsed["somato"] ?? ""),
-      systems,
-      claims,
+      ...withPlaces(systems, claims),
       curves,
     } as unknown as ReportData,
   };

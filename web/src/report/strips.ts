@@ -1,9 +1,10 @@
 // Distributions as strips: for each metric the values of all runs, those of wrong groupings below,
 // and marks where the paper and the nearest neighbour are.
 
-import { counted, rangeOf, readable } from "../parts/numbers";
+import { rangeOf, readable } from "../parts/numbers";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { median } from "./claims";
+import { countOf } from "./words";
 
 export interface Strip {
   metric: string;
@@ -101,7 +102,7 @@ function dots(
   return [...bins.values()].map((together) => {
     const mean = together.reduce((sum, value) => sum + value, 0) / together.length;
     const made = dot(x(mean), y, radiusFor(radius, together.length), kind);
-    made.append(shape("title", {}, [`${readable(mean)}: ${counted(together.length, "run")}`]));
+    made.append(shape("title", {}, [`${readable(mean)}: ${countOf(together.length, "run")}`]));
     return made;
   });
 }

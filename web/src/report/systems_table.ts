@@ -86,9 +86,11 @@ function mainFigures(system: SystemReport): MainFigures {
   };
 }
 
-/** "0.85 ± 0.07" */
+/** "0.85 ± 0.07"; a single run has no spread. */
 function spread(metric: MetricData | undefined): string {
-  return metric ? `${fixed(metric.mean)} ± ${fixed(metric.sd)}` : "–";
+  if (!metric) return "–";
+  const mean = fixed(metric.mean);
+  return metric.values?.length === 1 ? mean : `${mean} ± ${fixed(metric.sd)}`;
 }
 
 function fixed(value: number | null): string {
@@ -108,6 +110,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
     "baseline_accuracy_held_out",
     "claims_that_hold",
     "claims",
+    "file",
   ];
   const rows = systems.map(({ system }) => {
     const main = mainFigures(system);
@@ -124,6 +127,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
       main.baseline?.mean ?? null,
       good,
       claims.length,
+      system.file,
     ];
   });
   return { columns, rows };

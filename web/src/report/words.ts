@@ -4,7 +4,8 @@ import type { ProtocolData, SystemReport } from "./data";
 
 export function systemName(system: SystemReport): string {
   const name = system.name || system.file || "A system without a name";
-  return system.variation === "" ? name : `${name}, ${system.variation}`;
+  const whole = system.variation === "" ? name : `${name}, ${system.variation}`;
+  return system.place === undefined ? whole : `${whole} (${system.place})`;
 }
 
 const kProtocols: Record<string, string> = {
