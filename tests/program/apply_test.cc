@@ -80,7 +80,7 @@ TEST_F(Apply, RefusesOtherFiles) {
           {{"apply", "notes", kTrials}, {"notes: this is not a model file of Somato"}},
           {{"apply", "damaged", kTrials}, {"damaged: "}},
           {{"apply", "missing", kTrials}, {"missing: cannot open", "No such file"}},
-          {{"apply", "out/system.somato", "missing"}, {"missing: ", "No such file"}},
+          {{"apply", "out/system.somato", "missing"}, {"missing: ", "there is no such file"}},
           {{"apply", "out/system.somato", "notes"}, {"notes: "}},
           {{"apply", "out/system.somato", kTrials, "-o", "nowhere/answers"},
            {"nowhere/answers: cannot save"}}});

@@ -75,9 +75,9 @@ TEST_F(Explain, RefusesWhatItCannotKnow) {
           {{"run", "other.toml", "--explain", "--data", kTrials},
            {"other.toml:3, module 'hand'", "has the shape 9 in the recording, not 8",
             "correct 'shape'"}}});
-  expect_refused(
-      1, {{{"run", "study.toml", "--explain", "--data", "missing"}, {"missing: ", "No such file"}},
-          {{"run", "missing.toml", "--explain"}, {"missing.toml: cannot open"}}});
+  expect_refused(1, {{{"run", "study.toml", "--explain", "--data", "missing"},
+                      {"missing: ", "there is no such file"}},
+                     {{"run", "missing.toml", "--explain"}, {"missing.toml: cannot open"}}});
 }
 
 }  // namespace
