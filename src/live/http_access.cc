@@ -15,6 +15,7 @@ std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port
       address.find(':') != std::string::npos ? fmt::format("[{}]", address) : address};
   if (address == "127.0.0.1" || address == "::1") names.emplace_back("localhost");
   std::vector<std::string> hosts;
+  hosts.reserve(2 * names.size());
   for (const std::string& name : names) hosts.push_back(fmt::format("{}:{}", name, port));
   if (port == 80) hosts.insert(hosts.end(), names.begin(), names.end());
   return hosts;

@@ -141,8 +141,8 @@ Result<void> P::validate() const {
 
 std::optional<double> stick_position(double counts, const P& parameters) {
   const double share = counts / most_counts(parameters);
-  if (!(share >= 0.0 && share <= 1.0)) return {};
-  return share * parameters.stroke;
+  if (share >= 0.0 && share <= 1.0) return share * parameters.stroke;
+  return {};
 }
 
 Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material, const P& parameters,
