@@ -243,8 +243,8 @@ Result<std::optional<std::size_t>> Arguments::number(const std::string& name,
   info.name = name;
   info.type = "integer";
   info.range = Range::at_least(static_cast<double>(least));
-  const Result<Value> value = value_from_text(info, text(name));
-  Result<std::int64_t> whole = detail::read_integer(info, *value, 0, kMost);
+  Result<std::int64_t> whole =
+      detail::read_integer(info, value_from_text(info, text(name)), 0, kMost);
   if (!whole) {
     whole.error().where = "--" + name;
     return fail(std::move(whole.error()));
@@ -256,6 +256,17 @@ std::string flag_of(const std::string& parameter_name) {
   std::string flag = "--" + parameter_name;
   for (char& c : flag) c = c == '_' ? '-' : c;
   return flag;
+}
+
+Table given_parameters(const Arguments& arguments, const std::vector<ParameterInfo>& known) {
+  Table table;
+  for (const ParameterInfo& info : known) {
+    const std::string flag = flag_of(info.name);
+    const auto given = arguments.texts.find(flag.substr(2));
+    if (given == arguments.texts.end()) continue;
+    table.entries.push_back({info.name, flag, value_from_text(info, given->second)});
+  }
+  return table;
 }
 
 namespace {

@@ -54,30 +54,14 @@ struct Command {
 /// The flag of a parameter: `radius_start` is `--radius-start`.
 std::string flag_of(const std::string& parameter_name);
 
-/// The declared parameters of S for a Command.
-template <typename S>
-std::vector<ParameterInfo> parameter_flags() {
-  std::vector<ParameterInfo> infos;
-  infos.reserve(S::declarations().all().size());
-  for (const auto& parameter : S::declarations().all()) infos.push_back(parameter.info);
-  return infos;
-}
+/// Those of the `known` parameters that were given as flags, with their flags for places.
+Table given_parameters(const Arguments& arguments, const std::vector<ParameterInfo>& known);
 
 /// `parameters` with those set that were given as flags. Errors (kUsage) name the flag.
 template <typename S>
 Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
-  for (const auto& parameter : S::declarations().all()) {
-    const auto given = arguments.texts.find(flag_of(parameter.info.name).substr(2));
-    if (given == arguments.texts.end()) continue;
-    Result<Value> value = value_from_text(parameter.info, given->second);
-    Result<void> assigned =
-        value ? parameter.assign(parameters, *value) : fail(std::move(value.error()));
-    if (!assigned) {
-      assigned.error().where = flag_of(parameter.info.name);
-      return fail(std::move(assigned.error()));
-    }
-  }
-  return parameters;
+  return read_parameters(given_parameters(arguments, S::declarations().infos()),
+                         std::move(parameters));
 }
 
 /// Finds the command that `argv` asks for and runs it. Prints help, the version, and on standard

@@ -187,7 +187,7 @@ Command explore_command() {
            {"--images", "Folder for pictures of the grasps"},
            threads_flag(),
            {"-o,--output", "File for the recording", true}},
-          parameter_flags<SimulationParameters>(),
+          SimulationParameters::declarations().infos(),
           run,
           "simulation"};
 }

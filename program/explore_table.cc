@@ -8,20 +8,15 @@ const Declarations<ExploreParameters>& ExploreParameters::declarations() {
   using P = ExploreParameters;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "body", [](P& p) -> auto& { return p.body; }, "", Range::any(),
-              "What explores. Has to be given.")
-          .add(
-              "objects", [](P& p) -> auto& { return p.objects; }, "", Range::any(),
-              "TOML file with the things to explore, or the name of one of Somato's own tables; "
-              "empty: the "
-              "body's own.")
-          .add(
-              "explorations", [](P& p) -> auto& { return p.explorations; }, "",
-              Range::between(1, 1e6), "Explorations of each thing.")
-          .add(
-              "new_objects", [](P& p) -> auto& { return p.new_objects; }, "", Range::any(),
-              "Whether new objects of the body are explored once each, to test with.");
+          .add("body", &P::body, "", Range::any(), "What explores. Has to be given.")
+          .add("objects", &P::objects, "", Range::any(),
+               "TOML file with the things to explore, or the name of one of Somato's own tables; "
+               "empty: the "
+               "body's own.")
+          .add("explorations", &P::explorations, "", Range::between(1, 1e6),
+               "Explorations of each thing.")
+          .add("new_objects", &P::new_objects, "", Range::any(),
+               "Whether new objects of the body are explored once each, to test with.");
   return declared;
 }
 

@@ -68,7 +68,7 @@ Result<CsvImport> description_of_flags(const Arguments& arguments) {
 // A flag that describes CSV files, if any was given.
 std::string describing_flag(const Arguments& arguments) {
   std::vector<std::string> names{"--channels"};
-  for (const ParameterInfo& info : parameter_flags<CsvTrials>())
+  for (const ParameterInfo& info : CsvTrials::declarations().infos())
     names.push_back(flag_of(info.name));
   const auto given = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
     return arguments.has(name.substr(2));
@@ -148,7 +148,7 @@ Command import_command() {
            {"--channels",
             "For csv: the channels with their units and columns, such as "
             "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz"}},
-          parameter_flags<CsvTrials>(),
+          CsvTrials::declarations().infos(),
           run,
           "import"};
 }

@@ -90,7 +90,7 @@ Command information_command() {
           {{"--data", "The recording: its file, or a folder of original files", true},
            threads_flag(),
            {"-o,--output", "File for the figures, in JSON"}},
-          parameter_flags<InformationParameters>(),
+          InformationParameters::declarations().infos(),
           run,
           "information"};
 }

@@ -27,7 +27,7 @@ void add_table(std::string& page, const std::string& title,
 
 template <typename Parameters>
 void add_table(std::string& page, const std::string& title) {
-  add_table(page, title, parameter_flags<Parameters>());
+  add_table(page, title, Parameters::declarations().infos());
 }
 
 // "-o,--output" as `-o`, `--output`.

@@ -38,8 +38,8 @@ void append(const ObjectTable& table, std::vector<ReportThing>& things) {
 template <typename Parameters>
 void add_units(const std::string& table, const Parameters& /*parameters*/,
                std::map<std::string, std::string>& units) {
-  for (const auto& parameter : Parameters::declarations().all()) {
-    units[table + "." + parameter.info.name] = parameter.info.unit;
+  for (const ParameterInfo& info : Parameters::declarations().infos()) {
+    units[table + "." + info.name] = info.unit;
   }
 }
 

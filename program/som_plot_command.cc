@@ -25,15 +25,15 @@ Result<std::vector<std::string>> chosen_panels(const Arguments& arguments) {
   info.type = "list of choice";
   info.choices = kPanels;
   if (!arguments.has("panels")) return kPanels;
-  const Result<Value> value = value_from_text(info, arguments.text("panels"));
+  const Value value = value_from_text(info, arguments.text("panels"));
   std::vector<std::string> chosen;
-  for (const Value& item : std::get<Value::List>(value->content)) {
-    Result<std::size_t> choice = detail::read_choice(info, item);
-    if (!choice) {
-      choice.error().where = "--panels";
-      return fail(std::move(choice.error()));
+  for (const Value& item : std::get<Value::List>(value.content)) {
+    std::size_t choice = 0;
+    if (auto read = detail::read_choice(info, item, choice); !read) {
+      read.error().where = "--panels";
+      return fail(std::move(read.error()));
     }
-    chosen.push_back(kPanels[*choice]);
+    chosen.push_back(kPanels[choice]);
   }
   return chosen;
 }

@@ -125,7 +125,7 @@ Command som_train_command() {
             "tabs or blanks",
             true}},
           std::move(flags),
-          parameter_flags<SomParameters>(),
+          SomParameters::declarations().infos(),
           train,
           "map"};
 }

@@ -11,11 +11,7 @@ version=$(sed -n 's/^mujoco==\([^ ]*\).*/\1/p' scripts/mujoco.txt)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The interpreter's tag matters little: the library inside is the same for each.
-if python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: \
-  --implementation cp --python-version 311 --platform "manylinux_2_28_$(uname -m)" \
-  --require-hashes --requirement scripts/mujoco.txt --dest "$work"; then
-  python3 -m zipfile -e "$work"/mujoco-*.whl "$work/wheel"
+if scripts/unpack_wheel.sh scripts/mujoco.txt "$work/wheel"; then
   mkdir -p "$work/mujoco/lib"
   mv "$work/wheel/mujoco/include" "$work/mujoco/include"
   mv "$work/wheel/mujoco/libmujoco.so.$version" "$work/mujoco/lib/"

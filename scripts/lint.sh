@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Format, clang-tidy and the rules of the house; with --fix, clang-format and clang-tidy repair.
+# Format, the rules of the house, and clang-tidy for changed files; with --fix, clang-format and
+# clang-tidy repair. scripts/run_clang_tidy.py checks all files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -48,7 +49,7 @@ check 'include table' python3 scripts/check_includes.py
 check 'mirrored tests' python3 scripts/check_mirrors.py
 check 'house rules' python3 scripts/check_text.py
 check 'shell scripts' check_shell
-check 'clang-tidy' python3 scripts/run_clang_tidy.py "${fix[@]}"
+check 'clang-tidy of changed files' python3 scripts/run_clang_tidy.py --changed "${fix[@]}"
 
 if [[ ${#failed[@]} -gt 0 ]]; then
   printf 'lint: failed: %s\n' "${failed[*]}" >&2

@@ -1,35 +1,72 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy 19 over the library, the program and the fuzzers, in parallel.
+"""Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
 A file that passed is not looked at again until it, a header of ours that it reaches, its compile
-command or the rules change.
+command or the rules change. Precompiled headers are left out, so that a source which lacks an include
+is refused. --changed: only files that differ from the branch that this one comes from, and for a
+header the first source that includes it.
 
-usage: run_clang_tidy.py [--fix]
+usage: run_clang_tidy.py [--fix] [--changed]
 """
 
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import compile_commands
 from check_includes import includes
 
 TREE = Path(__file__).resolve().parent.parent
 BUILD = TREE / "build/dev"
 STAMPS = TREE / "build/lint"
 CHECKED = ("src", "program", "fuzz")
-TIDY = "clang-tidy-19"
+TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
+PRECOMPILED = re.compile(r" -Winvalid-pch| -fpch-instantiate-templates"
+                         r"| -Xclang -include(-pch)? -Xclang \S+cmake_pch\S*")
 
 
 def entries():
     """The compile commands of the files to check, by file."""
-    commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    found = {Path(entry["file"]): entry["command"] for entry in commands}
+    plain = [dict(entry, command=PRECOMPILED.sub("", entry["command"]))
+             for entry in compile_commands.entries(BUILD)]
+    (STAMPS / "compile_commands.json").write_text(json.dumps(plain), encoding="utf-8")
+    found = {Path(entry["file"]): entry["command"] for entry in plain}
     return {file: command for file, command in found.items()
             if file.is_relative_to(TREE) and file.relative_to(TREE).parts[0] in CHECKED}
+
+
+def git(*words):
+    return subprocess.run(["git", *words], cwd=TREE, capture_output=True, text=True).stdout
+
+
+def changed_files():
+    """What differs from the commit at which this branch left its origin, new files too."""
+    origin = next((name for name in ("origin/HEAD", "origin/main")
+                   if git("rev-parse", "--verify", "--quiet", name)), "HEAD")
+    base = git("merge-base", "HEAD", origin).strip() or "HEAD"
+    names = git("diff", "--name-only", base) + git("ls-files", "--others", "--exclude-standard")
+    return {TREE / name for name in names.split()}
+
+
+def only_changed(files):
+    """Those of `files` that are changed, and one for each changed header."""
+    changed = changed_files()
+    chosen = {file for file in files if file in changed}
+    unseen = {file for file in changed if file.suffix == ".h"}
+    for file in sorted(files):
+        if not unseen:
+            break
+        known = set()
+        reached(file, known)
+        if known & unseen:
+            chosen.add(file)
+            unseen -= known
+    return {file: files[file] for file in chosen}
 
 
 def reached(path, known):
@@ -59,7 +96,7 @@ def check(file, command, fix):
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
         return True
     options = ["--fix", "--fix-errors"] if fix else []
-    done = subprocess.run([TIDY, "-p", str(BUILD), "--quiet", *options, str(file)],
+    done = subprocess.run([TIDY, "-p", str(STAMPS), "--quiet", *options, str(file)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="", end="", file=sys.stderr)
@@ -69,9 +106,9 @@ def check(file, command, fix):
 
 
 def main():
-    fix = sys.argv[1:] == ["--fix"]
+    fix = "--fix" in sys.argv[1:]
     STAMPS.mkdir(parents=True, exist_ok=True)
-    files = entries()
+    files = only_changed(entries()) if "--changed" in sys.argv[1:] else entries()
     # Two at once would write the same header's fixes twice.
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
         passed = list(pool.map(lambda item: check(*item, fix), sorted(files.items())))

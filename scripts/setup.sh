@@ -65,3 +65,6 @@ install_missing
 if [[ " $* " == *" build "* || $# == 0 ]]; then
   ./fetch_mujoco.sh
 fi
+if [[ " $* " == *" test "* || $# == 0 ]]; then
+  ./fetch_clang_tidy.sh
+fi

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "bodies/valid_ranges.h"
-
 namespace somato {
 namespace {
 
@@ -17,23 +15,19 @@ const Declarations<ExplorationPlan>& ExplorationPlan::declarations() {
   using P = ExplorationPlan;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "heights", [](P& p) -> auto& { return p.heights; }, "mm", Range::between(0, 1000),
-              "Heights of the hand, in their order. Two in P06; which is not given in the paper.")
-          .add(
-              "wrist_angles", [](P& p) -> auto& { return p.wrist_angles; }, "deg",
-              Range::between(-360, 360),
-              "Angles of the wrist, forth at one height and back at the next. Five in P06; which "
-              "is not given in the paper.")
-          .add(
-              "grasps", [](P& p) -> auto& { return p.grasps; }, "", Range::between(1, 10000),
-              "How many of all pairs of height and angle are taken, in this order. Nine in P06; "
-              "which of the ten is left out is not given in the paper.");
+          .add("heights", &P::heights, "mm", Range::between(0, 1000),
+               "Heights of the hand, in their order. Two in P06; which is not given in the paper.")
+          .add("wrist_angles", &P::wrist_angles, "deg", Range::between(-360, 360),
+               "Angles of the wrist, forth at one height and back at the next. Five in P06; which "
+               "is not given in the paper.")
+          .add("grasps", &P::grasps, "", Range::between(1, 10000),
+               "How many of all pairs of height and angle are taken, in this order. Nine in P06; "
+               "which of the ten is left out is not given in the paper.");
   return declared;
 }
 
 Result<std::vector<GraspPose>> grasp_poses(const ExplorationPlan& plan) {
-  if (auto checked = detail::check_ranges(plan); !checked) return fail(std::move(checked.error()));
+  if (auto checked = check_ranges(plan); !checked) return fail(std::move(checked.error()));
   const std::size_t angles = plan.wrist_angles.size();
   if (plan.heights.empty()) return refuse("the plan has no heights", "give one or more 'heights'");
   if (angles == 0) return refuse("the plan has no angles", "give one or more 'wrist_angles'");

@@ -189,34 +189,24 @@ const Declarations<GuardedGrasp>& GuardedGrasp::declarations() {
   using P = GuardedGrasp;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "iteration", [](P& p) -> auto& { return p.iteration; }, "s", Range::above(0),
-              "Time for one step of all fingers; what is felt is looked at after each. Not given "
-              "in the paper.")
-          .add(
-              "proximal_step", [](P& p) -> auto& { return p.proximal_step; }, "deg",
-              Range::above(0), "How far a proximal segment closes at once. Not given in the paper.")
-          .add(
-              "distal_step", [](P& p) -> auto& { return p.distal_step; }, "deg", Range::above(0),
-              "How far a distal segment closes at once. Not given in the paper.")
-          .add(
-              "threshold", [](P& p) -> auto& { return p.threshold; }, "N", Range::at_least(0),
-              "A segment stops when the summed change of its taxels exceeds it. Not given in the "
-              "paper.")
-          .add(
-              "still_iterations", [](P& p) -> auto& { return p.still_iterations; }, "",
-              Range::between(0, 1e6),
-              "Iterations of the closed hand that end a grasp. Not given in the paper.")
-          .add(
-              "most_iterations", [](P& p) -> auto& { return p.most_iterations; }, "",
-              Range::between(1, 1e6),
-              "A grasp that takes more is an error. Not given in the paper.")
-          .add(
-              "proximal_open", [](P& p) -> auto& { return p.proximal_open; }, "deg", Range::any(),
-              "Where the proximal segments are in the open hand. Not given in the paper.")
-          .add(
-              "distal_open", [](P& p) -> auto& { return p.distal_open; }, "deg", Range::any(),
-              "Where the distal segments are in the open hand. Not given in the paper.")
+          .add("iteration", &P::iteration, "s", Range::above(0),
+               "Time for one step of all fingers; what is felt is looked at after each. Not given "
+               "in the paper.")
+          .add("proximal_step", &P::proximal_step, "deg", Range::above(0),
+               "How far a proximal segment closes at once. Not given in the paper.")
+          .add("distal_step", &P::distal_step, "deg", Range::above(0),
+               "How far a distal segment closes at once. Not given in the paper.")
+          .add("threshold", &P::threshold, "N", Range::at_least(0),
+               "A segment stops when the summed change of its taxels exceeds it. Not given in the "
+               "paper.")
+          .add("still_iterations", &P::still_iterations, "", Range::between(0, 1e6),
+               "Iterations of the closed hand that end a grasp. Not given in the paper.")
+          .add("most_iterations", &P::most_iterations, "", Range::between(1, 1e6),
+               "A grasp that takes more is an error. Not given in the paper.")
+          .add("proximal_open", &P::proximal_open, "deg", Range::any(),
+               "Where the proximal segments are in the open hand. Not given in the paper.")
+          .add("distal_open", &P::distal_open, "deg", Range::any(),
+               "Where the distal segments are in the open hand. Not given in the paper.")
           .add(
               "settle", [](P& p) -> auto& { return p.motion.settle; }, "s", Range::above(0),
               "Time to come to rest after a move between grasps. Not given in the paper.")

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "bodies/valid_ranges.h"
 #include "files/embedded.h"
 #include "somato/core/check.h"
 #include "somato/files/toml_file.h"
@@ -17,24 +16,18 @@ tl::unexpected<Error> not_tables(const std::string& where) {
 
 // What the texture probe meets.
 void declare_surface(Declarations<Material>& d) {
-  d.add(
-      "loss", [](auto& m) -> auto& { return m.loss; }, "", Range::between(0, 2),
-      "Loss factor: damping of what vibrates against it; not given in the paper");
-  d.add(
-      "roughness", [](auto& m) -> auto& { return m.roughness; }, "um", Range::between(0, 2000),
-      "Root mean square height of the surface; not given in the paper");
-  d.add(
-      "correlation_length", [](auto& m) -> auto& { return m.correlation_length; }, "mm",
-      Range::between(0.02, 100), "Distance over which heights stay alike; not given in the paper");
-  d.add(
-      "hurst", [](auto& m) -> auto& { return m.hurst; }, "", Range::between(0.05, 1),
-      "Power of the distance by which heights grow apart below that; not given in the paper");
-  d.add(
-      "weave_period", [](auto& m) -> auto& { return m.weave_period; }, "mm", Range::between(0, 100),
-      "Distance between the ridges of a weave; 0: no weave; not given in the paper");
-  d.add(
-      "weave_height", [](auto& m) -> auto& { return m.weave_height; }, "um",
-      Range::between(0, 5000), "Height of the ridges over the grooves; not given in the paper");
+  d.add("loss", &Material::loss, "", Range::between(0, 2),
+        "Loss factor: damping of what vibrates against it; not given in the paper");
+  d.add("roughness", &Material::roughness, "um", Range::between(0, 2000),
+        "Root mean square height of the surface; not given in the paper");
+  d.add("correlation_length", &Material::correlation_length, "mm", Range::between(0.02, 100),
+        "Distance over which heights stay alike; not given in the paper");
+  d.add("hurst", &Material::hurst, "", Range::between(0.05, 1),
+        "Power of the distance by which heights grow apart below that; not given in the paper");
+  d.add("weave_period", &Material::weave_period, "mm", Range::between(0, 100),
+        "Distance between the ridges of a weave; 0: no weave; not given in the paper");
+  d.add("weave_height", &Material::weave_height, "um", Range::between(0, 5000),
+        "Height of the ridges over the grooves; not given in the paper");
 }
 
 }  // namespace
@@ -48,22 +41,16 @@ const std::vector<std::pair<Hardness, std::string>>& Choices<Hardness>::all() {
 const Declarations<Material>& Material::declarations() {
   static const Declarations<Material> all = [] {
     Declarations<Material> d;
-    d.add(
-        "hardness", [](auto& m) -> auto& { return m.hardness; }, "", Range::any(),
-        "The group it belongs to; not given in the paper");
-    d.add(
-        "density", [](auto& m) -> auto& { return m.density; }, "kg/m^3", Range::above(0),
-        "Density; not given in the paper");
-    d.add(
-        "friction", [](auto& m) -> auto& { return m.friction; }, "", Range::between(0, 2),
-        "Coulomb friction against skin and table; not given in the paper");
-    d.add(
-        "stiffness", [](auto& m) -> auto& { return m.stiffness; }, "N/mm", Range::above(0),
-        "Force for a mm under the tip of the hardness probe; not given in the paper");
-    d.add(
-        "touch_stiffness", [](auto& m) -> auto& { return m.touch_stiffness; }, "N/mm",
-        Range::above(0),
-        "Force for a mm under a taxel; automatic: as under the tip; not given in the paper");
+    d.add("hardness", &Material::hardness, "", Range::any(),
+          "The group it belongs to; not given in the paper");
+    d.add("density", &Material::density, "kg/m^3", Range::above(0),
+          "Density; not given in the paper");
+    d.add("friction", &Material::friction, "", Range::between(0, 2),
+          "Coulomb friction against skin and table; not given in the paper");
+    d.add("stiffness", &Material::stiffness, "N/mm", Range::above(0),
+          "Force for a mm under the tip of the hardness probe; not given in the paper");
+    d.add("touch_stiffness", &Material::touch_stiffness, "N/mm", Range::above(0),
+          "Force for a mm under a taxel; automatic: as under the tip; not given in the paper");
     declare_surface(d);
     return d;
   }();
@@ -71,7 +58,7 @@ const Declarations<Material>& Material::declarations() {
 }
 
 Result<void> Material::validate() const {
-  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
+  if (auto ranges = check_ranges(*this); !ranges) return ranges;
   if ((weave_period > 0.0) == (weave_height > 0.0)) return {};
   return fail(ErrorKind::kUsage, "a weave needs both 'weave_period' and 'weave_height'", {},
               "give both, or neither");

@@ -256,36 +256,22 @@ const Declarations<ObjectLine>& ObjectLine::declarations() {
   using P = ObjectLine;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "shape", [](P& p) -> auto& { return p.shape; }, "", Range::any(),
-              "What the object looks like. Has to be given.")
-          .add(
-              "diameter", [](P& p) -> auto& { return p.diameter; }, "mm", kSize,
-              "Of a sphere, cylinder or capsule; of a cone at its foot.")
-          .add(
-              "width", [](P& p) -> auto& { return p.width; }, "mm", kSize,
-              "Of a block or ellipsoid.")
-          .add(
-              "depth", [](P& p) -> auto& { return p.depth; }, "mm", kSize,
-              "Of a block or ellipsoid.")
-          .add(
-              "height", [](P& p) -> auto& { return p.height; }, "mm", kSize,
-              "Of all but spheres and meshes; of a capsule with both ends.")
-          .add(
-              "top_diameter", [](P& p) -> auto& { return p.top_diameter; }, "mm",
-              Range::between(0, kSize.high), "Of a cone at its top; 0: it has a point.")
-          .add(
-              "file", [](P& p) -> auto& { return p.file; }, "", Range::any(),
-              "File of a mesh, STL or OBJ, seen from the table's folder.")
-          .add(
-              "scale", [](P& p) -> auto& { return p.scale; }, "mm", kSize,
-              "What a unit of the mesh's file means.")
-          .add(
-              "material", [](P& p) -> auto& { return p.material; }, "", Range::any(),
-              "Name of what it is made of. Has to be given.")
-          .add(
-              "mass", [](P& p) -> auto& { return p.mass; }, "kg", Range::above(0),
-              "automatic: from the volume and the material's density.");
+          .add("shape", &P::shape, "", Range::any(), "What the object looks like. Has to be given.")
+          .add("diameter", &P::diameter, "mm", kSize,
+               "Of a sphere, cylinder or capsule; of a cone at its foot.")
+          .add("width", &P::width, "mm", kSize, "Of a block or ellipsoid.")
+          .add("depth", &P::depth, "mm", kSize, "Of a block or ellipsoid.")
+          .add("height", &P::height, "mm", kSize,
+               "Of all but spheres and meshes; of a capsule with both ends.")
+          .add("top_diameter", &P::top_diameter, "mm", Range::between(0, kSize.high),
+               "Of a cone at its top; 0: it has a point.")
+          .add("file", &P::file, "", Range::any(),
+               "File of a mesh, STL or OBJ, seen from the table's folder.")
+          .add("scale", &P::scale, "mm", kSize, "What a unit of the mesh's file means.")
+          .add("material", &P::material, "", Range::any(),
+               "Name of what it is made of. Has to be given.")
+          .add("mass", &P::mass, "kg", Range::above(0),
+               "automatic: from the volume and the material's density.");
   return declared;
 }
 

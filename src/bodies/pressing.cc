@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "bodies/driving.h"
-#include "bodies/valid_ranges.h"
 
 namespace somato {
 namespace {
@@ -84,24 +83,20 @@ Exploration exploration_of(const ChannelDescription& sensor, const Matrix<float>
 const Declarations<P>& P::declarations() {
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "to", [](P& p) -> auto& { return p.to; }, "mm", Range::any(),
-              "Where the stick is sent; automatic: its limit. Not given in the paper.")
-          .add(
-              "step", [](P& p) -> auto& { return p.step; }, "s", Range::between(1e-4, 60),
-              "Time between readings. Not given in the paper.")
-          .add(
-              "readings", [](P& p) -> auto& { return p.readings; }, "", Range::between(2, 1e6),
-              "How many are averaged to see whether it rests. Not given in the paper.")
-          .add(
-              "patience", [](P& p) -> auto& { return p.patience; }, "s", Range::above(0),
-              "How long to wait for that. Not given in the paper.");
+          .add("to", &P::to, "mm", Range::any(),
+               "Where the stick is sent; automatic: its limit. Not given in the paper.")
+          .add("step", &P::step, "s", Range::between(1e-4, 60),
+               "Time between readings. Not given in the paper.")
+          .add("readings", &P::readings, "", Range::between(2, 1e6),
+               "How many are averaged to see whether it rests. Not given in the paper.")
+          .add("patience", &P::patience, "s", Range::above(0),
+               "How long to wait for that. Not given in the paper.");
   return kAll;
 }
 
 Result<Exploration> explore_by_pressing(Body& body, const P& parameters,
                                         const AfterFrames& after_frames) {
-  if (auto ranges = detail::check_ranges(parameters); !ranges) return fail(ranges.error());
+  if (auto ranges = check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto stick = find_degree_of_freedom(body.description(), "stick");
   if (!stick) return fail(stick.error());
   const auto sensor = find_sensor(body.description(), "potentiometer");

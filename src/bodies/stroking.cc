@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "bodies/driving.h"
-#include "bodies/valid_ranges.h"
 
 namespace somato {
 namespace {
@@ -31,7 +30,7 @@ Result<void> check_end(const DegreeOfFreedom& lever, double to) {
 }
 
 Result<Stroke> plan_stroke(const BodyDescription& body, const P& parameters) {
-  if (auto ranges = detail::check_ranges(parameters); !ranges) return fail(ranges.error());
+  if (auto ranges = check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto lever = find_degree_of_freedom(body, "lever");
   if (!lever) return fail(lever.error());
   if (auto within = check_end(body.degrees_of_freedom[*lever], parameters.to); !within) {
@@ -96,18 +95,13 @@ Result<std::vector<float>> listen(Body& body, const Stroke& stroke, const P& par
 const Declarations<P>& P::declarations() {
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "from", [](P& p) -> auto& { return p.from; }, "deg", Range::any(),
-              "Where the stroke starts. Not given in the paper.")
-          .add(
-              "to", [](P& p) -> auto& { return p.to; }, "deg", Range::any(),
-              "Where it ends; 36 degrees further in P11.")
-          .add(
-              "settle", [](P& p) -> auto& { return p.settle; }, "s", Range::between(0.001, 60),
-              "Pause before the stroke. Not given in the paper.")
-          .add(
-              "step", [](P& p) -> auto& { return p.step; }, "s", Range::between(1e-4, 60),
-              "How often the body is asked; changes no frame. Not given in the paper.");
+          .add("from", &P::from, "deg", Range::any(),
+               "Where the stroke starts. Not given in the paper.")
+          .add("to", &P::to, "deg", Range::any(), "Where it ends; 36 degrees further in P11.")
+          .add("settle", &P::settle, "s", Range::between(0.001, 60),
+               "Pause before the stroke. Not given in the paper.")
+          .add("step", &P::step, "s", Range::between(1e-4, 60),
+               "How often the body is asked; changes no frame. Not given in the paper.");
   return kAll;
 }
 

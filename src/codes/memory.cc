@@ -25,7 +25,7 @@ std::size_t size_of(const std::vector<std::size_t>& shape) {
 const Declarations<MemoryParameters>& MemoryParameters::declarations() {
   using P = MemoryParameters;
   static const Declarations<P> kAll = Declarations<P>().add(
-      "leak", [](P& p) -> auto& { return p.leak; }, "", Range::between(0, 1),
+      "leak", &P::leak, "", Range::between(0, 1),
       "Share of what is held that a frame makes forgotten; 0: the sum of all frames, as in the "
       "papers. Above 0 not given in the paper.");
   return kAll;

@@ -37,24 +37,19 @@ const Declarations<NumberCodeParameters>& NumberCodeParameters::declarations() {
   static const Declarations<P> kAll =
       Declarations<P>()
           .add(
-              "code", [](P& p) -> auto& { return p.code; }, "", Range::any(),
+              "code", &P::code, "", Range::any(),
               "How a level is written: as its binary digits (P11's raw bits), in the Gray code, or "
               "as a thermometer.")
-          .add(
-              "low", [](P& p) -> auto& { return p.low; }, "unit of the value", Range::any(),
-              "Lower end of the first level. Not given in the paper.")
-          .add(
-              "high", [](P& p) -> auto& { return p.high; }, "unit of the value", Range::any(),
-              "Upper end of the last level. Not given in the paper.")
-          .add(
-              "bits", [](P& p) -> auto& { return p.bits; }, "",
-              Range::between(1, static_cast<double>(kMostBits)),
-              "Number of elements, most significant first; 18 in P11, at most 24 but for a "
-              "thermometer.")
-          .add(
-              "outside", [](P& p) -> auto& { return p.outside; }, "", Range::any(),
-              "What happens to a value outside the range: it is an error, or belongs to the "
-              "nearest level. Not given in the paper.");
+          .add("low", &P::low, "unit of the value", Range::any(),
+               "Lower end of the first level. Not given in the paper.")
+          .add("high", &P::high, "unit of the value", Range::any(),
+               "Upper end of the last level. Not given in the paper.")
+          .add("bits", &P::bits, "", Range::between(1, static_cast<double>(kMostBits)),
+               "Number of elements, most significant first; 18 in P11, at most 24 but for a "
+               "thermometer.")
+          .add("outside", &P::outside, "", Range::any(),
+               "What happens to a value outside the range: it is an error, or belongs to the "
+               "nearest level. Not given in the paper.");
   return kAll;
 }
 

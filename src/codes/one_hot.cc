@@ -40,21 +40,14 @@ const Declarations<OneHotParameters>& OneHotParameters::declarations() {
   using P = OneHotParameters;
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "low", [](P& p) -> double& { return p.low; }, "unit of the value", Range::any(),
-              "Lower end of the first bin. Not given in the paper.")
-          .add(
-              "high", [](P& p) -> double& { return p.high; }, "unit of the value", Range::any(),
-              "Upper end of the last bin. Not given in the paper.")
-          .add(
-              "elements", [](P& p) -> std::size_t& { return p.elements; }, "",
-              Range::between(1, static_cast<double>(kMostElements)),
-              "Number of bins, and of elements of the code; 10 in the papers.")
-          .add(
-              "outside", [](P& p) -> OutsideRange& { return p.outside; }, "", Range::any(),
-              "What happens to a value outside the range: it is an error, or belongs to the "
-              "nearest bin. "
-              "Not given in the paper.");
+          .add("low", &P::low, "unit of the value", Range::any(),
+               "Lower end of the first bin. Not given in the paper.")
+          .add("high", &P::high, "unit of the value", Range::any(),
+               "Upper end of the last bin. Not given in the paper.")
+          .add("elements", &P::elements, "", Range::between(1, static_cast<double>(kMostElements)),
+               "Bins for each element of the input; 10 in the papers.")
+          .add("outside", &P::outside, "", Range::any(),
+               "What becomes of a value outside the range: an error, or the nearest bin.");
   return kAll;
 }
 

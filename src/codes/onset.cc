@@ -85,31 +85,22 @@ const Declarations<OnsetParameters>& OnsetParameters::declarations() {
   using P = OnsetParameters;
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "element", [](P& p) -> std::size_t& { return p.element; }, "", Range::at_least(0),
-              "The element whose onset is looked for, counted from 1; 0 for whichever is first. "
-              "Not given in the paper.")
-          .add(
-              "quantity", [](P& p) -> OnsetQuantity& { return p.quantity; }, "", Range::any(),
-              "What is held against the threshold: the element's value, its magnitude, or its "
-              "distance from its value in the first frame. Not given in the paper.")
-          .add(
-              "threshold", [](P& p) -> double& { return p.threshold; }, "unit of the frames",
-              Range::any(),
-              "The onset is the first frame whose quantity is at least this. Not given in the "
-              "paper.")
-          .add(
-              "before", [](P& p) -> std::size_t& { return p.before; }, "frames",
-              Range::between(0, kMostFrames),
-              "How many frames before the onset the window starts. Not given in the paper.")
-          .add(
-              "length", [](P& p) -> std::size_t& { return p.length; }, "frames",
-              Range::between(1, kMostFrames),
-              "Number of frames of the window. Not given in the paper.")
-          .add(
-              "beyond", [](P& p) -> BeyondFrames& { return p.beyond; }, "", Range::any(),
-              "What happens where the window reaches beyond the frames: it is an error, or the "
-              "first or last frame is held. Not given in the paper.");
+          .add("element", &P::element, "", Range::at_least(0),
+               "The element whose onset is looked for, counted from 1; 0 for whichever is first. "
+               "Not given in the paper.")
+          .add("quantity", &P::quantity, "", Range::any(),
+               "What is held against the threshold: the element's value, its magnitude, or its "
+               "distance from its value in the first frame. Not given in the paper.")
+          .add("threshold", &P::threshold, "unit of the frames", Range::any(),
+               "The onset is the first frame whose quantity is at least this. Not given in the "
+               "paper.")
+          .add("before", &P::before, "frames", Range::between(0, kMostFrames),
+               "How many frames before the onset the window starts. Not given in the paper.")
+          .add("length", &P::length, "frames", Range::between(1, kMostFrames),
+               "Number of frames of the window. Not given in the paper.")
+          .add("beyond", &P::beyond, "", Range::any(),
+               "What happens where the window reaches beyond the frames: it is an error, or the "
+               "first or last frame is held. Not given in the paper.");
   return kAll;
 }
 

@@ -31,8 +31,7 @@ void write_point(const Matrix<float>& frames, std::size_t point, Matrix<float>& 
 const Declarations<ResamplingParameters>& ResamplingParameters::declarations() {
   using P = ResamplingParameters;
   static const Declarations<P> kAll = Declarations<P>().add(
-      "points", [](P& p) -> std::size_t& { return p.points; }, "",
-      Range::between(2, static_cast<double>(std::size_t{1} << 20)),
+      "points", &P::points, "", Range::between(2, static_cast<double>(std::size_t{1} << 20)),
       "Number of frames afterwards, from the first to the last. Not given in the paper.");
   return kAll;
 }

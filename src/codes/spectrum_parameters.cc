@@ -11,15 +11,6 @@ tl::unexpected<Error> misfit(std::string what, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
 }
 
-Result<void> validate_ranges(const SpectrumParameters& parameters) {
-  SpectrumParameters copy;
-  for (const auto& parameter : SpectrumParameters::declarations().all()) {
-    Result<void> assigned = parameter.assign(copy, parameter.read(parameters));
-    if (!assigned) return assigned;
-  }
-  return {};
-}
-
 Result<void> validate_bins(const SpectrumParameters& parameters) {
   if (!parameters.segment_length && !parameters.transform_length) {
     return misfit(
@@ -77,59 +68,43 @@ const Declarations<SpectrumParameters>& SpectrumParameters::declarations() {
   using P = SpectrumParameters;
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "window", [](P& p) -> auto& { return p.window; }, "", Range::any(),
-              "What a segment is multiplied by before the transform. Not given in the paper.")
-          .add(
-              "segment_length", [](P& p) -> auto& { return p.segment_length; }, "frames",
-              Range::between(1, kMostFrames),
-              "Frames transformed at once; automatic: the whole exploration. 4096 in P11.")
-          .add(
-              "overlap", [](P& p) -> auto& { return p.overlap; }, "", Range::between(0, 0.99),
-              "Share of a segment that the next one repeats. Not given in the paper.")
-          .add(
-              "transform_length", [](P& p) -> auto& { return p.transform_length; }, "frames",
-              Range::between(2, kMostFrames),
-              "Length of the transform, reached by zeros after the segment; fast where it has no "
-              "large prime factor; automatic: the power of two that holds the segment. 4096 in "
-              "P11.")
-          .add(
-              "remove_mean", [](P& p) -> auto& { return p.remove_mean; }, "", Range::any(),
-              "Whether each segment's mean is subtracted before the window. Not given in the "
-              "paper.")
-          .add(
-              "quantity", [](P& p) -> auto& { return p.quantity; }, "", Range::any(),
-              "Mean squares, or their roots. Not given in the paper.")
-          .add(
-              "bands", [](P& p) -> auto& { return p.bands; }, "", Range::between(0, 1 << 20),
-              "Number of bands from 'low' to 'high', each adding up its bins' power; 0 for every "
-              "bin of "
-              "the transform, as in P11.")
-          .add(
-              "band_spacing", [](P& p) -> auto& { return p.band_spacing; }, "", Range::any(),
-              "Whether bands are equally wide or have equal ratios. Not given in the paper.")
-          .add(
-              "low", [](P& p) -> auto& { return p.low; }, "Hz, or cycles/mm with a speed",
-              Range::at_least(0), "Lower edge of the first band. Not given in the paper.")
-          .add(
-              "high", [](P& p) -> auto& { return p.high; }, "Hz, or cycles/mm with a speed",
-              Range::above(0),
-              "Upper edge of the last band; automatic, without a speed: half the frame rate. Not "
-              "given in the paper.")
-          .add(
-              "scale", [](P& p) -> auto& { return p.scale; }, "", Range::any(),
-              "Whether values are written as they are or as log(floor + value). Not given in the "
-              "paper.")
-          .add(
-              "floor", [](P& p) -> auto& { return p.floor; }, "unit of the quantity",
-              Range::above(0),
-              "What is added before the logarithm, so that silence has one. Not given in the "
-              "paper.");
+          .add("window", &P::window, "", Range::any(),
+               "What a segment is multiplied by before the transform. Not given in the paper.")
+          .add("segment_length", &P::segment_length, "frames", Range::between(1, kMostFrames),
+               "Frames transformed at once; automatic: the whole exploration. 4096 in P11.")
+          .add("overlap", &P::overlap, "", Range::between(0, 0.99),
+               "Share of a segment that the next one repeats. Not given in the paper.")
+          .add("transform_length", &P::transform_length, "frames", Range::between(2, kMostFrames),
+               "Length of the transform, reached by zeros after the segment; fast where it has no "
+               "large prime factor; automatic: the power of two that holds the segment. 4096 in "
+               "P11.")
+          .add("remove_mean", &P::remove_mean, "", Range::any(),
+               "Whether each segment's mean is subtracted before the window. Not given in the "
+               "paper.")
+          .add("quantity", &P::quantity, "", Range::any(),
+               "Mean squares, or their roots. Not given in the paper.")
+          .add("bands", &P::bands, "", Range::between(0, 1 << 20),
+               "Number of bands from 'low' to 'high', each adding up its bins' power; 0 for every "
+               "bin of "
+               "the transform, as in P11.")
+          .add("band_spacing", &P::band_spacing, "", Range::any(),
+               "Whether bands are equally wide or have equal ratios. Not given in the paper.")
+          .add("low", &P::low, "Hz, or cycles/mm with a speed", Range::at_least(0),
+               "Lower edge of the first band. Not given in the paper.")
+          .add("high", &P::high, "Hz, or cycles/mm with a speed", Range::above(0),
+               "Upper edge of the last band; automatic, without a speed: half the frame rate. Not "
+               "given in the paper.")
+          .add("scale", &P::scale, "", Range::any(),
+               "Whether values are written as they are or as log(floor + value). Not given in the "
+               "paper.")
+          .add("floor", &P::floor, "unit of the quantity", Range::above(0),
+               "What is added before the logarithm, so that silence has one. Not given in the "
+               "paper.");
   return kAll;
 }
 
 Result<void> SpectrumParameters::validate() const {
-  if (Result<void> ranges = validate_ranges(*this); !ranges) return ranges;
+  if (Result<void> ranges = check_ranges(*this); !ranges) return ranges;
   if (transform_length && segment_length && *transform_length < *segment_length) {
     return misfit(fmt::format("a transform of {} frames cannot take segments of {}",
                               *transform_length, *segment_length),

@@ -98,8 +98,7 @@ const std::vector<std::pair<ConstantColumns, std::string>>& Choices<ConstantColu
 const Declarations<StandardizationParameters>& StandardizationParameters::declarations() {
   using P = StandardizationParameters;
   static const Declarations<P> kAll = Declarations<P>().add(
-      "constant_columns", [](P& p) -> ConstantColumns& { return p.constant_columns; }, "",
-      Range::any(),
+      "constant_columns", &P::constant_columns, "", Range::any(),
       "What happens to a column that never changes in the training samples: it is an error, or it "
       "becomes 0. Not given in the paper.");
   return kAll;

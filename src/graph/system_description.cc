@@ -109,21 +109,18 @@ const Declarations<PhaseDescription>& PhaseDescription::declarations() {
   static const auto declared =
       Declarations<P>()
           .add(
-              "learn", [](P& p) -> auto& { return p.learn; }, "", Range::any(),
+              "learn", &P::learn, "", Range::any(),
               "Names of the modules that learn, all at the same time; all others stay as they are. "
               "Has to be given.")
-          .add(
-              "draws", [](P& p) -> auto& { return p.draws; }, "", Range::between(1, 1e15),
-              "How many frames or explorations are drawn; automatic: as the module itself says. "
-              "Needed where several modules learn.")
-          .add(
-              "order", [](P& p) -> auto& { return p.order; }, "", Range::any(),
-              "How explorations are drawn; automatic: as the module itself says, or with "
-              "replacement. Not given in the paper.")
-          .add(
-              "of", [](P& p) -> auto& { return p.of; }, "", Range::any(),
-              "What is drawn: explorations, or frames, which are those of drawn explorations one "
-              "after the other; automatic: by what comes in at the modules.");
+          .add("draws", &P::draws, "", Range::between(1, 1e15),
+               "How many frames or explorations are drawn; automatic: as the module itself says. "
+               "Needed where several modules learn.")
+          .add("order", &P::order, "", Range::any(),
+               "How explorations are drawn; automatic: as the module itself says, or with "
+               "replacement. Not given in the paper.")
+          .add("of", &P::of, "", Range::any(),
+               "What is drawn: explorations, or frames, which are those of drawn explorations one "
+               "after the other; automatic: by what comes in at the modules.");
   return declared;
 }
 

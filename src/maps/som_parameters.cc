@@ -70,103 +70,73 @@ const Declarations<SomParameters>& SomParameters::declarations() {
   using P = SomParameters;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "rows", [](P& p) -> auto& { return p.rows; }, "neurons", Range::between(1, 1 << 24),
-              "Rows of the map; even on a hexagonal torus.")
-          .add(
-              "columns", [](P& p) -> auto& { return p.columns; }, "neurons",
-              Range::between(1, 1 << 24), "Columns of the map.")
-          .add(
-              "lattice", [](P& p) -> auto& { return p.lattice; }, "", Range::any(),
-              "Layout of the neurons: four neighbours at right angles, or six. The papers draw "
-              "rectangular "
-              "maps.")
-          .add(
-              "topology", [](P& p) -> auto& { return p.topology; }, "", Range::any(),
-              "Whether the map ends at its edges or goes on at the opposite ones.")
-          .add(
-              "similarity", [](P& p) -> auto& { return p.similarity; }, "", Range::any(),
-              "What makes a neuron the winner: the least Euclidean distance, or the greatest "
-              "inner product with weights of length 1.")
-          .add(
-              "normalize_input", [](P& p) -> auto& { return p.normalize_input; }, "", Range::any(),
-              "Scale every input to Euclidean length 1; automatic: with dot_product only. Not "
-              "given in the paper.")
-          .add(
-              "initial_weights", [](P& p) -> auto& { return p.initial_weights; }, "", Range::any(),
-              "Where weights start: uniform in [0, 1), uniform in each feature's range, or at "
-              "random samples. Not given in the paper.")
-          .add(
-              "training", [](P& p) -> auto& { return p.training; }, "", Range::any(),
-              "One random sample at a time (the papers'), or all samples an epoch.")
-          .add(
-              "iterations", [](P& p) -> auto& { return p.iterations; }, "samples drawn",
-              Range::between(0, 1e15),
-              "Length of online training; automatic: 2000 as in P11, or 10 a sample if that is "
-              "more.")
-          .add(
-              "epochs", [](P& p) -> auto& { return p.epochs; }, "passes over all samples",
-              Range::between(0, 1e9), "Length of batch training.")
-          .add(
-              "draws", [](P& p) -> auto& { return p.draws; }, "", Range::any(),
-              "How samples are drawn in online training. Not given in the paper.")
-          .add(
-              "neighbourhood", [](P& p) -> auto& { return p.neighbourhood; }, "", Range::any(),
-              "How much the neurons around a winner learn with it: less with distance, or all "
-              "alike up "
-              "to the radius.")
-          .add(
-              "radius_schedule", [](P& p) -> auto& { return p.radius_schedule; }, "", Range::any(),
-              "How the neighbourhood radius goes from start to end. Not given in the paper.")
-          .add(
-              "radius_start", [](P& p) -> auto& { return p.radius_start; }, "neurons",
-              Range::at_least(0),
-              "Neighbourhood radius (a Gaussian's sigma) at the start; automatic: half of the "
-              "longer side of the map. P11 gives 15 for the texture map only.")
-          .add(
-              "radius_end", [](P& p) -> auto& { return p.radius_end; }, "neurons",
-              Range::at_least(0), "Neighbourhood radius at the end. About 1 in P11.")
-          .add(
-              "radius_reached_at", [](P& p) -> auto& { return p.radius_reached_at; },
-              "iterations or epochs", Range::between(1, 1e15),
-              "When the radius has reached its end, where it stays; automatic: at the end of "
-              "training.")
-          .add(
-              "learning_rate_schedule", [](P& p) -> auto& { return p.learning_rate_schedule; }, "",
-              Range::any(), "How the learning rate goes from start to end. Not given in the paper.")
-          .add(
-              "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
-              Range::between(0, 1),
-              "Learning rate at the start of online training. Not given in the paper.")
-          .add(
-              "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
-              Range::between(0, 1),
-              "Learning rate at the end of online training. Not given in the paper.")
-          .add(
-              "learning_rate_reached_at", [](P& p) -> auto& { return p.learning_rate_reached_at; },
-              "iterations", Range::between(1, 1e15),
-              "When the learning rate has reached its end, where it stays; automatic: at the end "
-              "of training.")
-          .add(
-              "arithmetic", [](P& p) -> auto& { return p.arithmetic; }, "", Range::any(),
-              "How training computes; the map is the same up to rounding. Automatic: inner "
-              "products "
-              "when there are at least twice as many features, and iterations, as samples, or in "
-              "batch training eight times as many features and 8 epochs; in a system, where the "
-              "samples are whole explorations that nothing changes meanwhile.")
-          .add(
-              "softmax", [](P& p) -> auto& { return p.softmax; }, "", Range::any(),
-              "Form of the map's activity from its similarities s: s^m or exp(m s).")
-          .add(
-              "softmax_exponent", [](P& p) -> auto& { return p.softmax_exponent; }, "",
-              Range::above(0), "The m of the activity; 10 in P11.")
-          .add(
-              "activity_norm", [](P& p) -> auto& { return p.activity_norm; }, "", Range::any(),
-              "Whether activities add up to 1 or the winner has 1. Not given in the paper.")
-          .add(
-              "seed", [](P& p) -> auto& { return p.seed; }, "", Range::between(0, 1e15),
-              "Seed of initial weights and draws: the same seed gives the same bits. A study has "
-              "first_seed in its place.");
+          .add("rows", &P::rows, "neurons", Range::between(1, 1 << 24),
+               "Rows of the map; even on a hexagonal torus.")
+          .add("columns", &P::columns, "neurons", Range::between(1, 1 << 24), "Columns of the map.")
+          .add("lattice", &P::lattice, "", Range::any(),
+               "Layout of the neurons: four neighbours at right angles, or six. The papers draw "
+               "rectangular "
+               "maps.")
+          .add("topology", &P::topology, "", Range::any(),
+               "Whether the map ends at its edges or goes on at the opposite ones.")
+          .add("similarity", &P::similarity, "", Range::any(),
+               "What makes a neuron the winner: the least Euclidean distance, or the greatest "
+               "inner product with weights of length 1.")
+          .add("normalize_input", &P::normalize_input, "", Range::any(),
+               "Scale every input to Euclidean length 1; automatic: with dot_product only. Not "
+               "given in the paper.")
+          .add("initial_weights", &P::initial_weights, "", Range::any(),
+               "Where weights start: uniform in [0, 1), uniform in each feature's range, or at "
+               "random samples. Not given in the paper.")
+          .add("training", &P::training, "", Range::any(),
+               "One random sample at a time (the papers'), or all samples an epoch.")
+          .add("iterations", &P::iterations, "samples drawn", Range::between(0, 1e15),
+               "Length of online training; automatic: 2000 as in P11, or 10 a sample if that is "
+               "more.")
+          .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
+               "Length of batch training.")
+          .add("draws", &P::draws, "", Range::any(),
+               "How samples are drawn in online training. Not given in the paper.")
+          .add("neighbourhood", &P::neighbourhood, "", Range::any(),
+               "How much the neurons around a winner learn with it: less with distance, or all "
+               "alike up "
+               "to the radius.")
+          .add("radius_schedule", &P::radius_schedule, "", Range::any(),
+               "How the neighbourhood radius goes from start to end. Not given in the paper.")
+          .add("radius_start", &P::radius_start, "neurons", Range::at_least(0),
+               "Neighbourhood radius (a Gaussian's sigma) at the start; automatic: half of the "
+               "longer side of the map. P11 gives 15 for the texture map only.")
+          .add("radius_end", &P::radius_end, "neurons", Range::at_least(0),
+               "Neighbourhood radius at the end. About 1 in P11.")
+          .add("radius_reached_at", &P::radius_reached_at, "iterations or epochs",
+               Range::between(1, 1e15),
+               "When the radius has reached its end, where it stays; automatic: at the end of "
+               "training.")
+          .add("learning_rate_schedule", &P::learning_rate_schedule, "", Range::any(),
+               "How the learning rate goes from start to end. Not given in the paper.")
+          .add("learning_rate_start", &P::learning_rate_start, "", Range::between(0, 1),
+               "Learning rate at the start of online training. Not given in the paper.")
+          .add("learning_rate_end", &P::learning_rate_end, "", Range::between(0, 1),
+               "Learning rate at the end of online training. Not given in the paper.")
+          .add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
+               Range::between(1, 1e15),
+               "When the learning rate has reached its end, where it stays; automatic: at the end "
+               "of training.")
+          .add("arithmetic", &P::arithmetic, "", Range::any(),
+               "How training computes; the map is the same up to rounding. Automatic: inner "
+               "products "
+               "when there are at least twice as many features, and iterations, as samples, or in "
+               "batch training eight times as many features and 8 epochs; in a system, where the "
+               "samples are whole explorations that nothing changes meanwhile.")
+          .add("softmax", &P::softmax, "", Range::any(),
+               "Form of the map's activity from its similarities s: s^m or exp(m s).")
+          .add("softmax_exponent", &P::softmax_exponent, "", Range::above(0),
+               "The m of the activity; 10 in P11.")
+          .add("activity_norm", &P::activity_norm, "", Range::any(),
+               "Whether activities add up to 1 or the winner has 1. Not given in the paper.")
+          .add("seed", &P::seed, "", Range::between(0, 1e15),
+               "Seed of initial weights and draws: the same seed gives the same bits. A study has "
+               "first_seed in its place.");
   return declared;
 }
 

@@ -19,16 +19,6 @@ tl::unexpected<Error> refuse(std::string what, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
 }
 
-// Reading each value back through its own declaration checks what stands there about its range.
-Result<void> check_ranges(const TMpsomParameters& parameters) {
-  TMpsomParameters copy;
-  for (const auto& parameter : TMpsomParameters::declarations().all()) {
-    Result<void> assigned = parameter.assign(copy, parameter.read(parameters));
-    if (!assigned) return assigned;
-  }
-  return {};
-}
-
 Result<void> check_lists(const TMpsomParameters& parameters) {
   if (parameters.shape.empty()) {
     return refuse("'shape' is empty", "give the number of neurons along each axis, as [46, 23]");
@@ -100,57 +90,43 @@ Declarations<TMpsomParameters> declare() {
   const auto longest = static_cast<double>(kLongestAxis);
   const auto largest = static_cast<double>(kLargestInput);
   Declarations<P> all;
+  all.add("shape", &P::shape, "neurons", Range::between(1, longest),
+          "Neurons along each axis of the grid. Has to be given.");
+  all.add("input_sizes", &P::input_sizes, "elements", Range::between(1, largest),
+          "Elements of each input. Has to be given.");
+  all.add("input_axes", &P::input_axes, "", Range::at_least(0),
+          "Axis of the grid, counted from 0, that each input is spread along; several inputs may "
+          "share one. Empty: input 0 has axis 0, input 1 axis 1, and so on.");
+  all.add("combination", &P::combination, "", Range::any(),
+          "How the partial activations of the inputs make a neuron's activity.");
+  all.add("arbor_sigma", &P::arbor_sigma, "neurons", Range::above(0),
+          "Width of the receptive fields: \"rather small\" in P06; the value is not given in the "
+          "paper.");
+  all.add("neighbourhood_sigma", &P::neighbourhood_sigma, "neurons", Range::above(0),
+          "Width of the Gaussian G through which neurons contribute to each other's learning; not "
+          "given in the paper.");
+  all.add("learning_rate_schedule", &P::learning_rate_schedule, "", Range::any(),
+          "How the learning rate goes from start to end; not given in the paper.");
+  all.add("learning_rate_start", &P::learning_rate_start, "", Range::between(0, 1),
+          "Learning rate of the first iteration; not given in the paper.");
+  all.add("learning_rate_end", &P::learning_rate_end, "", Range::between(0, 1),
+          "Learning rate at the end; not given in the paper.");
+  all.add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
+          Range::at_least(1),
+          "When the learning rate has reached its end, where it stays; automatic: after all "
+          "iterations.");
+  all.add("input_norm", &P::input_norm, "", Range::any(),
+          "Norm that each input is divided by in every iteration; with l2 the strength of an input "
+          "is lost; which norm is not given in the paper.");
   all.add(
-      "shape", [](P& p) -> auto& { return p.shape; }, "neurons", Range::between(1, longest),
-      "Neurons along each axis of the grid. Has to be given.");
-  all.add(
-      "input_sizes", [](P& p) -> auto& { return p.input_sizes; }, "elements",
-      Range::between(1, largest), "Elements of each input. Has to be given.");
-  all.add(
-      "input_axes", [](P& p) -> auto& { return p.input_axes; }, "", Range::at_least(0),
-      "Axis of the grid, counted from 0, that each input is spread along; several inputs may "
-      "share one. Empty: input 0 has axis 0, input 1 axis 1, and so on.");
-  all.add(
-      "combination", [](P& p) -> auto& { return p.combination; }, "", Range::any(),
-      "How the partial activations of the inputs make a neuron's activity.");
-  all.add(
-      "arbor_sigma", [](P& p) -> auto& { return p.arbor_sigma; }, "neurons", Range::above(0),
-      "Width of the receptive fields: \"rather small\" in P06; the value is not given in the "
-      "paper.");
-  all.add(
-      "neighbourhood_sigma", [](P& p) -> auto& { return p.neighbourhood_sigma; }, "neurons",
-      Range::above(0),
-      "Width of the Gaussian G through which neurons contribute to each other's learning; not "
-      "given in the paper.");
-  all.add(
-      "learning_rate_schedule", [](P& p) -> auto& { return p.learning_rate_schedule; }, "",
-      Range::any(), "How the learning rate goes from start to end; not given in the paper.");
-  all.add(
-      "learning_rate_start", [](P& p) -> auto& { return p.learning_rate_start; }, "",
-      Range::between(0, 1), "Learning rate of the first iteration; not given in the paper.");
-  all.add(
-      "learning_rate_end", [](P& p) -> auto& { return p.learning_rate_end; }, "",
-      Range::between(0, 1), "Learning rate at the end; not given in the paper.");
-  all.add(
-      "learning_rate_reached_at", [](P& p) -> auto& { return p.learning_rate_reached_at; },
-      "iterations", Range::at_least(1),
-      "When the learning rate has reached its end, where it stays; automatic: after all "
-      "iterations.");
-  all.add(
-      "input_norm", [](P& p) -> auto& { return p.input_norm; }, "", Range::any(),
-      "Norm that each input is divided by in every iteration; with l2 the strength of an input "
-      "is lost; which norm is not given in the paper.");
-  all.add(
-      "weight_norm", [](P& p) -> auto& { return p.weight_norm; }, "", Range::any(),
+      "weight_norm", &P::weight_norm, "", Range::any(),
       "Norm that each weight vector is divided by in every iteration; which norm is not given in "
       "the paper.");
-  all.add(
-      "iterations", [](P& p) -> auto& { return p.iterations; }, "iterations", Range::at_least(1),
-      "Length of training, one frame an iteration; 5000 in P06.");
-  all.add(
-      "seed", [](P& p) -> auto& { return p.seed; }, "", Range::at_least(0),
-      "Seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
-      "drawing of explorations.");
+  all.add("iterations", &P::iterations, "iterations", Range::at_least(1),
+          "Length of training, one frame an iteration; 5000 in P06.");
+  all.add("seed", &P::seed, "", Range::at_least(0),
+          "Seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
+          "drawing of explorations.");
   return all;
 }
 
@@ -174,8 +150,8 @@ const Declarations<TMpsomParameters>& TMpsomParameters::declarations() {
 }
 
 Result<void> TMpsomParameters::validate() const {
-  for (const auto check :
-       {check_ranges, check_lists, check_axes_listed, check_axes_used, check_sizes, check_rates}) {
+  for (const auto check : {check_ranges<TMpsomParameters>, check_lists, check_axes_listed,
+                           check_axes_used, check_sizes, check_rates}) {
     Result<void> checked = check(*this);
     if (!checked) return checked;
   }

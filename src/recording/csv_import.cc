@@ -211,36 +211,25 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
   using P = CsvTrials;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "files", [](P& p) -> auto& { return p.files; }, "", Range::any(),
-              "What the names of the files look like, labels between braces: "
-              "{material}/{object}_{trial:number}.csv. Folders in it are labels too. Has to be "
-              "given.")
-          .add(
-              "header", [](P& p) -> auto& { return p.header; }, "", Range::any(),
-              "The first line holds the names of the columns; otherwise they are called 1, 2, 3 "
-              "and so on.")
-          .add(
-              "time", [](P& p) -> auto& { return p.time; }, "", Range::any(),
-              "Column with the time of each row; empty: none.")
-          .add(
-              "time_unit", [](P& p) -> auto& { return p.time_unit; }, "", Range::any(),
-              "Unit of that column.")
-          .add(
-              "rate", [](P& p) -> auto& { return p.rate; }, "Hz", Range::at_least(0),
-              "Rows a second where no column tells the time; 0: nobody knows.")
-          .add(
-              "missing", [](P& p) -> auto& { return p.missing; }, "", Range::any(),
-              "A field that is empty, NaN, NA or null is an error, or marked as not valid.")
-          .add(
-              "ignore", [](P& p) -> auto& { return p.ignore; }, "", Range::any(),
-              "Columns that are left out, also as ranges such as aux1..aux8.")
-          .add(
-              "other_columns", [](P& p) -> auto& { return p.other_columns; }, "", Range::any(),
-              "What is done with columns that are not mentioned anywhere.")
-          .add(
-              "other_files", [](P& p) -> auto& { return p.other_files; }, "", Range::any(),
-              "What is done with files of the same ending whose names do not fit.");
+          .add("files", &P::files, "", Range::any(),
+               "What the names of the files look like, labels between braces: "
+               "{material}/{object}_{trial:number}.csv. Folders in it are labels too. Has to be "
+               "given.")
+          .add("header", &P::header, "", Range::any(),
+               "The first line holds the names of the columns; otherwise they are called 1, 2, 3 "
+               "and so on.")
+          .add("time", &P::time, "", Range::any(), "Column with the time of each row; empty: none.")
+          .add("time_unit", &P::time_unit, "", Range::any(), "Unit of that column.")
+          .add("rate", &P::rate, "Hz", Range::at_least(0),
+               "Rows a second where no column tells the time; 0: nobody knows.")
+          .add("missing", &P::missing, "", Range::any(),
+               "A field that is empty, NaN, NA or null is an error, or marked as not valid.")
+          .add("ignore", &P::ignore, "", Range::any(),
+               "Columns that are left out, also as ranges such as aux1..aux8.")
+          .add("other_columns", &P::other_columns, "", Range::any(),
+               "What is done with columns that are not mentioned anywhere.")
+          .add("other_files", &P::other_files, "", Range::any(),
+               "What is done with files of the same ending whose names do not fit.");
   return declared;
 }
 
@@ -248,27 +237,19 @@ const Declarations<CsvChannel>& CsvChannel::declarations() {
   using P = CsvChannel;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "name", [](P& p) -> auto& { return p.name; }, "", Range::any(),
-              "Name of the channel, such as touch. Has to be given.")
-          .add(
-              "unit", [](P& p) -> auto& { return p.unit; }, "", Range::any(),
-              "Unit of its values, after the factor; empty where there is none.")
-          .add(
-              "columns", [](P& p) -> auto& { return p.columns; }, "", Range::any(),
-              "Its columns, by name or as ranges such as taxel1..taxel16.")
-          .add(
-              "shape", [](P& p) -> auto& { return p.shape; }, "", Range::between(1, 1e9),
-              "How the columns lie, row by row, such as [4, 4]; empty: one after the other.")
-          .add(
-              "from_label", [](P& p) -> auto& { return p.from_label; }, "", Range::any(),
-              "Instead of columns: the label whose number is the channel's only value.")
-          .add(
-              "factor", [](P& p) -> auto& { return p.factor; }, "", Range::any(),
-              "Every value is multiplied by it.")
-          .add(
-              "absolute", [](P& p) -> auto& { return p.absolute; }, "", Range::any(),
-              "Drop the signs, as of a speed that tells its direction by a sign.");
+          .add("name", &P::name, "", Range::any(),
+               "Name of the channel, such as touch. Has to be given.")
+          .add("unit", &P::unit, "", Range::any(),
+               "Unit of its values, after the factor; empty where there is none.")
+          .add("columns", &P::columns, "", Range::any(),
+               "Its columns, by name or as ranges such as taxel1..taxel16.")
+          .add("shape", &P::shape, "", Range::between(1, 1e9),
+               "How the columns lie, row by row, such as [4, 4]; empty: one after the other.")
+          .add("from_label", &P::from_label, "", Range::any(),
+               "Instead of columns: the label whose number is the channel's only value.")
+          .add("factor", &P::factor, "", Range::any(), "Every value is multiplied by it.")
+          .add("absolute", &P::absolute, "", Range::any(),
+               "Drop the signs, as of a speed that tells its direction by a sign.");
   return declared;
 }
 

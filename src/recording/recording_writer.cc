@@ -33,15 +33,11 @@ const Declarations<RecordingFileParameters>& RecordingFileParameters::declaratio
   using P = RecordingFileParameters;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "compression", [](P& p) -> auto& { return p.compression; }, "", Range::any(),
-              "How chunks are packed.")
-          .add(
-              "chunk_size", [](P& p) -> auto& { return p.chunk_size; }, "bytes",
-              Range::between(1, kLargestChunkSize), "Size at which a chunk is full.")
-          .add(
-              "flush_after", [](P& p) -> auto& { return p.flush_after; }, "s",
-              Range::between(kShortestWait, kLongestWait), "Age at which a chunk is written out.");
+          .add("compression", &P::compression, "", Range::any(), "How chunks are packed.")
+          .add("chunk_size", &P::chunk_size, "bytes", Range::between(1, kLargestChunkSize),
+               "Size at which a chunk is full.")
+          .add("flush_after", &P::flush_after, "s", Range::between(kShortestWait, kLongestWait),
+               "Age at which a chunk is written out.");
   return declared;
 }
 

@@ -18,17 +18,9 @@ bool is_of_system(const Settings& part) {
   return part.part.starts_with(kModule) || part.part.starts_with(kPhase);
 }
 
-template <typename Parameters>
-std::vector<ParameterInfo> declared() {
-  std::vector<ParameterInfo> infos;
-  infos.reserve(Parameters::declarations().all().size());
-  for (const auto& parameter : Parameters::declarations().all()) infos.push_back(parameter.info);
-  return infos;
-}
-
 std::vector<ParameterInfo> parameters_of(const Settings& part) {
-  if (part.part == "study") return declared<StudyParameters>();
-  if (part.part == "recording") return declared<RecordingParameters>();
+  if (part.part == "study") return StudyParameters::declarations().infos();
+  if (part.part == "recording") return RecordingParameters::declarations().infos();
   const ModuleType* type = type_of(part);
   return type ? type->parameters : std::vector<ParameterInfo>{};
 }
@@ -56,7 +48,7 @@ void leave_out_without_effect(ModuleDescription& module) {
   if (!name || *name != Value{"som"}) return;
   SomParameters parameters;
   for (const Table::Entry& entry : module.settings.entries) {
-    const auto* declared = SomParameters::declarations().find(entry.name);
+    const auto declared = SomParameters::declarations().find(entry.name);
     const auto* value = std::get_if<Value>(&entry.content);
     if (declared && value) static_cast<void>(declared->assign(parameters, *value));
   }

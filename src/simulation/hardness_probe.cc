@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bodies/valid_ranges.h"
 #include "simulation/probe_body.h"
 #include "somato/core/elementary.h"
 #include "somato/core/random.h"
@@ -93,30 +92,24 @@ class HardnessProbe : public detail::ProbeBody {
 };
 
 void declare_stick(Declarations<P>& d) {
+  d.add("stroke", &P::stroke, "mm", Range::between(0.1, 1000),
+        "How far the stick goes; not given in the paper.");
+  d.add("stick_speed", &P::stick_speed, "mm/s", Range::between(0.001, 1e4),
+        "How fast it goes without load; not given in the paper.");
+  d.add("clearance", &P::clearance, "mm", Range::at_least(0),
+        "How far the material is from the stick at 0; not given in the paper.");
+  d.add("force", &P::force, "N", Range::above(0),
+        "Force with which it presses; P11 says constant, the value is not given in the paper.");
   d.add(
-      "stroke", [](P& p) -> auto& { return p.stroke; }, "mm", Range::between(0.1, 1000),
-      "How far the stick goes; not given in the paper.");
-  d.add(
-      "stick_speed", [](P& p) -> auto& { return p.stick_speed; }, "mm/s",
-      Range::between(0.001, 1e4), "How fast it goes without load; not given in the paper.");
-  d.add(
-      "clearance", [](P& p) -> auto& { return p.clearance; }, "mm", Range::at_least(0),
-      "How far the material is from the stick at 0; not given in the paper.");
-  d.add(
-      "force", [](P& p) -> auto& { return p.force; }, "N", Range::above(0),
-      "Force with which it presses; P11 says constant, the value is not given in the paper.");
-  d.add(
-      "force_noise", [](P& p) -> auto& { return p.force_noise; }, "", Range::between(0, 0.05),
+      "force_noise", &P::force_noise, "", Range::between(0, 0.05),
       "Standard deviation of the force between explorations, as a share; not given in the paper.");
 }
 
 void declare_potentiometer(Declarations<P>& d) {
-  d.add(
-      "potentiometer_bits", [](P& p) -> auto& { return p.potentiometer_bits; }, "bits",
-      Range::between(1, 24), "Bits of a reading over the stroke; 18 in P11.");
-  d.add(
-      "potentiometer_noise", [](P& p) -> auto& { return p.potentiometer_noise; }, "mm",
-      Range::at_least(0), "Standard deviation of a reading; not given in the paper.");
+  d.add("potentiometer_bits", &P::potentiometer_bits, "bits", Range::between(1, 24),
+        "Bits of a reading over the stroke; 18 in P11.");
+  d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::at_least(0),
+        "Standard deviation of a reading; not given in the paper.");
 }
 
 }  // namespace
@@ -132,7 +125,7 @@ const Declarations<P>& P::declarations() {
 }
 
 Result<void> P::validate() const {
-  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
+  if (auto ranges = check_ranges(*this); !ranges) return ranges;
   if (clearance < stroke) return {};
   return fail(ErrorKind::kUsage,
               "the stick never reaches the material: 'clearance' is 'stroke' or more", {},

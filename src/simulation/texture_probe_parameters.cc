@@ -5,85 +5,63 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/valid_ranges.h"
-
 namespace somato {
 namespace {
 
 using P = TextureProbeParameters;
 
 void declare_lever(Declarations<P>& d) {
-  d.add(
-      "stroke", [](P& p) -> auto& { return p.stroke; }, "deg", Range::between(0.1, 180),
-      "How far the lever turns; 36 in P11.");
-  d.add(
-      "lever_speed", [](P& p) -> auto& { return p.lever_speed; }, "deg/s",
-      Range::between(0.01, 3600), "How fast it turns; 36 in P11.");
-  d.add(
-      "lever_radius", [](P& p) -> auto& { return p.lever_radius; }, "mm", Range::between(1, 1000),
-      "From the servo's axis to the edge; not given in the paper.");
-  d.add(
-      "placement_noise", [](P& p) -> auto& { return p.placement_noise; }, "mm",
-      Range::between(0, 100),
-      "Standard deviation of where the stroke starts, along it and across; not given in the "
-      "paper.");
+  d.add("stroke", &P::stroke, "deg", Range::between(0.1, 180),
+        "How far the lever turns; 36 in P11.");
+  d.add("lever_speed", &P::lever_speed, "deg/s", Range::between(0.01, 3600),
+        "How fast it turns; 36 in P11.");
+  d.add("lever_radius", &P::lever_radius, "mm", Range::between(1, 1000),
+        "From the servo's axis to the edge; not given in the paper.");
+  d.add("placement_noise", &P::placement_noise, "mm", Range::between(0, 100),
+        "Standard deviation of where the stroke starts, along it and across; not given in the "
+        "paper.");
 }
 
 void declare_edge(Declarations<P>& d) {
+  d.add("edge_width", &P::edge_width, "mm", Range::between(0.001, 10),
+        "Least spacing of heights that the edge follows; not given in the paper.");
+  d.add("edge_stiffness", &P::edge_stiffness, "N/mm", Range::above(0),
+        "Force for a mm of the edge: a softer material gives way instead; not given in the paper.");
+  d.add("edge_resonance", &P::edge_resonance, "Hz", Range::between(1, 1e6),
+        "Resonance of the free edge; not given in the paper.");
   d.add(
-      "edge_width", [](P& p) -> auto& { return p.edge_width; }, "mm", Range::between(0.001, 10),
-      "Least spacing of heights that the edge follows; not given in the paper.");
-  d.add(
-      "edge_stiffness", [](P& p) -> auto& { return p.edge_stiffness; }, "N/mm", Range::above(0),
-      "Force for a mm of the edge: a softer material gives way instead; not given in the paper.");
-  d.add(
-      "edge_resonance", [](P& p) -> auto& { return p.edge_resonance; }, "Hz",
-      Range::between(1, 1e6), "Resonance of the free edge; not given in the paper.");
-  d.add(
-      "resonance_rise", [](P& p) -> auto& { return p.resonance_rise; }, "", Range::between(0, 100),
+      "resonance_rise", &P::resonance_rise, "", Range::between(0, 100),
       "How much a rigid material raises the square of the resonance, as a share; not given in the "
       "paper.");
-  d.add(
-      "edge_damping", [](P& p) -> auto& { return p.edge_damping; }, "", Range::between(1e-4, 10),
-      "Damping ratio of the free edge; not given in the paper.");
+  d.add("edge_damping", &P::edge_damping, "", Range::between(1e-4, 10),
+        "Damping ratio of the free edge; not given in the paper.");
 }
 
 void declare_microphone(Declarations<P>& d) {
-  d.add(
-      "sensitivity", [](P& p) -> auto& { return p.sensitivity; }, "mV/(mm/s)", Range::at_least(0),
-      "What the microphone makes of the edge; not given in the paper.");
-  d.add(
-      "microphone_low", [](P& p) -> auto& { return p.microphone_low; }, "Hz", Range::above(0),
-      "Frequency below which the microphone is deaf; not given in the paper.");
-  d.add(
-      "microphone_noise", [](P& p) -> auto& { return p.microphone_noise; }, "mV",
-      Range::at_least(0), "Standard deviation of its white noise; not given in the paper.");
-  d.add(
-      "servo_tone", [](P& p) -> auto& { return p.servo_tone; }, "Hz", Range::above(0),
-      "Mean fundamental of the moving servo's whine; not given in the paper.");
-  d.add(
-      "servo_tone_spread", [](P& p) -> auto& { return p.servo_tone_spread; }, "",
-      Range::between(0, 0.05),
-      "Standard deviation of the fundamental between explorations, as a share; not given in the "
-      "paper.");
-  d.add(
-      "servo_noise", [](P& p) -> auto& { return p.servo_noise; }, "mV", Range::at_least(0),
-      "Root mean square of the whine, with its harmonics; not given in the paper.");
+  d.add("sensitivity", &P::sensitivity, "mV/(mm/s)", Range::at_least(0),
+        "What the microphone makes of the edge; not given in the paper.");
+  d.add("microphone_low", &P::microphone_low, "Hz", Range::above(0),
+        "Frequency below which the microphone is deaf; not given in the paper.");
+  d.add("microphone_noise", &P::microphone_noise, "mV", Range::at_least(0),
+        "Standard deviation of its white noise; not given in the paper.");
+  d.add("servo_tone", &P::servo_tone, "Hz", Range::above(0),
+        "Mean fundamental of the moving servo's whine; not given in the paper.");
+  d.add("servo_tone_spread", &P::servo_tone_spread, "", Range::between(0, 0.05),
+        "Standard deviation of the fundamental between explorations, as a share; not given in the "
+        "paper.");
+  d.add("servo_noise", &P::servo_noise, "mV", Range::at_least(0),
+        "Root mean square of the whine, with its harmonics; not given in the paper.");
 }
 
 void declare_converter(Declarations<P>& d) {
-  d.add(
-      "sample_rate", [](P& p) -> auto& { return p.sample_rate; }, "Hz", Range::between(1, 1e6),
-      "Frames a second; not given in the paper.");
-  d.add(
-      "oversampling", [](P& p) -> auto& { return p.oversampling; }, "", Range::between(2, 1024),
-      "Steps of the simulation for a frame; not given in the paper.");
-  d.add(
-      "adc_bits", [](P& p) -> auto& { return p.adc_bits; }, "bits", Range::between(1, 24),
-      "Resolution of the converter; 12 has the NI USB-6008 of P11.");
-  d.add(
-      "adc_range", [](P& p) -> auto& { return p.adc_range; }, "mV", Range::above(0),
-      "Voltage, either way, at which the converter saturates; not given in the paper.");
+  d.add("sample_rate", &P::sample_rate, "Hz", Range::between(1, 1e6),
+        "Frames a second; not given in the paper.");
+  d.add("oversampling", &P::oversampling, "", Range::between(2, 1024),
+        "Steps of the simulation for a frame; not given in the paper.");
+  d.add("adc_bits", &P::adc_bits, "bits", Range::between(1, 24),
+        "Resolution of the converter; 12 has the NI USB-6008 of P11.");
+  d.add("adc_range", &P::adc_range, "mV", Range::above(0),
+        "Voltage, either way, at which the converter saturates; not given in the paper.");
 }
 
 Result<void> check_frequency(const char* key, double highest, const P& parameters) {
@@ -110,7 +88,7 @@ const Declarations<P>& P::declarations() {
 }
 
 Result<void> P::validate() const {
-  if (auto ranges = detail::check_ranges(*this); !ranges) return ranges;
+  if (auto ranges = check_ranges(*this); !ranges) return ranges;
   const double raised = edge_resonance * std::sqrt(1.0 + resonance_rise);
   if (auto fits = check_frequency("edge_resonance", raised, *this); !fits) return fits;
   const double speed = lever_radius * lever_speed * std::numbers::pi / 180.0;

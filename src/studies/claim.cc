@@ -35,42 +35,26 @@ const Declarations<Claim>& Claim::declarations() {
   using P = Claim;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "text", [](P& p) -> auto& { return p.text; }, "", Range::any(),
-              "What is claimed, in one sentence.")
-          .add(
-              "paper", [](P& p) -> auto& { return p.paper; }, "", Range::any(),
-              "Paper and section; empty where no paper says it.")
-          .add(
-              "system", [](P& p) -> auto& { return p.system; }, "", Range::any(),
-              "Which system; empty: the one that the file is about.")
-          .add(
-              "variation", [](P& p) -> auto& { return p.variation; }, "", Range::any(),
-              "Which variation of it; empty: the system as it stands.")
-          .add(
-              "metric", [](P& p) -> auto& { return p.metric; }, "", Range::any(),
-              "Name of the metric in results.json.")
-          .add(
-              "protocol", [](P& p) -> auto& { return p.protocol; }, "", Range::any(),
-              "Under which protocol.")
-          .add(
-              "group", [](P& p) -> auto& { return p.group; }, "", Range::any(),
-              "Label of the groups of leave_group_out.")
-          .add(
-              "than_system", [](P& p) -> auto& { return p.than_system; }, "", Range::any(),
-              "Compared with which system, pair by pair; empty: the same one.")
-          .add(
-              "than_variation", [](P& p) -> auto& { return p.than_variation; }, "", Range::any(),
-              "Compared with which variation; empty with than_system: that system as it stands.")
-          .add(
-              "published", [](P& p) -> auto& { return p.published; }, "", Range::any(),
-              "The metric as the paper's one map shows it.")
-          .add(
-              "at_least", [](P& p) -> auto& { return p.at_least; }, "", Range::any(),
-              "Holds where the metric, or the difference, is not less.")
-          .add(
-              "at_most", [](P& p) -> auto& { return p.at_most; }, "", Range::any(),
-              "Holds where the metric, or the difference, is not more.");
+          .add("text", &P::text, "", Range::any(), "What is claimed, in one sentence.")
+          .add("paper", &P::paper, "", Range::any(),
+               "Paper and section; empty where no paper says it.")
+          .add("system", &P::system, "", Range::any(),
+               "Which system; empty: the one that the file is about.")
+          .add("variation", &P::variation, "", Range::any(),
+               "Which variation of it; empty: the system as it stands.")
+          .add("metric", &P::metric, "", Range::any(), "Name of the metric in results.json.")
+          .add("protocol", &P::protocol, "", Range::any(), "Under which protocol.")
+          .add("group", &P::group, "", Range::any(), "Label of the groups of leave_group_out.")
+          .add("than_system", &P::than_system, "", Range::any(),
+               "Compared with which system, pair by pair; empty: the same one.")
+          .add("than_variation", &P::than_variation, "", Range::any(),
+               "Compared with which variation; empty with than_system: that system as it stands.")
+          .add("published", &P::published, "", Range::any(),
+               "The metric as the paper's one map shows it.")
+          .add("at_least", &P::at_least, "", Range::any(),
+               "Holds where the metric, or the difference, is not less.")
+          .add("at_most", &P::at_most, "", Range::any(),
+               "Holds where the metric, or the difference, is not more.");
   return declared;
 }
 

@@ -176,31 +176,22 @@ const Declarations<InformationParameters>& InformationParameters::declarations()
   using P = InformationParameters;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "labels", [](P& p) -> auto& { return p.labels; }, "", Range::any(),
-              "Labels that the vectors are asked for.")
-          .add(
-              "individual", [](P& p) -> auto& { return p.individual; }, "", Range::any(),
-              "Label of the things themselves, such as the object when a label is its shape: a "
-              "label is asked for among other individuals too, and an order is that of their mean "
-              "vectors; empty: each exploration on its own.")
-          .add(
-              "order", [](P& p) -> auto& { return p.order; }, "", Range::any(),
-              "Label of numbers, such as girth, whose order is looked for; empty: none.")
-          .add(
-              "within", [](P& p) -> auto& { return p.within; }, "", Range::any(),
-              "Label of groups, such as shape, in each of which the order is looked for; empty: "
-              "among all.")
-          .add(
-              "map", [](P& p) -> auto& { return p.map; }, "", Range::any(),
-              "Name of the module of type som whose vectors are measured; empty: the one that no "
-              "other map comes before.")
-          .add(
-              "shuffles", [](P& p) -> auto& { return p.shuffles; }, "", Range::between(0, 1e6),
-              "Shufflings of the numbers that the order is compared with.")
-          .add(
-              "seed", [](P& p) -> auto& { return p.seed; }, "", Range::between(0, 1e15),
-              "Seed of the shufflings.");
+          .add("labels", &P::labels, "", Range::any(), "Labels that the vectors are asked for.")
+          .add("individual", &P::individual, "", Range::any(),
+               "Label of the things themselves, such as the object when a label is its shape: a "
+               "label is asked for among other individuals too, and an order is that of their mean "
+               "vectors; empty: each exploration on its own.")
+          .add("order", &P::order, "", Range::any(),
+               "Label of numbers, such as girth, whose order is looked for; empty: none.")
+          .add("within", &P::within, "", Range::any(),
+               "Label of groups, such as shape, in each of which the order is looked for; empty: "
+               "among all.")
+          .add("map", &P::map, "", Range::any(),
+               "Name of the module of type som whose vectors are measured; empty: the one that no "
+               "other map comes before.")
+          .add("shuffles", &P::shuffles, "", Range::between(0, 1e6),
+               "Shufflings of the numbers that the order is compared with.")
+          .add("seed", &P::seed, "", Range::between(0, 1e15), "Seed of the shufflings.");
   return declared;
 }
 

@@ -188,18 +188,12 @@ const Declarations<QuestionParameters>& QuestionParameters::declarations() {
   using P = QuestionParameters;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "name", [](P& p) -> auto& { return p.name; }, "", Range::any(),
-              "Name of the question; stands in the results. Has to be given.")
-          .add(
-              "text", [](P& p) -> auto& { return p.text; }, "", Range::any(),
-              "What is asked, in one sentence.")
-          .add(
-              "systems", [](P& p) -> auto& { return p.systems; }, "", Range::any(),
-              "Names of the systems it is asked of.")
-          .add(
-              "pairs", [](P& p) -> auto& { return p.pairs; }, "", Range::between(1, 1e6),
-              "Pairs of recording and seed for each variation; fewer where fewer are asked for.");
+          .add("name", &P::name, "", Range::any(),
+               "Name of the question; stands in the results. Has to be given.")
+          .add("text", &P::text, "", Range::any(), "What is asked, in one sentence.")
+          .add("systems", &P::systems, "", Range::any(), "Names of the systems it is asked of.")
+          .add("pairs", &P::pairs, "", Range::between(1, 1e6),
+               "Pairs of recording and seed for each variation; fewer where fewer are asked for.");
   return declared;
 }
 

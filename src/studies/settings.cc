@@ -20,7 +20,7 @@ Settings settings_of(std::string part, const Parameters& parameters) {
 
 // What was decided where the description leaves it automatic.
 std::string decided(const ParameterInfo& parameter, const Som* som) {
-  const auto* known = som ? SomParameters::declarations().find(parameter.name) : nullptr;
+  const auto known = som ? SomParameters::declarations().find(parameter.name) : std::nullopt;
   return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
 }
 

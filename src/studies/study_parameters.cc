@@ -105,68 +105,52 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
   using P = StudyParameters;
   static const auto declared =
       Declarations<P>()
+          .add("name", &P::name, "", Range::any(),
+               "Name of the study; stands in the results. Has to be given.")
+          .add("label", &P::label, "", Range::any(),
+               "Which label of the explorations the map is asked to tell apart.")
+          .add("only", &P::only, "", Range::any(),
+               "Values of the label that are asked about; explorations with others are left out. "
+               "Empty: all.")
+          .add("labels", &P::labels, "", Range::any(),
+               "Further labels asked of the same maps, such as the shape.")
+          .add("individual", &P::individual, "", Range::any(),
+               "Label of what is dealt to classes anew in wrong groupings, such as the object when "
+               "the label is its shape; each exploration on its own where it is empty, or where "
+               "every class is a single individual.")
+          .add("order", &P::order, "", Range::any(),
+               "Label with a number of each individual, such as its girth: whether it is in order "
+               "around the map (P11 section III).")
+          .add("within", &P::within, "", Range::any(),
+               "Label of the groups within which the order is asked, too, such as the shape.")
           .add(
-              "name", [](P& p) -> auto& { return p.name; }, "", Range::any(),
-              "Name of the study; stands in the results. Has to be given.")
-          .add(
-              "label", [](P& p) -> auto& { return p.label; }, "", Range::any(),
-              "Which label of the explorations the map is asked to tell apart.")
-          .add(
-              "only", [](P& p) -> auto& { return p.only; }, "", Range::any(),
-              "Values of the label that are asked about; explorations with others are left out. "
-              "Empty: all.")
-          .add(
-              "labels", [](P& p) -> auto& { return p.labels; }, "", Range::any(),
-              "Further labels asked of the same maps, such as the shape.")
-          .add(
-              "individual", [](P& p) -> auto& { return p.individual; }, "", Range::any(),
-              "Label of what is dealt to classes anew in wrong groupings, such as the object when "
-              "the label is its shape; each exploration on its own where it is empty, or where "
-              "every class is a single individual.")
-          .add(
-              "order", [](P& p) -> auto& { return p.order; }, "", Range::any(),
-              "Label with a number of each individual, such as its girth: whether it is in order "
-              "around the map (P11 section III).")
-          .add(
-              "within", [](P& p) -> auto& { return p.within; }, "", Range::any(),
-              "Label of the groups within which the order is asked, too, such as the shape.")
-          .add(
-              "mapped_with", [](P& p) -> auto& { return p.mapped_with; }, "", Range::any(),
+              "mapped_with", &P::mapped_with, "", Range::any(),
               "Pairs of classes, each two names with a space between them: how many samples of the "
               "first are mapped with the second.")
-          .add(
-              "map", [](P& p) -> auto& { return p.map; }, "", Range::any(),
-              "Name of the module of type som whose winners answer; empty: the one that no other "
-              "module listens to.")
-          .add(
-              "protocols", [](P& p) -> auto& { return p.protocols; }, "", Range::any(),
-              "Which explorations are learned from and which are tested: all for both, as in the "
-              "papers; or each in turn, each group, or each of some equal parts on what never met "
-              "it. test_data comes with --test-data.")
-          .add(
-              "groups", [](P& p) -> auto& { return p.groups; }, "", Range::any(),
-              "Labels whose values are the groups of leave_group_out, which is run once for each "
-              "label.")
-          .add(
-              "folds", [](P& p) -> auto& { return p.folds; }, "", Range::between(2, 1e6),
-              "Number of parts of k_folds.")
-          .add(
-              "seeds", [](P& p) -> auto& { return p.seeds; }, "", Range::between(1, 1e6),
-              "Number of seeds, each a map of its own. The papers show one map.")
-          .add(
-              "first_seed", [](P& p) -> auto& { return p.first_seed; }, "", Range::between(0, 1e15),
-              "The first seed; the others follow it.")
-          .add(
-              "wrong_groupings", [](P& p) -> auto& { return p.wrong_groupings; }, "",
-              Range::between(0, 1e4),
-              "Wrong groupings a seed that the measure of areas is compared with.");
+          .add("map", &P::map, "", Range::any(),
+               "Name of the module of type som whose winners answer; empty: the one that no other "
+               "module listens to.")
+          .add("protocols", &P::protocols, "", Range::any(),
+               "Which explorations are learned from and which are tested: all for both, as in the "
+               "papers; or each in turn, each group, or each of some equal parts on what never met "
+               "it. test_data comes with --test-data.")
+          .add("groups", &P::groups, "", Range::any(),
+               "Labels whose values are the groups of leave_group_out, which is run once for each "
+               "label.")
+          .add("folds", &P::folds, "", Range::between(2, 1e6), "Number of parts of k_folds.")
+          .add("seeds", &P::seeds, "", Range::between(1, 1e6),
+               "Number of seeds, each a map of its own. The papers show one map.")
+          .add("first_seed", &P::first_seed, "", Range::between(0, 1e15),
+               "The first seed; the others follow it.")
+          .add("wrong_groupings", &P::wrong_groupings, "", Range::between(0, 1e4),
+               "Wrong groupings a seed that the measure of areas is compared with.");
   return declared;
 }
 
 const Declarations<RecordingParameters>& RecordingParameters::declarations() {
   using P = RecordingParameters;
   static const auto declared = Declarations<P>().add(
-      "format", [](P& p) -> auto& { return p.format; }, "", Range::any(),
+      "format", &P::format, "", Range::any(),
       "Format of the data that the study is given; automatic: by the files' names.");
   return declared;
 }

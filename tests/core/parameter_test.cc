@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "somato/core/check.h"
+
 namespace somato {
 
 enum class Shape { kPlane, kTorus };
@@ -33,29 +35,17 @@ struct Settings {
 const Declarations<Settings>& Settings::declarations() {
   static const auto kAll =
       Declarations<Settings>()
-          .add(
-              "rows", [](Settings& s) -> auto& { return s.rows; }, "neurons",
-              Range::between(1, 1000), "Rows of the grid.")
-          .add(
-              "learning_rate", [](Settings& s) -> auto& { return s.learning_rate; }, "",
-              Range::above(0), "Share of the way to the sample.")
-          .add(
-              "normalized", [](Settings& s) -> auto& { return s.normalized; }, "", Range::any(),
-              "Whether weights keep the length 1.")
-          .add(
-              "title", [](Settings& s) -> auto& { return s.title; }, "", Range::any(), "A name.")
-          .add(
-              "topology", [](Settings& s) -> auto& { return s.topology; }, "", Range::any(),
-              "How the borders meet.")
-          .add(
-              "radius", [](Settings& s) -> auto& { return s.radius; }, "neurons",
-              Range::at_least(0), "Of the neighbourhood; automatic: half the grid.")
-          .add(
-              "weights", [](Settings& s) -> auto& { return s.weights; }, "", Range::at_least(0),
-              "One an input.")
-          .add(
-              "channel", [](Settings& s) -> auto& { return s.channel; }, "", Range::any(),
-              "Of the sensor.");
+          .add("rows", &Settings::rows, "neurons", Range::between(1, 1000), "Rows of the grid.")
+          .add("learning_rate", &Settings::learning_rate, "", Range::above(0),
+               "Share of the way to the sample.")
+          .add("normalized", &Settings::normalized, "", Range::any(),
+               "Whether weights keep the length 1.")
+          .add("title", &Settings::title, "", Range::any(), "A name.")
+          .add("topology", &Settings::topology, "", Range::any(), "How the borders meet.")
+          .add("radius", &Settings::radius, "neurons", Range::at_least(0),
+               "Of the neighbourhood; automatic: half the grid.")
+          .add("weights", &Settings::weights, "", Range::at_least(0), "One an input.")
+          .add("channel", &Settings::channel, "", Range::any(), "Of the sensor.");
   return kAll;
 }
 
@@ -185,6 +175,31 @@ TEST(Parameters, MayBeLists) {
             "a.toml:2: 'weights' must be a number, at least 0, not -1.0");
 }
 
+TEST(Parameters, StayAsTheyAreWhenRefused) {
+  Settings settings;
+  const auto refuses = [&](const std::string& name, const Value& value) {
+    return !Settings::declarations().find(name)->assign(settings, value);
+  };
+  settings.radius = 2.0;
+  EXPECT_TRUE(refuses("rows", whole(0)));
+  EXPECT_TRUE(refuses("topology", text("ball")));
+  EXPECT_TRUE(refuses("radius", {-1.0}));
+  EXPECT_TRUE(refuses("weights", {Value::List{{0.5}, {-1.0}}}));
+  EXPECT_EQ(settings.rows, 15U);
+  EXPECT_EQ(settings.topology, Shape::kPlane);
+  EXPECT_EQ(settings.radius, 2.0);
+  EXPECT_EQ(settings.weights, (std::vector<double>{1.0, 2.0}));
+}
+
+TEST(Parameters, FilledInCodeAreCheckedToo) {
+  Settings settings;
+  EXPECT_TRUE(check_ranges(settings));
+  settings.learning_rate = 0.0;
+  const Result<void> checked = check_ranges(settings);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(to_string(checked.error()), "'learning_rate' must be a number, above 0, not 0.0");
+}
+
 TEST(Parameters, SayWhatTheyAre) {
   const ParameterInfo& rows = Settings::declarations().find("rows")->info;
   EXPECT_EQ(rows.type, "integer");
@@ -195,7 +210,7 @@ TEST(Parameters, SayWhatTheyAre) {
   EXPECT_EQ(topology.choices, (std::vector<std::string>{"plane", "torus"}));
   EXPECT_EQ(Settings::declarations().find("weights")->info.type, "list of number");
   EXPECT_EQ(Settings::declarations().find("radius")->info.default_text, "\"automatic\"");
-  EXPECT_EQ(Settings::declarations().find("columns"), nullptr);
+  EXPECT_FALSE(Settings::declarations().find("columns"));
 }
 
 TEST(Parameters, AreWrittenAsToml) {
@@ -209,9 +224,7 @@ TEST(Parameters, AreWrittenAsToml) {
 
 // Reads a flag's argument for the parameter `name`.
 Result<Settings> from_flag(const std::string& name, const std::string& argument) {
-  const Result<Value> value = value_from_text(Settings::declarations().find(name)->info, argument);
-  if (!value) return fail(value.error());
-  return read_one(name, *value);
+  return read_one(name, value_from_text(Settings::declarations().find(name)->info, argument));
 }
 
 struct Walls {
@@ -219,11 +232,9 @@ struct Walls {
   std::optional<Shape> floor;
 
   static const Declarations<Walls>& declarations() {
-    static const auto kAll =
-        Declarations<Walls>()
-            .add(
-                "shapes", [](Walls& w) -> auto& { return w.shapes; }, "", Range::any(), "Of all.")
-            .add("floor", [](Walls& w) -> auto& { return w.floor; }, "", Range::any(), "Below.");
+    static const auto kAll = Declarations<Walls>()
+                                 .add("shapes", &Walls::shapes, "", Range::any(), "Of all.")
+                                 .add("floor", &Walls::floor, "", Range::any(), "Below.");
     return kAll;
   }
 };
@@ -239,6 +250,72 @@ TEST(Parameters, ChooseInListsAndOptionally) {
   const Walls walls = read_parameters<Walls>(table).value();
   EXPECT_EQ(walls.shapes, (std::vector<Shape>{Shape::kTorus, Shape::kPlane}));
   EXPECT_EQ(walls.floor, Shape::kTorus);
+}
+
+struct Drive {
+  double speed = 1.0;
+  Settings settings;
+
+  Drive() { settings.rows = 30; }
+  static const Declarations<Drive>& declarations() {
+    static const auto kAll =
+        Declarations<Drive>()
+            .add("speed", &Drive::speed, "mm/s", Range::above(0), "Of the hand.")
+            .add(
+                "title", [](Drive& d) -> auto& { return d.settings.title; }, "", Range::any(),
+                "Of the map.")
+            .add_from(&Drive::settings, Settings::declarations(), {"topology", "rows"});
+    return kAll;
+  }
+};
+
+TEST(Declarations, ReachFieldsOfNestedStructs) {
+  const Table table{"", {{"title", "", text("drive")}, {"rows", "", whole(40)}}};
+  const Drive drive = read_parameters<Drive>(table).value();
+  EXPECT_EQ(drive.settings.title, "drive");
+  EXPECT_EQ(drive.settings.rows, 40U);
+  EXPECT_EQ(drive.speed, 1.0);
+  EXPECT_EQ(parameters_to_toml(drive),
+            "speed = 1.0\ntitle = \"drive\"\ntopology = \"plane\"\nrows = 40\n");
+}
+
+TEST(Declarations, TakeOverWhatANestedStructSays) {
+  const ParameterInfo rows = Drive::declarations().find("rows")->info;
+  EXPECT_EQ(rows.type, "integer");
+  EXPECT_EQ(rows.unit, "neurons");
+  EXPECT_EQ(rows.text, "Rows of the grid.");
+  EXPECT_EQ(to_string(rows.range), "1 to 1000");
+  EXPECT_EQ(rows.default_text, "30");
+  EXPECT_EQ(Drive::declarations().find("topology")->info.choices,
+            (std::vector<std::string>{"plane", "torus"}));
+  Drive drive;
+  const Result<void> assigned = Drive::declarations().find("rows")->assign(drive, whole(0));
+  ASSERT_FALSE(assigned);
+  EXPECT_EQ(to_string(assigned.error()), "'rows' must be a whole number, 1 to 1000, not 0");
+}
+
+TEST(Declarations, TakeOverOnlyWhatIsDeclared) {
+  Declarations<Drive> drive;
+  try {
+    drive.add_from(&Drive::settings, Settings::declarations(), {"rows", "radios"});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STREQ(error.what(), "unknown parameter 'radios'; did you mean 'radius'?");
+  }
+}
+
+TEST(Declarations, ReachNothingOutsideTheirStruct) {
+  const auto first_weight = [](Settings& s) -> auto& { return s.weights.front(); };
+  EXPECT_THROW(Declarations<Settings>().add("weight", first_weight, "", Range::any(), "One."),
+               InvalidArgument);
+}
+
+TEST(Declarations, ListWhatTheySay) {
+  const std::vector<ParameterInfo> infos = Walls::declarations().infos();
+  ASSERT_EQ(infos.size(), 2U);
+  EXPECT_EQ(infos[1].name, "floor");
+  EXPECT_EQ(infos[1].text, "Below.");
+  EXPECT_EQ(Walls::declarations().names(), (std::vector<std::string>{"shapes", "floor"}));
 }
 
 TEST(Flags, AreReadByTheTypeOfTheirParameter) {

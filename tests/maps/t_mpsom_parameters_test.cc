@@ -122,8 +122,8 @@ TEST(TMpsomParameters, SayWhatThePapersDoNotGive) {
   for (const char* name :
        {"arbor_sigma", "neighbourhood_sigma", "learning_rate_start", "learning_rate_schedule",
         "learning_rate_end", "input_norm", "weight_norm"}) {
-    const auto* parameter = TMpsomParameters::declarations().find(name);
-    ASSERT_NE(parameter, nullptr) << name;
+    const auto parameter = TMpsomParameters::declarations().find(name);
+    ASSERT_TRUE(parameter) << name;
     EXPECT_NE(parameter->info.text.find("not given in the paper"), std::string::npos) << name;
   }
 }

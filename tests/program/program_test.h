@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -17,6 +18,12 @@ using Words = std::vector<std::string>;
 /// The example's recording.
 inline const std::string kTrials = SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials";
 
+/// The program to test: that of this build, unless the environment names another.
+inline std::string program() {
+  const char* named = std::getenv("SOMATO_PROGRAM");
+  return named ? named : SOMATO_PROGRAM;
+}
+
 /// A refused command line: what it is, and what the message must say.
 struct Refusal {
   Words arguments;
@@ -27,7 +34,7 @@ struct Refusal {
 class ProgramTest : public ::testing::Test {
  protected:
   ProgramRun run(const Words& arguments, ProgramWorld world = {}) const {
-    Words all{SOMATO_PROGRAM};
+    Words all{program()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     world.folder = folder_.path();
     const ProgramRun run = run_program(all, world);

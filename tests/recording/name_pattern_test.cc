@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <rapidcheck/gtest.h>
-
+#include <cstddef>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace somato {
 namespace {
@@ -111,30 +112,42 @@ std::set<std::vector<std::string>> all_cuts(const std::string& name,
   return cuts;
 }
 
-RC_GTEST_PROP(NamePattern, ReadsWhatTryingEveryCutReads, ()) {
-  const auto text = [](std::size_t least, std::size_t most) {
-    return rc::gen::mapcat(rc::gen::inRange(least, most), [](std::size_t size) {
-      return rc::gen::container<std::string>(size, rc::gen::element('a', '_'));
-    });
-  };
-  const auto name = *text(0, 9);
-  const auto separators =
-      *rc::gen::mapcat(rc::gen::inRange<std::size_t>(0, 3), [&](std::size_t count) {
-        return rc::gen::container<std::vector<std::string>>(count, text(1, 3));
-      });
+// Every text of `least` to `most` letters 'a' and '_'.
+std::vector<std::string> all_texts(std::size_t least, std::size_t most) {
+  std::vector<std::string> texts;
+  for (std::size_t size = least; size <= most; ++size) {
+    for (std::size_t bits = 0; bits < std::size_t{1} << size; ++bits) {
+      std::string text;
+      for (std::size_t i = 0; i < size; ++i) text += (bits >> i) % 2 == 0 ? 'a' : '_';
+      texts.push_back(text);
+    }
+  }
+  return texts;
+}
+
+void expect_as_every_cut(const std::vector<std::string>& separators) {
   std::string pattern = "{0}";
   for (std::size_t i = 0; i < separators.size(); ++i) {
     pattern += separators[i] + fmt::format("{{{}}}", i + 1);
   }
-  const auto cuts = all_cuts(name, separators);
-  RC_CLASSIFY(cuts.size() > 1, "two readings");
-  const auto labels = NamePattern::parse(pattern).value().match(name);
-  RC_ASSERT(labels.has_value() == (cuts.size() < 2));
-  if (!labels) return;
-  RC_ASSERT(labels->has_value() == (cuts.size() == 1));
-  if (!*labels) return;
-  for (std::size_t i = 0; i < (**labels).size(); ++i) {
-    RC_ASSERT((**labels)[i].value == (*cuts.begin())[i]);
+  const NamePattern parsed = NamePattern::parse(pattern).value();
+  for (const std::string& name : all_texts(0, 8)) {
+    const auto cuts = all_cuts(name, separators);
+    const auto labels = parsed.match(name);
+    ASSERT_EQ(labels.has_value(), cuts.size() < 2) << pattern << " of " << name;
+    if (!labels) continue;
+    ASSERT_EQ(labels->has_value(), cuts.size() == 1) << pattern << " of " << name;
+    for (std::size_t i = 0; *labels && i < (**labels).size(); ++i) {
+      ASSERT_EQ((**labels)[i].value, (*cuts.begin())[i]) << pattern << " of " << name;
+    }
+  }
+}
+
+TEST(NamePattern, ReadsWhatTryingEveryCutReads) {
+  expect_as_every_cut({});
+  for (const std::string& first : all_texts(1, 2)) {
+    expect_as_every_cut({first});
+    for (const std::string& second : all_texts(1, 2)) expect_as_every_cut({first, second});
   }
 }
 

@@ -89,7 +89,7 @@ double product_of_noise(Random& random) {
 void print_spectra() {
   Random random(13);
   Checksum checksum;
-  for (const std::size_t length : {7, 64, 210, 225, 1024}) {
+  for (const std::size_t length : std::vector<std::size_t>{7, 64, 210, 225, 1024}) {
     SpectrumParameters parameters;
     parameters.transform_length = length;
     parameters.bands = 0;

@@ -106,7 +106,9 @@ class Watch {
       if (::poll(streams_, 2, 100) > 0) read_streams();
     }
     int status = 0;
-    ::waitpid(process_, &status, 0);
+    rusage used{};
+    ::wait4(process_, &status, 0, &used);
+    run_.most_memory = static_cast<std::size_t>(used.ru_maxrss) * 1024;
     if (WIFEXITED(status)) run_.exit_code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) run_.signal = WTERMSIG(status);
     return run_;

@@ -25,8 +25,9 @@ struct ProgramRun {
   int exit_code = -1;  ///< -1 when a signal ended it.
   int signal = 0;      ///< The signal that ended it, or 0.
   bool timed_out = false;
-  std::string out;  ///< Standard output.
-  std::string err;  ///< Standard error; a terminal's lines end in "\r\n".
+  std::size_t most_memory = 0;  ///< Bytes of physical memory that it used at most.
+  std::string out;              ///< Standard output.
+  std::string err;              ///< Standard error; a terminal's lines end in "\r\n".
 
   /// Whether a sanitizer found fault with it.
   bool accused() const;

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "somato/core/result.h"
@@ -64,67 +67,47 @@ const std::string& choice_name(Enum value) {
 
 namespace detail {
 
-Result<bool> read_switch(const ParameterInfo& info, const Value& value);
 Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value, std::int64_t least,
                                   std::int64_t most);
-Result<double> read_number(const ParameterInfo& info, const Value& value);
-Result<std::string> read_text(const ParameterInfo& info, const Value& value);
-Result<std::size_t> read_choice(const ParameterInfo& info, const Value& value);
 bool is_automatic(const Value& value);
 
-/// How a field of type T is read from, written to and described by a Value.
+/// `read`, whose failure says that "automatic" is possible too unless it advises something else.
+Result<void> or_automatic(Result<void> read);
+
+/// The place of the choice that `value` names.
+Result<void> read_choice(const ParameterInfo& info, const Value& value, std::size_t& choice);
+
+/// How a field of type T is described by, read from and written to a Value. A field stays as it is
+/// where reading fails.
 template <typename T>
 struct Field;
 
-template <>
-struct Field<bool> {
-  static std::string type() { return "switch"; }
-  static Result<bool> read(const ParameterInfo& info, const Value& value) {
-    return read_switch(info, value);
-  }
-  static Value write(bool field) { return {field}; }
-};
-
-template <>
-struct Field<double> {
-  static std::string type() { return "number"; }
-  static Result<double> read(const ParameterInfo& info, const Value& value) {
-    return read_number(info, value);
-  }
-  static Value write(double field) { return {field}; }
-};
-
-template <>
-struct Field<std::string> {
-  static std::string type() { return "text"; }
-  static Result<std::string> read(const ParameterInfo& info, const Value& value) {
-    return read_text(info, value);
-  }
-  static Value write(const std::string& field) { return {field}; }
-};
-
 template <typename T>
-  requires std::is_integral_v<T>
+concept Scalar = std::integral<T> || std::same_as<T, double> || std::same_as<T, std::string>;
+
+template <Scalar T>
 struct Field<T> {
-  static std::string type() { return "integer"; }
-  static Result<T> read(const ParameterInfo& info, const Value& value) {
-    constexpr auto kLeast = static_cast<std::int64_t>(std::numeric_limits<T>::min());
-    constexpr auto kMost = std::in_range<std::int64_t>(std::numeric_limits<T>::max())
-                               ? static_cast<std::int64_t>(std::numeric_limits<T>::max())
-                               : std::numeric_limits<std::int64_t>::max();
-    return read_integer(info, value, kLeast, kMost).map([](std::int64_t whole) {
-      return static_cast<T>(whole);
-    });
-  }
-  static Value write(T field) { return {static_cast<std::int64_t>(field)}; }
+  static std::string type();
+  static std::vector<std::string> choices() { return {}; }
+  static Result<void> read(const ParameterInfo& info, const Value& value, T& field);
+  static Value write(const T& field);
 };
 
 template <typename T>
   requires std::is_enum_v<T>
 struct Field<T> {
   static std::string type() { return "choice"; }
-  static Result<T> read(const ParameterInfo& info, const Value& value) {
-    return read_choice(info, value).map([](std::size_t i) { return Choices<T>::all()[i].first; });
+  static std::vector<std::string> choices() {
+    std::vector<std::string> names;
+    names.reserve(Choices<T>::all().size());
+    for (const auto& choice : Choices<T>::all()) names.push_back(choice.second);
+    return names;
+  }
+  static Result<void> read(const ParameterInfo& info, const Value& value, T& field) {
+    std::size_t choice = 0;
+    Result<void> read = read_choice(info, value, choice);
+    if (read) field = Choices<T>::all()[choice].first;
+    return read;
   }
   static Value write(T field) { return {choice_name(field)}; }
 };
@@ -133,66 +116,133 @@ struct Field<T> {
 template <typename T>
 struct Field<std::optional<T>> {
   static std::string type() { return Field<T>::type(); }
-  static Result<std::optional<T>> read(const ParameterInfo& info, const Value& value) {
-    if (is_automatic(value)) return std::optional<T>{};
-    Result<T> field = Field<T>::read(info, value);
-    if (field) return std::optional<T>(std::move(*field));
-    if (field.error().advice.empty()) field.error().advice = "\"automatic\" is possible too";
-    return fail(std::move(field.error()));
+  static std::vector<std::string> choices() { return Field<T>::choices(); }
+  static Result<void> read(const ParameterInfo& info, const Value& value, std::optional<T>& field) {
+    std::optional<T> given;
+    Result<void> read;
+    if (!is_automatic(value)) read = or_automatic(Field<T>::read(info, value, given.emplace()));
+    if (read) field = std::move(given);
+    return read;
   }
   static Value write(const std::optional<T>& field) {
     return field ? Field<T>::write(*field) : Value{std::string("automatic")};
   }
 };
 
+/// A list of one item may be written as that item.
 template <typename T>
 struct Field<std::vector<T>> {
   static std::string type() { return "list of " + Field<T>::type(); }
-  static Result<std::vector<T>> read(const ParameterInfo& info, const Value& value) {
+  static std::vector<std::string> choices() { return Field<T>::choices(); }
+  static Result<void> read(const ParameterInfo& info, const Value& value, std::vector<T>& field) {
     const auto* list = std::get_if<Value::List>(&value.content);
     const Value::List single{value};
-    std::vector<T> fields;
+    std::vector<T> items;
     for (const Value& item : list ? *list : single) {
-      Result<T> field = Field<T>::read(info, item);
-      if (!field) return fail(std::move(field.error()));
-      fields.push_back(std::move(*field));
+      Result<void> read = Field<T>::read(info, item, items.emplace_back());
+      if (!read) return read;
     }
-    return fields;
+    field = std::move(items);
+    return {};
   }
-  static Value write(const std::vector<T>& fields) {
+  static Value write(const std::vector<T>& field) {
     Value::List list;
-    list.reserve(fields.size());
-    for (const T& field : fields) list.push_back(Field<T>::write(field));
+    list.reserve(field.size());
+    for (const T& item : field) list.push_back(Field<T>::write(item));
     return {std::move(list)};
   }
 };
 
-template <typename T>
-struct ChoiceNames {
-  static std::vector<std::string> of() {
-    std::vector<std::string> names;
-    if constexpr (std::is_enum_v<T>) {
-      names.reserve(Choices<T>::all().size());
-      for (const auto& choice : Choices<T>::all()) names.push_back(choice.second);
-    }
-    return names;
-  }
+/// A Field<T> whose T is forgotten, so that what works with fields is compiled once.
+struct FieldType {
+  std::size_t size;
+  std::string (*type)();
+  std::vector<std::string> (*choices)();
+  Result<void> (*read)(const ParameterInfo& info, const Value& value, void* field);
+  Value (*write)(const void* field);
 };
 
 template <typename T>
-struct ChoiceNames<std::optional<T>> : ChoiceNames<T> {};
+const FieldType& field_type() {
+  static constexpr FieldType kType{
+      sizeof(T), &Field<T>::type, &Field<T>::choices,
+      [](const ParameterInfo& info, const Value& value, void* field) {
+        return Field<T>::read(info, value, *static_cast<T*>(field));
+      },
+      [](const void* field) { return Field<T>::write(*static_cast<const T*>(field)); }};
+  return kType;
+}
 
-template <typename T>
-struct ChoiceNames<std::vector<T>> : ChoiceNames<T> {};
+// The types of most parameters, compiled once.
+extern template const FieldType& field_type<bool>();
+extern template const FieldType& field_type<double>();
+extern template const FieldType& field_type<std::size_t>();
+extern template const FieldType& field_type<std::string>();
+extern template const FieldType& field_type<std::optional<double>>();
+extern template const FieldType& field_type<std::optional<std::size_t>>();
+extern template const FieldType& field_type<std::vector<double>>();
+extern template const FieldType& field_type<std::vector<std::size_t>>();
+extern template const FieldType& field_type<std::vector<std::string>>();
+
+/// A declared field of a struct whose type is forgotten.
+struct DeclaredField {
+  ParameterInfo info;
+  const FieldType* type;
+  std::size_t offset;  ///< From the start of the struct, in bytes.
+
+  Result<void> assign(void* target, const Value& value) const;
+  Value read(const void* source) const;
+};
+
+/// The declared fields of a struct whose type is forgotten.
+class DeclaredFields {
+ public:
+  /// `defaults`, a struct of `size` bytes, has to stay.
+  DeclaredFields(const void* defaults, std::size_t size) : defaults_(defaults), size_(size) {}
+
+  /// Declares a field of the defaults. Throws InvalidArgument for what does not lie in them.
+  void add(const void* field, const FieldType& type, std::string_view name, std::string_view unit,
+           const Range& range, std::string_view text);
+
+  /// Declares fields of `part`, a struct in the defaults, as `declared` does. Throws
+  /// InvalidArgument for a name that is not declared there.
+  void add_from(const void* part, const DeclaredFields& declared,
+                std::initializer_list<std::string_view> names);
+
+  const std::vector<DeclaredField>& all() const { return all_; }
+  const DeclaredField* find(std::string_view name) const;
+  std::vector<std::string> names() const;
+  std::vector<ParameterInfo> infos() const;
+
+ private:
+  void add(ParameterInfo info, const FieldType& type, const void* field);
+
+  const void* defaults_;
+  std::size_t size_;
+  std::vector<DeclaredField> all_;
+};
+
+Result<void> read_parameters(const DeclaredFields& declared, const Table& table, void* target);
+Result<void> check_ranges(const DeclaredFields& declared, const void* parameters, void* scratch);
+std::string parameters_to_toml(const DeclaredFields& declared, const void* parameters);
 
 }  // namespace detail
 
-/// A declared field of the struct S.
+/// A declared field of the struct S, valid as long as the Declarations<S> it comes from.
 template <typename S>
-struct Parameter {
-  ParameterInfo info;
-  std::function<Result<void>(S&, const Value&)> assign;  ///< Refuses what is out of range.
-  std::function<Value(const S&)> read;
+class Parameter {
+ public:
+  explicit Parameter(const detail::DeclaredField& field) : info(field.info), field_(field) {}
+
+  const ParameterInfo& info;
+
+  /// Errors (kUsage) name the parameter: a value of another type or out of range.
+  Result<void> assign(S& target, const Value& value) const { return field_.assign(&target, value); }
+
+  Value read(const S& source) const { return field_.read(&source); }
+
+ private:
+  const detail::DeclaredField& field_;
 };
 
 /// The parameters of a plain struct, declared once, in the order of the documentation.
@@ -201,57 +251,54 @@ struct Parameter {
 template <typename S>
 class Declarations {
  public:
-  /// Declares the field that `access` reaches (a callable from S& to a reference, so that fields of
-  /// nested structs can be declared too).
+  /// Declares the field that `access` reaches: `&S::field`, or for a field of a nested struct a
+  /// callable from S& to a reference. Throws InvalidArgument for what does not lie in the struct.
   template <typename Access>
-  Declarations& add(std::string name, Access access, std::string unit, Range range,
-                    std::string text) {
-    using T = std::remove_cvref_t<decltype(access(std::declval<S&>()))>;
-    S defaults;
-    ParameterInfo info{std::move(name),
-                       detail::Field<T>::type(),
-                       std::move(unit),
-                       std::move(text),
-                       range,
-                       detail::ChoiceNames<T>::of(),
-                       to_toml(detail::Field<T>::write(access(defaults)))};
-    auto assign = [info, access](S& target, const Value& value) -> Result<void> {
-      Result<T> field = detail::Field<T>::read(info, value);
-      if (!field) return fail(std::move(field.error()));
-      access(target) = std::move(*field);
-      return {};
-    };
-    auto read = [access](const S& source) {
-      S copy = source;
-      return detail::Field<T>::write(access(copy));
-    };
-    all_.push_back({std::move(info), std::move(assign), std::move(read)});
+  Declarations& add(std::string_view name, Access access, std::string_view unit, const Range& range,
+                    std::string_view text) {
+    auto& field = std::invoke(access, defaults());
+    using T = std::remove_reference_t<decltype(field)>;
+    fields_.add(&field, detail::field_type<T>(), name, unit, range, text);
     return *this;
   }
 
-  const std::vector<Parameter<S>>& all() const { return all_; }
-
-  const Parameter<S>* find(std::string_view name) const {
-    for (const Parameter<S>& parameter : all_) {
-      if (parameter.info.name == name) return &parameter;
-    }
-    return nullptr;
+  /// Declares fields of the nested struct that `access` reaches as its own declarations do, with
+  /// the defaults they have in S. Throws InvalidArgument for a name that is not declared there.
+  template <typename Access, typename Nested>
+  Declarations& add_from(Access access, const Declarations<Nested>& declared,
+                         std::initializer_list<std::string_view> names) {
+    Nested& part = std::invoke(access, defaults());
+    fields_.add_from(&part, declared.fields(), names);
+    return *this;
   }
 
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    names.reserve(all_.size());
-    for (const Parameter<S>& parameter : all_) names.push_back(parameter.info.name);
-    return names;
+  std::vector<Parameter<S>> all() const { return {fields_.all().begin(), fields_.all().end()}; }
+
+  std::optional<Parameter<S>> find(std::string_view name) const {
+    const detail::DeclaredField* field = fields_.find(name);
+    return field ? std::optional<Parameter<S>>(*field) : std::nullopt;
   }
+
+  std::vector<std::string> names() const { return fields_.names(); }
+
+  /// What is said about each.
+  std::vector<ParameterInfo> infos() const { return fields_.infos(); }
+
+  const detail::DeclaredFields& fields() const { return fields_; }
 
  private:
-  std::vector<Parameter<S>> all_;
+  // Not const because a callable takes an S&; nothing writes here.
+  static S& defaults() {
+    static S defaults;
+    return defaults;
+  }
+
+  detail::DeclaredFields fields_{&defaults(), sizeof(S)};
 };
 
-/// Reads a parameter's value from a flag's argument; the text of a list is separated by commas.
-/// Errors (kUsage) name the parameter.
-Result<Value> value_from_text(const ParameterInfo& info, std::string_view text);
+/// A parameter's value from a flag's argument, as it is read best: whether it fits shows when it is
+/// assigned. The text of a list is separated by commas.
+Value value_from_text(const ParameterInfo& info, std::string_view text);
 
 /// The failure for a key nobody declared, with the nearest known name.
 Error unknown_name(std::string_view what, std::string_view name, std::string_view where,
@@ -264,29 +311,23 @@ Error not_a_value(std::string_view name, std::string_view where);
 /// Unknown keys and values out of range are errors (kUsage) with their place.
 template <typename S>
 Result<S> read_parameters(const Table& table, S parameters = {}) {
-  const Declarations<S>& declarations = S::declarations();
-  for (const Table::Entry& entry : table.entries) {
-    const Parameter<S>* parameter = declarations.find(entry.name);
-    if (!parameter) return fail(unknown_name("key", entry.name, entry.where, declarations.names()));
-    const Value* value = std::get_if<Value>(&entry.content);
-    if (!value) return fail(not_a_value(entry.name, entry.where));
-    Result<void> assigned = parameter->assign(parameters, *value);
-    if (!assigned) {
-      assigned.error().where = entry.where;
-      return fail(std::move(assigned.error()));
-    }
-  }
+  Result<void> read = detail::read_parameters(S::declarations().fields(), table, &parameters);
+  if (!read) return fail(std::move(read.error()));
   return parameters;
+}
+
+/// Whether every parameter lies in its declared range, however the struct was filled. Errors
+/// (kUsage) name the first that does not.
+template <typename S>
+Result<void> check_ranges(const S& parameters) {
+  S scratch;
+  return detail::check_ranges(S::declarations().fields(), &parameters, &scratch);
 }
 
 /// Every parameter of `parameters` as a line `name = value`, in TOML.
 template <typename S>
 std::string parameters_to_toml(const S& parameters) {
-  std::string text;
-  for (const Parameter<S>& parameter : S::declarations().all()) {
-    text += parameter.info.name + " = " + to_toml(parameter.read(parameters)) + "\n";
-  }
-  return text;
+  return detail::parameters_to_toml(S::declarations().fields(), &parameters);
 }
 
 }  // namespace somato

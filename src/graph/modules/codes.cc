@@ -20,26 +20,18 @@ namespace {
 struct OneHotModuleParameters {
   std::vector<double> low;
   std::vector<double> high;
-  std::size_t elements = 10;
-  OutsideRange outside = OutsideRange::kRefuse;
+  OneHotParameters code;  // but for its range
 
   static const Declarations<OneHotModuleParameters>& declarations() {
     using P = OneHotModuleParameters;
     static const auto declared =
         Declarations<P>()
-            .add(
-                "low", [](P& p) -> auto& { return p.low; }, "the input's", Range::any(),
-                "Lower end of the range, one for all elements or one each; none: the least value "
-                "met while learning. Not given in the paper.")
-            .add(
-                "high", [](P& p) -> auto& { return p.high; }, "the input's", Range::any(),
-                "Upper end of the range, as 'low'. Not given in the paper.")
-            .add(
-                "elements", [](P& p) -> auto& { return p.elements; }, "",
-                Range::between(1, 1 << 20), "Bins for each element of the input; 10 in the papers.")
-            .add(
-                "outside", [](P& p) -> auto& { return p.outside; }, "", Range::any(),
-                "What becomes of a value outside the range: an error, or the nearest bin.");
+            .add("low", &P::low, "the input's", Range::any(),
+                 "Lower end of the range, one for all elements or one each; none: the least value "
+                 "met while learning. Not given in the paper.")
+            .add("high", &P::high, "the input's", Range::any(),
+                 "Upper end of the range, as 'low'. Not given in the paper.")
+            .add_from(&P::code, OneHotParameters::declarations(), {"elements", "outside"});
     return declared;
   }
 };
@@ -63,7 +55,7 @@ class OneHotModule : public MappedModule, public Learner {
     // Checked as if it were dense: the edges of all bins are kept.
     PortType type{input.rate, input.shape, false, input.clock};
     if (type.size() == 1) type.shape.clear();
-    type.shape.push_back(parameters_.elements);
+    type.shape.push_back(parameters_.code.elements);
     shape_ = type.shape;
     auto checked = checked_size(std::move(type), inputs.front().port);
     if (!checked) return checked;
@@ -159,7 +151,9 @@ class OneHotModule : public MappedModule, public Learner {
             fmt::format("'low' is {} and 'high' {} for element {}", low_[i], high_[i], i + 1), {},
             "'low' must be less than 'high', both in the range of single precision");
       }
-      joints.push_back({low_[i], high_[i], parameters_.elements, parameters_.outside});
+      joints.push_back(parameters_.code);
+      joints.back().low = low_[i];
+      joints.back().high = high_[i];
     }
     code_.emplace(joints);
     return {};
@@ -313,8 +307,7 @@ struct NormalizationParameters {
   static const Declarations<NormalizationParameters>& declarations() {
     using P = NormalizationParameters;
     static const auto declared = Declarations<P>().add(
-        "norm", [](P& p) -> auto& { return p.norm; }, "", Range::any(),
-        "The norm that becomes 1. Not given in the paper.");
+        "norm", &P::norm, "", Range::any(), "The norm that becomes 1. Not given in the paper.");
     return declared;
   }
 };

@@ -85,15 +85,11 @@ struct WindowParameters {
     using P = WindowParameters;
     static const auto declared =
         Declarations<P>()
-            .add(
-                "start", [](P& p) -> auto& { return p.start; }, "frames", Range::between(0, 1e9),
-                "Frames that are left out at the start of an exploration.")
-            .add(
-                "length", [](P& p) -> auto& { return p.length; }, "frames", Range::between(1, 1e9),
-                "Frames of the window.")
-            .add(
-                "beyond", [](P& p) -> auto& { return p.beyond; }, "", Range::any(),
-                "What stands in the window beyond the last frame: an error, or that frame.");
+            .add("start", &P::start, "frames", Range::between(0, 1e9),
+                 "Frames that are left out at the start of an exploration.")
+            .add("length", &P::length, "frames", Range::between(1, 1e9), "Frames of the window.")
+            .add("beyond", &P::beyond, "", Range::any(),
+                 "What stands in the window beyond the last frame: an error, or that frame.");
     return declared;
   }
 };

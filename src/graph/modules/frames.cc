@@ -78,9 +78,9 @@ struct DelayParameters {
 
   static const Declarations<DelayParameters>& declarations() {
     using P = DelayParameters;
-    static const auto declared = Declarations<P>().add(
-        "shape", [](P& p) -> auto& { return p.shape; }, "", Range::between(1, 1 << 20),
-        "Shape of the signal; needed where the delay closes a loop.");
+    static const auto declared =
+        Declarations<P>().add("shape", &P::shape, "", Range::between(1, 1 << 20),
+                              "Shape of the signal; needed where the delay closes a loop.");
     return declared;
   }
 };

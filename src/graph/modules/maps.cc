@@ -217,29 +217,11 @@ struct TMpsomModuleParameters {
 
   static const Declarations<TMpsomModuleParameters>& declarations() {
     using P = TMpsomModuleParameters;
-    static const auto declared = [] {
-      Declarations<P> all;
-      const auto text = [](const char* name) {
-        return TMpsomParameters::declarations().find(name)->info;
-      };
-      const auto add = [&](const char* name, auto access) {
-        const ParameterInfo info = text(name);
-        all.add(name, access, info.unit, info.range, info.text);
-      };
-      add("shape", [](P& p) -> auto& { return p.map.shape; });
-      add("input_axes", [](P& p) -> auto& { return p.map.input_axes; });
-      add("combination", [](P& p) -> auto& { return p.map.combination; });
-      add("arbor_sigma", [](P& p) -> auto& { return p.map.arbor_sigma; });
-      add("neighbourhood_sigma", [](P& p) -> auto& { return p.map.neighbourhood_sigma; });
-      add("learning_rate_schedule", [](P& p) -> auto& { return p.map.learning_rate_schedule; });
-      add("learning_rate_start", [](P& p) -> auto& { return p.map.learning_rate_start; });
-      add("learning_rate_end", [](P& p) -> auto& { return p.map.learning_rate_end; });
-      add("learning_rate_reached_at", [](P& p) -> auto& { return p.map.learning_rate_reached_at; });
-      add("input_norm", [](P& p) -> auto& { return p.map.input_norm; });
-      add("weight_norm", [](P& p) -> auto& { return p.map.weight_norm; });
-      add("iterations", [](P& p) -> auto& { return p.map.iterations; });
-      return all;
-    }();
+    static const auto declared = Declarations<P>().add_from(
+        &P::map, TMpsomParameters::declarations(),
+        {"shape", "input_axes", "combination", "arbor_sigma", "neighbourhood_sigma",
+         "learning_rate_schedule", "learning_rate_start", "learning_rate_end",
+         "learning_rate_reached_at", "input_norm", "weight_norm", "iterations"});
     return declared;
   }
 };

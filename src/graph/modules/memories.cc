@@ -16,7 +16,7 @@ struct AccumulateParameters {
   static const Declarations<AccumulateParameters>& declarations() {
     using P = AccumulateParameters;
     static const auto declared = Declarations<P>().add(
-        "every_frame", [](P& p) -> auto& { return p.every_frame; }, "", Range::any(),
+        "every_frame", &P::every_frame, "", Range::any(),
         "Whether the memory is put out with every frame, rather than once it holds them all.");
     return declared;
   }
@@ -28,17 +28,12 @@ struct LeakyAccumulateParameters {
 
   static const Declarations<LeakyAccumulateParameters>& declarations() {
     using P = LeakyAccumulateParameters;
-    static const auto declared = [] {
-      const ParameterInfo leak = MemoryParameters::declarations().find("leak")->info;
-      return Declarations<P>()
-          .add(
-              leak.name, [](P& p) -> auto& { return p.memory.leak; }, leak.unit, leak.range,
-              leak.text)
-          .add(
-              "every_frame", [](P& p) -> auto& { return p.every_frame; }, "", Range::any(),
-              "Whether the memory is put out with every frame, rather than once it has met them "
-              "all.");
-    }();
+    static const auto declared =
+        Declarations<P>()
+            .add_from(&P::memory, MemoryParameters::declarations(), {"leak"})
+            .add("every_frame", &P::every_frame, "", Range::any(),
+                 "Whether the memory is put out with every frame, rather than once it has met them "
+                 "all.");
     return declared;
   }
 };

@@ -83,15 +83,11 @@ struct ScaleParameters {
     using P = ScaleParameters;
     static const auto declared =
         Declarations<P>()
-            .add(
-                "factor", [](P& p) -> auto& { return p.factor; }, "", Range::between(-1e30, 1e30),
-                "What every element is multiplied by.")
-            .add(
-                "offset", [](P& p) -> auto& { return p.offset; }, "", Range::between(-1e30, 1e30),
-                "What is then added.")
-            .add(
-                "rectify", [](P& p) -> auto& { return p.rectify; }, "", Range::any(),
-                "Whether what is then below 0 becomes 0.");
+            .add("factor", &P::factor, "", Range::between(-1e30, 1e30),
+                 "What every element is multiplied by.")
+            .add("offset", &P::offset, "", Range::between(-1e30, 1e30), "What is then added.")
+            .add("rectify", &P::rectify, "", Range::any(),
+                 "Whether what is then below 0 becomes 0.");
     return declared;
   }
 };

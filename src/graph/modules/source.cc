@@ -51,19 +51,15 @@ struct ChannelParameters {
     using P = ChannelParameters;
     static const auto declared =
         Declarations<P>()
-            .add(
-                "channel", [](P& p) -> auto& { return p.channel; }, "", Range::any(),
-                "Name of the recording's channel. Has to be given.")
-            .add(
-                "shape", [](P& p) -> auto& { return p.shape; }, "", Range::between(1, 1 << 24),
-                "Shape of a frame, which the recording must have; none: whatever it has.")
-            .add(
-                "elements", [](P& p) -> auto& { return p.elements; }, "", Range::any(),
-                "The elements to take, by name or by number from 1; none: all of them.")
-            .add(
-                "invalid", [](P& p) -> auto& { return p.invalid; }, "", Range::any(),
-                "What becomes of a value that the sensor did not give: an error, 0, or the last "
-                "valid value before it (0 where there is none).");
+            .add("channel", &P::channel, "", Range::any(),
+                 "Name of the recording's channel. Has to be given.")
+            .add("shape", &P::shape, "", Range::between(1, 1 << 24),
+                 "Shape of a frame, which the recording must have; none: whatever it has.")
+            .add("elements", &P::elements, "", Range::any(),
+                 "The elements to take, by name or by number from 1; none: all of them.")
+            .add("invalid", &P::invalid, "", Range::any(),
+                 "What becomes of a value that the sensor did not give: an error, 0, or the last "
+                 "valid value before it (0 where there is none).");
     return declared;
   }
 };

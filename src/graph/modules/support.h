@@ -71,21 +71,17 @@ template <typename M>
 ModuleType describe(std::string name, std::string text, std::vector<InputPort> ports,
                     std::string output, bool learns = false) {
   using Parameters = typename M::Parameters;
-  ModuleType type{std::move(name),
-                  std::move(text),
-                  std::move(ports),
-                  std::move(output),
-                  learns,
-                  {},
-                  [](const Table& table) -> Result<std::unique_ptr<Module>> {
-                    Result<Parameters> parameters = read_parameters<Parameters>(table);
-                    if (!parameters) return fail(std::move(parameters.error()));
-                    return std::make_unique<M>(std::move(*parameters));
-                  }};
-  for (const auto& parameter : Parameters::declarations().all()) {
-    type.parameters.push_back(parameter.info);
-  }
-  return type;
+  return {std::move(name),
+          std::move(text),
+          std::move(ports),
+          std::move(output),
+          learns,
+          Parameters::declarations().infos(),
+          [](const Table& table) -> Result<std::unique_ptr<Module>> {
+            Result<Parameters> parameters = read_parameters<Parameters>(table);
+            if (!parameters) return fail(std::move(parameters.error()));
+            return std::make_unique<M>(std::move(*parameters));
+          }};
 }
 
 /// The port of most modules.

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Puts the pinned clang-tidy into build/clang-tidy.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+readonly folder=build/clang-tidy
+version=$(sed -n 's/^clang-tidy==\([^ ]*\).*/\1/p' scripts/clang_tidy.txt)
+
+[[ ! -e $folder/$version ]] || exit 0
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+scripts/unpack_wheel.sh scripts/clang_tidy.txt "$work/wheel"
+touch "$work/wheel/clang_tidy/data/$version"
+chmod +x "$work/wheel/clang_tidy/data/bin/clang-tidy"
+mkdir -p build
+rm -rf "$folder"
+mv "$work/wheel/clang_tidy/data" "$folder"

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""Breaks a room's sources one place at a time and tells which breaks its tests do not notice.
+
+Each mutant is compiled beside the tree and linked in front of the library, so that nothing in the
+checkout changes. A mutant that does not compile is replaced by another. The same seed draws the same
+mutants from the same sources.
+
+usage: ./dev mutate ROOM [--count N] [--seed S]
+"""
+
+import argparse
+import os
+import random
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import compile_commands
+import mutants
+
+TREE = Path(__file__).resolve().parent.parent
+DEV = TREE / "build/dev"
+LONGEST = 60  # seconds beyond three times what the tests take without a mutant
+
+
+class Room:
+    """The tests of a room, which can be linked or run with a mutant."""
+
+    def __init__(self, name):
+        self.name = name
+        self.is_program = name == "program"
+        self.tests = DEV / "tests" / f"{name}_tests"
+        folder = TREE / name if self.is_program else TREE / "src" / name
+        self.sources = sorted(folder.rglob("*.cc"))
+        self.compile = compile_commands.by_file(DEV)
+        self.link = self.link_command("somato" if self.is_program else f"tests/{name}_tests")
+        self.seconds = self.measure()
+
+    @staticmethod
+    def link_command(target):
+        commands = subprocess.run(["ninja", "-C", str(DEV), "-t", "commands", target],
+                                  capture_output=True, text=True, check=True).stdout
+        return commands.splitlines()[-1].split(" && ")[1]
+
+    def measure(self):
+        started = time.monotonic()
+        if not self.passes(DEV / "somato" if self.is_program else self.tests, "*", None):
+            sys.exit(f"./dev mutate: the tests of '{self.name}' fail without a mutant")
+        return time.monotonic() - started
+
+    def passes(self, linked, cases, limit):
+        """Whether the cases pass in `linked`, or with it as the program that they run."""
+        tests = self.tests if self.is_program else linked
+        try:
+            done = subprocess.run([tests, "--gtest_brief=1", "--gtest_fail_fast",
+                                   f"--gtest_filter={cases}"], cwd=DEV / "tests",
+                                  env=dict(os.environ, SOMATO_PROGRAM=str(linked)),
+                                  capture_output=True, timeout=limit)
+        except subprocess.TimeoutExpired:
+            return False
+        return done.returncode == 0
+
+    def build(self, mutant, folder):
+        """What is linked with `mutant`, or None where it does not compile."""
+        source = folder / mutant.file.name
+        source.write_text(mutant.text(), encoding="utf-8")
+        words = shlex.split(self.compile[mutant.file])
+        original = words[words.index("-o") + 1]
+        words[words.index("-o") + 1] = str(folder / "mutant.o")
+        words[words.index("-c") + 1] = str(source)
+        words += [f"-I{mutant.file.parent}", "-w"]
+        if subprocess.run(words, cwd=DEV, capture_output=True).returncode != 0:
+            return None
+        # In front of the library, whose own object is then not taken.
+        linked = folder / "linked"
+        link = self.link.replace(f" {original} ", " ")
+        link = re.sub(r" -o \S+", f" {folder / 'mutant.o'} -o {linked}", link, count=1)
+        subprocess.run(link, shell=True, cwd=DEV, capture_output=True, check=True)
+        return linked
+
+    def mirrored_cases(self, file):
+        """A filter for the cases that are written for `file`; they are the likeliest to notice."""
+        test = TREE / "tests" / self.name / f"{file.stem}_test.cc"
+        text = test.read_text(encoding="utf-8") if test.is_file() else ""
+        return ":".join(f"{suite}.*" for suite in sorted(set(re.findall(r"^TEST\w*\((\w+)", text,
+                                                                       re.MULTILINE))))
+
+    def try_mutant(self, mutant):
+        """"caught", "survived" or "does not compile"."""
+        with tempfile.TemporaryDirectory() as folder:
+            linked = self.build(mutant, Path(folder))
+            if linked is None:
+                return "does not compile"
+            limit = LONGEST + 3 * self.seconds
+            mirrored = self.mirrored_cases(mutant.file)
+            if mirrored and not self.passes(linked, mirrored, limit):
+                return "caught"
+            return "survived" if self.passes(linked, "*", limit) else "caught"
+
+
+def draw(room, count, seed):
+    """Tries mutants until `count` of them compile; returns those that survived."""
+    drawn = mutants.of_files(room.sources)
+    random.Random(seed).shuffle(drawn)
+    survivors, tried, started = [], 0, time.monotonic()
+    with ThreadPoolExecutor(2) as pool:
+        while tried < count and drawn:
+            some, drawn = drawn[:count - tried], drawn[count - tried:]
+            for mutant, outcome in zip(some, pool.map(room.try_mutant, some)):
+                if outcome == "does not compile":
+                    continue
+                tried += 1
+                print(f"{tried:3} {time.monotonic() - started:6.0f} s  {outcome:8}  {mutant}",
+                      flush=True)
+                if outcome == "survived":
+                    survivors.append(mutant)
+    return tried, survivors
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="./dev mutate", description=__doc__.split("\n")[0])
+    parser.add_argument("room", help="a room, such as maps")
+    parser.add_argument("--count", type=int, default=20, help="number of mutants (default: 20)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the choice (default: 1)")
+    given = parser.parse_args()
+    rooms = ["program"] + sorted(path.name for path in (TREE / "src").iterdir() if path.is_dir())
+    if given.room not in rooms:
+        parser.error(f"'{given.room}' is not a room; rooms are: {', '.join(rooms)}")
+    if given.count < 1:
+        parser.error("--count must be at least 1")
+    return given
+
+
+def main():
+    given = parse_arguments()
+    subprocess.run(["cmake", "--build", str(DEV), "--target", f"{given.room}_tests"], check=True)
+    tried, survivors = draw(Room(given.room), given.count, given.seed)
+    print(f"\n{given.room}: {tried} mutants, {len(survivors)} survived"
+          + (":" if survivors else ""))
+    for mutant in survivors:
+        print(f"  {mutant}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Builds and tests Somato in stages, each of which finds faults that no other finds.
+
+usage: ./dev test              the stages that every change has to pass
+       ./dev test --all        all stages; one that has passed on this very tree is not run again
+       ./dev test ROOM...      the tests of these rooms only
+       ./dev test --failed     the tests that failed when tests were last run
+       ./dev test --rooms      the rooms that have tests
+       ./dev test --table      the stages with the seconds of their last runs, as docs/testing.md shows
+"""
+
+import argparse
+import difflib
+import hashlib
+import os
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import stage_table
+import test_cases
+
+TREE = Path(__file__).resolve().parent.parent
+DEV = TREE / "build/dev"
+PASSED = TREE / "build/passed"  # a file for each stage: the tree on which it has passed
+
+
+@dataclass(frozen=True)
+class Stage:
+    name: str
+    run: callable  # returns whether the stage passes
+    thorough: bool = False  # for --all only
+
+
+def passes(*command):
+    return subprocess.run(command, cwd=TREE).returncode == 0
+
+
+def command(*words):
+    return lambda: passes(*words)
+
+
+def tests(preset, *selection):
+    return lambda: test_cases.run(TREE / "build" / preset, selection)
+
+
+# The rooms of the build preset 'gcc'.
+GCC_ROOMS = "^(core|codes|maps|graph|program|same_bits|house)$"
+
+STAGES = [
+    Stage("set-up", command("scripts/setup.sh", "build", "test")),
+    Stage("checks", command("scripts/lint.sh")),
+    Stage("dev: build", command("./dev", "build", "dev")),
+    Stage("dev: tests", tests("dev", "-LE", "^long$")),
+    Stage("long tests", tests("dev", "-L", "^long$"), thorough=True),
+    Stage("asan: build", command("./dev", "build", "asan"), thorough=True),
+    Stage("asan: tests", tests("asan"), thorough=True),
+    Stage("tsan: build", command("./dev", "build", "tsan"), thorough=True),
+    Stage("tsan: tests", tests("tsan"), thorough=True),
+    Stage("gcc: build", command("./dev", "build", "gcc"), thorough=True),
+    Stage("gcc: tests", tests("gcc", "-L", GCC_ROOMS), thorough=True),
+    Stage("clang-tidy", command("scripts/run_clang_tidy.py"), thorough=True),
+]
+
+
+def tree_hash():
+    """Stands for the contents of all files of the tree that git does not ignore."""
+    names = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                           cwd=TREE, capture_output=True, check=True).stdout.split(b"\0")
+    digest = hashlib.sha256()
+    for name in sorted(set(filter(None, names))):
+        path = TREE / os.fsdecode(name)
+        if path.is_file():
+            digest.update(name + b"\0" + hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def mark_of(stage):
+    return PASSED / stage.name.replace(": ", "-").replace(" ", "-")
+
+
+def has_passed(stage, tree):
+    mark = mark_of(stage)
+    return mark.is_file() and mark.read_text(encoding="utf-8") == tree
+
+
+def run_stage(stage, tree):
+    print(f"\n== {stage.name}", flush=True)
+    mark_of(stage).unlink(missing_ok=True)
+    started = time.monotonic()
+    passed = stage.run()
+    seconds = time.monotonic() - started
+    if passed:
+        mark_of(stage).write_text(tree, encoding="utf-8")
+        stage_table.note(stage.name, seconds)
+    return passed, f"{'ok    ' if passed else 'FAILED'} {seconds:6.0f} s  {stage.name}"
+
+
+def run_stages(thorough):
+    """Runs the stages in their order up to the first that fails; returns whether all pass."""
+    PASSED.mkdir(parents=True, exist_ok=True)
+    tree = tree_hash()
+    summary = []
+    passed = True
+    for stage in STAGES:
+        if stage.thorough and not thorough:
+            continue
+        if thorough and has_passed(stage, tree):
+            summary.append(f"ok    earlier   {stage.name} (passed on this very tree)")
+            continue
+        passed, line = run_stage(stage, tree)
+        summary.append(line)
+        if not passed:
+            break
+    print("\n" + "\n".join(summary))
+    if passed and not thorough:
+        left_out = ", ".join(stage.name for stage in STAGES if stage.thorough)
+        print(f"Left out, for './dev test --all': {left_out}")
+    return passed
+
+
+def rooms():
+    listed = subprocess.run(["ctest", "--test-dir", str(DEV), "--print-labels"],
+                            capture_output=True, text=True, check=True).stdout
+    labels = {line.strip() for line in listed.splitlines() if line.startswith("  ")}
+    return sorted(labels - {"long"})
+
+
+def configure():
+    return (DEV / "CTestTestfile.cmake").is_file() or passes("cmake", "--preset", "dev")
+
+
+def check_rooms(wanted):
+    known = rooms()
+    for room in wanted:
+        if room not in known:
+            near = difflib.get_close_matches(room, known, 1)
+            advice = f"did you mean '{near[0]}'?" if near else f"rooms are: {', '.join(known)}"
+            sys.exit(f"./dev test: '{room}' is not a room with tests; {advice}")
+
+
+def run_rooms(wanted, thorough):
+    if not configure():
+        return False
+    check_rooms(wanted)
+    if not passes("cmake", "--build", str(DEV), "--target", *[f"{room}_room" for room in wanted]):
+        return False
+    selection = ["-L", f"^({'|'.join(wanted)})$"] + ([] if thorough else ["-LE", "^long$"])
+    passed = test_cases.run(DEV, selection)
+    others = ", ".join(room for room in rooms() if room not in wanted)
+    print(f"Left out: the tests of {others}; {'' if thorough else 'long tests; '}"
+          "all checks; sanitizers; the second compiler")
+    return passed
+
+
+def run_failed():
+    if not configure() or not passes("cmake", "--build", str(DEV)):
+        return False
+    passed = test_cases.run_failed(DEV)
+    print("Left out: all tests that passed; all checks; sanitizers; the second compiler")
+    return passed
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1],
+                                     add_help=True)
+    parser.add_argument("rooms", nargs="*")
+    for flag in ("--all", "--failed", "--rooms", "--table"):
+        parser.add_argument(flag, action="store_true", dest=flag.strip("-") + "_flag")
+    return parser.parse_args()
+
+
+def main():
+    given = parse_arguments()
+    if given.table_flag:
+        print(stage_table.table())
+        return True
+    if given.rooms_flag and configure():
+        print("\n".join(rooms()))
+        return True
+    if given.failed_flag:
+        return run_failed()
+    if given.rooms:
+        return run_rooms(given.rooms, given.all_flag)
+    return run_stages(given.all_flag)
+
+
+if __name__ == "__main__":
+    sys.exit(0 if main() else 1)

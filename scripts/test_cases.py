@@ -1,0 +1,94 @@
+"""Runs the tests of a build by ctest, and reports single cases: a room's cases share processes."""
+
+import json
+import os
+import re
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+JUNIT = "tests.xml"
+FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by room
+SLOWEST = 10
+
+
+def cases_of(build, name):
+    """The cases that the test `name` ran as (seconds, case, failed); None if it wrote no report."""
+    report = build / "test_cases" / f"{name}.json"
+    if not report.is_file():
+        return None
+    suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
+    return [(float(case["time"].rstrip("s")), f"{case['classname']}.{case['name']}",
+             "failures" in case) for suite in suites for case in suite["testsuite"]]
+
+
+def run_ctest(build, selection, environment):
+    """Returns the tests that ran as (name, seconds, failed)."""
+    junit = build / JUNIT
+    junit.unlink(missing_ok=True)
+    for report in (build / "test_cases").glob("*.json"):
+        report.unlink()
+    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count()),
+                    "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),
+                    *selection], env=dict(os.environ, **environment))
+    if not junit.is_file():
+        return None
+    return [(case.get("name"), float(case.get("time")), case.get("status") != "run")
+            for case in ElementTree.parse(junit).getroot().iter("testcase")]
+
+
+def failures_of(build, tests):
+    """The names of tests to run again whole, and the failed cases by room."""
+    whole, by_room = [], {}
+    for name, _, failed in tests:
+        failed_cases = [case for _, case, wrong in cases_of(build, name) or [] if wrong]
+        if failed and failed_cases:
+            by_room.setdefault(name.split(".")[0], []).extend(failed_cases)
+        elif failed:
+            whole.append(name)
+    return whole, by_room
+
+
+def print_slowest(build, tests):
+    timed = []
+    for name, seconds, _ in tests:
+        cases = cases_of(build, name)
+        room = name.split(".")[0]
+        timed += [(seconds, name)] if cases is None else [
+            (took, f"{room}: {case}") for took, case, _ in cases]
+    print(f"\n{len(timed)} cases in {len(tests)} processes; the slowest:")
+    for seconds, name in sorted(timed, reverse=True)[:SLOWEST]:
+        print(f"{seconds:8.1f} s  {name}")
+
+
+def summarize(build, tests):
+    if not tests:
+        return False
+    whole, by_room = failures_of(build, tests)
+    (build / FAILED).write_text(json.dumps([whole, by_room]), encoding="utf-8")
+    print_slowest(build, tests)
+    for name in whole:
+        print(f"FAILED    {name}")
+    for room, cases in by_room.items():
+        for case in cases:
+            print(f"FAILED    {room}: {case}")
+    return not whole and not by_room
+
+
+def run(build, selection):
+    """Runs the tests that ctest's `selection` takes; returns whether there are any and all pass."""
+    return summarize(build, run_ctest(build, selection, {}))
+
+
+def run_failed(build):
+    """Runs what failed the last time, case by case where the cases are known."""
+    record = build / FAILED
+    whole, by_room = json.loads(record.read_text()) if record.is_file() else ([], {})
+    if not whole and not by_room:
+        print("No test failed when tests were last run.")
+        return True
+    # A filter comes before the division into shards: any shard of the room may get the case.
+    names = [re.escape(name) for name in whole] + [rf"{room}\.\d+" for room in by_room]
+    cases = [case for of_room in by_room.values() for case in of_room]
+    crashed = any(re.fullmatch(r"\w+\.\d+", name) for name in whole)
+    environment = {"GTEST_FILTER": ":".join(cases)} if cases and not crashed else {}
+    return summarize(build, run_ctest(build, ["-R", f"^({'|'.join(names)})$"], environment))

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Unpacks the wheel that a file of pinned requirements names: unpack_wheel.sh REQUIREMENTS FOLDER
+set -euo pipefail
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# The interpreter's tag matters little: the files inside are the same for each.
+python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: \
+  --implementation cp --python-version 311 --platform "manylinux_2_28_$(uname -m)" \
+  --require-hashes --requirement "$1" --dest "$work"
+python3 -m zipfile -e "$work"/*.whl "$2"
