@@ -4,17 +4,28 @@ set(SOMATO_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <fu
     <memory> <optional> <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>
     <fmt/ranges.h> <tl/expected.hpp>)
 
-# somato_precompile(TARGET HEADER...): its own precompiled headers, with HEADERs beyond the common ones.
-function(somato_precompile target)
+# somato_precompiled_headers(TARGET HEADER...): an object library that holds them, with HEADERs beyond the
+# common ones. It is compiled as those that use it are, but without definitions of their own: g++ refuses
+# precompiled headers that know a definition which a source does not know.
+function(somato_precompiled_headers target)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cc CONTENT "")
+  add_library(${target} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cc)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_link_libraries(${target} PRIVATE fmt::fmt tl::expected Threads::Threads)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  somato_set_warnings(${target})
   target_precompile_headers(${target} PRIVATE ${SOMATO_COMMON_HEADERS} ${ARGN})
-  # Instantiates templates once in the header instead of once in each source.
-  target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:Clang>:-fpch-instantiate-templates>)
+  somato_instantiate_once(${target})
 endfunction()
 
-# somato_precompiled_as(TARGET OTHER): the precompiled headers of OTHER, which is compiled alike.
-function(somato_precompiled_as target other)
-  target_precompile_headers(${target} REUSE_FROM ${other})
+# somato_use_precompiled(TARGET HEADERS): TARGET is compiled with the precompiled headers HEADERS.
+function(somato_use_precompiled target headers)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+  somato_instantiate_once(${target})
+endfunction()
+
+# clang instantiates templates in the precompiled headers instead of in each source.
+function(somato_instantiate_once target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:Clang>:-fpch-instantiate-templates>)
 endfunction()

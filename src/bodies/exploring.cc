@@ -40,7 +40,7 @@ class Queue {
   }
 
   void put(std::size_t index, Result<Exploration> explored) {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     waiting_.emplace(index, std::move(explored));
     while (!stopped_ && !waiting_.empty() && waiting_.begin()->first == next_) {
       Result<Exploration> first = std::move(waiting_.begin()->second);
@@ -52,7 +52,7 @@ class Queue {
 
   // An exception: nobody shall wait for what will not come.
   void give_up() {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     stop(interrupted());
   }
 

@@ -14,7 +14,7 @@ class FirstException {
     try {
       work();
     } catch (...) {
-      const std::lock_guard lock(mutex_);
+      const std::scoped_lock lock(mutex_);
       if (!first_) first_ = std::current_exception();
       caught_ = true;
     }

@@ -33,8 +33,10 @@ std::string written(const std::string& text) {
 }
 
 void append_header(std::string& out, const NumberTable& table) {
-  for (const std::string& name : table.names)
-    out += (&name != &table.names[0] ? "," : "") + written(name);
+  for (const std::string& name : table.names) {
+    if (&name != &table.names[0]) out += ',';
+    out += written(name);
+  }
   if (!table.labels.empty()) out += ",label";
   out += '\n';
 }
@@ -47,7 +49,8 @@ void append_row(std::string& out, const NumberTable& table, std::size_t row) {
   }
   if (!table.labels.empty()) {
     require(!table.labels[row].empty(), "a label is empty");
-    out += "," + written(table.labels[row]);
+    out += ',';
+    out += written(table.labels[row]);
   }
   out += '\n';
 }

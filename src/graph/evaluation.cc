@@ -20,7 +20,7 @@ std::string place_of(const Recording& recording, std::size_t exploration) {
 class FirstError {
  public:
   void keep(std::size_t exploration, Error error) {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     if (error_ && exploration_ < exploration) return;
     exploration_ = exploration;
     error_ = std::move(error);

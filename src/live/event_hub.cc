@@ -7,38 +7,38 @@ namespace somato::live {
 void EventHub::publish(EventKind kind, std::string text) {
   auto shared = std::make_shared<const std::string>(std::move(text));
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     latest_[static_cast<std::size_t>(kind)] = {std::move(shared), ++published_};
   }
   news_.notify_all();
 }
 
 EventHub::Text EventHub::latest(EventKind kind) const {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   return latest_[static_cast<std::size_t>(kind)].text;
 }
 
 std::size_t EventHub::lookers_on() const {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   return lookers_on_;
 }
 
 void EventHub::close() {
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     closed_ = true;
   }
   news_.notify_all();
 }
 
 bool EventHub::is_closed() const {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   return closed_;
 }
 
 std::unique_ptr<EventHub::Seat> EventHub::take_seat(std::size_t most) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     if (lookers_on_ >= most || closed_) return nullptr;
     ++lookers_on_;
   }
@@ -48,7 +48,7 @@ std::unique_ptr<EventHub::Seat> EventHub::take_seat(std::size_t most) {
 
 void EventHub::leave() {
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     --lookers_on_;
   }
   if (changed_) changed_();

@@ -84,7 +84,7 @@ void HttpServer::start(Answer answer) {
 void HttpServer::stop() {
   stopping_ = true;
   if (acceptor_.joinable()) acceptor_.join();
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   for (const Visit& visit : visits_) visit.connection.interrupt();
   for (Visit& visit : visits_) visit.thread.join();
   visits_.clear();
@@ -107,7 +107,7 @@ void HttpServer::accept_one() {
     return;
   }
   collect();
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   const bool is_full = visits_.size() >= settings_.connections;
   if (visits_.size() >= settings_.connections + kTurnedAway) {
     ::close(socket);
@@ -152,7 +152,7 @@ HttpResponse HttpServer::answer_to(const HttpRequest& request) const {
 }
 
 void HttpServer::collect() {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   for (auto visit = visits_.begin(); visit != visits_.end();) {
     if (!visit->done) {
       ++visit;

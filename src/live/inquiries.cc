@@ -92,7 +92,7 @@ Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
 
 Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::string& map,
                                       std::size_t neuron) {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   turn_to(asked);
   KnownMap* known = find(map);
   if (known == nullptr) return fail(ErrorKind::kUsage, "there is no such map");
@@ -113,7 +113,7 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
 }
 
 Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t element) {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   turn_to(asked);
   Json maps = Json::object();
   std::string name;

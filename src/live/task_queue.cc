@@ -6,7 +6,7 @@ namespace somato::live {
 
 bool TaskQueue::post(Task task) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     if (closed_) return false;
     tasks_.push_back(std::move(task));
   }
@@ -17,7 +17,7 @@ bool TaskQueue::post(Task task) {
 void TaskQueue::close() {
   std::deque<Task> left;
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     closed_ = true;
     left.swap(tasks_);
   }

@@ -1,5 +1,7 @@
 #include "somato/maps/som_parameters.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace somato {
@@ -178,8 +180,7 @@ std::string reason_without_effect(const SomParameters& parameters, std::string_v
 }
 
 Error without_effect(std::string_view name, std::string_view reason, std::string_view where) {
-  return {ErrorKind::kUsage,
-          "'" + std::string(name) + "' has no effect, because " + std::string(reason),
+  return {ErrorKind::kUsage, fmt::format("'{}' has no effect, because {}", name, reason),
           std::string(where), "leave it out"};
 }
 

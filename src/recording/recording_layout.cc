@@ -162,7 +162,7 @@ McapSchema exploration_schema() {
 }
 
 McapChannel exploration_channel() {
-  return {0, 0, "/" + std::string(kControl), "json", {}};
+  return {0, 0, fmt::format("/{}", kControl), "json", {}};
 }
 
 bool is_exploration_schema(const McapSchema& schema) {

@@ -58,7 +58,7 @@ class RecordingWriter::State {
 
   ~State() {
     {
-      const std::lock_guard guard(mutex_);
+      const std::scoped_lock guard(mutex_);
       stop_ = true;
       if (!closed_) (void)frames_.end_chunk();
     }
@@ -69,7 +69,7 @@ class RecordingWriter::State {
   // Runs `write` on the file with its exploration open or not, as it must be.
   template <typename Write>
   Result<void> with(bool open, const Write& write) {
-    const std::lock_guard guard(mutex_);
+    const std::scoped_lock guard(mutex_);
     require(!closed_, "the recording is closed");
     require(frames_.is_open() == open,
             open ? "no exploration is open" : "an exploration is open already");

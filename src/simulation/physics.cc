@@ -44,7 +44,7 @@ void keep_quiet() {
 Result<std::shared_ptr<mjModel>> compile_model(const std::string& mjcf, const std::string& name) {
   // The engine's compiler keeps its last model in a global variable.
   static std::mutex compiler;
-  const std::lock_guard lock(compiler);
+  const std::scoped_lock lock(compiler);
   keep_quiet();
   constexpr const char* kFile = "model.xml";
   const MemoryFile file(kFile, mjcf);

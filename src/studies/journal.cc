@@ -134,7 +134,7 @@ const FoldOutcome* Journal::find(std::size_t protocol, std::size_t training) con
 Result<void> Journal::add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   if (path_.empty()) return {};
   const std::string line = line_of(content_for(protocol, training, outcome));
-  const std::lock_guard lock(*mutex_);
+  const std::scoped_lock lock(*mutex_);
   if (!file_) {
     // A line that was cut must not become the beginning of the next one.
     std::error_code code;

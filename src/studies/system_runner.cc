@@ -24,7 +24,7 @@ std::size_t place_of(std::size_t sample, const std::vector<std::size_t>& ascendi
 }  // namespace
 
 void Tally::one_done() {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   ++done_;
   if (progress_ && !progress_(done_, total_)) {
     keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
@@ -32,7 +32,7 @@ void Tally::one_done() {
 }
 
 bool Tally::goes_on() {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (stopped_ || now - asked_ < kNowAndThen) return !stopped_;
   asked_ = now;
@@ -43,7 +43,7 @@ bool Tally::goes_on() {
 }
 
 void Tally::failed(Error error) {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   keep(std::move(error));
 }
 

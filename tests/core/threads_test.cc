@@ -26,7 +26,7 @@ TEST(ThreadRanges, CoverEveryIndexOnceInPartsOfNearlyEqualLength) {
       std::vector<std::size_t> lengths;
       for_each_range(count, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) ++visits[i];
-        const std::lock_guard lock(mutex);
+        const std::scoped_lock lock(mutex);
         lengths.push_back(end - begin);
       });
       EXPECT_EQ(visits, std::vector<int>(count, 1));
@@ -41,7 +41,7 @@ TEST(ThreadRanges, RunOnThreadsOfTheirOwn) {
   std::mutex mutex;
   std::set<std::thread::id> seen;
   for_each_range(4, 4, [&](std::size_t, std::size_t) {
-    const std::lock_guard lock(mutex);
+    const std::scoped_lock lock(mutex);
     seen.insert(std::this_thread::get_id());
   });
   EXPECT_EQ(seen.size(), 4U);

@@ -44,7 +44,7 @@ Result<void> for_each_part(SampleSource& source,
 /// parts of at most `most` samples. Throws InvalidArgument when `most` is 0.
 class SamplesInMemory final : public SampleSource {
  public:
-  explicit SamplesInMemory(const Samples& samples, std::size_t most = std::size_t(-1));
+  explicit SamplesInMemory(const Samples& samples, std::size_t most = static_cast<std::size_t>(-1));
 
   std::size_t size() const override { return samples_.size(); }
   Result<void> rewind() override;
