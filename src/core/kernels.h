@@ -19,7 +19,8 @@ inline constexpr std::size_t kSpreadGroup = 4;
 /// Smaller magnitudes are not worth keeping: the product of two of them leaves the range of normal
 /// numbers, where processors are up to a hundred times slower.
 template <typename Real>
-inline constexpr Real kNegligible = sizeof(Real) == sizeof(float) ? Real(1e-18) : Real(1e-150);
+inline constexpr Real kNegligible =
+    sizeof(Real) == sizeof(float) ? static_cast<Real>(1e-18) : static_cast<Real>(1e-150);
 
 /// The matrix as the kernels see it: plain pointers, so that no inline function of another header
 /// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order.

@@ -1,5 +1,6 @@
 #include "graph/labels_part.h"
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ Result<NeuronLabels> labels_from(const Archive& archive, std::size_t neurons, st
   }
   std::vector<std::optional<std::size_t>> class_of_neuron;
   for (const std::int64_t label : (*array)->values) {
-    if (label < kNoLabel || label >= static_cast<std::int64_t>(classes)) {
+    if (label < kNoLabel || std::cmp_greater_equal(label, classes)) {
       return damaged_model("a neuron has the label of a class that is not there", where);
     }
     class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}

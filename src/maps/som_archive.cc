@@ -54,7 +54,7 @@ Result<std::vector<std::uint32_t>> read_list(const Archive& archive, const std::
   std::vector<std::uint32_t> listed;
   listed.reserve(array.values.size());
   for (const std::int64_t element : array.values) {
-    if (element < 0 || element >= static_cast<std::int64_t>(size)) {
+    if (element < 0 || std::cmp_greater_equal(element, size)) {
       return damaged_model("'" + name + "' holds an element that the input has not", where);
     }
     listed.push_back(static_cast<std::uint32_t>(element));

@@ -70,7 +70,7 @@ Samples all_values(const TrainingInputs& explorations);
 template <typename M>
 ModuleType describe(std::string name, std::string text, std::vector<InputPort> ports,
                     std::string output, bool learns = false) {
-  using Parameters = typename M::Parameters;
+  using Parameters = M::Parameters;
   return {std::move(name),
           std::move(text),
           std::move(ports),
