@@ -9,6 +9,7 @@ header the first source that includes it.
 usage: run_clang_tidy.py [--fix] [--changed]
 """
 
+import argparse
 import hashlib
 import json
 import os
@@ -106,9 +107,13 @@ def check(file, command, fix):
 
 
 def main():
-    fix = "--fix" in sys.argv[1:]
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--fix", action="store_true")
+    parser.add_argument("--changed", action="store_true")
+    given = parser.parse_args()
+    fix = given.fix
     STAMPS.mkdir(parents=True, exist_ok=True)
-    files = only_changed(entries()) if "--changed" in sys.argv[1:] else entries()
+    files = only_changed(entries()) if given.changed else entries()
     # Two at once would write the same header's fixes twice.
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
         passed = list(pool.map(lambda item: check(*item, fix), sorted(files.items())))

@@ -164,27 +164,36 @@ def run_failed():
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1],
-                                     add_help=True)
-    parser.add_argument("rooms", nargs="*")
-    for flag in ("--all", "--failed", "--rooms", "--table"):
-        parser.add_argument(flag, action="store_true", dest=flag.strip("-") + "_flag")
-    return parser.parse_args()
+    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1])
+    parser.add_argument("rooms", nargs="*", metavar="ROOM")
+    only = parser.add_mutually_exclusive_group()
+    for flag in ("all", "failed", "rooms", "table"):
+        only.add_argument(f"--{flag}", action="store_const", const=flag, dest="only")
+    given = parser.parse_args()
+    if given.rooms and given.only not in (None, "all"):
+        parser.error(f"--{given.only} takes no rooms; leave out {' '.join(given.rooms)}")
+    return given
+
+
+def print_rooms():
+    if not configure():
+        return False
+    print("\n".join(rooms()))
+    return True
 
 
 def main():
     given = parse_arguments()
-    if given.table_flag:
+    if given.only == "table":
         print(stage_table.table())
         return True
-    if given.rooms_flag and configure():
-        print("\n".join(rooms()))
-        return True
-    if given.failed_flag:
+    if given.only == "rooms":
+        return print_rooms()
+    if given.only == "failed":
         return run_failed()
     if given.rooms:
-        return run_rooms(given.rooms, given.all_flag)
-    return run_stages(given.all_flag)
+        return run_rooms(given.rooms, given.only == "all")
+    return run_stages(given.only == "all")
 
 
 if __name__ == "__main__":
