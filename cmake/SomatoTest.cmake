@@ -61,6 +61,7 @@ function(somato_test_program room)
   target_compile_options(${program} PRIVATE -O0 -ffp-contract=off)
   somato_set_warnings(${program})
   somato_use_precompiled(${program} test_headers)
+  somato_compile_together(${program})
   math(EXPR last "${SOMATO_TEST_SHARDS} - 1")
   foreach(shard RANGE ${last})
     somato_test(${room} ${shard} TIMEOUT 1200 DEPENDS ${program}

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "data.h"
+#include "explore_table.h"
 #include "output.h"
 #include "output_folder.h"
 #include "somato/bodies/exploring.h"
@@ -17,18 +18,6 @@
 
 namespace somato::program {
 namespace {
-
-Result<ExploringBody> read_body(const Arguments& arguments) {
-  const auto& bodies = Choices<ExploringBody>::all();
-  const std::string& name = arguments.text("body");
-  std::vector<std::string> known;
-  known.reserve(bodies.size());
-  for (const auto& [body, body_name] : bodies) {
-    if (body_name == name) return body;
-    known.push_back(body_name);
-  }
-  return fail(unknown_name("body", name, "--body", known));
-}
 
 Result<ExploringParameters> read_parameters(const Arguments& arguments) {
   ExploringParameters parameters;
@@ -155,7 +144,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   return fail(std::move(outcome.error()));
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_explore(const Arguments& arguments) {
   if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto request = read_request(arguments);
   if (!request) return fail(std::move(request.error()));
@@ -188,7 +177,7 @@ Command explore_command() {
            threads_flag(),
            {"-o,--output", "File for the recording", true}},
           SimulationParameters::declarations().infos(),
-          run,
+          run_explore,
           "simulation"};
 }
 

@@ -3,12 +3,16 @@
 #include <cstddef>
 #include <string>
 
+#include "command_line.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/simulation/explorer.h"
 
 namespace somato::program {
+
+/// The body that --body names. Errors: kUsage with the nearest name.
+Result<ExploringBody> read_body(const Arguments& arguments);
 
 /// What the table `[explore]` of a system's file says: which recordings are made where none are
 /// given.

@@ -123,7 +123,7 @@ std::string summary(const Recording& recording) {
                      fmt::join(labels, ", "), fmt::join(channels, ", "));
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_import(const Arguments& arguments) {
   if (auto savable = check_output(arguments, "output"); !savable) return savable;
   const auto recording =
       arguments.text("FORMAT") == kCsv ? import_csv(arguments) : import_named(arguments);
@@ -149,7 +149,7 @@ Command import_command() {
             "For csv: the channels with their units and columns, such as "
             "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz"}},
           CsvTrials::declarations().infos(),
-          run,
+          run_import,
           "import"};
 }
 

@@ -47,7 +47,7 @@ void print(const Information& information) {
   if (information.order) print_order(*information.order, information.asked);
 }
 
-Result<StudyDescription> describe(const Arguments& arguments) {
+Result<StudyDescription> read_asked_study(const Arguments& arguments) {
   return read_toml(arguments.text("STUDY")).and_then([](const Table& file) {
     return read_study(file);
   });
@@ -58,7 +58,7 @@ Result<Information> measure(const Arguments& arguments) {
   if (!asked) return fail(std::move(asked.error()));
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
-  auto description = describe(arguments);
+  auto description = read_asked_study(arguments);
   if (!description) return fail(std::move(description.error()));
   auto recording = read_study_data(description->recording.format, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
@@ -67,7 +67,7 @@ Result<Information> measure(const Arguments& arguments) {
   return information;
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_information(const Arguments& arguments) {
   if (arguments.has("output")) {
     if (auto savable = check_output(arguments, "output"); !savable) return savable;
   }
@@ -91,7 +91,7 @@ Command information_command() {
            threads_flag(),
            {"-o,--output", "File for the figures, in JSON"}},
           InformationParameters::declarations().infos(),
-          run,
+          run_information,
           "information"};
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostValues = 20;  // Of a label, that are printed.
 
 std::string quoted(const std::string& text) {
-  return to_toml({text});
+  return to_toml(Value(text));
 }
 
 void print_label(const LabelSummary& label) {

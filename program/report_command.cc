@@ -130,7 +130,7 @@ std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_report(const Arguments& arguments) {
   const auto page = find_page();
   if (!page) return fail(page.error());
   if (auto free = check_results(arguments); !free) return free;
@@ -162,7 +162,7 @@ Command report_command() {
             "with its settings"},
            threads_flag()},
           {},
-          run};
+          run_report};
 }
 
 }  // namespace somato::program

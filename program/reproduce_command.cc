@@ -30,7 +30,7 @@ constexpr const char* kAll = "all";
 constexpr const char* kQuestions = "questions";
 
 // What was asked for on the command line.
-struct Request {
+struct ReproductionRequest {
   ReproductionPlan plan;
   bool everything = false;  ///< Systems that do not apply to what is given are passed over.
   std::size_t pairs = 100;
@@ -62,7 +62,7 @@ void append(const std::vector<NamedFile>& more, std::vector<NamedFile>& files) {
 
 // With data, all are the systems for data sets, too: these explore nothing.
 Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names,
-                                           const OwnSystems& own, Request& request) {
+                                           const OwnSystems& own, ReproductionRequest& request) {
   std::vector<NamedFile> files;
   for (const std::string& name : names) {
     request.everything = request.everything || name == kAll || name == kQuestions;
@@ -99,7 +99,7 @@ Result<void> check_names(const ReproductionPlan& plan) {
 }
 
 // Explored anew unless given, so it must say how.
-Result<void> check_explorable(const Request& request) {
+Result<void> check_explorable(const ReproductionRequest& request) {
   for (const ReproductionPart& part : request.plan.parts) {
     if (part.explore.entries.empty()) {
       if (request.given) continue;
@@ -111,7 +111,7 @@ Result<void> check_explorable(const Request& request) {
   return {};
 }
 
-Result<void> read_plan(const Arguments& arguments, Request& request) {
+Result<void> read_plan(const Arguments& arguments, ReproductionRequest& request) {
   const auto own = own_systems();
   if (!own) return fail(own.error());
   const auto found = arguments.lists.find("SYSTEM");
@@ -125,7 +125,7 @@ Result<void> read_plan(const Arguments& arguments, Request& request) {
   return check_names(request.plan).and_then([&] { return check_explorable(request); });
 }
 
-Result<void> read_numbers(const Arguments& arguments, Request& request) {
+Result<void> read_numbers(const Arguments& arguments, ReproductionRequest& request) {
   const auto read = [&](const std::string& flag, std::size_t least, auto& value) -> Result<void> {
     auto number = arguments.number(flag, least);
     if (!number) return fail(std::move(number.error()));
@@ -137,7 +137,7 @@ Result<void> read_numbers(const Arguments& arguments, Request& request) {
       .and_then([&] { return read("seed", 0, request.seed); });
 }
 
-Result<void> read_data(const Arguments& arguments, Request& request) {
+Result<void> read_data(const Arguments& arguments, ReproductionRequest& request) {
   if (arguments.has("data")) {
     auto given = GivenRecordings::at(arguments.text("data"));
     if (!given) return fail(std::move(given.error()));
@@ -150,8 +150,8 @@ Result<void> read_data(const Arguments& arguments, Request& request) {
   return {};
 }
 
-Result<Request> read_request(const Arguments& arguments) {
-  Request request;
+Result<ReproductionRequest> read_reproduction_request(const Arguments& arguments) {
+  ReproductionRequest request;
   request.out = arguments.has("out") ? arguments.text("out") : "out/reproduction";
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
@@ -173,7 +173,7 @@ std::string file_name_of(const ReproductionPart& part) {
 // Runs the parts of a request one after the other and keeps what they find.
 class Reproduction {
  public:
-  Reproduction(Request& request)
+  Reproduction(ReproductionRequest& request)
       : request_(request), explored_(request.out / "recordings", request.seed, request.threads) {}
 
   Result<void> run() {
@@ -293,7 +293,7 @@ class Reproduction {
             files ? "give --data a file or a folder of files" : "give --data its folder"};
   }
 
-  Request& request_;
+  ReproductionRequest& request_;
   ExploredRecordings explored_;
   ReproductionResults results_;
   std::string place_;
@@ -310,8 +310,8 @@ Result<void> make_folders(const std::filesystem::path& out) {
   return check_output((out / "results.json").string());
 }
 
-Result<void> run(const Arguments& arguments) {
-  auto request = read_request(arguments);
+Result<void> run_reproduce(const Arguments& arguments) {
+  auto request = read_reproduction_request(arguments);
   if (!request) return fail(std::move(request.error()));
   if (auto made = make_folders(request->out); !made) return made;
   Reproduction reproduction(*request);
@@ -345,7 +345,7 @@ Command reproduce_command() {
        {"--out", "Folder for results.json, maps and recordings; out/reproduction unless given"},
        threads_flag()},
       {},
-      run};
+      run_reproduce};
 }
 
 }  // namespace somato::program

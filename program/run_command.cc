@@ -128,7 +128,7 @@ Result<void> run_whole(const Arguments& arguments, const StudyDescription& descr
   return {};
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_study_command(const Arguments& arguments) {
   const bool explains = arguments.has("explain");
   auto needed = explains ? Result<void>() : check_needed(arguments);
   if (!needed) return needed;
@@ -152,7 +152,7 @@ Command run_command() {
            {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
            threads_flag()},
           {},
-          run};
+          run_study_command};
 }
 
 }  // namespace somato::program

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "explore_table.h"
 #include "pages.h"
 #include "somato/bodies/object_table.h"
 #include "somato/live/address.h"
@@ -38,15 +39,6 @@ Result<std::vector<ViewPage>> view_pages() {
   if (!served.empty()) return served;
   return fail(ErrorKind::kUsage, "this program was built without its pages", "view",
               "build it where npm is installed");
-}
-
-Result<ExploringBody> read_body(const Arguments& arguments) {
-  std::vector<std::string> known;
-  for (const auto& [body, name] : Choices<ExploringBody>::all()) {
-    if (name == arguments.text("body")) return body;
-    known.push_back(name);
-  }
-  return fail(unknown_name("body", arguments.text("body"), "--body", known));
 }
 
 Result<std::size_t> find_thing(const WatchedBody& body, const std::string& name) {
@@ -162,7 +154,7 @@ void wait_for_interrupt() {
   while (!stop_requested()) ::usleep(50000);
 }
 
-Result<void> run(const Arguments& arguments) {
+Result<void> run_view(const Arguments& arguments) {
   auto settings = read_server_settings(arguments);
   if (!settings) return fail(std::move(settings.error()));
   auto source = read_source(arguments);
@@ -207,7 +199,7 @@ Command view_command() {
             "then see all and move the body, and it goes through the network unprotected",
             false, false}},
           {},
-          run};
+          run_view};
 }
 
 }  // namespace somato::program

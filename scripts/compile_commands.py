@@ -1,13 +1,20 @@
 """How a build compiles each source."""
 
 import json
+import re
 from pathlib import Path
 
-
-def entries(build):
-    return json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+INCLUDED = re.compile(r'^#include "(/[^"]+)"', re.MULTILINE)
 
 
 def by_file(build):
-    """The command that compiles each source of the folder `build`."""
-    return {Path(entry["file"]): entry["command"] for entry in entries(build)}
+    """For each source of the folder `build`: the command that compiles it, and the file that the command
+    names, which is another one where sources are compiled together."""
+    found = {}
+    for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
+        compiled = Path(entry["file"])
+        sources = [compiled]
+        if compiled.parent.name == "Unity":
+            sources = map(Path, INCLUDED.findall(compiled.read_text(encoding="utf-8")))
+        found.update((source, (entry["command"], compiled)) for source in sources)
+    return found

@@ -42,7 +42,6 @@ check_format() {
 }
 
 scripts/setup.sh build test
-[[ -f build/dev/compile_commands.json ]] || cmake --preset dev
 
 check 'format' check_format
 check 'include table' python3 scripts/check_includes.py

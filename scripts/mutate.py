@@ -67,9 +67,15 @@ class Room:
 
     def build(self, mutant, folder):
         """What is linked with `mutant`, or None where it does not compile."""
+        command, compiled = self.compile[mutant.file]
         source = folder / mutant.file.name
         source.write_text(mutant.text(), encoding="utf-8")
-        words = shlex.split(self.compile[mutant.file])
+        if compiled != mutant.file:  # the sources that are compiled together, one of them broken
+            together = folder / compiled.name
+            text = compiled.read_text(encoding="utf-8")
+            together.write_text(text.replace(f'"{mutant.file}"', f'"{source}"'), encoding="utf-8")
+            source = together
+        words = shlex.split(command)
         original = words[words.index("-o") + 1]
         words[words.index("-o") + 1] = str(folder / "mutant.o")
         words[words.index("-c") + 1] = str(source)

@@ -2,8 +2,8 @@
 """Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
 A file that passed is not looked at again until it, a header of ours that it reaches, its compile
-command or the rules change. Precompiled headers are left out, so that a source which lacks an include
-is refused. --changed: only files that differ from the branch that this one comes from, and for a
+command or the rules change. Each source is read by itself and without precompiled headers, so that one
+which lacks an include is refused. --changed: only files that differ from the branch that this one comes from, and for a
 header the first source that includes it.
 
 usage: run_clang_tidy.py [--fix] [--changed]
@@ -11,9 +11,7 @@ usage: run_clang_tidy.py [--fix] [--changed]
 
 import argparse
 import hashlib
-import json
 import os
-import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -23,20 +21,18 @@ import compile_commands
 from check_includes import includes
 
 TREE = Path(__file__).resolve().parent.parent
-BUILD = TREE / "build/dev"
-STAMPS = TREE / "build/lint"
+BUILD = TREE / "build/lint"
+STAMPS = BUILD / "passed"
 CHECKED = ("src", "program", "fuzz")
 TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
-PRECOMPILED = re.compile(r" -Winvalid-pch| -fpch-instantiate-templates"
-                         r"| -Xclang -include(-pch)? -Xclang \S+cmake_pch\S*")
 
 
 def entries():
     """The compile commands of the files to check, by file."""
-    plain = [dict(entry, command=PRECOMPILED.sub("", entry["command"]))
-             for entry in compile_commands.entries(BUILD)]
-    (STAMPS / "compile_commands.json").write_text(json.dumps(plain), encoding="utf-8")
-    found = {Path(entry["file"]): entry["command"] for entry in plain}
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1",
+                    "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"], cwd=TREE, stdout=subprocess.DEVNULL,
+                   check=True)
+    found = {file: command for file, (command, _) in compile_commands.by_file(BUILD).items()}
     return {file: command for file, command in found.items()
             if file.is_relative_to(TREE) and file.relative_to(TREE).parts[0] in CHECKED}
 
@@ -97,7 +93,7 @@ def check(file, command, fix):
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
         return True
     options = ["--fix", "--fix-errors"] if fix else []
-    done = subprocess.run([TIDY, "-p", str(STAMPS), "--quiet", *options, str(file)],
+    done = subprocess.run([TIDY, "-p", str(BUILD), "--quiet", *options, str(file)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="", end="", file=sys.stderr)

@@ -98,9 +98,9 @@ class ClosingFinger {
   std::size_t current_ = 0;
 };
 
-class ClosingHand {
+class GuardedHand {
  public:
-  ClosingHand(Body& body, const HandLayout& hand, const GuardedGrasp& grasp)
+  GuardedHand(Body& body, const HandLayout& hand, const GuardedGrasp& grasp)
       : body_(body), touch_(hand.touch), grasp_(grasp) {
     fingers_.reserve(hand.fingers.size());
     for (const Finger& finger : hand.fingers) {
@@ -220,7 +220,7 @@ Result<GraspResult> guarded_grasp(Body& body, const HandLayout& hand, const Guar
                                   std::vector<double>& targets, FrameLog& log) {
   require(targets.size() == body.description().degrees_of_freedom.size(),
           "guarded_grasp: one target for each degree of freedom");
-  return ClosingHand(body, hand, grasp).close(targets, log);
+  return GuardedHand(body, hand, grasp).close(targets, log);
 }
 
 }  // namespace somato

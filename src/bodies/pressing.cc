@@ -10,8 +10,6 @@
 namespace somato {
 namespace {
 
-using P = PressParameters;
-
 // The mean of so many of the readings that end `before` the last.
 double mean_of(const std::vector<float>& readings, std::size_t count, std::size_t before) {
   const auto last = readings.end() - static_cast<std::ptrdiff_t>(before);
@@ -47,7 +45,7 @@ Result<float> read_once(Body& body, std::size_t sensor, double seconds) {
 }
 
 Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, double target,
-                           const P& parameters, const AfterFrames& after_frames) {
+                           const PressParameters& parameters, const AfterFrames& after_frames) {
   std::vector<float> readings;
   std::size_t rests = 0;
   const double until = body.state().time + parameters.patience;
@@ -80,9 +78,10 @@ Exploration exploration_of(const ChannelDescription& sensor, const Matrix<float>
 
 }  // namespace
 
-const Declarations<P>& P::declarations() {
-  static const Declarations<P> kAll =
-      Declarations<P>()
+const Declarations<PressParameters>& PressParameters::declarations() {
+  using P = PressParameters;
+  static const Declarations<PressParameters> kAll =
+      Declarations<PressParameters>()
           .add("to", &P::to, "mm", Range::any(),
                "Where the stick is sent; automatic: its limit. Not given in the paper.")
           .add("step", &P::step, "s", Range::between(1e-4, 60),
@@ -94,7 +93,7 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<Exploration> explore_by_pressing(Body& body, const P& parameters,
+Result<Exploration> explore_by_pressing(Body& body, const PressParameters& parameters,
                                         const AfterFrames& after_frames) {
   if (auto ranges = check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto stick = find_degree_of_freedom(body.description(), "stick");

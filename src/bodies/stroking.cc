@@ -10,8 +10,6 @@
 namespace somato {
 namespace {
 
-using P = StrokeParameters;
-
 // The lever and the sound of a body, and the stroke in numbers.
 struct Stroke {
   std::size_t lever = 0;
@@ -29,7 +27,7 @@ Result<void> check_end(const DegreeOfFreedom& lever, double to) {
               lever.name, "let it end within the limits");
 }
 
-Result<Stroke> plan_stroke(const BodyDescription& body, const P& parameters) {
+Result<Stroke> plan_stroke(const BodyDescription& body, const StrokeParameters& parameters) {
   if (auto ranges = check_ranges(parameters); !ranges) return fail(ranges.error());
   const auto lever = find_degree_of_freedom(body, "lever");
   if (!lever) return fail(lever.error());
@@ -59,7 +57,7 @@ Result<void> check_arrival(const Body& body, std::size_t lever, double target) {
               servo.name, "see whether something blocks it");
 }
 
-Result<void> go_to_start(Body& body, const Stroke& stroke, const P& parameters) {
+Result<void> go_to_start(Body& body, const Stroke& stroke, const StrokeParameters& parameters) {
   const double away = std::abs(body.state().positions[stroke.lever] - parameters.from);
   if (auto sent = detail::drive_one(body, stroke.lever, parameters.from); !sent) return sent;
   const double seconds = away / body.description().degrees_of_freedom[stroke.lever].fastest;
@@ -72,7 +70,8 @@ Result<void> go_to_start(Body& body, const Stroke& stroke, const P& parameters) 
 }
 
 // What is heard on the way to the end of the stroke.
-Result<std::vector<float>> listen(Body& body, const Stroke& stroke, const P& parameters,
+Result<std::vector<float>> listen(Body& body, const Stroke& stroke,
+                                  const StrokeParameters& parameters,
                                   const AfterFrames& after_frames) {
   if (auto sent = detail::drive_one(body, stroke.lever, parameters.to); !sent) {
     return fail(sent.error());
@@ -92,9 +91,10 @@ Result<std::vector<float>> listen(Body& body, const Stroke& stroke, const P& par
 
 }  // namespace
 
-const Declarations<P>& P::declarations() {
-  static const Declarations<P> kAll =
-      Declarations<P>()
+const Declarations<StrokeParameters>& StrokeParameters::declarations() {
+  using P = StrokeParameters;
+  static const Declarations<StrokeParameters> kAll =
+      Declarations<StrokeParameters>()
           .add("from", &P::from, "deg", Range::any(),
                "Where the stroke starts. Not given in the paper.")
           .add("to", &P::to, "deg", Range::any(), "Where it ends; 36 degrees further in P11.")
@@ -105,7 +105,7 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<Exploration> explore_by_stroking(Body& body, const P& parameters,
+Result<Exploration> explore_by_stroking(Body& body, const StrokeParameters& parameters,
                                         const AfterFrames& after_frames) {
   const auto stroke = plan_stroke(body.description(), parameters);
   if (!stroke) return fail(stroke.error());

@@ -10,10 +10,10 @@ namespace somato {
 namespace {
 
 std::size_t size_of(const std::vector<std::size_t>& shape) {
-  constexpr std::size_t kMostElements = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::size_t kMostIndices = std::numeric_limits<std::uint32_t>::max();
   std::size_t size = 1;
   for (const std::size_t axis : shape) {
-    require(axis == 0 || size <= kMostElements / axis,
+    require(axis == 0 || size <= kMostIndices / axis,
             "a memory can have at most 2^32 - 1 elements");
     size *= axis;
   }

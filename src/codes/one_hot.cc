@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kMostElements = std::size_t{1} << 20;
+constexpr std::size_t kMostOneHotElements = std::size_t{1} << 20;
 
 std::vector<float> bin_edges(const OneHotParameters& parameters) {
   const auto count = static_cast<double>(parameters.elements);
@@ -44,7 +44,8 @@ const Declarations<OneHotParameters>& OneHotParameters::declarations() {
                "Lower end of the first bin. Not given in the paper.")
           .add("high", &P::high, "unit of the value", Range::any(),
                "Upper end of the last bin. Not given in the paper.")
-          .add("elements", &P::elements, "", Range::between(1, static_cast<double>(kMostElements)),
+          .add("elements", &P::elements, "",
+               Range::between(1, static_cast<double>(kMostOneHotElements)),
                "Bins for each element of the input; 10 in the papers.")
           .add("outside", &P::outside, "", Range::any(),
                "What becomes of a value outside the range: an error, or the nearest bin.");
@@ -52,7 +53,7 @@ const Declarations<OneHotParameters>& OneHotParameters::declarations() {
 }
 
 OneHot::OneHot(const OneHotParameters& parameters) : parameters_(parameters) {
-  require(parameters.elements >= 1 && parameters.elements <= kMostElements,
+  require(parameters.elements >= 1 && parameters.elements <= kMostOneHotElements,
           "a one-hot code needs 1 to 2^20 elements");
   require(is_float_range(parameters.low, parameters.high),
           "the range of a one-hot code must be finite, with low below high");

@@ -5,7 +5,7 @@
 namespace somato {
 namespace {
 
-constexpr double kMostFrames = 1 << 24;
+constexpr double kLongestSegment = 1 << 24;
 
 tl::unexpected<Error> misfit(std::string what, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), {}, std::move(advice));
@@ -70,11 +70,12 @@ const Declarations<SpectrumParameters>& SpectrumParameters::declarations() {
       Declarations<P>()
           .add("window", &P::window, "", Range::any(),
                "What a segment is multiplied by before the transform. Not given in the paper.")
-          .add("segment_length", &P::segment_length, "frames", Range::between(1, kMostFrames),
+          .add("segment_length", &P::segment_length, "frames", Range::between(1, kLongestSegment),
                "Frames transformed at once; automatic: the whole exploration. 4096 in P11.")
           .add("overlap", &P::overlap, "", Range::between(0, 0.99),
                "Share of a segment that the next one repeats. Not given in the paper.")
-          .add("transform_length", &P::transform_length, "frames", Range::between(2, kMostFrames),
+          .add("transform_length", &P::transform_length, "frames",
+               Range::between(2, kLongestSegment),
                "Length of the transform, reached by zeros after the segment; fast where it has no "
                "large prime factor; automatic: the power of two that holds the segment. 4096 in "
                "P11.")

@@ -1,7 +1,17 @@
 #pragma once
 
+#include <cstddef>
+
 #include "core/kernels.h"
 #include "somato/core/lane_matrix.h"
+
+namespace somato {
+
+/// The rows of a block of a LaneMatrix.
+inline constexpr std::size_t kFloatLanes = LaneMatrix<float>::kLanes;
+inline constexpr std::size_t kDoubleLanes = LaneMatrix<double>::kLanes;
+
+}  // namespace somato
 
 namespace somato::kernels {
 

@@ -68,6 +68,12 @@ Signal Signal::dense(std::vector<float> values) {
   return dense(std::move(shape), std::move(values));
 }
 
+Signal Signal::copy_of(const SignalView& view) {
+  std::vector<float> values(view.values.begin(), view.values.end());
+  if (!view.sparse) return dense(std::move(values));
+  return sparse({view.size}, {view.indices.begin(), view.indices.end()}, std::move(values));
+}
+
 Signal Signal::sparse(std::vector<std::size_t> shape, std::vector<std::uint32_t> indices,
                       std::vector<float> values) {
   Signal signal;

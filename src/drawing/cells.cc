@@ -14,10 +14,6 @@ constexpr double kSquareRootOf3 = 0x1.bb67ae8584caap+0;
 constexpr std::array<Point, 4> kSquare{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 constexpr std::array<Point, 6> kHexagon{{{0, -2}, {1, -1}, {1, 1}, {0, 2}, {-1, 1}, {-1, -1}}};
 
-double real(std::size_t number) {
-  return static_cast<double>(number);
-}
-
 // An edge by its ends, the same from both of its sides.
 using Edge = std::pair<std::pair<double, double>, std::pair<double, double>>;
 

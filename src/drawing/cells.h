@@ -9,6 +9,11 @@
 
 namespace somato {
 
+/// A number of things as a factor of a length.
+inline double real(std::size_t number) {
+  return static_cast<double>(number);
+}
+
 /// Where the cells of a map lie: squares, or hexagons that stand on a corner, without gaps.
 ///
 /// Corners are whole numbers of units, unit().x pixels wide and unit().y high: half a cell, or on

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "drawing/cells.h"
 #include "drawing/legend.h"
 #include "drawing/marker.h"
 #include "drawing/text_layout.h"
@@ -42,10 +43,6 @@ std::string tooltip_of(const LabelPanel& panel, std::size_t neuron, const Won& w
     separator = ", ";
   }
   return text;
-}
-
-double real(std::size_t number) {
-  return static_cast<double>(number);
 }
 
 // Places for markers in an upright square, row after row.

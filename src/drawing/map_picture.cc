@@ -14,8 +14,8 @@ namespace somato {
 namespace {
 
 constexpr double kMargin = 20.0;
-constexpr double kGap = 28.0;
-constexpr double kTitleSize = 18.0;
+constexpr double kPanelGap = 28.0;
+constexpr double kPictureTitleSize = 18.0;
 constexpr double kTitleLine = 24.0;
 constexpr std::size_t kMostTitleLines = 3;
 constexpr double kCaptionSize = 12.0;
@@ -48,11 +48,11 @@ struct Layout {
 
   static double start(const std::vector<double>& lengths, std::size_t index) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < index; ++i) sum += lengths[i] + kGap;
+    for (std::size_t i = 0; i < index; ++i) sum += lengths[i] + kPanelGap;
     return sum;
   }
   static double sum_with_gaps(const std::vector<double>& lengths) {
-    return start(lengths, lengths.size()) - kGap;
+    return start(lengths, lengths.size()) - kPanelGap;
   }
 };
 
@@ -77,7 +77,7 @@ Layout lay_out(const std::string& title, const std::string& caption,
     layout.frames.push_back(frame);
   }
   const double width = layout.width() - 2 * kMargin;
-  layout.title_lines = wrapped(title, width, kBoldness * kTitleSize, kMostTitleLines);
+  layout.title_lines = wrapped(title, width, kBoldness * kPictureTitleSize, kMostTitleLines);
   layout.caption_lines = wrapped(caption, width, kCaptionSize, kMostCaptionLines);
   return layout;
 }
@@ -105,7 +105,8 @@ std::string draw_picture(const std::string& title, const std::string& caption,
   require(!panels.empty(), "a picture needs at least one panel");
   const Layout layout = lay_out(title, caption, panels);
   SvgWriter svg(layout.width(), layout.height(), title);
-  write_lines(svg, kMargin, kTitleLine, layout.title_lines, {.size = kTitleSize, .bold = true});
+  write_lines(svg, kMargin, kTitleLine, layout.title_lines,
+              {.size = kPictureTitleSize, .bold = true});
   write_lines(svg, layout.caption_top(), kCaptionLine, layout.caption_lines,
               {.size = kCaptionSize, .fill = "#444444"});
   for (std::size_t i = 0; i < panels.size(); ++i) {

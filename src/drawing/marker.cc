@@ -9,7 +9,7 @@ namespace somato {
 namespace {
 
 // Outlines around (0, 0), in radii.
-constexpr Point kSquare[] = {{-0.89, -0.89}, {0.89, -0.89}, {0.89, 0.89}, {-0.89, 0.89}};
+constexpr Point kSquareMarker[] = {{-0.89, -0.89}, {0.89, -0.89}, {0.89, 0.89}, {-0.89, 0.89}};
 constexpr Point kTriangle[] = {{0, -1.3}, {1.2, 0.8}, {-1.2, 0.8}};
 constexpr Point kTriangleDown[] = {{0, 1.3}, {-1.2, -0.8}, {1.2, -0.8}};
 constexpr Point kDiamond[] = {{0, -1.3}, {1.2, 0}, {0, 1.3}, {-1.2, 0}};
@@ -27,7 +27,7 @@ std::span<const Point> outline_of(MarkerShape shape) {
     case MarkerShape::kCircle:
       return {};
     case MarkerShape::kSquare:
-      return kSquare;
+      return kSquareMarker;
     case MarkerShape::kTriangle:
       return kTriangle;
     case MarkerShape::kDiamond:

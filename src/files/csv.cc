@@ -17,10 +17,6 @@
 namespace somato {
 namespace {
 
-bool is_text(std::string_view field) {
-  return read_csv_number<float>(field).meaning == CsvMeaning::kText;
-}
-
 bool is_plain(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
          c == '-' || c == '.';
@@ -89,7 +85,7 @@ Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options)
 
 std::string csv_field(const std::string& text) {
   const bool plain = std::all_of(text.begin(), text.end(), is_plain);
-  if (plain && is_text(text)) return text;
+  if (plain && is_csv_text(text)) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";

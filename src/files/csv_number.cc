@@ -42,6 +42,10 @@ CsvReading<T> out_of_range(std::string_view text) {
 
 }  // namespace
 
+bool is_csv_text(std::string_view field) {
+  return read_csv_number<float>(field).meaning == CsvMeaning::kText;
+}
+
 template <typename T>
 CsvReading<T> read_csv_number(std::string_view field) {
   const std::string_view text = without_plus(field);

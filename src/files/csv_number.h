@@ -26,6 +26,9 @@ struct CsvReading {
 template <typename T>
 CsvReading<T> read_csv_number(std::string_view field);
 
+/// Whether a field holds no number, nor a word for a missing one.
+bool is_csv_text(std::string_view field);
+
 /// Why the field at `place` is no number of its column. Caller mistake (asserted): it is one.
 tl::unexpected<Error> no_csv_number(const CsvField& field, CsvMeaning meaning,
                                     const std::string& place, const std::string& advice_for_text);

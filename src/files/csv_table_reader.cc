@@ -13,10 +13,6 @@
 namespace somato {
 namespace {
 
-bool is_text(std::string_view field) {
-  return read_csv_number<float>(field).meaning == CsvMeaning::kText;
-}
-
 Result<float> number_in(const CsvField& field, const std::string& place) {
   const CsvReading<float> reading = read_csv_number<float>(field.text);
   if (reading.meaning == CsvMeaning::kNumber) return reading.number;
@@ -55,7 +51,7 @@ Result<NumberTable> CsvTableReader::rows(std::size_t most) {
 bool CsvTableReader::seems_header() const {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (is_label(i)) continue;
-    if (fields_[i].quoted || is_text(fields_[i].text)) return true;
+    if (fields_[i].quoted || is_csv_text(fields_[i].text)) return true;
   }
   return false;
 }

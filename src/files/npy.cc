@@ -11,16 +11,16 @@
 namespace somato {
 namespace {
 
-constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::size_t kAlignment = 64;
+constexpr std::string_view kNpyMagic = "\x93NUMPY";
+constexpr std::size_t kNpyAlignment = 64;
 
 std::string file_start(std::string_view type, std::string_view shape) {
   std::string header =
       fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type, shape);
-  const std::size_t before = kMagic.size() + 4;
-  while ((before + header.size() + 1) % kAlignment != 0) header += ' ';
+  const std::size_t before = kNpyMagic.size() + 4;
+  while ((before + header.size() + 1) % kNpyAlignment != 0) header += ' ';
   header += '\n';
-  std::string bytes(kMagic);
+  std::string bytes(kNpyMagic);
   bytes += '\1';
   bytes += '\0';
   append_little_endian(bytes, static_cast<std::uint16_t>(header.size()));
@@ -37,7 +37,7 @@ std::string with_numbers(std::string bytes, std::span<const T> numbers) {
 }  // namespace
 
 bool is_npy(std::string_view bytes) {
-  return bytes.starts_with(kMagic);
+  return bytes.starts_with(kNpyMagic);
 }
 
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where) {

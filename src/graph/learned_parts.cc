@@ -8,7 +8,7 @@
 namespace somato {
 namespace {
 
-const std::string kPrefix = "learned.";
+const std::string kLearnedPrefix = "learned.";
 
 bool is_a(const System& system, std::size_t module, const std::string& type) {
   return system.modules()[module].type->name == type;
@@ -18,12 +18,12 @@ bool is_a(const System& system, std::size_t module, const std::string& type) {
 Archive parts_of(const System& system, std::size_t module) {
   Archive archive("parts");
   const Learner* learner = system.modules()[module].module->learner();
-  if (learner) learner->save(archive, kPrefix);
+  if (learner) learner->save(archive, kLearnedPrefix);
   return archive;
 }
 
 std::vector<double> numbers_in(const Archive& archive, const std::string& name) {
-  const auto found = archive.get<Array<double>>(kPrefix + name, {});
+  const auto found = archive.get<Array<double>>(kLearnedPrefix + name, {});
   return found ? (*found)->values : std::vector<double>{};
 }
 
@@ -47,7 +47,7 @@ std::vector<double> stated(const System& system, std::size_t module, const std::
 
 std::optional<TMpsom> t_mpsom_of(const System& system, std::size_t module) {
   if (!is_a(system, module, "t_mpsom")) return {};
-  auto map = t_mpsom_from(parts_of(system, module), kPrefix, {});
+  auto map = t_mpsom_from(parts_of(system, module), kLearnedPrefix, {});
   return map ? std::optional(std::move(*map)) : std::nullopt;
 }
 

@@ -4,14 +4,11 @@
 #include <optional>
 #include <tuple>
 
+#include "core/contains.h"
 #include "graph/wiring.h"
 
 namespace somato {
 namespace {
-
-bool contains(const std::vector<std::size_t>& all, std::size_t one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 
 tl::unexpected<Error> refuse(const PhaseDescription& phase, std::string what, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), phase.where, std::move(advice));

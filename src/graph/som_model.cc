@@ -15,12 +15,12 @@
 namespace somato {
 namespace {
 
-const std::string kKind = "som";
-const std::string kPrefix = "som.";
-const std::set<std::string> kKnownParts{kPrefix + "parameters",
-                                        kPrefix + "weights",
-                                        kPrefix + "input_size",
-                                        kPrefix + "elements",
+const std::string kSomKind = "som";
+const std::string kSomPrefix = "som.";
+const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
+                                        kSomPrefix + "weights",
+                                        kSomPrefix + "input_size",
+                                        kSomPrefix + "elements",
                                         "features",
                                         "standardization",
                                         "classes",
@@ -114,8 +114,8 @@ Samples SomModel::prepare(const Samples& samples) const {
 
 Result<void> save_som_model(const std::string& path, const SomModel& model) {
   require_fit(model);
-  Archive archive(kKind);
-  add_som(archive, kPrefix, model.som);
+  Archive archive(kSomKind);
+  add_som(archive, kSomPrefix, model.som);
   if (!model.features.empty()) archive.add("features", names_to_toml(model.features));
   if (model.standardization) {
     archive.add("standardization", standardization_array(*model.standardization));
@@ -130,9 +130,9 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
 Result<SomModel> load_som_model(const std::string& path) {
   auto archive = load_archive(path);
   if (!archive) return fail(std::move(archive.error()));
-  if (auto right = check_kind(*archive, kKind, path); !right) return fail(right.error());
+  if (auto right = check_kind(*archive, kSomKind, path); !right) return fail(right.error());
   if (auto known = check_parts(*archive, kKnownParts, path); !known) return fail(known.error());
-  auto som = som_from(*archive, kPrefix, path);
+  auto som = som_from(*archive, kSomPrefix, path);
   if (!som) return fail(std::move(som.error()));
   auto features = read_names(*archive, "features", path);
   if (!features) return fail(std::move(features.error()));

@@ -14,7 +14,7 @@
 namespace somato {
 namespace {
 
-const std::string kKind = "system";
+const std::string kSystemKind = "system";
 
 std::string prefix_of(const SystemModule& module) {
   return "module." + module.name + ".";
@@ -112,7 +112,7 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
 }
 
 Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer) {
-  Archive archive(kKind);
+  Archive archive(kSystemKind);
   archive.add("description", to_toml(system.description()));
   archive.add("layout", layout_to_toml(system.layout()));
   for (const SystemModule& module : system.modules()) {
@@ -164,7 +164,7 @@ Result<void> save_system(const std::string& path, const System& system,
 Result<SystemModel> load_system(const std::string& path) {
   const auto archive = load_archive(path);
   if (!archive) return fail(archive.error());
-  if (auto right = check_kind(*archive, kKind, path); !right) return fail(right.error());
+  if (auto right = check_kind(*archive, kSystemKind, path); !right) return fail(right.error());
   auto system = build(*archive, path);
   if (!system) return fail(std::move(system.error()));
   for (const SystemModule& module : system->modules()) {

@@ -8,12 +8,12 @@
 namespace somato {
 namespace {
 
-const std::string kKind = "t_mpsom";
-const std::string kPrefix = "t_mpsom.";
+const std::string kTMpsomKind = "t_mpsom";
+const std::string kTMpsomPrefix = "t_mpsom.";
 
 Archive archive_of(const TMpsom& map) {
-  Archive archive(kKind);
-  add_t_mpsom(archive, kPrefix, map);
+  Archive archive(kTMpsomKind);
+  add_t_mpsom(archive, kTMpsomPrefix, map);
   return archive;
 }
 
@@ -33,8 +33,8 @@ Result<void> save_t_mpsom(const std::string& path, const TMpsom& map) {
 Result<TMpsom> load_t_mpsom(const std::string& path) {
   auto archive = load_archive(path);
   if (!archive) return fail(std::move(archive.error()));
-  if (auto right = check_kind(*archive, kKind, path); !right) return fail(right.error());
-  auto map = t_mpsom_from(*archive, kPrefix, path);
+  if (auto right = check_kind(*archive, kTMpsomKind, path); !right) return fail(right.error());
+  auto map = t_mpsom_from(*archive, kTMpsomPrefix, path);
   if (!map) return map;
   if (auto known = check_parts(*archive, parts_of(*map), path); !known) return fail(known.error());
   return map;

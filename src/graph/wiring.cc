@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "core/contains.h"
+
 namespace somato {
 namespace {
 
 using Inputs = std::vector<std::vector<std::size_t>>;
-
-bool contains(const std::vector<std::size_t>& all, std::size_t one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 
 // Walks from listener to speaker among `left`, each of which listens to another of them, until a
 // module comes twice.

@@ -12,7 +12,7 @@
 namespace somato::live {
 namespace {
 
-constexpr std::size_t kMostExplorations = 2000;
+constexpr std::size_t kMostExplorationsReplied = 2000;
 constexpr std::size_t kNearest = 10;
 
 Json plane_json(const ChannelPlanes& planes, std::size_t neuron) {
@@ -25,12 +25,6 @@ Json plane_json(const ChannelPlanes& planes, std::size_t neuron) {
             {"shape", planes.shape}}},
           {"unit", planes.value_unit},
           {"values", Json::array({values})}};
-}
-
-Signal owned(const SignalView& view) {
-  std::vector<float> values(view.values.begin(), view.values.end());
-  if (!view.sparse) return Signal::dense(std::move(values));
-  return Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()}, std::move(values));
 }
 
 }  // namespace
@@ -61,12 +55,12 @@ Result<void> Inquiries::find_inputs(KnownMap& map) const {
   if (system.modules()[map.module].output.rate == Rate::kFrame) return {};
   const std::size_t input = system.modules()[map.module].inputs.front();
   const std::size_t explorations = asked_.recording->explorations.size();
-  for (; map.seen < std::min(explorations, kMostExplorations); ++map.seen) {
+  for (; map.seen < std::min(explorations, kMostExplorationsReplied); ++map.seen) {
     if (is_over_()) return fail(ErrorKind::kUsage, "the view is about to end");
     Activations activations(system.modules().size(), explorations);
     const std::array<std::size_t, 1> one{map.seen};
     if (!evaluate(system, *asked_.recording, one, {input}, 1, activations)) continue;
-    map.inputs.push_back({map.seen, owned(activations.find(input, map.seen)->values[0])});
+    map.inputs.push_back({map.seen, Signal::copy_of(activations.find(input, map.seen)->values[0])});
   }
   return {};
 }

@@ -20,16 +20,10 @@ namespace {
 constexpr std::uint64_t kLooks = 100;
 constexpr std::uint64_t kLooksAtLarge = 25;
 constexpr std::size_t kLarge = std::size_t{1} << 22;  // weights
-constexpr std::size_t kMostShown = 500;               // samples
+constexpr std::size_t kMostSamplesShown = 500;        // samples
 
 tl::unexpected<Error> stopped() {
   return fail(ErrorKind::kInterrupted, "the training was stopped before its end");
-}
-
-Signal owned(const SignalView& view) {
-  std::vector<float> values(view.values.begin(), view.values.end());
-  if (!view.sparse) return Signal::dense(std::move(values));
-  return Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()}, std::move(values));
 }
 
 class VisibleTraining {
@@ -109,7 +103,7 @@ class VisibleTraining {
     std::vector<Signal> signals;
     signals.reserve(all_.size());
     for (const std::size_t exploration : all_) {
-      signals.push_back(owned(activations_.find(input, exploration)->values[0]));
+      signals.push_back(Signal::copy_of(activations_.find(input, exploration)->values[0]));
     }
     samples_ = Samples::from_signals(signals);
     return {};
@@ -148,7 +142,7 @@ class VisibleTraining {
     look_.winners.clear();
     look_.classes.clear();
     SomWorkspace workspace;
-    for (std::size_t i = 0; i < std::min(samples_.count(), kMostShown); ++i) {
+    for (std::size_t i = 0; i < std::min(samples_.count(), kMostSamplesShown); ++i) {
       look_.winners.push_back(som.winner(samples_[i], workspace));
       look_.classes.push_back(classes_.names[classes_.of_sample[i]]);
     }

@@ -12,7 +12,7 @@
 namespace somato::live {
 namespace {
 
-constexpr std::size_t kMostShown = 4096;
+constexpr std::size_t kMostNeuronsShown = 4096;
 
 void scale_to_one(std::vector<float>& activity) {
   const float most = activity.empty() ? 0.0F : *std::max_element(activity.begin(), activity.end());
@@ -166,8 +166,8 @@ Saying SystemReading::say_live() {
     const auto output = live_->output(module);
     if (!output) continue;
     if (som_of(model_->system, module) == nullptr) {
-      saying.modules.emplace_back(module,
-                                  fold_signal(*output, modules[module].output.shape, kMostShown));
+      saying.modules.emplace_back(
+          module, fold_signal(*output, modules[module].output.shape, kMostNeuronsShown));
     } else if (const auto input = live_->output(modules[module].inputs.front())) {
       saying.maps.emplace_back(module, read_map(module, *input));
     }
@@ -201,7 +201,7 @@ Result<std::optional<Saying>> SystemReading::say_as_whole(Exploration exploratio
   for (const std::size_t module : all) {
     if (som_of(model_->system, module) == nullptr) {
       saying.modules.emplace_back(
-          module, fold_signal(last(module), modules[module].output.shape, kMostShown));
+          module, fold_signal(last(module), modules[module].output.shape, kMostNeuronsShown));
     } else {
       saying.maps.emplace_back(module, read_map(module, last(modules[module].inputs.front())));
     }

@@ -6,9 +6,9 @@
 namespace somato::live {
 namespace {
 
-constexpr double kMostMoments = 60.0;  // a second
-constexpr double kMoments = 16.0;      // a second, of what has more frames
-constexpr double kUnknown = 0.1;       // s
+constexpr double kMomentsPerSecond = 60.0;  // a second
+constexpr double kMoments = 16.0;           // a second, of what has more frames
+constexpr double kUnknown = 0.1;            // s
 
 const Channel* longest(const Exploration& exploration) {
   const auto found = std::max_element(
@@ -42,7 +42,7 @@ Timeline::Timeline(const Exploration& exploration) {
   if (main == nullptr || main->frames.rows() == 0) return;
   most_frames_ = main->frames.rows();
   const double rate = main->frame_rate();
-  if (rate > kMostMoments) stretch_ = static_cast<std::size_t>(std::lround(rate / kMoments));
+  if (rate > kMomentsPerSecond) stretch_ = static_cast<std::size_t>(std::lround(rate / kMoments));
   moments_ = (most_frames_ + stretch_ - 1) / stretch_;
   times_.reserve(moments_);
   for (std::size_t moment = 0; moment < moments_; ++moment) {

@@ -11,19 +11,19 @@
 namespace somato::live {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 constexpr double kMostFrames = 1e9;
 constexpr double kFarthest = 1000.0;  // mm
 constexpr double kLongestName = 256;
 
 // The fields of a command, taken one after the other; the first that is wrong is kept.
-class Fields {
+class CommandFields {
  public:
-  explicit Fields(const Json& json) : json_(json) {}
+  explicit CommandFields(const SortedJson& json) : json_(json) {}
 
   double number(const std::string& name, double least, double most) {
-    const Json* field = take(name);
+    const SortedJson* field = take(name);
     if (!field) return least;
     const double value = field->is_number() ? field->get<double>() : least - 1.0;
     if (value >= least && value <= most) return value;
@@ -38,7 +38,7 @@ class Fields {
   }
 
   std::string text(const std::string& name) {
-    const Json* field = take(name);
+    const SortedJson* field = take(name);
     if (!field) return {};
     if (field->is_string() &&
         static_cast<double>(field->get_ref<const std::string&>().size()) <= kLongestName) {
@@ -60,7 +60,7 @@ class Fields {
   }
 
  private:
-  const Json* take(const std::string& name) {
+  const SortedJson* take(const std::string& name) {
     taken_.push_back(name);
     const auto found = json_.find(name);
     if (found != json_.end()) return &*found;
@@ -72,23 +72,23 @@ class Fields {
     if (problem_.empty()) problem_ = std::move(problem);
   }
 
-  const Json& json_;
+  const SortedJson& json_;
   std::vector<std::string> taken_;
   std::string problem_;
 };
 
-ViewCommand step_of(Fields& fields) {
+ViewCommand step_of(CommandFields& fields) {
   return StepCommand{static_cast<std::int64_t>(fields.whole("frames", -kMostFrames, kMostFrames))};
 }
 
-ViewCommand seek_of(Fields& fields) {
+ViewCommand seek_of(CommandFields& fields) {
   SeekCommand seek;
   seek.exploration = static_cast<std::size_t>(fields.whole("exploration", 0, kMostFrames));
   seek.frame = static_cast<std::size_t>(fields.whole("frame", 0, kMostFrames));
   return seek;
 }
 
-ViewCommand placement_of(Fields& fields) {
+ViewCommand placement_of(CommandFields& fields) {
   PlacementCommand command;
   command.placement.x = fields.number("x", -kFarthest, kFarthest);
   command.placement.y = fields.number("y", -kFarthest, kFarthest);
@@ -96,24 +96,26 @@ ViewCommand placement_of(Fields& fields) {
   return command;
 }
 
-using Reader = ViewCommand (*)(Fields&);
+using Reader = ViewCommand (*)(CommandFields&);
 
 const std::vector<std::pair<std::string, Reader>>& readers() {
   static const std::vector<std::pair<std::string, Reader>> all = {
-      {"play", [](Fields&) -> ViewCommand { return PlayCommand{}; }},
-      {"pause", [](Fields&) -> ViewCommand { return PauseCommand{}; }},
+      {"play", [](CommandFields&) -> ViewCommand { return PlayCommand{}; }},
+      {"pause", [](CommandFields&) -> ViewCommand { return PauseCommand{}; }},
       {"step", step_of},
       {"seek", seek_of},
       {"speed",
-       [](Fields& fields) -> ViewCommand {
+       [](CommandFields& fields) -> ViewCommand {
          return SpeedCommand{fields.number("speed", 0.05, 100)};
        }},
-      {"thing", [](Fields& fields) -> ViewCommand { return ThingCommand{fields.text("name")}; }},
+      {"thing",
+       [](CommandFields& fields) -> ViewCommand { return ThingCommand{fields.text("name")}; }},
       {"placement", placement_of},
-      {"explore", [](Fields&) -> ViewCommand { return ExploreCommand{}; }},
-      {"system", [](Fields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
-      {"train", [](Fields&) -> ViewCommand { return TrainCommand{}; }},
-      {"stop_training", [](Fields&) -> ViewCommand { return StopTrainingCommand{}; }}};
+      {"explore", [](CommandFields&) -> ViewCommand { return ExploreCommand{}; }},
+      {"system",
+       [](CommandFields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
+      {"train", [](CommandFields&) -> ViewCommand { return TrainCommand{}; }},
+      {"stop_training", [](CommandFields&) -> ViewCommand { return StopTrainingCommand{}; }}};
   return all;
 }
 
@@ -125,9 +127,9 @@ bool is_flat(std::string_view text) {
 }  // namespace
 
 Result<ViewCommand> parse_view_command(std::string_view text) {
-  const Json json = is_flat(text) ? Json::parse(text, nullptr, false) : Json();
+  const SortedJson json = is_flat(text) ? SortedJson::parse(text, nullptr, false) : SortedJson();
   if (!json.is_object()) return fail(ErrorKind::kUsage, "a command is an object in JSON");
-  Fields fields(json);
+  CommandFields fields(json);
   const std::string name = fields.text("command");
   for (const auto& [known, read] : readers()) {
     if (known != name) continue;

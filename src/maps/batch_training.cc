@@ -1,4 +1,5 @@
 #include "somato/maps/batch_training.h"
+#include "core/lanes.h"
 
 #include <algorithm>
 #include <span>
@@ -13,7 +14,6 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<double>::kLanes;
 constexpr double kLeastReach = 0x1p-1000;
 
 }  // namespace
@@ -38,7 +38,7 @@ std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
     }
     return winners;
   }
-  for_each_range((seen.size() + kLanes - 1) / kLanes, threads_,
+  for_each_range((seen.size() + kDoubleLanes - 1) / kDoubleLanes, threads_,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t block = begin; block < end; ++block) {
                      add_block(seen, winners, block);
@@ -50,16 +50,16 @@ std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
 // Adds eight elements of all samples, or those that the last block has.
 void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t>& winners,
                            std::size_t block) {
-  const std::size_t first = block * kLanes;
+  const std::size_t first = block * kDoubleLanes;
   double* sums = sums_.data() + first * som_.neurons();
-  if (first + kLanes <= samples.size()) {
+  if (first + kDoubleLanes <= samples.size()) {
     kernels::batch_table().add_by_winner(samples[0].values.data() + first, samples.size(),
                                          winners.data(), winners.size(), sums);
     return;
   }
   for (std::size_t i = 0; i < samples.count(); ++i) {
     for (std::size_t d = first; d < samples.size(); ++d) {
-      sums[winners[i] * kLanes + d - first] += double{samples[i].values[d]};
+      sums[winners[i] * kDoubleLanes + d - first] += double{samples[i].values[d]};
     }
   }
 }
@@ -68,10 +68,10 @@ void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t
 class BatchEpoch::Means {
  public:
   Means(const BatchEpoch& epoch, const NeighbourhoodMixing& mixing)
-      : sums_(epoch.sums_), mixing_(mixing), mixed_(sums_.columns() * kLanes) {}
+      : sums_(epoch.sums_), mixing_(mixing), mixed_(sums_.columns() * kDoubleLanes) {}
 
   std::span<const double> of_block(std::size_t block) {
-    const std::span all(sums_.data(), sums_.blocks() * sums_.columns() * kLanes);
+    const std::span all(sums_.data(), sums_.blocks() * sums_.columns() * kDoubleLanes);
     mixing_.apply(all.subspan(block * mixed_.size(), mixed_.size()), mixed_, workspace_);
     return mixed_;
   }
@@ -86,13 +86,13 @@ class BatchEpoch::Means {
 // Weights of eight elements become their means.
 void BatchEpoch::move_block(std::size_t block, std::span<const double> sums,
                             std::span<const double> totals) {
-  const std::size_t first = block * kLanes;
-  const std::size_t count = std::min(kLanes, som_.elements().count() - first);
+  const std::size_t first = block * kDoubleLanes;
+  const std::size_t count = std::min(kDoubleLanes, som_.elements().count() - first);
   for (std::size_t neuron = 0; neuron < totals.size(); ++neuron) {
     if (totals[neuron] < kLeastReach) continue;
     for (std::size_t i = 0; i < count; ++i) {
       som_.weights()(neuron, first + i) =
-          static_cast<float>(sums[neuron * kLanes + i] / totals[neuron]);
+          static_cast<float>(sums[neuron * kDoubleLanes + i] / totals[neuron]);
     }
   }
 }
@@ -102,11 +102,11 @@ void BatchEpoch::finish(double radius) {
   const std::size_t elements = som_.elements().count();
   std::vector<double> totals(som_.neurons());
   Means counts(*this, mixing);
-  const std::span<const double> last = counts.of_block(elements / kLanes);
+  const std::span<const double> last = counts.of_block(elements / kDoubleLanes);
   for (std::size_t neuron = 0; neuron < totals.size(); ++neuron) {
-    totals[neuron] = last[neuron * kLanes + elements % kLanes];
+    totals[neuron] = last[neuron * kDoubleLanes + elements % kDoubleLanes];
   }
-  const std::size_t blocks = (elements + kLanes - 1) / kLanes;
+  const std::size_t blocks = (elements + kDoubleLanes - 1) / kDoubleLanes;
   for_each_range(blocks, threads_, [&](std::size_t begin, std::size_t end) {
     Means means(*this, mixing);
     for (std::size_t block = begin; block < end; ++block) {

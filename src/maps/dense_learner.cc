@@ -48,7 +48,6 @@ namespace {
 
 using kernels::kPending;
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr double kUnit = 0x1p-24;
 
 // Below it multiplying gets slow, and no weight moves.
@@ -179,12 +178,12 @@ void DenseLearner::settle() {
 
 // Single precision for the pass that makes the updates.
 void DenseLearner::write_coefficients(std::size_t block) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const std::size_t neuron = block * kLanes + lane;
+  for (std::size_t lane = 0; lane < kFloatLanes; ++lane) {
+    const std::size_t neuron = block * kFloatLanes + lane;
     float_kept_[neuron] = static_cast<float>(kept_[neuron]);
     if (neuron >= som_.neurons()) continue;
     for (std::size_t j = 0; j < made(); ++j) {
-      float_gains_[(block * kPending + j) * kLanes + lane] = float_gain(neuron, j);
+      float_gains_[(block * kPending + j) * kFloatLanes + lane] = float_gain(neuron, j);
     }
   }
 }
@@ -245,21 +244,21 @@ void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std:
                                  std::size_t count, bool moves) {
   const std::size_t columns = som_.weights().columns();
   const bool rounds = reads_rounded_ && (moves || rounds_all_);
-  alignas(64) float squares[kLanes] = {};
+  alignas(64) float squares[kFloatLanes] = {};
   for (std::size_t j = 0; j < count; ++j) {
-    std::fill_n(products_of(first + j) + block * kLanes, kLanes, 0.0F);
+    std::fill_n(products_of(first + j) + block * kFloatLanes, kFloatLanes, 0.0F);
   }
   if (moves && !dot_product()) bound_magnitudes(block);
   if (rounds) rounded_.begin(block);
   for (std::size_t start = 0; start < columns; start += chunk_) {
     const std::size_t width = std::min(chunk_, columns - start);
-    float* weights = som_.weights().data() + (block * columns + start) * kLanes;
+    float* weights = som_.weights().data() + (block * columns + start) * kFloatLanes;
     if (moves) combine_tile(block, start, width, weights, squares);
     if (rounds) rounded_.write(block, start, width, weights);
     if (count > 0) multiply_tile(block, start, width, next, first, count);
   }
   if (rounds) rounded_.end(block);
-  if (moves) std::copy_n(squares, kLanes, squared_lengths_.data() + block * kLanes);
+  if (moves) std::copy_n(squares, kFloatLanes, squared_lengths_.data() + block * kFloatLanes);
 }
 
 void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size_t columns,
@@ -267,14 +266,14 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
   const auto& kernels = kernels::online_table();
   const std::size_t at = block * som_.weights().columns() + start;
   const kernels::InputRows inputs = next.rows(first, start);
-  float* products = products_of(first) + block * kLanes;
+  float* products = products_of(first) + block * kFloatLanes;
   const std::size_t product_stride = stride() + kPending;
   if (reads_rounded_) {
-    kernels.multiply_integers(rounded_.block(block) + start * kLanes, columns, inputs, count,
+    kernels.multiply_integers(rounded_.block(block) + start * kFloatLanes, columns, inputs, count,
                               products, product_stride);
   } else {
-    kernels.multiply(std::as_const(som_).weights().data() + at * kLanes, columns, inputs, count,
-                     products, product_stride);
+    kernels.multiply(std::as_const(som_).weights().data() + at * kFloatLanes, columns, inputs,
+                     count, products, product_stride);
   }
 }
 
@@ -282,18 +281,18 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
 void DenseLearner::multiply_block(std::size_t block, const float* input, std::size_t slot) {
   const auto& kernels = kernels::online_table();
   const std::size_t columns = som_.weights().columns();
-  float* products = products_of(slot) + block * kLanes;
+  float* products = products_of(slot) + block * kFloatLanes;
   if (reads_rounded_) {
     kernels.multiply_block_of_integers(rounded_.block(block), columns, chunk_, input, products);
   } else {
-    kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kLanes, columns,
-                           chunk_, input, products);
+    kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kFloatLanes,
+                           columns, chunk_, input, products);
   }
 }
 
 // Of the weights once the updates are made.
 void DenseLearner::bound_magnitudes(std::size_t block) {
-  for (std::size_t neuron = block * kLanes; neuron < (block + 1) * kLanes; ++neuron) {
+  for (std::size_t neuron = block * kFloatLanes; neuron < (block + 1) * kFloatLanes; ++neuron) {
     double bound = std::fabs(kept_[neuron]) * rounded_.greatest(neuron);
     for (std::size_t j = 0; j < pending_ && neuron < som_.neurons(); ++j) {
       bound += std::fabs(gains_(neuron, j)) * slots_.greatest(j);
@@ -305,10 +304,11 @@ void DenseLearner::bound_magnitudes(std::size_t block) {
 void DenseLearner::combine_tile(std::size_t block, std::size_t start, std::size_t columns,
                                 float* to, float* squares) const {
   const LaneMatrix<float>& weights = som_.weights();
-  kernels::online_table().combine(weights.data() + (block * weights.columns() + start) * kLanes,
-                                  columns, float_kept_.data() + block * kLanes,
-                                  float_gains_.data() + block * kPending * kLanes,
-                                  slots_.rows(0, start), made(), limit(), to, squares);
+  kernels::online_table().combine(
+      weights.data() + (block * weights.columns() + start) * kFloatLanes, columns,
+      float_kept_.data() + block * kFloatLanes,
+      float_gains_.data() + block * kPending * kFloatLanes, slots_.rows(0, start), made(), limit(),
+      to, squares);
 }
 
 std::size_t DenseLearner::learn(double learning_rate, double radius) {
@@ -321,7 +321,7 @@ std::size_t DenseLearner::learn(double learning_rate, double radius) {
   kernels::table<double>().scale_rows(kernels::lanes(gains_), factors_.data());
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     gains_(neuron, pending_) = new_gains_[neuron];
-    if (factors_[neuron] != 1.0 || new_gains_[neuron] != 0.0) moved_[neuron / kLanes] = 1;
+    if (factors_[neuron] != 1.0 || new_gains_[neuron] != 0.0) moved_[neuron / kFloatLanes] = 1;
   }
   ++pending_;
   ++learned_since_clearing_;
@@ -376,7 +376,7 @@ void DenseLearner::normalize_measured() {
     kept_[neuron] = 1.0 / std::sqrt(squared_lengths_[neuron]);
     squared_lengths_[neuron] = 1.0;
     magnitudes_[neuron] = 1.0;
-    moved_[neuron / kLanes] = 1;
+    moved_[neuron / kFloatLanes] = 1;
   }
 }
 
@@ -460,7 +460,7 @@ std::size_t DenseLearner::exact_winner(double limit) {
 std::span<const float> DenseLearner::settled_row(std::size_t neuron) {
   const std::size_t columns = som_.weights().columns();
   som_.weights().copy_row(neuron, {scratch_row_.data(), columns});
-  if (moved_[neuron / kLanes] != 0) {
+  if (moved_[neuron / kFloatLanes] != 0) {
     float gains[kPending];
     for (std::size_t j = 0; j < made(); ++j) gains[j] = float_gain(neuron, j);
     kernels::online_table().combine_row(scratch_row_.data(), slots_.padded(),

@@ -9,16 +9,16 @@ namespace {
 constexpr std::size_t kBits = 64;
 constexpr std::size_t kBitsWorthAValue = 1024;
 
-std::size_t values_of(const Samples& samples) {
+}  // namespace
+
+std::size_t stored_values(const Samples& samples) {
   std::size_t values = 0;
   for (std::size_t i = 0; i < samples.count(); ++i) values += samples[i].values.size();
   return values;
 }
 
-}  // namespace
-
 ElementSet::ElementSet(const Samples& sparse) {
-  const std::size_t values = values_of(sparse);
+  const std::size_t values = stored_values(sparse);
   if (sparse.size() <= kBitsWorthAValue * (values + 1)) {
     mark(sparse);
   } else {

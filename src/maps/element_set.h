@@ -8,6 +8,9 @@
 
 namespace somato {
 
+/// How many values some samples hold in all; of sparse ones, those that are stored.
+std::size_t stored_values(const Samples& samples);
+
 /// The elements where any of some sparse samples holds a value, and where each stands among them.
 class ElementSet {
  public:

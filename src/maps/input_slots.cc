@@ -4,18 +4,17 @@
 #include <cmath>
 
 #include "core/kernels.h"
+#include "core/lanes.h"
 
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
-
 // Several at once do not wait for each other.
 float greatest_magnitude(std::span<const float> values) {
-  std::array<float, kLanes> greatest{};
+  std::array<float, kFloatLanes> greatest{};
   std::size_t i = 0;
-  for (; i + kLanes <= values.size(); i += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (; i + kFloatLanes <= values.size(); i += kFloatLanes) {
+    for (std::size_t lane = 0; lane < kFloatLanes; ++lane) {
       const float magnitude = std::fabs(values[i + lane]);
       greatest[lane] = magnitude > greatest[lane] ? magnitude : greatest[lane];
     }
@@ -29,8 +28,8 @@ float greatest_magnitude(std::span<const float> values) {
 // An odd number of cache lines keeps equal places of the rows out of each other's way.
 InputSlots::InputSlots(std::size_t columns)
     : columns_(columns),
-      padded_((columns + kLanes - 1) / kLanes * kLanes),
-      stride_((padded_ / kLanes | 1) * kLanes),
+      padded_((columns + kFloatLanes - 1) / kFloatLanes * kFloatLanes),
+      stride_((padded_ / kFloatLanes | 1) * kFloatLanes),
       rows_(kernels::kPending * stride_) {}
 
 void InputSlots::write(std::size_t first, const std::vector<std::span<const float>>& inputs) {

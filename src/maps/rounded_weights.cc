@@ -9,7 +9,7 @@ namespace somato {
 namespace {
 
 // Some room below 2^15 for rounding on the way to an integer.
-constexpr float kGreatestInteger = 32700.0F;
+constexpr float kGreatestRoundedWeight = 32700.0F;
 
 // Half a step, and what is rounded on the way.
 constexpr double kErrorOfStep = 0.51;
@@ -42,7 +42,7 @@ void RoundedWeights::set_greatest(std::size_t neuron, double bound) {
 
 void RoundedWeights::begin(std::size_t block) {
   for (std::size_t neuron = block * kLanes; neuron < (block + 1) * kLanes; ++neuron) {
-    steps_[neuron] = std::max(greatest_[neuron], kLeastMagnitude) / kGreatestInteger;
+    steps_[neuron] = std::max(greatest_[neuron], kLeastMagnitude) / kGreatestRoundedWeight;
     factors_[neuron] = 1.0F / steps_[neuron];
     measured_[neuron] = 0.0F;
   }

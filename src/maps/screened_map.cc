@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/lanes.h"
 #include "somato/core/threads.h"
 
 namespace somato {
@@ -79,8 +80,7 @@ ScreenedMap::ScreenedMap(const Som& som, std::size_t threads)
 
 void ScreenedMap::find_centre(const Som& som) {
   const LaneMatrix<float>& weights = som.weights();
-  constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
-  AlignedVector<float> sums(columns() * kLanes);
+  AlignedVector<float> sums(columns() * kFloatLanes);
   for (std::size_t block = 0; block < weights.blocks(); ++block) {
     const float* values = weights.data() + block * sums.size();
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
@@ -88,7 +88,7 @@ void ScreenedMap::find_centre(const Som& som) {
   const auto count = static_cast<float>(weights.rows());
   for (std::size_t d = 0; d < columns(); ++d) {
     float sum = 0.0F;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sum += sums[d * kLanes + lane];
+    for (std::size_t lane = 0; lane < kFloatLanes; ++lane) sum += sums[d * kFloatLanes + lane];
     centre_[d] = sum / count;
   }
   squared_centre_ = kernels::batch_table().inner_product(centre_.data(), centre_.data(), columns());
@@ -96,18 +96,18 @@ void ScreenedMap::find_centre(const Som& som) {
 
 // From blocks of lanes to rows: each cache line of the former is read once.
 void ScreenedMap::write_rows(const Som& som, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
   std::vector<std::size_t> place_of(order_.size());
   for (std::size_t place = 0; place < order_.size(); ++place) place_of[order_[place]] = place;
   for (std::size_t block = begin; block < end; ++block) {
-    const float* values = som.weights().data() + block * columns() * kLanes;
-    const std::size_t lanes = std::min(kLanes, som.neurons() - block * kLanes);
-    float* rows[kLanes] = {};
+    const float* values = som.weights().data() + block * columns() * kFloatLanes;
+    const std::size_t lanes = std::min(kFloatLanes, som.neurons() - block * kFloatLanes);
+    float* rows[kFloatLanes] = {};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      rows[lane] = rows_.row(place_of[block * kLanes + lane]).data();
+      rows[lane] = rows_.row(place_of[block * kFloatLanes + lane]).data();
     }
     for (std::size_t d = 0; d < columns(); ++d) {
-      for (std::size_t lane = 0; lane < lanes; ++lane) rows[lane][d] = values[d * kLanes + lane];
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        rows[lane][d] = values[d * kFloatLanes + lane];
     }
   }
 }

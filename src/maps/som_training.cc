@@ -17,7 +17,7 @@
 namespace somato {
 namespace {
 
-constexpr std::uint64_t kIterationsBetweenReports = 64;
+constexpr std::uint64_t kOnlineIterationsBetweenReports = 64;
 constexpr std::uint64_t kLeastIterationsBetweenReports = 16;  // learned in one pass
 constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
 
@@ -25,7 +25,7 @@ constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
 std::uint64_t iterations_between_reports(const Som& som) {
   const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, kLeastIterationsBetweenReports,
-                                   kIterationsBetweenReports);
+                                   kOnlineIterationsBetweenReports);
 }
 
 // Of the stored elements alone: everything else is 0 and stays 0.

@@ -17,13 +17,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/lanes.h"
 #include "core/online_kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 // A slab is so large that it gets large pages.
 constexpr std::size_t kSlabBytes = std::size_t{1} << 22;
 
@@ -31,17 +31,17 @@ constexpr std::size_t kRowsAtOnce = 4;
 constexpr std::size_t kRowsAhead = 8;
 
 // Lanes to work on that take longer than telling other threads.
-constexpr std::size_t kWorthSharing = std::size_t{1} << 15;
+constexpr std::size_t kSparseWorthSharing = std::size_t{1} << 15;
 
 // Scales keep v = w / c within single precision.
 constexpr double kSmallestScale = 0x1p-100;
 constexpr double kLargestScale = 0x1p60;
 
 // Smaller factors would only slow down.
-constexpr double kSmallestGain = 0x1p-100;
+constexpr double kSmallestSparseFactor = 0x1p-100;
 
 void prefetch(const float* row, std::size_t size) {
-  for (std::size_t i = 0; i < size; i += kLanes) __builtin_prefetch(row + i, 1, 2);
+  for (std::size_t i = 0; i < size; i += kFloatLanes) __builtin_prefetch(row + i, 1, 2);
 }
 
 // A few rows, as kernels take them.
@@ -60,7 +60,7 @@ struct RowGroup {
 }  // namespace
 
 ElementRows::ElementRows(std::size_t elements, std::size_t row_size, std::size_t parts)
-    : blocks_(row_size / kLanes),
+    : blocks_(row_size / kFloatLanes),
       parts_(std::clamp<std::size_t>(parts, 1, std::max<std::size_t>(1, blocks_))),
       rows_in_slab_(static_cast<std::uint32_t>(
           std::bit_ceil(kSlabBytes / (std::max<std::size_t>(1, row_size) * sizeof(float)) + 1))),
@@ -69,7 +69,7 @@ ElementRows::ElementRows(std::size_t elements, std::size_t row_size, std::size_t
 std::uint32_t ElementRows::number_of(std::size_t element) {
   std::uint32_t& number = numbers_[element];
   if (number == 0) {
-    if (count_ % rows_in_slab_ == 0) slabs_.emplace_back(rows_in_slab_ * blocks_ * kLanes);
+    if (count_ % rows_in_slab_ == 0) slabs_.emplace_back(rows_in_slab_ * blocks_ * kFloatLanes);
     number = ++count_;
   }
   return number - 1;
@@ -92,7 +92,7 @@ SparseLearner::SparseLearner(Som& som, ThreadTeam& team)
 // Of the lanes of so many rows.
 template <typename Work>
 void SparseLearner::for_each_part(std::size_t rows, const Work& work) {
-  if (rows * rows_padded_ < kWorthSharing) {
+  if (rows * rows_padded_ < kSparseWorthSharing) {
     for (std::size_t part = 0; part < values_.parts(); ++part) work(part);
   } else {
     team_.for_each(values_.parts(), work);
@@ -110,8 +110,8 @@ void SparseLearner::load() {
   const auto is_zero = [](float weight) { return weight == 0.0F; };
   for (std::size_t place = 0; place < weights.columns(); ++place) {
     for (std::size_t block = 0; block < weights.blocks(); ++block) {
-      const float* lanes = weights.data() + (block * weights.columns() + place) * kLanes;
-      if (std::all_of(lanes, lanes + kLanes, is_zero)) continue;
+      const float* lanes = weights.data() + (block * weights.columns() + place) * kFloatLanes;
+      if (std::all_of(lanes, lanes + kFloatLanes, is_zero)) continue;
       values_.number_of(elements.all() ? place : elements.listed()[place]);
       break;
     }
@@ -131,9 +131,9 @@ void SparseLearner::load_part(std::size_t part) {
     const std::size_t element = elements.all() ? place : elements.listed()[place];
     if (!values_.has(element)) continue;
     float* row = values_.row(values_.number_of(element), part);
-    const float* lanes = weights.data() + first * weights.columns() + place * kLanes;
-    for (std::size_t i = 0; i < count; i += kLanes, lanes += weights.columns() * kLanes) {
-      std::copy_n(lanes, kLanes, row + i);
+    const float* lanes = weights.data() + first * weights.columns() + place * kFloatLanes;
+    for (std::size_t i = 0; i < count; i += kFloatLanes, lanes += weights.columns() * kFloatLanes) {
+      std::copy_n(lanes, kFloatLanes, row + i);
     }
     kernels::online_table().fold_row(row, factors_.data() + first, count,
                                      squared_lengths_.data() + first);
@@ -216,24 +216,25 @@ void SparseLearner::move(double learning_rate) {
   }
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
     const double factor = learning_rate * double{gains_[neuron]} / scales_[neuron];
-    factors_[neuron] = std::fabs(factor) < kSmallestGain ? 0.0F : static_cast<float>(factor);
+    factors_[neuron] =
+        std::fabs(factor) < kSmallestSparseFactor ? 0.0F : static_cast<float>(factor);
   }
   for_each_part(input_rows_.size(), [&](std::size_t part) { move_part(part); });
 }
 
 bool SparseLearner::moves(std::size_t block) const {
-  const auto begin = factors_.begin() + static_cast<std::ptrdiff_t>(block * kLanes);
-  return std::any_of(begin, begin + kLanes, [](float factor) { return factor != 0.0F; });
+  const auto begin = factors_.begin() + static_cast<std::ptrdiff_t>(block * kFloatLanes);
+  return std::any_of(begin, begin + kFloatLanes, [](float factor) { return factor != 0.0F; });
 }
 
 // Runs of blocks in which something moves.
 void SparseLearner::move_part(std::size_t part) {
-  const std::size_t end = values_.begin(part + 1) / kLanes;
-  for (std::size_t block = values_.begin(part) / kLanes; block < end; ++block) {
+  const std::size_t end = values_.begin(part + 1) / kFloatLanes;
+  for (std::size_t block = values_.begin(part) / kFloatLanes; block < end; ++block) {
     if (!moves(block)) continue;
     const std::size_t first = block;
     while (block < end && moves(block)) ++block;
-    move_lanes(part, first * kLanes, (block - first) * kLanes);
+    move_lanes(part, first * kFloatLanes, (block - first) * kFloatLanes);
   }
 }
 
@@ -311,7 +312,8 @@ void SparseLearner::settle_part(std::size_t part) {
     if (!values_.has(element)) continue;
     kernels::online_table().scale_row(
         values_.row(values_.number_of(element), part), scales_.data() + first, count,
-        weights.data() + first * weights.columns() + place * kLanes, weights.columns() * kLanes);
+        weights.data() + first * weights.columns() + place * kFloatLanes,
+        weights.columns() * kFloatLanes);
   }
 }
 

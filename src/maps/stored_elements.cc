@@ -27,12 +27,6 @@ void split(std::span<const std::uint32_t> listed, const SignalView& signal, cons
   }
 }
 
-std::size_t values_of(const Samples& samples) {
-  std::size_t values = 0;
-  for (std::size_t i = 0; i < samples.count(); ++i) values += samples[i].values.size();
-  return values;
-}
-
 }  // namespace
 
 StoredElements::StoredElements(std::size_t size, std::vector<std::uint32_t> listed)
@@ -90,7 +84,7 @@ Samples StoredElements::gather(const Samples& samples) const {
   std::vector<Signal> gathered;
   gathered.reserve(samples.count());
   const bool sparse =
-      samples.is_sparse() && values_of(samples) * kEmptyEnough < samples.count() * count();
+      samples.is_sparse() && stored_values(samples) * kEmptyEnough < samples.count() * count();
   if (sparse && all()) return samples;
   for (std::size_t i = 0; i < samples.count(); ++i) {
     gathered.push_back(sparse ? sparse_of(samples[i]) : dense_of(samples[i]));

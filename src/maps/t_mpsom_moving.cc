@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lanes.h"
 #include "core/t_mpsom_kernels.h"
 #include "somato/maps/t_mpsom_arbor.h"
 
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
 constexpr std::size_t kBlocks = TMpsomArbor::kBlocks;
 
 double moved(float weight, float element, float gain) {
@@ -36,7 +36,7 @@ class Group {
   Group(LaneMatrix<float>& weights, const TMpsomMove& move, std::size_t block)
       : weights_(weights),
         move_(move),
-        row_(block * kLanes),
+        row_(block * kFloatLanes),
         blocks_(std::min(kBlocks, weights.blocks() - block)),
         gains_(move.gains.data() + row_) {}
 
@@ -57,7 +57,7 @@ class Group {
   kernels::Moves moves() { return {keep_, add_, doubtful_}; }
 
   void move_doubtful_rows() {
-    for (std::size_t lane = 0; lane < blocks_ * kLanes; ++lane) {
+    for (std::size_t lane = 0; lane < blocks_ * kFloatLanes; ++lane) {
       if (doubtful_[lane] == 0.0F) continue;
       const std::size_t row = row_ + lane;
       if (row < weights_.rows()) move_row(weights_, row, move_.sample, gains_[lane]);
@@ -71,9 +71,9 @@ class Group {
   std::size_t row_;
   std::size_t blocks_;
   const float* gains_;
-  alignas(64) float keep_[kBlocks * kLanes];
-  alignas(64) float add_[kBlocks * kLanes];
-  alignas(64) float doubtful_[kBlocks * kLanes];
+  alignas(64) float keep_[kBlocks * kFloatLanes];
+  alignas(64) float add_[kBlocks * kFloatLanes];
+  alignas(64) float doubtful_[kBlocks * kFloatLanes];
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-constexpr std::uint64_t kIterationsBetweenReports = 100;
+constexpr std::uint64_t kTMpsomIterationsBetweenReports = 100;
 
 Result<void> check_signal(const Signal& signal, std::size_t size) {
   if (signal.size() != size) {
@@ -63,9 +63,9 @@ Result<void> check_explorations(std::span<const TMpsomExploration> explorations,
 }
 
 // One training, from the first iteration to the last.
-class Training {
+class TMpsomTraining {
  public:
-  Training(TMpsom& map, const Progress& progress)
+  TMpsomTraining(TMpsom& map, const Progress& progress)
       : map_(map), progress_(progress), rate_(map.parameters().learning_rate()), workspace_(map) {}
 
   bool is_over() const { return done_ == total() || interrupted_; }
@@ -79,7 +79,7 @@ class Training {
     const double alpha = rate_.at(done_);
     learned_ += map_.learn(inputs_, alpha, workspace_) ? 1 : 0;
     ++done_;
-    if (done_ % kIterationsBetweenReports == 0 || done_ == total()) report();
+    if (done_ % kTMpsomIterationsBetweenReports == 0 || done_ == total()) report();
   }
 
  private:
@@ -103,7 +103,7 @@ Result<std::uint64_t> train_t_mpsom(TMpsom& map, std::span<const TMpsomExplorati
   Result<void> checked = check_explorations(explorations, map.parameters().input_sizes);
   if (!checked) return fail(std::move(checked.error()));
   Random draws(map.parameters().seed, Stream::kDraws);
-  Training training(map, progress);
+  TMpsomTraining training(map, progress);
   while (!training.is_over()) {
     for (const TMpsomFrame& frame : explorations[draws.below(explorations.size())]) {
       training.learn(frame);

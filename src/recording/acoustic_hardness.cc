@@ -23,21 +23,21 @@ using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
 constexpr std::size_t kLargestSample = std::size_t{64} << 20;
-constexpr int kDeepest = 16;
+constexpr int kDeepestJson = 16;
 constexpr std::string_view kAdvice = "repair the file or take it out";
 
 // Not yet parsed, a text of nothing but brackets would ask for a hundred times its own size.
 bool is_too_deep(std::string_view text) {
   int depth = 0;
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size() && depth <= kDeepest; ++i) {
+  for (std::size_t i = 0; i < text.size() && depth <= kDeepestJson; ++i) {
     const char c = text[i];
     if (quoted && c == '\\') ++i;
     if (c == '"') quoted = !quoted;
     if (!quoted && (c == '[' || c == '{')) ++depth;
     if (!quoted && (c == ']' || c == '}')) --depth;
   }
-  return depth > kDeepest;
+  return depth > kDeepestJson;
 }
 
 std::string line_and_column(std::string_view text, std::size_t byte) {
@@ -49,7 +49,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
 
 Result<Json> parse_json(std::string_view text, const std::string& where) {
   if (is_too_deep(text)) {
-    return fail(ErrorKind::kData, fmt::format("the JSON is nested more than {} deep", kDeepest),
+    return fail(ErrorKind::kData, fmt::format("the JSON is nested more than {} deep", kDeepestJson),
                 where, std::string(kAdvice));
   }
   try {

@@ -29,7 +29,7 @@ struct Numbered {
   std::uint64_t number;
 };
 
-std::optional<Numbered> numbered(std::string_view name) {
+std::optional<Numbered> numbered_name(std::string_view name) {
   const std::size_t last = name.find_last_not_of("0123456789");
   const std::size_t stem = last == std::string_view::npos ? 0 : last + 1;
   Numbered parts{name.substr(0, stem), name.size() - stem, 0};
@@ -39,8 +39,8 @@ std::optional<Numbered> numbered(std::string_view name) {
 }
 
 Result<void> add_range(std::string_view range, std::size_t dots, std::vector<std::string>& names) {
-  const auto first = numbered(range.substr(0, dots));
-  const auto last = numbered(range.substr(dots + kDots.size()));
+  const auto first = numbered_name(range.substr(0, dots));
+  const auto last = numbered_name(range.substr(dots + kDots.size()));
   if (!first || !last || first->stem != last->stem || first->number > last->number) {
     return wrong(fmt::format("'{}' is no range of columns", range),
                  "write such as \"taxel1..taxel16\"");

@@ -20,7 +20,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kJoints = 9;
+constexpr std::size_t kIcubJoints = 9;
 constexpr std::size_t kFingers = 5;
 constexpr std::size_t kTaxelsPerFinger = 12;
 constexpr std::size_t kLinesPerStep = 2 + kFingers;
@@ -77,22 +77,22 @@ struct LineContent {
 };
 
 LineContent content_of(std::size_t line_of_step) {
-  if (line_of_step == 0) return {"joint angles", kJoints};
+  if (line_of_step == 0) return {"joint angles", kIcubJoints};
   if (line_of_step == 1) return {"finger pressures", kFingers};
   return {"taxels of the " + kFingerNames[line_of_step - 2] + " finger", kTaxelsPerFinger};
 }
 
 // Reads one grasp's text; every error knows its file and line.
-class TrialReader {
+class GraspReader {
  public:
-  TrialReader(std::string file, std::string_view text)
+  GraspReader(std::string file, std::string_view text)
       : file_(std::move(file)), lines_(lines_of(text)) {}
 
   Result<std::vector<Channel>> read() const {
     Result<void> checked = check_layout();
     if (!checked) return fail(std::move(checked.error()));
     const std::size_t steps = (lines_.size() - 1) / kLinesPerStep;
-    Matrix<float> joints(steps, kJoints);
+    Matrix<float> joints(steps, kIcubJoints);
     Matrix<float> pressures(steps, kFingers);
     Matrix<float> taxels(steps, kFingers * kTaxelsPerFinger);
     for (std::size_t line = 1; line < lines_.size() && checked; ++line) {
@@ -215,7 +215,7 @@ Result<std::vector<Trial>> find_trials(const std::filesystem::path& folder) {
 Result<Exploration> read_trial(const Trial& trial) {
   return read_whole(trial.file.string())
       .and_then(
-          [&](const std::string& text) { return TrialReader(trial.file.string(), text).read(); })
+          [&](const std::string& text) { return GraspReader(trial.file.string(), text).read(); })
       .map([&](std::vector<Channel> channels) {
         return Exploration{{{"object", trial.object}, {"trial", std::to_string(trial.number)}},
                            trial.file.string(),

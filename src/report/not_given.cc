@@ -7,10 +7,8 @@
 
 namespace somato::detail {
 
-using Json = nlohmann::ordered_json;
-
-Json not_given_json(const std::vector<Settings>& settings) {
-  Json json = Json::array();
+nlohmann::ordered_json not_given_json(const std::vector<Settings>& settings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Settings& part : settings) {
     const ModuleType* type = part.part.starts_with("module.") ? type_of(part) : nullptr;
     if (type == nullptr) continue;

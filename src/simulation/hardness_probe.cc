@@ -10,14 +10,12 @@
 namespace somato {
 namespace {
 
-using P = HardnessProbeParameters;
-
 constexpr double kTickRate = 1000.0;  // Hz
 
 // A stick on a servo that is too weak to hold it against the material.
 class Stick {
  public:
-  Stick(const Material& material, const P& parameters, double force)
+  Stick(const Material& material, const HardnessProbeParameters& parameters, double force)
       : clearance_(parameters.clearance),
         balance_(parameters.clearance + force / material.stiffness),
         mm_per_tick_(parameters.stick_speed / kTickRate),
@@ -43,14 +41,14 @@ class Stick {
   double position_ = 0.0;
 };
 
-double most_counts(const P& parameters) {
+double most_counts(const HardnessProbeParameters& parameters) {
   return static_cast<double>((std::size_t{1} << parameters.potentiometer_bits) - 1);
 }
 
 // From mm to counts.
 class Potentiometer {
  public:
-  explicit Potentiometer(const P& parameters)
+  explicit Potentiometer(const HardnessProbeParameters& parameters)
       : most_(most_counts(parameters)), counts_per_mm_(most_ / parameters.stroke) {}
 
   float operator()(double position) const {
@@ -64,7 +62,8 @@ class Potentiometer {
 
 class HardnessProbe : public detail::ProbeBody {
  public:
-  HardnessProbe(const Material& material, const P& parameters, std::uint64_t exploration_seed)
+  HardnessProbe(const Material& material, const HardnessProbeParameters& parameters,
+                std::uint64_t exploration_seed)
       : ProbeBody("hardness_probe", {"stick", "mm", 0.0, parameters.stroke, parameters.stick_speed},
                   {"potentiometer", "counts", {}, {}, 0.0, true}, kTickRate),
         random_(exploration_seed, Stream::kHardnessProbe),
@@ -91,7 +90,8 @@ class HardnessProbe : public detail::ProbeBody {
   double deviation_ = 0.0;  // of the potentiometer, mm
 };
 
-void declare_stick(Declarations<P>& d) {
+void declare_stick(Declarations<HardnessProbeParameters>& d) {
+  using P = HardnessProbeParameters;
   d.add("stroke", &P::stroke, "mm", Range::between(0.1, 1000),
         "How far the stick goes; not given in the paper.");
   d.add("stick_speed", &P::stick_speed, "mm/s", Range::between(0.001, 1e4),
@@ -105,7 +105,8 @@ void declare_stick(Declarations<P>& d) {
       "Standard deviation of the force between explorations, as a share; not given in the paper.");
 }
 
-void declare_potentiometer(Declarations<P>& d) {
+void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
+  using P = HardnessProbeParameters;
   d.add("potentiometer_bits", &P::potentiometer_bits, "bits", Range::between(1, 24),
         "Bits of a reading over the stroke; 18 in P11.");
   d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::at_least(0),
@@ -114,9 +115,9 @@ void declare_potentiometer(Declarations<P>& d) {
 
 }  // namespace
 
-const Declarations<P>& P::declarations() {
-  static const Declarations<P> kAll = [] {
-    Declarations<P> d;
+const Declarations<HardnessProbeParameters>& HardnessProbeParameters::declarations() {
+  static const Declarations<HardnessProbeParameters> kAll = [] {
+    Declarations<HardnessProbeParameters> d;
     declare_stick(d);
     declare_potentiometer(d);
     return d;
@@ -124,7 +125,7 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<void> P::validate() const {
+Result<void> HardnessProbeParameters::validate() const {
   if (auto ranges = check_ranges(*this); !ranges) return ranges;
   if (clearance < stroke) return {};
   return fail(ErrorKind::kUsage,
@@ -132,13 +133,14 @@ Result<void> P::validate() const {
               "lower 'clearance', or raise 'stroke'");
 }
 
-std::optional<double> stick_position(double counts, const P& parameters) {
+std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters) {
   const double share = counts / most_counts(parameters);
   if (share >= 0.0 && share <= 1.0) return share * parameters.stroke;
   return {};
 }
 
-Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material, const P& parameters,
+Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material,
+                                                  const HardnessProbeParameters& parameters,
                                                   std::uint64_t exploration_seed) {
   if (auto valid = material.validate(); !valid) return fail(std::move(valid.error()));
   if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));

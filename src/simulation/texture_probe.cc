@@ -96,9 +96,9 @@ class Whine {
 };
 
 // From mV to counts.
-class Converter {
+class SoundConverter {
  public:
-  explicit Converter(const TextureProbeParameters& parameters)
+  explicit SoundConverter(const TextureProbeParameters& parameters)
       : most_(static_cast<double>(std::size_t{1} << (parameters.adc_bits - 1))),
         step_(parameters.adc_range / most_) {}
 
@@ -140,7 +140,7 @@ class Microphone {
   std::size_t ticks_ = 0;
   detail::Biquad low_end_;
   std::vector<detail::Biquad> anti_aliasing_;
-  Converter convert_;
+  SoundConverter convert_;
   Random& random_;
 };
 

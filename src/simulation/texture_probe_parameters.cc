@@ -8,9 +8,8 @@
 namespace somato {
 namespace {
 
-using P = TextureProbeParameters;
-
-void declare_lever(Declarations<P>& d) {
+void declare_lever(Declarations<TextureProbeParameters>& d) {
+  using P = TextureProbeParameters;
   d.add("stroke", &P::stroke, "deg", Range::between(0.1, 180),
         "How far the lever turns; 36 in P11.");
   d.add("lever_speed", &P::lever_speed, "deg/s", Range::between(0.01, 3600),
@@ -22,7 +21,8 @@ void declare_lever(Declarations<P>& d) {
         "paper.");
 }
 
-void declare_edge(Declarations<P>& d) {
+void declare_edge(Declarations<TextureProbeParameters>& d) {
+  using P = TextureProbeParameters;
   d.add("edge_width", &P::edge_width, "mm", Range::between(0.001, 10),
         "Least spacing of heights that the edge follows; not given in the paper.");
   d.add("edge_stiffness", &P::edge_stiffness, "N/mm", Range::above(0),
@@ -37,7 +37,8 @@ void declare_edge(Declarations<P>& d) {
         "Damping ratio of the free edge; not given in the paper.");
 }
 
-void declare_microphone(Declarations<P>& d) {
+void declare_microphone(Declarations<TextureProbeParameters>& d) {
+  using P = TextureProbeParameters;
   d.add("sensitivity", &P::sensitivity, "mV/(mm/s)", Range::at_least(0),
         "What the microphone makes of the edge; not given in the paper.");
   d.add("microphone_low", &P::microphone_low, "Hz", Range::above(0),
@@ -53,7 +54,8 @@ void declare_microphone(Declarations<P>& d) {
         "Root mean square of the whine, with its harmonics; not given in the paper.");
 }
 
-void declare_converter(Declarations<P>& d) {
+void declare_converter(Declarations<TextureProbeParameters>& d) {
+  using P = TextureProbeParameters;
   d.add("sample_rate", &P::sample_rate, "Hz", Range::between(1, 1e6),
         "Frames a second; not given in the paper.");
   d.add("oversampling", &P::oversampling, "", Range::between(2, 1024),
@@ -64,7 +66,8 @@ void declare_converter(Declarations<P>& d) {
         "Voltage, either way, at which the converter saturates; not given in the paper.");
 }
 
-Result<void> check_frequency(const char* key, double highest, const P& parameters) {
+Result<void> check_frequency(const char* key, double highest,
+                             const TextureProbeParameters& parameters) {
   const double limit = 0.45 * parameters.sample_rate * static_cast<double>(parameters.oversampling);
   if (highest <= limit) return {};
   return fail(
@@ -75,9 +78,9 @@ Result<void> check_frequency(const char* key, double highest, const P& parameter
 
 }  // namespace
 
-const Declarations<P>& P::declarations() {
-  static const Declarations<P> kAll = [] {
-    Declarations<P> d;
+const Declarations<TextureProbeParameters>& TextureProbeParameters::declarations() {
+  static const Declarations<TextureProbeParameters> kAll = [] {
+    Declarations<TextureProbeParameters> d;
     declare_lever(d);
     declare_edge(d);
     declare_microphone(d);
@@ -87,7 +90,7 @@ const Declarations<P>& P::declarations() {
   return kAll;
 }
 
-Result<void> P::validate() const {
+Result<void> TextureProbeParameters::validate() const {
   if (auto ranges = check_ranges(*this); !ranges) return ranges;
   const double raised = edge_resonance * std::sqrt(1.0 + resonance_rise);
   if (auto fits = check_frequency("edge_resonance", raised, *this); !fits) return fits;

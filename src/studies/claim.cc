@@ -7,11 +7,11 @@ namespace somato {
 namespace {
 
 // Differences of rounded values must not fail a bound that they meet.
-constexpr double kRounding = 1e-9;
+constexpr double kClaimRounding = 1e-9;
 
 bool holds(const Claim& claim, double value) {
-  return (!claim.at_least || value >= *claim.at_least - kRounding) &&
-         (!claim.at_most || value <= *claim.at_most + kRounding);
+  return (!claim.at_least || value >= *claim.at_least - kClaimRounding) &&
+         (!claim.at_most || value <= *claim.at_most + kClaimRounding);
 }
 
 Result<Claim> read_claim(const Table& table) {

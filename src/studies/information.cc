@@ -36,8 +36,8 @@ std::vector<std::string> first_maps(const System& system) {
   return names;
 }
 
-Result<std::size_t> find_map(const System& system, const std::string& name,
-                             const std::string& where) {
+Result<std::size_t> find_first_map(const System& system, const std::string& name,
+                                   const std::string& where) {
   if (!name.empty()) {
     auto module = system.find(name, "map");
     if (!module || som_of(system, *module)) return module;
@@ -75,7 +75,7 @@ Result<void> check_fixed(const System& system, std::size_t vectors, std::size_t 
 // Which module gives the vectors.
 Result<std::size_t> find_vectors(const System& system, const StudyDescription& description,
                                  const std::string& map_name) {
-  const auto map = find_map(system, map_name, description.where);
+  const auto map = find_first_map(system, map_name, description.where);
   if (!map) return fail(map.error());
   std::size_t vectors = system.modules()[*map].inputs.front();
   if (system.modules()[vectors].type->name == "standardization") {

@@ -15,9 +15,9 @@
 namespace somato {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kJournalVersion = 2;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -25,27 +25,27 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
 }
 
 // A line that was damaged is found by its checksum.
-std::string line_of(const Json& content) {
-  const std::string text = content.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string line_of(const SortedJson& content) {
+  const std::string text = content.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
   return fmt::format("{:08x} {}\n", crc32c(text), text);
 }
 
 // What the line holds, if it is whole.
-std::optional<Json> content_of(std::string_view line) {
+std::optional<SortedJson> content_of(std::string_view line) {
   constexpr std::size_t kChecksum = 9;
   if (line.size() <= kChecksum) return {};
   const std::string_view text = line.substr(kChecksum);
   if (line.substr(0, kChecksum) != fmt::format("{:08x} ", crc32c(text))) return {};
-  Json content = Json::parse(text, nullptr, false);
+  SortedJson content = SortedJson::parse(text, nullptr, false);
   if (content.is_discarded()) return {};
   return content;
 }
 
 std::string header_of(const std::string& fingerprint) {
-  return line_of({{"somato_journal", kVersion}, {"study", fingerprint}});
+  return line_of({{"somato_journal", kJournalVersion}, {"study", fingerprint}});
 }
 
-Json content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
+SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   return {{"protocol", protocol},
           {"training", training},
           {"training_winners", outcome.training_winners},
@@ -57,7 +57,7 @@ Json content_for(std::size_t protocol, std::size_t training, const FoldOutcome& 
           {"torn", outcome.torn}};
 }
 
-FoldOutcome outcome_of(const Json& line) {
+FoldOutcome outcome_of(const SortedJson& line) {
   FoldOutcome outcome;
   line.at("training_winners").get_to(outcome.training_winners);
   line.at("winners").get_to(outcome.winners);

@@ -13,7 +13,7 @@ namespace somato {
 namespace {
 
 // What counts as equal after rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kRankRounding = 1e-12;
 
 constexpr int kMostSquarings = 60;
 
@@ -62,7 +62,7 @@ Matrix<double> largest_alone(Matrix<double> matrix) {
     matrix = squared(matrix);
     const double trace = trace_of(matrix);
     scale(matrix, 1.0 / trace);
-    if (trace >= 1.0 - kRounding) break;
+    if (trace >= 1.0 - kRankRounding) break;
   }
   return matrix;
 }
@@ -85,7 +85,7 @@ std::vector<double> principal_positions(const Matrix<double>& inner_products) {
   const std::size_t count = inner_products.rows();
   Matrix<double> products = centred(inner_products);
   const double trace = trace_of(products);
-  if (!(trace > kRounding * trace_of(inner_products))) return std::vector<double>(count, 0.0);
+  if (!(trace > kRankRounding * trace_of(inner_products))) return std::vector<double>(count, 0.0);
   scale(products, 1.0 / trace);
   products = largest_alone(std::move(products));
   // Every column points there; the longest is furthest from rounding.
@@ -110,7 +110,7 @@ RankOrder rank_order(const std::vector<OrderedGroup>& groups, std::size_t shuffl
     for (OrderedGroup& group : shuffled) shuffle(group.numbers, random);
     const double correlation = mean_order(shuffled);
     sum += correlation;
-    as_high += correlation >= order.correlation - kRounding ? 1 : 0;
+    as_high += correlation >= order.correlation - kRankRounding ? 1 : 0;
   }
   if (shuffles > 0) order.shuffled = sum / static_cast<double>(shuffles);
   order.shuffled_share = static_cast<double>(as_high) / static_cast<double>(shuffles + 1);

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kReproductionVersion = 1;
 
 // What was measured, as one text.
 std::string measured(const std::vector<SystemResults>& protocols) {
@@ -172,7 +172,7 @@ std::string to_json(const ReproductionResults& results) {
   for (const NotApplicable& one : results.not_applicable) {
     skipped.push_back({{"system", one.system}, {"reason", one.reason}});
   }
-  const Json json = {{"version", kVersion},
+  const Json json = {{"version", kReproductionVersion},
                      {"seed", results.seed},
                      {"pairs", results.pairs},
                      {"recordings", recordings_json(results.recordings)},

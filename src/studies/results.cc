@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 3;
+constexpr int kResultsVersion = 3;
 
 Json metrics_json(const std::vector<Metric>& metrics) {
   Json json = Json::object();
@@ -85,7 +85,7 @@ const Metric* SystemResults::find_metric(std::string_view metric) const {
 }
 
 std::string to_json(const StudyResults& results) {
-  Json json = {{"version", kVersion},
+  Json json = {{"version", kResultsVersion},
                {"study", results.study},
                {"seeds", results.seeds},
                {"settings", detail::settings_json(results.settings)},

@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 Object object_of(Shape shape, std::array<double, 3> size, double top_diameter = 0.0) {
   Object object;
@@ -23,7 +23,7 @@ Object object_of(Shape shape, std::array<double, 3> size, double top_diameter = 
 // The area of an object's section at a height above its foot, from school geometry.
 double section(const Object& object, double z) {
   const auto [width, depth, height] = object.size;
-  const double round = kPi / 4.0;
+  const double round = kHalfTurn / 4.0;
   switch (object.shape) {
     case Shape::kBlock:
       return width * depth;
@@ -36,7 +36,7 @@ double section(const Object& object, double z) {
     case Shape::kCapsule: {
       const double r = width / 2.0;
       const double beyond = std::max({r - z, z - (height - r), 0.0});
-      return kPi * (r * r - beyond * beyond);
+      return kHalfTurn * (r * r - beyond * beyond);
     }
     default: {
       const double u = 2.0 * z / height - 1.0;
@@ -59,8 +59,8 @@ double polygon(double width, double depth) {
   constexpr int kCorners = 200000;
   double sum = 0.0;
   for (int i = 0; i < kCorners; ++i) {
-    const double a = 2.0 * kPi * i / kCorners;
-    const double b = 2.0 * kPi * (i + 1) / kCorners;
+    const double a = 2.0 * kHalfTurn * i / kCorners;
+    const double b = 2.0 * kHalfTurn * (i + 1) / kCorners;
     sum += std::hypot(width / 2.0 * (std::cos(b) - std::cos(a)),
                       depth / 2.0 * (std::sin(b) - std::sin(a)));
   }
@@ -90,8 +90,8 @@ TEST(Mass, IsInKilogramsOfCubicMillimetres) {
 
 TEST(Girth, OfRoundAndOfSquareThings) {
   EXPECT_NEAR(girth(object_of(Shape::kSphere, {72, 72, 72})), 226.19467, 1e-5);
-  EXPECT_NEAR(girth(object_of(Shape::kCapsule, {40, 40, 90})), 40 * kPi, 1e-12);
-  EXPECT_NEAR(girth(object_of(Shape::kCone, {50, 50, 90}, 20)), 50 * kPi, 1e-12);
+  EXPECT_NEAR(girth(object_of(Shape::kCapsule, {40, 40, 90})), 40 * kHalfTurn, 1e-12);
+  EXPECT_NEAR(girth(object_of(Shape::kCone, {50, 50, 90}, 20)), 50 * kHalfTurn, 1e-12);
   EXPECT_EQ(girth(object_of(Shape::kBlock, {58, 50, 110})), 216.0);
   EXPECT_EQ(girth(object_of(Shape::kMesh, {0, 0, 0})), 0.0);
 }

@@ -15,7 +15,7 @@ Matrix<float> resample(const Matrix<float>& frames, std::size_t points) {
   return resampled(frames, {points}).value();
 }
 
-Matrix<float> column(std::vector<float> values) {
+Matrix<float> column_of(std::vector<float> values) {
   const std::size_t count = values.size();
   return Matrix<float>(count, 1, std::move(values));
 }
@@ -28,12 +28,13 @@ Matrix<float> random_frames(std::uint64_t seed, std::size_t frames, std::size_t 
 }
 
 TEST(Resampling, InterpolatesBetweenNeighbours) {
-  EXPECT_EQ(resample(column({0.0F, 4.0F, -4.0F}), 5), column({0.0F, 2.0F, 4.0F, 0.0F, -4.0F}));
+  EXPECT_EQ(resample(column_of({0.0F, 4.0F, -4.0F}), 5),
+            column_of({0.0F, 2.0F, 4.0F, 0.0F, -4.0F}));
 }
 
 TEST(Resampling, LeavesOutFramesBetweenItsPoints) {
-  EXPECT_EQ(resample(column({0, 1, 4, 9, 16, 25, 36}), 3), column({0, 9, 36}));
-  EXPECT_EQ(resample(column({0, 1, 4, 9}), 3), column({0.0F, 2.5F, 9.0F}));
+  EXPECT_EQ(resample(column_of({0, 1, 4, 9, 16, 25, 36}), 3), column_of({0, 9, 36}));
+  EXPECT_EQ(resample(column_of({0, 1, 4, 9}), 3), column_of({0.0F, 2.5F, 9.0F}));
 }
 
 TEST(Resampling, TreatsEveryElementOnItsOwn) {

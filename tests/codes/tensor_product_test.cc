@@ -18,7 +18,7 @@ Signal product_of(const std::vector<Signal>& inputs) {
 }
 
 // Values with few digits, a third of them zero; stored explicitly too where the signal is sparse.
-Signal random_signal(Random& random, bool sparse) {
+Signal random_factor(Random& random, bool sparse) {
   Shape shape(1 + random.below(2));
   std::size_t size = 1;
   for (std::size_t& extent : shape) size *= extent = random.below(5);
@@ -35,7 +35,7 @@ Signal random_signal(Random& random, bool sparse) {
 std::vector<Signal> random_signals(Random& random) {
   std::vector<Signal> signals(1 + random.below(4));
   const std::uint64_t sparse_in_four = random.below(5);
-  for (Signal& signal : signals) signal = random_signal(random, random.below(4) < sparse_in_four);
+  for (Signal& signal : signals) signal = random_factor(random, random.below(4) < sparse_in_four);
   return signals;
 }
 

@@ -7,12 +7,12 @@
 namespace somato {
 namespace {
 
-const Signal kDense = Signal::dense({1.0F, 0.0F, 3.0F});
-const Signal kSparse = Signal::sparse({9}, {2, 7}, {5.0F, 6.0F});
+const Signal kDenseSignal = Signal::dense({1.0F, 0.0F, 3.0F});
+const Signal kSparseSignal = Signal::sparse({9}, {2, 7}, {5.0F, 6.0F});
 
 TEST(SignalBuffer, HoldsWhatItIsGiven) {
   SignalBuffer buffer;
-  for (const Signal* signal : {&kDense, &kSparse, &kDense}) {
+  for (const Signal* signal : {&kDenseSignal, &kSparseSignal, &kDenseSignal}) {
     buffer.assign(signal->view());
     const SignalView view = buffer.view();
     EXPECT_EQ(view.size, signal->size());
@@ -25,7 +25,7 @@ TEST(SignalBuffer, HoldsWhatItIsGiven) {
 
 TEST(SignalBuffer, IsFilledElementByElement) {
   SignalBuffer buffer;
-  buffer.assign(kSparse.view());
+  buffer.assign(kSparseSignal.view());
   buffer.begin_sparse(4);
   buffer.add(3, 2.0F);
   std::vector<float> values(4);
@@ -39,11 +39,11 @@ TEST(SignalBuffer, IsFilledElementByElement) {
 
 TEST(SignalBuffer, AllocatesNothingOnceItHasGrown) {
   SignalBuffer buffer;
-  buffer.assign(kDense.view());
-  buffer.assign(kSparse.view());
+  buffer.assign(kDenseSignal.view());
+  buffer.assign(kSparseSignal.view());
   const testing::AllocationCounter counter;
-  buffer.assign(kDense.view());
-  buffer.assign(kSparse.view());
+  buffer.assign(kDenseSignal.view());
+  buffer.assign(kSparseSignal.view());
   EXPECT_EQ(counter.count(), 0U);
 }
 

@@ -14,7 +14,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+constexpr std::size_t kArborLanes = LaneMatrix<float>::kLanes;
 
 LaneMatrix<float> random_lanes(Random& random, std::size_t rows, std::size_t columns) {
   LaneMatrix<float> lanes(rows, columns);
@@ -33,9 +33,9 @@ Values random_values(Random& random, std::size_t count) {
 
 // Six values a lane: moves of up to four blocks.
 struct RoomForMoves {
-  AlignedVector<float> keep = AlignedVector<float>(4 * kLanes);
-  AlignedVector<float> add = AlignedVector<float>(4 * kLanes);
-  AlignedVector<float> doubtful = AlignedVector<float>(4 * kLanes);
+  AlignedVector<float> keep = AlignedVector<float>(4 * kArborLanes);
+  AlignedVector<float> add = AlignedVector<float>(4 * kArborLanes);
+  AlignedVector<float> doubtful = AlignedVector<float>(4 * kArborLanes);
   kernels::Moves moves() { return {keep.data(), add.data(), doubtful.data()}; }
 };
 
@@ -77,9 +77,9 @@ TEST(TMpsomKernels, FindMovesToUnitLength) {
   for (int i = 0; i < 100; ++i) {
     const std::size_t blocks = 1 + random.below(4);
     const std::size_t columns = 1 + random.below(600);
-    const LaneMatrix<float> w = random_lanes(random, blocks * kLanes, columns);
+    const LaneMatrix<float> w = random_lanes(random, blocks * kArborLanes, columns);
     const auto x = random_values<std::vector<float>>(random, columns);
-    const auto gains = random_values<AlignedVector<float>>(random, blocks * kLanes);
+    const auto gains = random_values<AlignedVector<float>>(random, blocks * kArborLanes);
     double squared = 0.0;
     for (const float value : x) squared += double{value} * double{value};
     AlignedVector<float> before;
@@ -107,13 +107,13 @@ TEST(TMpsomKernels, FindMovesToUnitLength) {
 
 // Half of the way to the opposite nothing is left; zeros have no length at all.
 TEST(TMpsomKernels, DoubtLengthsThatCancel) {
-  LaneMatrix<float> w(2 * kLanes, 3);
+  LaneMatrix<float> w(2 * kArborLanes, 3);
   for (std::size_t row = 0; row < w.rows(); ++row) w(row, 1) = 1.0F;
   w(3, 1) = 0.0F;
   w(4, 1) = 1e20F;
   w(5, 1) = -1.0F;
   const std::vector<float> x{0, -1, 0};
-  AlignedVector<float> gains(2 * kLanes);
+  AlignedVector<float> gains(2 * kArborLanes);
   gains[5] = gains[6] = gains[20] = 0.5F;
   testing::for_each_instruction_set([&](InstructionSet set) {
     RoomForMoves room;
@@ -130,10 +130,10 @@ TEST(TMpsomKernels, MoveAsTold) {
   Random random(3);
   testing::for_each_instruction_set([&](InstructionSet set) {
     const std::size_t blocks = 1 + random.below(4);
-    const LaneMatrix<float> w = random_lanes(random, blocks * kLanes, 1 + random.below(50));
+    const LaneMatrix<float> w = random_lanes(random, blocks * kArborLanes, 1 + random.below(50));
     const auto x = random_values<std::vector<float>>(random, w.columns());
     RoomForMoves room;
-    auto gains = random_values<AlignedVector<float>>(random, blocks * kLanes);
+    auto gains = random_values<AlignedVector<float>>(random, blocks * kArborLanes);
     gains[1] = 1.0F;
     LaneMatrix<float> moved = w;
     kernels::t_mpsom_table().find_plain_moves(gains.data(), blocks, room.moves());
@@ -153,7 +153,7 @@ TEST(TMpsomKernels, MoveAsTold) {
 
 TEST(TMpsomKernels, TellWhetherAnythingIsNotZero) {
   testing::for_each_instruction_set([](InstructionSet /*set*/) {
-    AlignedVector<float> values(4 * kLanes);
+    AlignedVector<float> values(4 * kArborLanes);
     EXPECT_FALSE(kernels::t_mpsom_table().any(values.data(), 4));
     values[37] = 1e-30F;
     EXPECT_TRUE(kernels::t_mpsom_table().any(values.data(), 4));

@@ -121,7 +121,7 @@ TEST(Npy, ReadsHeadersAsAnyNumpyWroteThem) {
   }
 }
 
-void expect_refused(const std::string& bytes, const std::string& because) {
+void expect_npy_refused(const std::string& bytes, const std::string& because) {
   const Result<Matrix<float>> matrix = decode_npy(bytes, "data.npy");
   ASSERT_FALSE(matrix) << because;
   EXPECT_EQ(matrix.error().kind, ErrorKind::kData);
@@ -144,28 +144,28 @@ TEST(Npy, RefusesHeadersNumpyDoesNotWrite) {
         "{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
         "{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999999999999,)}",
         "{'descr': '<f4, 'fortran_order': False, 'shape': (6,)}"}) {
-    expect_refused(file(text, float_bytes(kSix)), "not as numpy writes it");
+    expect_npy_refused(file(text, float_bytes(kSix)), "not as numpy writes it");
   }
 }
 
 TEST(Npy, RefusesOtherTypes) {
   for (const char* type : {"|O", "<c8", "<U4", "<f2", "|f4", "f4", "=f4", "<M8[s]", ""}) {
-    expect_refused(file(header(type, "(6,)"), float_bytes(kSix)), "are not read");
+    expect_npy_refused(file(header(type, "(6,)"), float_bytes(kSix)), "are not read");
   }
-  expect_refused(file("{'descr': [('a', '<f4'), ('b', '<i4', (2,))], 'fortran_order': False, "
-                      "'shape': (1,), }",
-                      std::string(12, '\0')),
-                 "'structured' are not read");
+  expect_npy_refused(file("{'descr': [('a', '<f4'), ('b', '<i4', (2,))], 'fortran_order': False, "
+                          "'shape': (1,), }",
+                          std::string(12, '\0')),
+                     "'structured' are not read");
 }
 
 TEST(Npy, RefusesOtherDimensions) {
-  expect_refused(file(header("<f4", "()"), float_bytes({1})), "0 dimensions");
-  expect_refused(file(header("<f4", "(1, 2, 3)"), float_bytes(kSix)), "3 dimensions");
+  expect_npy_refused(file(header("<f4", "()"), float_bytes({1})), "0 dimensions");
+  expect_npy_refused(file(header("<f4", "(1, 2, 3)"), float_bytes(kSix)), "3 dimensions");
 }
 
 TEST(Npy, RefusesEmptyArrays) {
-  expect_refused(file(header("<f4", "(0,)"), ""), "empty: 0 x 1");
-  expect_refused(file(header("<f4", "(5, 0)"), ""), "empty: 5 x 0");
+  expect_npy_refused(file(header("<f4", "(0,)"), ""), "empty: 0 x 1");
+  expect_npy_refused(file(header("<f4", "(5, 0)"), ""), "empty: 5 x 0");
 }
 
 TEST(Npy, RefusesEveryTruncationAndWhatFollows) {
@@ -173,34 +173,34 @@ TEST(Npy, RefusesEveryTruncationAndWhatFollows) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode_npy(bytes.substr(0, size), "f")) << size;
   }
-  expect_refused(bytes.substr(0, bytes.size() - 1), "cut short");
-  expect_refused(bytes + "x", "1 bytes follow");
+  expect_npy_refused(bytes.substr(0, bytes.size() - 1), "cut short");
+  expect_npy_refused(bytes + "x", "1 bytes follow");
 }
 
 TEST(Npy, RefusesAbsurdShapes) {
   for (const char* shape : {"(1000000000000,)", "(4294967296, 4294967296)",
                             "(18446744073709551615, 18446744073709551615)",
                             "(4611686018427387905, 1)", "(1, 18446744073709551615)"}) {
-    expect_refused(file(header("<f4", shape), float_bytes({1})), "cut short");
+    expect_npy_refused(file(header("<f4", shape), float_bytes({1})), "cut short");
   }
 }
 
 TEST(Npy, RefusesOtherFilesAndVersions) {
-  expect_refused("1,2,3\n", "not an NPY file");
+  expect_npy_refused("1,2,3\n", "not an NPY file");
   std::string bytes = file(header("<f4", "(6,)"), float_bytes(kSix));
   bytes[6] = '\4';
-  expect_refused(bytes, "version 4.0 is unknown");
+  expect_npy_refused(bytes, "version 4.0 is unknown");
 }
 
 TEST(Npy, NamesTheRowAndColumnOfWhatIsNotFinite) {
   const float inf = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  expect_refused(file(header("<f4", "(2, 3)"), float_bytes({1, 2, 3, 4, nan, 6})),
-                 "nan in row 2, column 2 (counted from 1)");
-  expect_refused(file(header("<f4", "(2, 3)", "True"), float_bytes({1, 2, 3, 4, inf, 6})),
-                 "inf in row 1, column 3");
-  expect_refused(file(header("<f8", "(2,)"), double_bytes({1, -1e39})),
-                 "-1e+39 in row 2, column 1");
+  expect_npy_refused(file(header("<f4", "(2, 3)"), float_bytes({1, 2, 3, 4, nan, 6})),
+                     "nan in row 2, column 2 (counted from 1)");
+  expect_npy_refused(file(header("<f4", "(2, 3)", "True"), float_bytes({1, 2, 3, 4, inf, 6})),
+                     "inf in row 1, column 3");
+  expect_npy_refused(file(header("<f8", "(2,)"), double_bytes({1, -1e39})),
+                     "-1e+39 in row 2, column 1");
 }
 
 TEST(Npy, KeepsTheBitsOfNumbers) {

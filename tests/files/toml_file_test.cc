@@ -17,7 +17,8 @@ const Value& value_of(const Table& table, const std::string& name) {
   return std::get<Value>(table.find(name)->content);
 }
 
-void expect_refused(const std::string& text, const std::string& where, const std::string& because) {
+void expect_toml_refused(const std::string& text, const std::string& where,
+                         const std::string& because) {
   const Result<Table> table = parse_toml(text, "f");
   ASSERT_FALSE(table) << text.substr(0, 100);
   EXPECT_EQ(table.error().kind, ErrorKind::kUsage);
@@ -68,8 +69,8 @@ TEST(TomlFile, KeepsOrderAndPlaces) {
 }
 
 TEST(TomlFile, SaysWhereTheSyntaxIsWrong) {
-  expect_refused("a = 1\nb = \n", "f:2:5", "");
-  expect_refused("a = 'x\n", "f:1:7", "");
+  expect_toml_refused("a = 1\nb = \n", "f:2:5", "");
+  expect_toml_refused("a = 'x\n", "f:1:7", "");
   const Error twice = parse_toml("a = 1\na = 2\n", "f").error();
   EXPECT_TRUE(twice.where.starts_with("f:2:")) << twice.where;
   EXPECT_NE(twice.what.find("redefine existing integer 'a'"), std::string::npos) << twice.what;
@@ -77,7 +78,7 @@ TEST(TomlFile, SaysWhereTheSyntaxIsWrong) {
 
 // Letters that toml++ 3.3 is not ready for.
 TEST(TomlFile, KnowsLettersOutsideAsciiFromBlanks) {
-  expect_refused("gr\xC3\xB6\xC3\x9F = 1\n", "f:1:3", "");
+  expect_toml_refused("gr\xC3\xB6\xC3\x9F = 1\n", "f:1:3", "");
   EXPECT_FALSE(parse_toml("a = 1 \xC3\xA4\n", "f"));
   EXPECT_FALSE(parse_toml("a = 1\xD2\x99\n", "f"));
   EXPECT_EQ(value_of(table_of("a = \"\"\"x\\\n  \xC3\xA4\"\"\"\n'\xC3\xA4' = 1\n"), "a"),
@@ -85,12 +86,12 @@ TEST(TomlFile, KnowsLettersOutsideAsciiFromBlanks) {
 }
 
 TEST(TomlFile, RefusesWhatDescriptionsDoNotUse) {
-  expect_refused("a = 2020-01-01\n", "f:1:5", "dates and times");
-  expect_refused("a = [07:30:00]\n", "f:1:6", "dates and times");
-  expect_refused("a = [1, 'x']\n", "f:1:9", "mixes types");
-  expect_refused("a = [1, true]\n", "f:1:9", "mixes types");
-  expect_refused("a = [{b = 1}, 2]\n", "f:1:6", "table stands in an array of values");
-  expect_refused("a = [[{b = 1}]]\n", "f:1:7", "table stands in an array of values");
+  expect_toml_refused("a = 2020-01-01\n", "f:1:5", "dates and times");
+  expect_toml_refused("a = [07:30:00]\n", "f:1:6", "dates and times");
+  expect_toml_refused("a = [1, 'x']\n", "f:1:9", "mixes types");
+  expect_toml_refused("a = [1, true]\n", "f:1:9", "mixes types");
+  expect_toml_refused("a = [{b = 1}, 2]\n", "f:1:6", "table stands in an array of values");
+  expect_toml_refused("a = [[{b = 1}]]\n", "f:1:7", "table stands in an array of values");
 }
 
 std::string repeated(const std::string& piece, int count) {
@@ -101,12 +102,13 @@ std::string repeated(const std::string& piece, int count) {
 
 TEST(TomlFile, RefusesWhatIsTooDeepOrTooLarge) {
   EXPECT_TRUE(parse_toml("a = " + repeated("[", 15) + repeated("]", 15), "f"));
-  expect_refused("a = " + repeated("[", 17) + repeated("]", 17), "f:1:21", "16 levels");
-  expect_refused("a = " + repeated("{a=", 17) + "1" + repeated("}", 17), "f:1:53", "16 levels");
+  expect_toml_refused("a = " + repeated("[", 17) + repeated("]", 17), "f:1:21", "16 levels");
+  expect_toml_refused("a = " + repeated("{a=", 17) + "1" + repeated("}", 17), "f:1:53",
+                      "16 levels");
   EXPECT_FALSE(parse_toml("a = " + repeated("[", 1000000), "f"));
   EXPECT_FALSE(parse_toml("a = " + repeated("{a=", 1000000), "f"));
-  expect_refused("\n" + repeated("a.", 1000000) + "a = 1", "f:2", "parts");
-  expect_refused("#" + std::string(16 << 20, ' '), "f", "larger than");
+  expect_toml_refused("\n" + repeated("a.", 1000000) + "a = 1", "f:2", "parts");
+  expect_toml_refused("#" + std::string(16 << 20, ' '), "f", "larger than");
 }
 
 TEST(TomlFile, IsReadFromAFile) {

@@ -13,7 +13,7 @@ using testing::hand_recording;
 using testing::module;
 using testing::trained;
 
-const std::string kText =
+const std::string kLearningText =
     channels({"joints", "height"}) + module("closed", "last", "input = 'joints'") +
     module("standard", "standardization", "input = 'closed'") +
     module("code", "one_hot", "input = 'height'\nelements = 3") +
@@ -23,7 +23,7 @@ const std::string kText =
 class LearnedParts : public ::testing::Test {
  protected:
   Recording recording_ = hand_recording(5, 3);
-  System system_ = trained(build(kText, recording_), recording_, 5);
+  System system_ = trained(build(kLearningText, recording_), recording_, 5);
   std::size_t number(const std::string& name) const { return *system_.find(name); }
 };
 

@@ -28,7 +28,7 @@ using testing::try_output;
 
 using Floats = std::vector<float>;
 
-std::string channels() {
+std::string all_channels() {
   return testing::channels({"height", "wrist", "joints", "touch", "sound"});
 }
 
@@ -36,7 +36,7 @@ std::string channels() {
 void expect_gives(const std::string& text,
                   const std::function<Matrix<float>(const Recording&, std::size_t)>& oracle) {
   const Recording recording = hand_recording(5, 7);
-  const System system = trained(build(channels() + text, recording), recording, 3);
+  const System system = trained(build(all_channels() + text, recording), recording, 3);
   for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
     EXPECT_EQ(dense(output_of(system, recording, "m", i)), oracle(recording, i)) << text;
   }
@@ -157,10 +157,10 @@ TEST(Module, OneHotPutsAOneInTheBinOfEachElement) {
 TEST(Module, OneHotLearnsItsRangesWhereTheyAreTrained) {
   Recording recording = hand_recording(4, 7);
   const auto code = [&](const std::string& ends) {
-    const System system = trained(build(channels() + module("m", "one_hot",
-                                                            "input = \"height\"\nelements = 2\n"
-                                                            "outside = \"clamp\"\n" +
-                                                                ends),
+    const System system = trained(build(all_channels() + module("m", "one_hot",
+                                                                "input = \"height\"\nelements = 2\n"
+                                                                "outside = \"clamp\"\n" +
+                                                                    ends),
                                         recording),
                                   recording, 3);
     std::vector<std::size_t> bins;
@@ -185,7 +185,7 @@ TEST(Module, OneHotLearnsItsRangesWhereTheyAreTrained) {
     recording.explorations[i].channels[0].frames = Matrix<float>(1, 1, 6.0F);
   }
   EXPECT_EQ(code("low = 2"), (Bins{0, 0, 1, 1, 1}));  // 2 to 6 again
-  System constant = build(channels() + module("m", "one_hot", "input = \"height\""), recording);
+  System constant = build(all_channels() + module("m", "one_hot", "input = \"height\""), recording);
   const auto refused = testing::try_train(constant, recording, 3);
   ASSERT_FALSE(refused);
   EXPECT_NE(to_string(refused.error()).find("module 'm': element 1 is 6 in everything"),
@@ -265,7 +265,8 @@ TEST(Module, SignalsAreScaledOneByOne) {
 TEST(Module, SparseSignalsStaySparseAsLongAsZerosStayZero) {
   const Recording recording = hand_recording(2, 7);
   const System system = build(
-      channels() + module("hot", "one_hot", "input = \"joints\"\nlow = 0\nhigh = 1\nelements = 5") +
+      all_channels() +
+          module("hot", "one_hot", "input = \"joints\"\nlow = 0\nhigh = 1\nelements = 5") +
           module("product", "tensor_product", "inputs = [\"hot\", \"touch\"]") +
           module("scaled", "scale", "input = \"product\"\nfactor = 2") +
           module("shifted", "scale", "input = \"product\"\noffset = 2") +
@@ -493,7 +494,7 @@ TEST(Module, WinnerOfASparseSignalCountsItsZeros) {
 
 TEST(Module, AWinnerAmongThousandsOfMillionsIsFoundAtOnce) {
   const Recording recording = hand_recording(1, 7);
-  std::string text = channels();
+  std::string text = all_channels();
   text += module("hot", "one_hot", "input = \"height\"\nlow = 0\nhigh = 1\nelements = 60000");
   text += module("square", "tensor_product", "inputs = [\"hot\", \"hot\"]");
   text += module("m", "winner", "input = \"square\"");
@@ -507,7 +508,7 @@ TEST(Module, AWinnerAmongThousandsOfMillionsIsFoundAtOnce) {
 TEST(Module, SteppedFrameByFrameIsAsAWhole) {
   const Recording recording = hand_recording(6, 9);
   const std::string text =
-      channels() +
+      all_channels() +
       module("hot", "one_hot", "input = \"touch\"\nelements = 3\noutside = \"clamp\"") +
       module("product", "tensor_product", "inputs = [\"hot\", \"joints\"]") +
       module("both", "concatenation", "inputs = [\"hot\", \"product\"]") +
@@ -553,14 +554,15 @@ TEST(Module, SteppedFrameByFrameIsAsAWhole) {
 // y(t) = x(t) + 0.75 y(t - 1), by three modules in a loop and by the memory that is made for it.
 TEST(Module, ALoopThroughADelayIsALeakyMemory) {
   const Recording recording = hand_recording(3, 11);
-  const System system = build(channels() + module("y", "sum", "inputs = [\"touch\", \"decayed\"]") +
-                                  module("decayed", "scale", "input = \"before\"\nfactor = 0.75") +
-                                  module("before", "delay", "input = \"y\"\nshape = [2, 2]") +
-                                  module("after", "scale", "input = \"before\"\nfactor = 2") +
-                                  module("memory", "leaky_accumulate",
-                                         "input = \"touch\"\nleak = 0.25\n"
-                                         "every_frame = true"),
-                              recording);
+  const System system =
+      build(all_channels() + module("y", "sum", "inputs = [\"touch\", \"decayed\"]") +
+                module("decayed", "scale", "input = \"before\"\nfactor = 0.75") +
+                module("before", "delay", "input = \"y\"\nshape = [2, 2]") +
+                module("after", "scale", "input = \"before\"\nfactor = 2") +
+                module("memory", "leaky_accumulate",
+                       "input = \"touch\"\nleak = 0.25\n"
+                       "every_frame = true"),
+            recording);
   for (std::size_t i = 0; i < 3; ++i) {
     const Matrix<float>& x = frames_of(recording, "touch", i);
     const Matrix<float> y = dense(output_of(system, recording, "y", i));
@@ -583,7 +585,7 @@ TEST(Module, ALoopThroughADelayIsALeakyMemory) {
 TEST(Module, ASparseSignalComesOutOfALoopsDelayDense) {
   const Recording recording = hand_recording(2, 11);
   const System system =
-      build(channels() +
+      build(all_channels() +
                 module("hot", "one_hot",
                        "input = \"mean\"\nlow = 0\nhigh = 2\nelements = 4\n"
                        "outside = \"clamp\"") +
@@ -617,7 +619,7 @@ TEST(Module, NothingThatIsNotFiniteComesOut) {
         module("m", "sum", "inputs = [\"joints\", \"s\", \"d\"]") +
             module("s", "scale", "input = \"joints\"\nfactor = 1") +
             module("d", "delay", "input = \"m\"\nshape = [3]")}) {
-    const System system = build(channels() + text, recording);
+    const System system = build(all_channels() + text, recording);
     EXPECT_TRUE(try_output(system, recording, "m", 0)) << text;
     const auto given = try_output(system, recording, "m", 1);
     ASSERT_FALSE(given) << text;
@@ -632,10 +634,11 @@ TEST(Module, ATMpsomWithoutNormsSaysWhenNumbersLeaveTheirRange) {
   for (Exploration& e : recording.explorations) {
     for (float& value : e.channels[2].frames.values()) value = 3e38F;
   }
-  const std::string text = channels() + module("m", "t_mpsom",
-                                               "inputs = [\"joints\", \"joints\"]\nshape = [2, 2]\n"
-                                               "input_norm = \"none\"\nweight_norm = \"none\"\n"
-                                               "iterations = 100\nlearning_rate_start = 1");
+  const std::string text =
+      all_channels() + module("m", "t_mpsom",
+                              "inputs = [\"joints\", \"joints\"]\nshape = [2, 2]\n"
+                              "input_norm = \"none\"\nweight_norm = \"none\"\n"
+                              "iterations = 100\nlearning_rate_start = 1");
   System system = build(text, recording);
   const auto learned = testing::try_train(system, recording, 2);
   ASSERT_FALSE(learned);

@@ -23,7 +23,7 @@ using testing::with_part;
 using testing::without_part;
 
 // One of each that learns.
-const std::string kText =
+const std::string kModelText =
     "[system]\nname = \"all\"\n"
     "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n"
     "[module.height]\ntype = \"channel\"\nchannel = \"height\"\n"
@@ -36,7 +36,7 @@ const std::string kText =
 
 System small_system() {
   const Recording recording = hand_recording(4, 8);
-  return trained(build(kText, recording), recording, 3);
+  return trained(build(kModelText, recording), recording, 3);
 }
 
 SystemAnswer small_answer() {
@@ -46,7 +46,7 @@ SystemAnswer small_answer() {
 TEST(SystemModel, IsTheSameWhenLoaded) {
   const TemporaryFolder folder;
   const Recording recording = hand_recording(6, 8);
-  const System system = trained(build(kText, recording), recording, 3);
+  const System system = trained(build(kModelText, recording), recording, 3);
   for (const bool answers : {false, true}) {
     const auto answer = answers ? std::optional(small_answer()) : std::nullopt;
     ASSERT_TRUE(save_system(folder.file("a"), system, answer));
@@ -120,19 +120,19 @@ TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
   testing::expect_damage_refused(path, load_system);
 }
 
-Archive saved_archive() {
+Archive saved_model() {
   const TemporaryFolder folder;
   EXPECT_TRUE(save_system(folder.file("a"), small_system(), small_answer()));
   return load_archive(folder.file("a")).value();
 }
 
 const Archive& an_archive() {
-  static const Archive archive = saved_archive();
+  static const Archive archive = saved_model();
   return archive;
 }
 
 // Saved with a checksum that is right.
-void expect_refused(const Archive& archive, const std::string& because) {
+void expect_model_refused(const Archive& archive, const std::string& because) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.somato");
   ASSERT_TRUE(save_archive(path, archive));
@@ -144,8 +144,8 @@ void expect_refused(const Archive& archive, const std::string& because) {
 }
 
 // In the place of the part, so that only the content differs.
-void expect_part_refused(const std::string& name, Archive::Content content,
-                         const std::string& because) {
+void expect_model_part_refused(const std::string& name, Archive::Content content,
+                               const std::string& because) {
   const Archive& archive = an_archive();
   Archive changed(archive.kind());
   bool there = false;
@@ -154,14 +154,14 @@ void expect_part_refused(const std::string& name, Archive::Content content,
     there = there || entry.name == name;
   }
   ASSERT_TRUE(there) << name;
-  expect_refused(changed, because);
+  expect_model_refused(changed, because);
 }
 
 TEST(SystemModel, RefusesAnotherKindOfFile) {
   Archive other("som");
   for (const Archive::Entry& entry : an_archive().entries()) other.add(entry.name, entry.content);
-  expect_refused(other, "the file holds 'som', not 'system'");
-  expect_refused(Archive("system"), "'description' is missing");
+  expect_model_refused(other, "the file holds 'som', not 'system'");
+  expect_model_refused(Archive("system"), "'description' is missing");
 }
 
 TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
@@ -170,11 +170,12 @@ TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
         "module.code.low", "module.code.high", "module.tensor.parameters",
         "module.tensor.weights_0", "module.tensor.weights_1", "module.map.parameters",
         "module.map.weights", "labels"}) {
-    expect_refused(without_part(an_archive(), name), "'" + std::string(name) + "' is missing");
+    expect_model_refused(without_part(an_archive(), name),
+                         "'" + std::string(name) + "' is missing");
   }
-  expect_refused(without_part(an_archive(), "answer"), "do not belong together");
+  expect_model_refused(without_part(an_archive(), "answer"), "do not belong together");
   for (const char* name : {"notes", "module.map.bias", "module.joints.means", "module.none.low"}) {
-    expect_refused(with_part(an_archive(), name, std::string("x")), "do not belong together");
+    expect_model_refused(with_part(an_archive(), name, std::string("x")), "do not belong together");
   }
 }
 
@@ -186,26 +187,27 @@ TEST(SystemModel, RefusesDescriptionsAndLayoutsThatCannotBe) {
     EXPECT_NE(text.find(from), std::string::npos) << from;
     return text.replace(text.find(from), from.size(), to);
   };
-  expect_part_refused("description", std::string(), "no modules");
-  expect_part_refused("description", std::string("["), "");
-  expect_part_refused("description", Array<float>{{1}, {0}}, "another type");
-  expect_part_refused("description", replaced(description, "\"accumulate\"", "\"accumulat\""),
-                      "unknown type of module");
-  expect_part_refused("description", replaced(description, "[2, 2]", "[2, 3]"),
-                      "does not fit its place");
-  expect_part_refused("description", replaced(description, "columns = 2", "columns = 3"),
-                      "does not fit its place");
-  expect_part_refused("description", description + "# a comment\n", "do not belong together");
-  expect_part_refused("layout", std::string(), "without a recording its shape is unknown");
-  expect_part_refused("layout", std::string("x = 1\n"), "the layout is none");
-  expect_part_refused("layout", std::string("[channel]\n"), "the layout is none");
-  expect_part_refused("layout", layout + "[[channel]]\nname = 3\n", "'name' must be");
-  expect_part_refused("layout", replaced(layout, "shape = [3]", "shape = [4]"), "");
-  expect_part_refused("layout", replaced(layout, "\"joints\"", "\"joint\""), "unknown channel");
-  expect_part_refused("layout",
-                      replaced(layout, "shape = [3]", "shape = [9000000000000, 9000000000000]"),
-                      "would have more than");
-  expect_part_refused("layout", replaced(layout, "shape = [3]", "shape = []"), "");
+  expect_model_part_refused("description", std::string(), "no modules");
+  expect_model_part_refused("description", std::string("["), "");
+  expect_model_part_refused("description", Array<float>{{1}, {0}}, "another type");
+  expect_model_part_refused("description", replaced(description, "\"accumulate\"", "\"accumulat\""),
+                            "unknown type of module");
+  expect_model_part_refused("description", replaced(description, "[2, 2]", "[2, 3]"),
+                            "does not fit its place");
+  expect_model_part_refused("description", replaced(description, "columns = 2", "columns = 3"),
+                            "does not fit its place");
+  expect_model_part_refused("description", description + "# a comment\n", "do not belong together");
+  expect_model_part_refused("layout", std::string(), "without a recording its shape is unknown");
+  expect_model_part_refused("layout", std::string("x = 1\n"), "the layout is none");
+  expect_model_part_refused("layout", std::string("[channel]\n"), "the layout is none");
+  expect_model_part_refused("layout", layout + "[[channel]]\nname = 3\n", "'name' must be");
+  expect_model_part_refused("layout", replaced(layout, "shape = [3]", "shape = [4]"), "");
+  expect_model_part_refused("layout", replaced(layout, "\"joints\"", "\"joint\""),
+                            "unknown channel");
+  expect_model_part_refused(
+      "layout", replaced(layout, "shape = [3]", "shape = [9000000000000, 9000000000000]"),
+      "would have more than");
+  expect_model_part_refused("layout", replaced(layout, "shape = [3]", "shape = []"), "");
 }
 
 TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
@@ -215,36 +217,39 @@ TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
   const auto one = [](double number) { return Array<double>{{1}, {number}}; };
   const auto three = [](Numbers numbers) { return Array<double>{{3}, std::move(numbers)}; };
   for (const double number : {nan, infinity}) {
-    expect_part_refused("module.standard.means", three({0, number, 0}), "not finite");
-    expect_part_refused("module.standard.deviations", three({1, number, 1}), "not finite");
-    expect_part_refused("module.code.low", one(number), "for element 1");
-    expect_part_refused("module.code.high", one(number), "for element 1");
+    expect_model_part_refused("module.standard.means", three({0, number, 0}), "not finite");
+    expect_model_part_refused("module.standard.deviations", three({1, number, 1}), "not finite");
+    expect_model_part_refused("module.code.low", one(number), "for element 1");
+    expect_model_part_refused("module.code.high", one(number), "for element 1");
   }
-  expect_part_refused("module.standard.deviations", three({1, -1, 1}), "does not fit");
-  expect_part_refused("module.standard.means", Array<double>{{2}, {0, 0}}, "does not fit");
-  expect_part_refused("module.code.low", Array<double>{{2}, {0, 0}}, "do not fit");
-  expect_part_refused("module.code.low", one(1e300), "for element 1");
-  expect_part_refused("module.code.high", Array<float>{{1}, {1}}, "another type");
-  expect_part_refused("module.map.weights", Array<float>{{2, 5}, std::vector<float>(10)},
-                      "does not fit its place");
-  expect_part_refused("module.map.weights", Array<float>{{3, 4}, std::vector<float>(12)},
-                      "do not fit its grid");
-  expect_part_refused("module.tensor.weights_0", Array<float>{{4, 3}, std::vector<float>(12)},
-                      "are 4 x 3");
+  expect_model_part_refused("module.standard.deviations", three({1, -1, 1}), "does not fit");
+  expect_model_part_refused("module.standard.means", Array<double>{{2}, {0, 0}}, "does not fit");
+  expect_model_part_refused("module.code.low", Array<double>{{2}, {0, 0}}, "do not fit");
+  expect_model_part_refused("module.code.low", one(1e300), "for element 1");
+  expect_model_part_refused("module.code.high", Array<float>{{1}, {1}}, "another type");
+  expect_model_part_refused("module.map.weights", Array<float>{{2, 5}, std::vector<float>(10)},
+                            "does not fit its place");
+  expect_model_part_refused("module.map.weights", Array<float>{{3, 4}, std::vector<float>(12)},
+                            "do not fit its grid");
+  expect_model_part_refused("module.tensor.weights_0", Array<float>{{4, 3}, std::vector<float>(12)},
+                            "are 4 x 3");
 }
 
 TEST(SystemModel, RefusesAnswersThatCannotBe) {
   using Labels = Array<std::int64_t>;
   const std::string classes = "label = \"object\"\nclasses = [\"ball\", \"cube\"]\n";
-  expect_part_refused("answer", "map = \"mapp\"\n" + classes, "the map that answers is not there");
-  expect_part_refused("answer", "map = \"stm\"\n" + classes, "the map that answers is not there");
-  expect_part_refused("answer", "map = \"tensor\"\n" + classes, "the map that answers is not");
-  expect_part_refused("answer", std::string("map = \"map\"\nclasses = [\"ball\"]\n"),
-                      "class that is not there");
-  expect_part_refused("answer", std::string("map = 3\n"), "'map' must be");
-  expect_part_refused("labels", Labels{{2}, {0, 2}}, "class that is not there");
-  expect_part_refused("labels", Labels{{3}, {0, 1, 1}}, "do not fit the map");
-  expect_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
+  expect_model_part_refused("answer", "map = \"mapp\"\n" + classes,
+                            "the map that answers is not there");
+  expect_model_part_refused("answer", "map = \"stm\"\n" + classes,
+                            "the map that answers is not there");
+  expect_model_part_refused("answer", "map = \"tensor\"\n" + classes,
+                            "the map that answers is not");
+  expect_model_part_refused("answer", std::string("map = \"map\"\nclasses = [\"ball\"]\n"),
+                            "class that is not there");
+  expect_model_part_refused("answer", std::string("map = 3\n"), "'map' must be");
+  expect_model_part_refused("labels", Labels{{2}, {0, 2}}, "class that is not there");
+  expect_model_part_refused("labels", Labels{{3}, {0, 1, 1}}, "do not fit the map");
+  expect_model_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
 }
 
 TEST(SystemModel, SaysWhyAFileCannotBeRead) {

@@ -243,7 +243,7 @@ class Writer {
   bool takes_frames_ = false;
 };
 
-constexpr std::size_t kLearned = 4;  // Of six explorations; the others are held out.
+constexpr std::size_t kLearnedModules = 4;  // Of six explorations; the others are held out.
 
 void expect_place(const Error& error, const std::string& text) {
   EXPECT_FALSE(error.what.empty()) << text;
@@ -254,7 +254,7 @@ void expect_place(const Error& error, const std::string& text) {
 Result<Activations> held_out(const System& system, const Recording& recording) {
   std::vector<std::size_t> all = first_explorations(system.modules().size());
   Activations activations(system.modules().size(), recording.explorations.size());
-  const std::vector<std::size_t> explorations{kLearned, kLearned + 1};
+  const std::vector<std::size_t> explorations{kLearnedModules, kLearnedModules + 1};
   auto evaluated = evaluate(system, recording, explorations, all, 1, activations);
   if (!evaluated) return fail(std::move(evaluated.error()));
   return activations;
@@ -264,7 +264,7 @@ void expect_as_promised(const System& system, const Activations& activations,
                         const std::string& text) {
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
     const PortType& promised = system.modules()[module].output;
-    for (const std::size_t exploration : {kLearned, kLearned + 1}) {
+    for (const std::size_t exploration : {kLearnedModules, kLearnedModules + 1}) {
       const Samples& values = activations.find(module, exploration)->values;
       const std::string which = system.modules()[module].name + "\n" + text;
       ASSERT_EQ(values.size(), promised.size()) << which;
@@ -283,7 +283,7 @@ void expect_as_promised(const System& system, const Activations& activations,
 void expect_same_bits(const System& system, const Activations& a, const Activations& b,
                       const std::string& text) {
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
-    for (const std::size_t exploration : {kLearned, kLearned + 1}) {
+    for (const std::size_t exploration : {kLearnedModules, kLearnedModules + 1}) {
       ASSERT_EQ(dense(*a.find(module, exploration)), dense(*b.find(module, exploration))) << text;
     }
   }
@@ -307,7 +307,7 @@ void try_one(const std::string& text, const Recording& recording, const std::str
     ++counts.refused;
     return;
   }
-  const auto trained = try_train(*system, recording, kLearned);
+  const auto trained = try_train(*system, recording, kLearnedModules);
   if (!trained) {
     expect_place(trained.error(), text);
     ++counts.stopped;

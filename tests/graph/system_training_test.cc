@@ -31,7 +31,7 @@ const Som& map_of(const System& system, const std::string& name) {
   return *som_of(system, *system.find(name));
 }
 
-std::string saved(const System& system) {
+std::string saved_bytes(const System& system) {
   const TemporaryFolder folder;
   EXPECT_TRUE(save_system(folder.file("a"), system));
   return bytes_of(folder.file("a"));
@@ -101,7 +101,7 @@ TEST(SystemTraining, AMapAloneCanBeTrainedElsewhere) {
   }
   set_map(system, map, train_som(*parameters, Samples::from_signals(sums)).value());
   EXPECT_EQ(som_of(system, map)->weights(), som_of(expected, map)->weights());
-  EXPECT_EQ(saved(system), saved(expected));
+  EXPECT_EQ(saved_bytes(system), saved_bytes(expected));
   EXPECT_THROW(set_map(system, *system.find("sum"), Som()), InvalidArgument);
   EXPECT_THROW(set_map(system, map, Som()), InvalidArgument);
 }
@@ -413,17 +413,17 @@ const std::string kEverything =
 
 TEST(SystemTraining, NothingOutsideTheTrainingPartHasAnyInfluence) {
   const Recording recording = hand_recording(8, 5);
-  const std::string expected = saved(trained(build(kEverything, recording), recording, 5));
+  const std::string expected = saved_bytes(trained(build(kEverything, recording), recording, 5));
   Recording other = recording;
   for (std::size_t i = 5; i < 8; ++i) {
     for (Channel& channel : other.explorations[i].channels) {
       for (float& value : channel.frames.values()) value = 1.0F - value;
     }
   }
-  EXPECT_EQ(saved(trained(build(kEverything, other), other, 5)), expected);
+  EXPECT_EQ(saved_bytes(trained(build(kEverything, other), other, 5)), expected);
   other = recording;
   other.explorations[4].channels[2].frames(0, 0) += 0.01F;
-  EXPECT_NE(saved(trained(build(kEverything, other), other, 5)), expected);
+  EXPECT_NE(saved_bytes(trained(build(kEverything, other), other, 5)), expected);
 }
 
 TEST(SystemTraining, TheSeedDecidesAndModulesHaveSeedsOfTheirOwn) {
@@ -445,16 +445,16 @@ TEST(SystemTraining, TheSeedDecidesAndModulesHaveSeedsOfTheirOwn) {
     EXPECT_NE(map_of(one, name).weights(), map_of(two, name).weights());
     EXPECT_LE(map_of(two, name).parameters().seed, 1'000'000'000'000'000U);
   }
-  EXPECT_EQ(saved(one), saved(with_seed(1)));
+  EXPECT_EQ(saved_bytes(one), saved_bytes(with_seed(1)));
 }
 
 TEST(SystemTraining, ThreadsMakeNoDifference) {
   const Recording recording = hand_recording(12, 5);
-  const std::string expected = saved(trained(build(kEverything, recording), recording, 8));
+  const std::string expected = saved_bytes(trained(build(kEverything, recording), recording, 8));
   for (const std::size_t threads : {2U, 4U}) {
     System system = build(kEverything, recording);
     ASSERT_TRUE(try_train(system, recording, 8, {1, threads, {}}));
-    EXPECT_EQ(saved(system), expected);
+    EXPECT_EQ(saved_bytes(system), expected);
   }
 }
 

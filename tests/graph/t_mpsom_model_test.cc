@@ -30,13 +30,13 @@ TEST(TMpsomModel, RefusesEveryTruncationAndEveryTurnedBit) {
   testing::expect_damage_refused(path, load_t_mpsom);
 }
 
-Archive saved_archive() {
+Archive saved_t_mpsom() {
   const TemporaryFolder folder;
   EXPECT_TRUE(save_t_mpsom(folder.file("a"), small_map()));
   return load_archive(folder.file("a")).value();
 }
 
-void expect_refused(const Archive& archive, const std::string& because) {
+void expect_t_mpsom_model_refused(const Archive& archive, const std::string& because) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.somato");
   ASSERT_TRUE(save_archive(path, archive));
@@ -50,13 +50,14 @@ void expect_refused(const Archive& archive, const std::string& because) {
 // What the map's own parts may be is tested with t_mpsom_archive.
 TEST(TMpsomModel, RefusesWhatIsNoMapOfItsKind) {
   Archive other("som");
-  const Archive archive = saved_archive();
+  const Archive archive = saved_t_mpsom();
   for (const Archive::Entry& entry : archive.entries()) other.add(entry.name, entry.content);
-  expect_refused(other, "the file holds 'som', not 't_mpsom'");
-  expect_refused(testing::without_part(archive, "t_mpsom.weights_1"), "is missing");
-  expect_refused(testing::with_part(archive, "t_mpsom.parameters", std::string("shape = [0]")),
-                 "'shape' must be");
-  expect_refused(
+  expect_t_mpsom_model_refused(other, "the file holds 'som', not 't_mpsom'");
+  expect_t_mpsom_model_refused(testing::without_part(archive, "t_mpsom.weights_1"), "is missing");
+  expect_t_mpsom_model_refused(
+      testing::with_part(archive, "t_mpsom.parameters", std::string("shape = [0]")),
+      "'shape' must be");
+  expect_t_mpsom_model_refused(
       testing::with_part(archive, "t_mpsom.weights_3", Array<float>{{6, 1}, std::vector<float>(6)}),
       "unknown part 't_mpsom.weights_3'");
 }

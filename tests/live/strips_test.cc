@@ -95,7 +95,7 @@ TEST(Strips, OfNothingAreEmpty) {
             R"({"exploration":0,"frames":0,"frame":[],"time":[],"channels":{"touch":[]}})");
 }
 
-BodyDescription body() {
+BodyDescription body_of_strips() {
   BodyDescription body;
   body.sensors.resize(2);
   body.sensors[0].name = "height";
@@ -105,7 +105,7 @@ BodyDescription body() {
 }
 
 TEST(Strips, TellWhatABodyHasFeltSoFar) {
-  GrowingExploration growing(body());
+  GrowingExploration growing(body_of_strips());
   growing.append({7.5, {}, {counted(1, 1), {}}});
   growing.append({8.0, {}, {counted(1, 1), counted(1, 4)}});
   const json told = json::parse(strips_text(strips_of(growing, 2, 7.0)));

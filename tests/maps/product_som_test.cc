@@ -13,7 +13,7 @@
 namespace somato {
 namespace {
 
-struct Problem {
+struct ProductProblem {
   SomParameters parameters;
   Samples samples;
   std::vector<std::size_t> training;
@@ -21,8 +21,8 @@ struct Problem {
 };
 
 // Some of the samples held out; those of sparse problems have elements of their own.
-Problem random_problem(const testing::Variant& variant, Random& random) {
-  Problem problem;
+ProductProblem random_product_problem(const testing::Variant& variant, Random& random) {
+  ProductProblem problem;
   problem.name = testing::name_of(variant);
   SomParameters& p = problem.parameters;
   p = testing::random_parameters(variant, random);
@@ -45,24 +45,24 @@ Problem random_problem(const testing::Variant& variant, Random& random) {
 }
 
 template <typename Work>
-void for_each_problem(std::uint64_t seed, int rounds, const Work& work) {
+void for_each_product_problem(std::uint64_t seed, int rounds, const Work& work) {
   Random random(seed);
   for (int round = 0; round < rounds; ++round) {
     for (const testing::Variant& variant : testing::all_variants()) {
-      const Problem problem = random_problem(variant, random);
+      const ProductProblem problem = random_product_problem(variant, random);
       SCOPED_TRACE(problem.name);
       work(problem, random);
     }
   }
 }
 
-ProductSom trained(const Problem& problem, std::size_t threads = 1) {
+ProductSom trained(const ProductProblem& problem, std::size_t threads = 1) {
   const KnownSamples known(problem.samples);
   return **train_product_som(problem.parameters, known, problem.training, {threads, {}});
 }
 
 TEST(ProductSom, FormsTheMapThatTrainingOnItsSamplesGives) {
-  for_each_problem(101, 6, [](const Problem& problem, Random& /*random*/) {
+  for_each_product_problem(101, 6, [](const ProductProblem& problem, Random& /*random*/) {
     const Som expected =
         train_som(problem.parameters, problem.samples.subset(problem.training)).value();
     const Som som = trained(problem).form_som();
@@ -73,7 +73,7 @@ TEST(ProductSom, FormsTheMapThatTrainingOnItsSamplesGives) {
 }
 
 TEST(ProductSom, StartsAsPlainArithmeticDoes) {
-  for_each_problem(102, 4, [](Problem problem, Random& /*random*/) {
+  for_each_product_problem(102, 4, [](ProductProblem problem, Random& /*random*/) {
     problem.parameters.iterations = 0;
     problem.parameters.epochs = 0;
     const Samples samples = problem.samples.subset(problem.training);
@@ -91,7 +91,7 @@ bool close(double a, double b) {
 
 TEST(ProductSom, AnswersAsTheMapThatItForms) {
   int compared = 0;
-  for_each_problem(103, 6, [&](const Problem& problem, Random& random) {
+  for_each_product_problem(103, 6, [&](const ProductProblem& problem, Random& random) {
     const ProductSom map = trained(problem);
     const Som som = map.form_som();
     SomWorkspace workspace;
@@ -132,7 +132,7 @@ TEST(ProductSom, AnswersAsTheMapThatItForms) {
 }
 
 TEST(ProductSom, IsTheSameBitsOnEveryInstructionSetAndThreadCount) {
-  for_each_problem(104, 2, [](const Problem& problem, Random& /*random*/) {
+  for_each_product_problem(104, 2, [](const ProductProblem& problem, Random& /*random*/) {
     const ProductSom expected = trained(problem);
     const Som som = expected.form_som();
     testing::for_each_instruction_set([&](InstructionSet /*set*/) {
@@ -174,7 +174,7 @@ double relative_difference(const Som& som, const Matrix<double>& expected) {
 // Batch training by products is batch training.
 TEST(ProductSom, BatchTrainingIsTheReferences) {
   int compared = 0;
-  for_each_problem(105, 12, [&](Problem problem, Random& /*random*/) {
+  for_each_product_problem(105, 12, [&](ProductProblem problem, Random& /*random*/) {
     SomParameters& p = problem.parameters;
     p.training = Training::kBatch;
     p.initial_weights = InitialWeights::kRange;

@@ -11,7 +11,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kLanes = LaneMatrix<float>::kLanes;
+constexpr std::size_t kRoundedLanes = LaneMatrix<float>::kLanes;
 
 // Neurons with weights from almost nothing to very much, and one of zeros.
 LaneMatrix<float> random_weights(Random& random) {
@@ -38,7 +38,8 @@ double difference(const LaneMatrix<float>& weights, const RoundedWeights& rounde
                   std::size_t neuron) {
   double squares = 0.0;
   for (std::size_t d = 0; d < weights.columns(); ++d) {
-    const std::int16_t integer = rounded.block(neuron / kLanes)[d * kLanes + neuron % kLanes];
+    const std::int16_t integer =
+        rounded.block(neuron / kRoundedLanes)[d * kRoundedLanes + neuron % kRoundedLanes];
     const double off = double{weights(neuron, d)} - rounded.step(neuron) * integer;
     squares += off * off;
   }
@@ -49,10 +50,10 @@ double difference(const LaneMatrix<float>& weights, const RoundedWeights& rounde
 void round_all(RoundedWeights& rounded, const LaneMatrix<float>& weights) {
   const std::size_t half = weights.columns() / 2;
   for (std::size_t block = 0; block < weights.blocks(); ++block) {
-    const float* from = weights.data() + block * weights.columns() * kLanes;
+    const float* from = weights.data() + block * weights.columns() * kRoundedLanes;
     rounded.begin(block);
     rounded.write(block, 0, half, from);
-    rounded.write(block, half, weights.columns() - half, from + half * kLanes);
+    rounded.write(block, half, weights.columns() - half, from + half * kRoundedLanes);
     rounded.end(block);
   }
 }

@@ -31,7 +31,7 @@ double cancellation(std::span<const double> w, std::span<const double> x, double
 }
 
 // What a learner is fed with, and a map to begin with.
-struct Stream {
+struct SampleStream {
   SomParameters parameters;
   Samples samples;
   Som som;
@@ -67,9 +67,9 @@ LaneMatrix<float> random_weights(std::size_t neurons, std::size_t size, Random& 
   return weights;
 }
 
-Stream random_stream(const testing::Variant& variant, bool sparse, std::size_t length,
-                     Random& random) {
-  Stream stream;
+SampleStream random_stream(const testing::Variant& variant, bool sparse, std::size_t length,
+                           Random& random) {
+  SampleStream stream;
   stream.name = testing::name_of(variant) + (sparse ? "_sparse" : "_dense");
   SomParameters p = testing::random_parameters(variant, random);
   if (random.below(3) == 0) p.normalize_input = random.below(2) == 0;
@@ -105,7 +105,7 @@ void for_each_stream(std::uint64_t seed, std::size_t rounds, std::size_t length,
 // decides which one wins.
 class Oracle {
  public:
-  explicit Oracle(const Stream& stream)
+  explicit Oracle(const SampleStream& stream)
       : stream_(stream),
         weights_(testing::widened(stream.som)),
         inputs_(ReferenceSom(stream.parameters, weights_).inputs(stream.samples)) {}
@@ -147,7 +147,7 @@ class Oracle {
   }
 
  private:
-  const Stream& stream_;
+  const SampleStream& stream_;
   Matrix<double> weights_;
   std::vector<std::vector<double>> inputs_;
 };
@@ -209,7 +209,7 @@ TEST(SomLearner, NeverMovesAWeightAwayFromItsSample) {
 
 // A gain below single precision moves nothing but a weight vector of zeros, hence no zeros here.
 TEST(SomLearner, FollowsTheEquations) {
-  for_each_stream(81, 6, 60, [](Stream stream, Random& random) {
+  for_each_stream(81, 6, 60, [](SampleStream stream, Random& random) {
     Oracle oracle(stream);
     Som som = stream.som;
     SomLearner learner(som);
@@ -227,7 +227,7 @@ TEST(SomLearner, FollowsTheEquations) {
   });
 }
 
-void learn_all(SomLearner& learner, const Stream& stream, std::size_t end) {
+void learn_all(SomLearner& learner, const SampleStream& stream, std::size_t end) {
   for (std::size_t t = 0; t < end; ++t) {
     learner.learn(stream.input(t), stream.steps[t].learning_rate, stream.steps[t].radius);
   }
@@ -235,7 +235,7 @@ void learn_all(SomLearner& learner, const Stream& stream, std::size_t end) {
 
 // Though updates are pending, it is the very neuron that the map finds once they are made.
 TEST(SomLearner, FindsTheMapsWinner) {
-  for_each_stream(82, 2, 40, [](const Stream& stream, Random& /*random*/) {
+  for_each_stream(82, 2, 40, [](const SampleStream& stream, Random& /*random*/) {
     if (stream.name.ends_with("_sparse")) return;
     for (std::size_t t = 0; t < stream.size(); ++t) {
       Som pending = stream.som;
@@ -309,8 +309,8 @@ TEST(SomLearner, OneByOneGivesTheBitsOfTraining) {
 }
 
 // Large enough for several threads to be used.
-Stream large_stream(const testing::Variant& variant, bool sparse, Random& random) {
-  Stream stream = random_stream(variant, sparse, 45, random);
+SampleStream large_stream(const testing::Variant& variant, bool sparse, Random& random) {
+  SampleStream stream = random_stream(variant, sparse, 45, random);
   const std::size_t size = sparse ? 30000 : 1500;
   stream.samples =
       sparse ? thin_samples(5, size, 50, random) : testing::random_samples(5, size, false, random);
@@ -321,20 +321,20 @@ Stream large_stream(const testing::Variant& variant, bool sparse, Random& random
   return stream;
 }
 
-std::vector<SignalView> inputs_of(const Stream& stream) {
+std::vector<SignalView> inputs_of(const SampleStream& stream) {
   std::vector<SignalView> inputs;
   inputs.reserve(stream.size());
   for (std::size_t t = 0; t < stream.size(); ++t) inputs.push_back(stream.input(t));
   return inputs;
 }
 
-LaneMatrix<float> learned_ahead(const Stream& stream, std::size_t threads) {
+LaneMatrix<float> learned_ahead(const SampleStream& stream, std::size_t threads) {
   Som som = stream.som;
   SomLearner(som, threads).learn(inputs_of(stream), stream.steps);
   return som.weights();
 }
 
-LaneMatrix<float> learned_one_by_one(const Stream& stream, std::size_t threads) {
+LaneMatrix<float> learned_one_by_one(const SampleStream& stream, std::size_t threads) {
   Som som = stream.som;
   {
     SomLearner learner(som, threads);
@@ -344,8 +344,8 @@ LaneMatrix<float> learned_one_by_one(const Stream& stream, std::size_t threads) 
 }
 
 // With the winners found on the way.
-std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(const Stream& stream,
-                                                                           std::size_t threads) {
+std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(
+    const SampleStream& stream, std::size_t threads) {
   Som som = stream.som;
   SomLearner learner(som, threads);
   std::vector<std::size_t> winners;
@@ -366,7 +366,7 @@ TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
   for (const testing::Variant& variant : testing::all_variants()) {
     if (variant.lattice != Lattice::kRectangular || variant.topology != Topology::kPlane) continue;
     for (const bool sparse : {false, true}) {
-      const Stream stream = large_stream(variant, sparse, random);
+      const SampleStream stream = large_stream(variant, sparse, random);
       const auto expected = learned_one_by_one(stream, 1);
       const auto settled = learned_and_settled(stream, 1);
       testing::for_each_instruction_set([&](InstructionSet set) {
@@ -386,7 +386,7 @@ TEST(SomLearner, StaysAccurateForLong) {
   Random random(86);
   for (const bool sparse : {false, true}) {
     for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
-      Stream stream = random_stream(
+      SampleStream stream = random_stream(
           {Lattice::kRectangular, Topology::kPlane, similarity, NeighbourhoodShape::kGaussian},
           sparse, 20000, random);
       const std::size_t size = sparse ? 200 : 40;
@@ -474,7 +474,7 @@ TEST(SomLearner, GivesWeightsToTheElementsOfSparseInputs) {
 
 TEST(SomLearner, SettlesWhenItGoes) {
   Random random(87);
-  const Stream stream = random_stream(testing::all_variants().front(), false, 5, random);
+  const SampleStream stream = random_stream(testing::all_variants().front(), false, 5, random);
   Som som = stream.som;
   Som settled = stream.som;
   {
@@ -489,7 +489,7 @@ TEST(SomLearner, SettlesWhenItGoes) {
 }
 
 TEST(SomLearner, GoesOnWithAMapThatWasSaved) {
-  for_each_stream(88, 1, 30, [](const Stream& stream, Random& /*random*/) {
+  for_each_stream(88, 1, 30, [](const SampleStream& stream, Random& /*random*/) {
     Som som = stream.som;
     {
       SomLearner learner(som);

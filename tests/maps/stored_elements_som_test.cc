@@ -54,14 +54,14 @@ void expect_same_weights(const Som& some, const Som& all, const std::string& nam
   }
 }
 
-struct Problem {
+struct StoredProblem {
   SomParameters parameters;
   Samples samples;
   std::string name;
 };
 
-Problem random_problem(const testing::Variant& variant, Random& random) {
-  Problem problem{testing::random_parameters(variant, random), {}, testing::name_of(variant)};
+StoredProblem random_stored_problem(const testing::Variant& variant, Random& random) {
+  StoredProblem problem{testing::random_parameters(variant, random), {}, testing::name_of(variant)};
   SomParameters& p = problem.parameters;
   problem.samples = narrow_samples(3 + random.below(6), 40 + random.below(40), 12, random);
   p.training = random.below(4) == 0 ? Training::kBatch : Training::kOnline;
@@ -74,17 +74,17 @@ Problem random_problem(const testing::Variant& variant, Random& random) {
 }
 
 template <typename Work>
-void for_each_problem(std::uint64_t seed, const Work& work) {
+void for_each_stored_problem(std::uint64_t seed, const Work& work) {
   Random random(seed);
   for (int round = 0; round < 6; ++round) {
     for (const testing::Variant& variant : testing::all_variants()) {
-      work(random_problem(variant, random), random);
+      work(random_stored_problem(variant, random), random);
     }
   }
 }
 
 TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
-  for_each_problem(71, [](const Problem& problem, Random& /*random*/) {
+  for_each_stored_problem(71, [](const StoredProblem& problem, Random& /*random*/) {
     const Som some = train_som(problem.parameters, problem.samples).value();
     const Som all = train_som(problem.parameters, dense(problem.samples)).value();
     EXPECT_FALSE(some.elements().all());
@@ -98,7 +98,7 @@ TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
 
 // The products of dense samples are summed in the same order.
 TEST(SomStoredElements, TrainByInnerProductsToTheSameBits) {
-  for_each_problem(72, [](Problem problem, Random& /*random*/) {
+  for_each_stored_problem(72, [](StoredProblem problem, Random& /*random*/) {
     problem.parameters.training = Training::kOnline;
     problem.parameters.arithmetic = Arithmetic::kInnerProducts;
     const Som some = train_som(problem.parameters, problem.samples).value();
@@ -124,7 +124,7 @@ Som stored_everywhere(Som som) {
 }
 
 TEST(SomStoredElements, AnswerAsAllElements) {
-  for_each_problem(74, [](const Problem& problem, Random& random) {
+  for_each_stored_problem(74, [](const StoredProblem& problem, Random& random) {
     const Som some = train_som(problem.parameters, problem.samples).value();
     const Som all = stored_everywhere(some);
     expect_same_weights(some, all, problem.name);
@@ -157,7 +157,7 @@ TEST(SomStoredElements, AnswerAsAllElements) {
 }
 
 TEST(SomStoredElements, BecomeAllWhenAnInputNeedsOneMore) {
-  for_each_problem(75, [](const Problem& problem, Random& random) {
+  for_each_stored_problem(75, [](const StoredProblem& problem, Random& random) {
     Som some = train_som(problem.parameters, problem.samples).value();
     Som all = stored_everywhere(some);
     const Samples inputs =
@@ -174,7 +174,7 @@ TEST(SomStoredElements, BecomeAllWhenAnInputNeedsOneMore) {
 }
 
 TEST(SomStoredElements, GoOnAsAllElements) {
-  for_each_problem(76, [](const Problem& problem, Random& random) {
+  for_each_stored_problem(76, [](const StoredProblem& problem, Random& random) {
     const Som first = train_som(problem.parameters, problem.samples).value();
     for (const bool known : {true, false}) {
       Som some = first;

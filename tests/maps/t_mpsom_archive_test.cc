@@ -26,7 +26,7 @@ TMpsom small_map() {
   return TMpsom(small_t_mpsom_parameters());
 }
 
-std::string parameters_text() {
+std::string t_mpsom_text() {
   return *archive_of(small_map()).get<std::string>("map.parameters", "").value();
 }
 
@@ -61,7 +61,7 @@ TEST(TMpsomArchive, FindsTwoMapsByTheirPrefixes) {
   EXPECT_EQ(t_mpsom_from(archive, "second.", "").value(), TMpsom(other));
 }
 
-void expect_refused(const Archive& archive, const std::string& because) {
+void expect_t_mpsom_refused(const Archive& archive, const std::string& because) {
   const auto map = t_mpsom_from(archive, "map.", "a.somato");
   ASSERT_FALSE(map) << because;
   EXPECT_EQ(map.error().kind, ErrorKind::kData);
@@ -69,30 +69,31 @@ void expect_refused(const Archive& archive, const std::string& because) {
   EXPECT_NE(map.error().what.find(because), std::string::npos) << to_string(map.error());
 }
 
-void expect_line_refused(const std::string& key, const std::string& line,
-                         const std::string& because) {
-  expect_refused(
-      with_part(archive_of(small_map()), "map.parameters", with_line(parameters_text(), key, line)),
+void expect_t_mpsom_line_refused(const std::string& key, const std::string& line,
+                                 const std::string& because) {
+  expect_t_mpsom_refused(
+      with_part(archive_of(small_map()), "map.parameters", with_line(t_mpsom_text(), key, line)),
       because);
 }
 
 TEST(TMpsomArchive, RefusesMissingParts) {
   const Archive archive = archive_of(small_map());
   for (const char* name : {"map.parameters", "map.weights_0", "map.weights_1", "map.weights_2"}) {
-    expect_refused(without_part(archive, name), "'" + std::string(name) + "' is missing");
+    expect_t_mpsom_refused(without_part(archive, name), "'" + std::string(name) + "' is missing");
   }
 }
 
 TEST(TMpsomArchive, RefusesPartsOfAnotherTypeOrShape) {
   const Archive archive = archive_of(small_map());
-  expect_refused(with_part(archive, "map.parameters", Array<float>{{1}, {1}}), "another type");
-  expect_refused(with_part(archive, "map.weights_1", std::string("0")), "another type");
+  expect_t_mpsom_refused(with_part(archive, "map.parameters", Array<float>{{1}, {1}}),
+                         "another type");
+  expect_t_mpsom_refused(with_part(archive, "map.weights_1", std::string("0")), "another type");
   const auto with_shape = [&](std::vector<std::uint64_t> shape) {
     return with_part(archive, "map.weights_1",
                      Array<float>{std::move(shape), std::vector<float>(18)});
   };
-  expect_refused(with_shape({18}), "not a matrix");
-  expect_refused(with_shape({3, 6}), "the weights of input 1 are 3 x 6, not 6 x 3");
+  expect_t_mpsom_refused(with_shape({18}), "not a matrix");
+  expect_t_mpsom_refused(with_shape({3, 6}), "the weights of input 1 are 3 x 6, not 6 x 3");
   EXPECT_TRUE(t_mpsom_from(with_shape({6, 3}), "map.", ""));
 }
 
@@ -100,29 +101,30 @@ TEST(TMpsomArchive, RefusesWeightsThatAreNotFinite) {
   for (const float wrong : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
     std::vector<float> values(6);
     values[5] = wrong;
-    expect_refused(
+    expect_t_mpsom_refused(
         with_part(archive_of(small_map()), "map.weights_2", Array<float>{{6, 1}, values}),
         "not finite");
   }
 }
 
 TEST(TMpsomArchive, RefusesParametersThatCannotBe) {
-  expect_line_refused("arbor_sigma", "arbor_sigma = 0.0", "'arbor_sigma' must be");
-  expect_line_refused("arbor_sigma", "arbor_sigma = nan", "'arbor_sigma' must be");
-  expect_line_refused("combination", "combination = \"divided\"", "'combination' must be one of");
-  expect_line_refused("seed", "seeds = 3", "unknown key 'seeds'");
-  expect_line_refused("shape", "shape = []", "'shape' is empty");
-  expect_line_refused("input_sizes", "input_sizes = []", "'input_sizes' is empty");
-  expect_line_refused("shape", "shape = [2, 3, 1]", "");
-  expect_line_refused("input_axes", "input_axes = [0, 0, 0]", "");
-  expect_line_refused("input_axes", "input_axes = [0, 7, 0]", "");
+  expect_t_mpsom_line_refused("arbor_sigma", "arbor_sigma = 0.0", "'arbor_sigma' must be");
+  expect_t_mpsom_line_refused("arbor_sigma", "arbor_sigma = nan", "'arbor_sigma' must be");
+  expect_t_mpsom_line_refused("combination", "combination = \"divided\"",
+                              "'combination' must be one of");
+  expect_t_mpsom_line_refused("seed", "seeds = 3", "unknown key 'seeds'");
+  expect_t_mpsom_line_refused("shape", "shape = []", "'shape' is empty");
+  expect_t_mpsom_line_refused("input_sizes", "input_sizes = []", "'input_sizes' is empty");
+  expect_t_mpsom_line_refused("shape", "shape = [2, 3, 1]", "");
+  expect_t_mpsom_line_refused("input_axes", "input_axes = [0, 0, 0]", "");
+  expect_t_mpsom_line_refused("input_axes", "input_axes = [0, 7, 0]", "");
 }
 
 TEST(TMpsomArchive, RefusesSizesBeyondMemory) {
-  expect_line_refused("shape", "shape = [16777216, 16777216]", "");
-  expect_line_refused("shape", "shape = [9223372036854775807, 9223372036854775807]", "");
-  expect_line_refused("shape", "shape = [4096, 4096]", "");
-  expect_line_refused("input_sizes", "input_sizes = [4, 100000000, 1]", "");
+  expect_t_mpsom_line_refused("shape", "shape = [16777216, 16777216]", "");
+  expect_t_mpsom_line_refused("shape", "shape = [9223372036854775807, 9223372036854775807]", "");
+  expect_t_mpsom_line_refused("shape", "shape = [4096, 4096]", "");
+  expect_t_mpsom_line_refused("input_sizes", "input_sizes = [4, 100000000, 1]", "");
 }
 
 }  // namespace

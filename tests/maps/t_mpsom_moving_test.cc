@@ -16,7 +16,7 @@ using testing::length;
 using testing::random_value;
 using testing::Sign;
 
-struct Problem {
+struct MovingProblem {
   Matrix<float> weights;
   std::vector<float> sample;
   AlignedVector<float> gains;
@@ -31,8 +31,8 @@ struct Problem {
 };
 
 // Some gains are zero, of whole groups of neurons too.
-Problem random_problem(Random& random, Sign sign) {
-  Problem p;
+MovingProblem random_problem(Random& random, Sign sign) {
+  MovingProblem p;
   p.weights = Matrix<float>(1 + random.below(200), 1 + random.below(300));
   for (std::size_t row = 0; row < p.weights.rows(); ++row) {
     for (float& weight : p.weights.row(row)) weight = random_value(random, sign);
@@ -49,7 +49,7 @@ Problem random_problem(Random& random, Sign sign) {
   return p;
 }
 
-std::vector<double> moved_row(const Problem& p, std::size_t row, TMpsomNorm norm) {
+std::vector<double> moved_row(const MovingProblem& p, std::size_t row, TMpsomNorm norm) {
   std::vector<double> moved;
   double squared = 0.0;
   for (std::size_t k = 0; k < p.sample.size(); ++k) {
@@ -65,7 +65,7 @@ std::vector<double> moved_row(const Problem& p, std::size_t row, TMpsomNorm norm
 TEST(TMpsomMoving, MovesAndNormalizesEachRow) {
   Random random(1);
   for (int i = 0; i < 60; ++i) {
-    const Problem p = random_problem(random, i % 2 == 0 ? Sign::kPositive : Sign::kEither);
+    const MovingProblem p = random_problem(random, i % 2 == 0 ? Sign::kPositive : Sign::kEither);
     for (const TMpsomNorm norm : {TMpsomNorm::kL2, TMpsomNorm::kNone}) {
       LaneMatrix<float> before;
       testing::for_each_instruction_set([&](InstructionSet set) {
@@ -86,7 +86,7 @@ TEST(TMpsomMoving, MovesAndNormalizesEachRow) {
 // Parts that cancel leave a short vector, whose length single precision would not know.
 TEST(TMpsomMoving, GivesBackTheLengthThatCancellingTakes) {
   Random random(2);
-  Problem p = random_problem(random, Sign::kEither);
+  MovingProblem p = random_problem(random, Sign::kEither);
   for (std::size_t row = 0; row < p.weights.rows(); ++row) {
     const double apart = 1e-4 * static_cast<double>(row % 7);
     for (std::size_t k = 0; k < p.sample.size(); ++k) {
@@ -105,7 +105,7 @@ TEST(TMpsomMoving, GivesBackTheLengthThatCancellingTakes) {
 
 TEST(TMpsomMoving, LeavesGroupsWithoutGainsAlone) {
   Random random(3);
-  Problem p = random_problem(random, Sign::kPositive);
+  MovingProblem p = random_problem(random, Sign::kPositive);
   for (float& weight : p.weights.values()) weight *= 3.0F;
   std::fill(p.gains.begin(), p.gains.end(), 0.0F);
   EXPECT_EQ(p.moved(TMpsomNorm::kL2).to_matrix(), p.weights);
@@ -117,7 +117,7 @@ TEST(TMpsomMoving, LeavesGroupsWithoutGainsAlone) {
 }
 
 TEST(TMpsomMoving, KeepsZerosAndFindsLengthsBeyondSinglePrecision) {
-  Problem p{Matrix<float>(40, 3), {0, 0, 0}, AlignedVector<float>(48)};
+  MovingProblem p{Matrix<float>(40, 3), {0, 0, 0}, AlignedVector<float>(48)};
   for (std::size_t k = 0; k < 3; ++k) {
     p.weights(1, k) = 1e-25F;
     p.weights(2, k) = 1e30F;

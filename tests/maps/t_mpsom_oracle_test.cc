@@ -26,22 +26,22 @@ using testing::views;
 // What "within 1e-5" is relative to: see each comparison.
 constexpr double kTolerance = 1e-5;
 
-struct Problem {
+struct OracleProblem {
   TMpsomParameters parameters;
   std::vector<Matrix<float>> weights;
   std::vector<Signal> inputs;
   double alpha = 0.0;
 };
 
-Problem random_problem(Random& random) {
+OracleProblem random_problem(Random& random) {
   const Sign sign = random.below(2) ? Sign::kPositive : Sign::kEither;
-  Problem problem{random_parameters(random), {}, {}, random.uniform()};
+  OracleProblem problem{random_parameters(random), {}, {}, random.uniform()};
   problem.weights = random_weights(random, problem.parameters, sign);
   problem.inputs = random_inputs(random, problem.parameters, sign);
   return problem;
 }
 
-TMpsom fast_map(const Problem& problem) {
+TMpsom fast_map(const OracleProblem& problem) {
   Result<TMpsom> map = TMpsom::from_weights(problem.parameters, problem.weights);
   EXPECT_TRUE(map);
   return std::move(*map);
@@ -52,7 +52,7 @@ double keep(double value) {
   return value;
 }
 
-TMpsomReference reference_map(const Problem& problem, Change change = keep) {
+TMpsomReference reference_map(const OracleProblem& problem, Change change = keep) {
   std::vector<Matrix<double>> weights;
   for (const Matrix<float>& matrix : problem.weights) {
     Matrix<double>& copy = weights.emplace_back(matrix.rows(), matrix.columns());
@@ -61,7 +61,8 @@ TMpsomReference reference_map(const Problem& problem, Change change = keep) {
   return {problem.parameters, std::move(weights)};
 }
 
-std::vector<std::vector<double>> reference_inputs(const Problem& problem, Change change = keep) {
+std::vector<std::vector<double>> reference_inputs(const OracleProblem& problem,
+                                                  Change change = keep) {
   std::vector<std::vector<double>> inputs;
   for (const Signal& signal : problem.inputs) {
     const std::vector<float> values = signal.to_dense();
@@ -74,7 +75,7 @@ std::vector<std::vector<double>> reference_inputs(const Problem& problem, Change
 // y with all weights and inputs made positive: terms of different sign may cancel, and rounding is
 // relative to this. Arbors and weights below 1e-18 are taken as zero, so a little of the same with
 // endless arbors is added.
-std::vector<double> magnitudes(Problem problem) {
+std::vector<double> magnitudes(OracleProblem problem) {
   const Change magnitude = [](double value) { return std::fabs(value); };
   const auto inputs = reference_inputs(problem, magnitude);
   std::vector<double> sum = reference_map(problem, magnitude).activation(inputs);
@@ -95,7 +96,7 @@ double conditioning(const std::vector<double>& activity, const std::vector<doubl
   return std::max(1.0, total / best);
 }
 
-void compare_activation(const Problem& problem) {
+void compare_activation(const OracleProblem& problem) {
   const std::vector<float> fast = activation(fast_map(problem), problem.inputs);
   const auto slow = reference_map(problem).activation(reference_inputs(problem));
   const std::vector<double> magnitude = magnitudes(problem);
@@ -124,7 +125,7 @@ std::vector<double> unit_sample(const TMpsomParameters& p, std::vector<double> s
 }
 
 // One step from the same state; false when cancelling leaves nothing to compare.
-bool compare_step(const Problem& problem) {
+bool compare_step(const OracleProblem& problem) {
   TMpsom fast = fast_map(problem);
   TMpsomReference slow = reference_map(problem);
   const auto inputs = reference_inputs(problem);
@@ -174,7 +175,7 @@ TEST(TMpsom, AgreesWithTheReferenceOnRandomProblems) {
   Random random(21);
   int compared = 0;
   for (int i = 0; i < kProblems; ++i) {
-    const Problem problem = random_problem(random);
+    const OracleProblem problem = random_problem(random);
     compare_activation(problem);
     compared += compare_step(problem) ? 1 : 0;
     ASSERT_FALSE(HasFailure()) << "problem " << i << "\n" << parameters_to_toml(problem.parameters);

@@ -20,7 +20,7 @@ using testing::random_signal;
 using testing::Sign;
 using testing::views;
 
-std::vector<TMpsomParameters> variants() {
+std::vector<TMpsomParameters> size_variants() {
   std::vector<TMpsomParameters> all;
   for (const auto& [combination, name] : Choices<TMpsomCombination>::all()) {
     for (const double sigma : {0.2, 1.0, 6.0, 1000.0}) {
@@ -87,7 +87,7 @@ double greatest_difference(const TMpsom& map, const TMpsomReference& reference) 
 
 TEST(TMpsomSizes, BandsGiveWhatWholeInputsGive) {
   Random random(1);
-  for (const TMpsomParameters& p : variants()) {
+  for (const TMpsomParameters& p : size_variants()) {
     TMpsom map(p);
     TMpsomReference reference(p);
     TMpsom::Workspace workspace(map);
@@ -128,7 +128,7 @@ TEST(TMpsomSizes, LongTrainingStaysAccurate) {
 }
 
 TEST(TMpsomSizes, TheSameBitsOnEveryInstructionSetAndFromAFile) {
-  for (const TMpsomParameters& p : variants()) {
+  for (const TMpsomParameters& p : size_variants()) {
     std::vector<float> expected;
     testing::for_each_instruction_set([&](InstructionSet set) {
       Random random(3);

@@ -95,7 +95,8 @@ TEST(TrainTMpsom, StopsWhenAsked) {
   }
 }
 
-void expect_refused(const std::vector<TMpsomExploration>& explorations, const std::string& text) {
+void expect_training_refused(const std::vector<TMpsomExploration>& explorations,
+                             const std::string& text) {
   TMpsom map(small(10));
   const auto trained = train_t_mpsom(map, explorations);
   ASSERT_FALSE(trained) << text;
@@ -105,19 +106,19 @@ void expect_refused(const std::vector<TMpsomExploration>& explorations, const st
 }
 
 TEST(TrainTMpsom, RefusesExplorationsThatDoNotFit) {
-  expect_refused({}, "no explorations to learn from");
+  expect_training_refused({}, "no explorations to learn from");
   auto bad = explorations();
   bad[1].clear();
-  expect_refused(bad, "exploration 1: an exploration without frames");
+  expect_training_refused(bad, "exploration 1: an exploration without frames");
   bad = explorations();
   bad[2][1].pop_back();
-  expect_refused(bad, "exploration 2, frame 1: 1 inputs where the map takes 2");
+  expect_training_refused(bad, "exploration 2, frame 1: 1 inputs where the map takes 2");
   bad = explorations();
   bad[2][3][1] = Signal::dense({1.0F, 2.0F, 3.0F});
-  expect_refused(bad, "exploration 2, frame 3, input 1: 3 elements where the map takes 2");
+  expect_training_refused(bad, "exploration 2, frame 3, input 1: 3 elements where the map takes 2");
   bad = explorations();
   bad[0][0][0].values()[1] = std::numeric_limits<float>::infinity();
-  expect_refused(bad, "exploration 0, frame 0, input 0: a value that is not finite");
+  expect_training_refused(bad, "exploration 0, frame 0, input 0: a value that is not finite");
 }
 
 }  // namespace

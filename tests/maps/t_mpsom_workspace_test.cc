@@ -28,7 +28,7 @@ std::vector<float> activation_with(const TMpsom& map, const std::vector<Signal>&
   return activity;
 }
 
-TMpsomParameters small() {
+TMpsomParameters small_parameters() {
   TMpsomParameters p;
   p.shape = {3, 2};
   p.input_sizes = {3, 2};
@@ -65,7 +65,7 @@ TEST(TMpsomWorkspace, GivesWhatAFreshOneGives) {
 }
 
 TEST(TMpsomWorkspace, ForgetsWhatWasBeforeLearning) {
-  TMpsom map(small());
+  TMpsom map(small_parameters());
   TMpsom::Workspace workspace(map);
   TMpsom::Workspace other(map);
   const auto inputs = dense({{1, 2, 3}, {1, 2}});
@@ -77,7 +77,7 @@ TEST(TMpsomWorkspace, ForgetsWhatWasBeforeLearning) {
 }
 
 TEST(TMpsomWorkspace, TellsACopyThatLearnedFromItsOriginal) {
-  const TMpsom original(small());
+  const TMpsom original(small_parameters());
   TMpsom copy = original;
   TMpsom::Workspace workspace(original);
   const auto inputs = dense({{1, 2, 3}, {1, 2}});
@@ -90,9 +90,9 @@ TEST(TMpsomWorkspace, TellsACopyThatLearnedFromItsOriginal) {
 
 TEST(TMpsomWorkspace, TellsMapsFromWeightsApart) {
   const TMpsom ones =
-      *TMpsom::from_weights(small(), {Matrix<float>(6, 3, 1), Matrix<float>(6, 2, 1)});
+      *TMpsom::from_weights(small_parameters(), {Matrix<float>(6, 3, 1), Matrix<float>(6, 2, 1)});
   const TMpsom twos =
-      *TMpsom::from_weights(small(), {Matrix<float>(6, 3, 2), Matrix<float>(6, 2, 1)});
+      *TMpsom::from_weights(small_parameters(), {Matrix<float>(6, 3, 2), Matrix<float>(6, 2, 1)});
   TMpsom::Workspace workspace(ones);
   const auto inputs = dense({{1, 2, 3}, {1, 2}});
   const auto of_ones = activation_with(ones, inputs, workspace);
@@ -101,7 +101,7 @@ TEST(TMpsomWorkspace, TellsMapsFromWeightsApart) {
 }
 
 TEST(TMpsomWorkspace, SeesASingleBit) {
-  const TMpsom map(small());
+  const TMpsom map(small_parameters());
   TMpsom::Workspace workspace(map);
   const float more = std::nextafter(2.0F, 3.0F);
   activation_with(map, dense({{0, 2, 0}, {1, 2}}), workspace);
@@ -115,7 +115,7 @@ TEST(TMpsomWorkspace, SeesASingleBit) {
 
 // Zeros of either sign, stored or not, are one input.
 TEST(TMpsomWorkspace, TakesAllZerosAsOne) {
-  const TMpsom map(small());
+  const TMpsom map(small_parameters());
   TMpsom::Workspace workspace(map);
   const auto expected = activation(map, dense({{0, 2, 0}, {1, 2}}));
   const Signal second = Signal::dense({1, 2});
@@ -130,7 +130,7 @@ TEST(TMpsomWorkspace, TakesAllZerosAsOne) {
 
 // A refused input must not be taken for the last one when it comes again.
 TEST(TMpsomWorkspace, RefusesTheSameInputTwice) {
-  const TMpsom map(small());
+  const TMpsom map(small_parameters());
   TMpsom::Workspace workspace(map);
   const auto good = dense({{1, 2, 3}, {1, 2}});
   const auto expected = activation_with(map, good, workspace);

@@ -118,18 +118,18 @@ TEST(WinnerMeasures, RefuseWhatDoesNotFit) {
 
 // The slow ways below.
 
-struct Problem {
+struct MeasuredWinners {
   Grid grid;
   Numbers winners;
   Numbers classes;
 };
 
-Problem random_problem(Random& random) {
+MeasuredWinners random_winners(Random& random) {
   const auto lattice = random.below(2) == 0 ? Lattice::kRectangular : Lattice::kHexagonal;
   const auto topology = random.below(2) == 0 ? Topology::kPlane : Topology::kTorus;
   const std::size_t rows = 2 * (1 + random.below(3));
   const std::size_t columns = 1 + random.below(6);
-  Problem problem{Grid(rows, columns, lattice, topology), {}, {}};
+  MeasuredWinners problem{Grid(rows, columns, lattice, topology), {}, {}};
   const std::size_t samples = 1 + random.below(20);
   const std::size_t classes = 1 + random.below(5);
   for (std::size_t i = 0; i < samples; ++i) {
@@ -164,7 +164,7 @@ long exact_distance(const Grid& grid, std::size_t a, std::size_t b) {
 }
 
 // All that could stand for the surroundings, from more votes to fewer, own first, then ascending.
-std::size_t slow_surroundings(const Problem& problem, std::size_t sample) {
+std::size_t slow_surroundings(const MeasuredWinners& problem, std::size_t sample) {
   std::multiset<long> distances;
   for (std::size_t i = 0; i < problem.winners.size(); ++i) {
     if (i == sample) continue;
@@ -189,7 +189,7 @@ std::size_t slow_surroundings(const Problem& problem, std::size_t sample) {
 TEST(Surroundings, AgreeWithWholeNumbers) {
   Random random(11);
   for (int run = 0; run < 500; ++run) {
-    const Problem problem = random_problem(random);
+    const MeasuredWinners problem = random_winners(random);
     const Numbers found = classes_of_surroundings(problem.grid, problem.winners, problem.classes);
     ASSERT_EQ(found.size(), problem.winners.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -201,7 +201,7 @@ TEST(Surroundings, AgreeWithWholeNumbers) {
 TEST(ToldExactlyAndUndetermined, AgreeWithAllPairs) {
   Random random(12);
   for (int run = 0; run < 500; ++run) {
-    const Problem problem = random_problem(random);
+    const MeasuredWinners problem = random_winners(random);
     const std::set<std::size_t> with_samples(problem.classes.begin(), problem.classes.end());
     std::set<std::size_t> blurred;
     std::set<std::size_t> undetermined;
@@ -226,7 +226,7 @@ TEST(ToldExactlyAndUndetermined, AgreeWithAllPairs) {
 TEST(Border, AgreesWithEveryNeuron) {
   Random random(13);
   for (int run = 0; run < 100; ++run) {
-    const Grid grid = random_problem(random).grid;
+    const Grid grid = random_winners(random).grid;
     Numbers all;
     std::size_t there = 0;
     for (std::size_t neuron = 0; neuron < grid.size(); ++neuron) {

@@ -9,7 +9,6 @@
 
 namespace somato {
 
-using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// Runs `somato reproduce` on small systems of a test's own.
@@ -36,7 +35,9 @@ class Reproduce : public ProgramTest {
     return words;
   }
 
-  Json results(const std::string& out) const { return Json::parse(read(out + "/results.json")); }
+  nlohmann::json results(const std::string& out) const {
+    return nlohmann::json::parse(read(out + "/results.json"));
+  }
 
   // Files below a folder, by their paths in it.
   Words files(const std::string& folder) const {

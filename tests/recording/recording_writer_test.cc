@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::FailingFileSystem;
 
-RecordingFileParameters packed(Compression compression, std::size_t chunk_size = 1 << 20,
-                               double flush_after = 3600.0) {
+RecordingFileParameters packed_writer(Compression compression, std::size_t chunk_size = 1 << 20,
+                                      double flush_after = 3600.0) {
   return {compression, chunk_size, flush_after};
 }
 
@@ -112,8 +112,9 @@ TEST(RecordingWriter, ThrowsAtMistakesOfTheCaller) {
   ASSERT_TRUE(writer.end_exploration());
   ASSERT_TRUE(writer.close());
   EXPECT_THROW((void)writer.close(), InvalidArgument);
-  EXPECT_THROW((void)RecordingWriter::create(folder.file("b"), packed(Compression::kNone, 0)),
-               InvalidArgument);
+  EXPECT_THROW(
+      (void)RecordingWriter::create(folder.file("b"), packed_writer(Compression::kNone, 0)),
+      InvalidArgument);
 }
 
 TEST(RecordingWriter, DoesNotTouchAFileThatIsThere) {
@@ -162,7 +163,8 @@ TEST(RecordingWriter, ReturnsWhatFailsAndLeavesWhatCanBeSaved) {
       Result<void> done;
       std::size_t taken = 0;
       {
-        auto writer = RecordingWriter::create(files, folder.file("a"), packed(compression, 2600));
+        auto writer =
+            RecordingWriter::create(files, folder.file("a"), packed_writer(compression, 2600));
         if (!writer) {
           EXPECT_EQ(writer.error().kind, ErrorKind::kSystem);
           continue;
@@ -191,7 +193,8 @@ TEST(RecordingWriter, ReturnsWhatFailsAndLeavesWhatCanBeSaved) {
 TEST(RecordingWriterThread, WritesOutWhatIsOldWithoutACall) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
-  auto writer = RecordingWriter::create(path, packed(Compression::kZstd, 1 << 20, 0.01)).value();
+  auto writer =
+      RecordingWriter::create(path, packed_writer(Compression::kZstd, 1 << 20, 0.01)).value();
   ASSERT_TRUE(writer.begin_exploration(start_of_two()));
   ASSERT_TRUE(writer.frame(1, std::vector<float>(4, 0.0F), 0.0));
   for (int i = 0; i < 6000 && saved_frames(path, folder.file("b")) == 0; ++i) ::usleep(10'000);
@@ -202,7 +205,8 @@ TEST(RecordingWriterThread, TakesFramesFromSeveralThreads) {
   constexpr std::size_t kFrames = 400;
   const TemporaryFolder folder;
   auto writer =
-      RecordingWriter::create(folder.file("a"), packed(Compression::kLz4, 3000, 0.001)).value();
+      RecordingWriter::create(folder.file("a"), packed_writer(Compression::kLz4, 3000, 0.001))
+          .value();
   ASSERT_TRUE(writer.begin_exploration(start_of_two()));
   const auto feed = [&](std::size_t channel, std::size_t elements) {
     for (std::size_t i = 0; i < kFrames; ++i) {
@@ -227,7 +231,7 @@ using Clock = std::chrono::steady_clock;
 
 // Records for ever and tells through `pipe` when each frame was taken.
 [[noreturn]] void record_for_ever(const std::string& path, Compression compression, int pipe) {
-  auto writer = RecordingWriter::create(path, packed(compression, 1 << 20, 0.5));
+  auto writer = RecordingWriter::create(path, packed_writer(compression, 1 << 20, 0.5));
   if (!writer || !writer->begin_exploration(start_of_two())) ::_exit(1);
   for (std::size_t i = 0;; ++i) {
     if (!writer->frame(1, std::vector<float>(4, static_cast<float>(i)),

@@ -25,9 +25,10 @@ using testing::WalkedMessage;
 using testing::WalkedRecord;
 
 constexpr int kNever = 1 << 30;
-constexpr Compression kAll[] = {Compression::kNone, Compression::kLz4, Compression::kZstd};
+constexpr Compression kAllExplorations[] = {Compression::kNone, Compression::kLz4,
+                                            Compression::kZstd};
 
-RecordingFileParameters packed(Compression compression, std::size_t chunk_size) {
+RecordingFileParameters packed_in_chunks(Compression compression, std::size_t chunk_size) {
   RecordingFileParameters parameters;
   parameters.compression = compression;
   parameters.chunk_size = chunk_size;
@@ -121,8 +122,8 @@ void expect_cut_file_saved(const std::string& whole, std::size_t size, const Rec
   files.flushes = false;
   const std::string out = folder.file("out");
   fs::remove(out);
-  const Result<RecoveryReport> report =
-      detail::recover_recording(files, folder.file("cut"), out, packed(Compression::kNone, 1000));
+  const Result<RecoveryReport> report = detail::recover_recording(
+      files, folder.file("cut"), out, packed_in_chunks(Compression::kNone, 1000));
   if (frames == 0) {
     EXPECT_FALSE(report);
     EXPECT_FALSE(fs::exists(out));
@@ -153,11 +154,11 @@ std::size_t step_of([[maybe_unused]] Compression compression) {
 
 TEST(RecoverRecording, SavesAllThatIsCompleteWhereverTheFileIsCut) {
   const Recording recording = small_recording();
-  for (const Compression compression : kAll) {
+  for (const Compression compression : kAllExplorations) {
     for (const std::size_t chunk_size : {2400U, 100000U}) {
       const TemporaryFolder folder;
       const std::string path = folder.file("cut");
-      ASSERT_TRUE(write_recording(path, recording, packed(compression, chunk_size)));
+      ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, chunk_size)));
       const std::string whole = bytes_of(path);
       const std::size_t step = step_of(compression);
       for (std::size_t size = whole.size() + 1; size-- > 0;) {
@@ -193,10 +194,10 @@ bool holds_only_frames_of(const Recording& saved, const Recording& whole) {
 TEST(RecoverRecording, BitsThatTurnAreFoundOrDoNotMatter) {
   Recording recording = small_recording();
   recording.explorations.pop_back();
-  for (const Compression compression : kAll) {
+  for (const Compression compression : kAllExplorations) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a");
-    ASSERT_TRUE(write_recording(path, recording, packed(compression, 1 << 20)));
+    ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 1 << 20)));
     const std::string whole = bytes_of(path);
     std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
     FailingFileSystem files(kNever);
@@ -211,7 +212,7 @@ TEST(RecoverRecording, BitsThatTurnAreFoundOrDoNotMatter) {
       EXPECT_TRUE(!read || *read == recording);
       if (bit / step % 7 == 0) {
         const auto report = detail::recover_recording(files, path, folder.file("out"),
-                                                      packed(Compression::kNone, 1000));
+                                                      packed_in_chunks(Compression::kNone, 1000));
         if (report) {
           const Result<Recording> saved = read_recording(folder.file("out"));
           ASSERT_TRUE(saved) << to_string(saved.error());
@@ -235,9 +236,9 @@ TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
     exploration.channels[0].frames = Matrix<float>(40, 2, static_cast<float>(i));
     recording.explorations.push_back(exploration);
   }
-  for (const Compression compression : kAll) {
+  for (const Compression compression : kAllExplorations) {
     const std::string path = folder.file("a");
-    ASSERT_TRUE(write_recording(path, recording, packed(compression, 3000)));
+    ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 3000)));
     const std::string whole = bytes_of(path);
     std::vector<WalkedRecord> chunks = testing::walk(whole, 8);
     std::erase_if(chunks, [](const WalkedRecord& record) { return record.opcode != 6; });
@@ -272,14 +273,14 @@ TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
 
 TEST(RecoverRecording, LeavesTheOldFileWhateverFails) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(
-      write_recording(folder.file("a"), small_recording(), packed(Compression::kNone, 500)));
+  ASSERT_TRUE(write_recording(folder.file("a"), small_recording(),
+                              packed_in_chunks(Compression::kNone, 500)));
   for (int failing = 0;; ++failing) {
     folder.with("b", "old");
     FailingFileSystem files(failing, ENOSPC);
     files.flushes = false;
     const auto report = detail::recover_recording(files, folder.file("a"), folder.file("b"),
-                                                  packed(Compression::kNone, 500));
+                                                  packed_in_chunks(Compression::kNone, 500));
     EXPECT_EQ(folder.count(), 2);
     if (!files.failed()) break;
     const std::string bytes = bytes_of(folder.file("b"));

@@ -9,7 +9,7 @@
 namespace somato {
 namespace {
 
-class FindTrialFiles : public testing::Test {
+class FindTrialFiles : public ::testing::Test {
  protected:
   Result<std::vector<TrialFile>> find(const char* pattern, bool pass_over_others = false) const {
     return find_trial_files(folder_.path(), NamePattern::parse(pattern).value(), pass_over_others);

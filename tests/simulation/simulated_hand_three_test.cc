@@ -13,7 +13,7 @@
 namespace somato {
 namespace {
 
-SimulationParameters quiet() {
+SimulationParameters quiet_three() {
   SimulationParameters parameters;
   parameters.taxels = true;
   parameters.sensor_noise = 0.0;
@@ -22,8 +22,8 @@ SimulationParameters quiet() {
   return parameters;
 }
 
-std::unique_ptr<SimulatedHand> hand_with(const Object& object,
-                                         const SimulationParameters& parameters = quiet()) {
+std::unique_ptr<SimulatedHand> three_with(const Object& object,
+                                          const SimulationParameters& parameters = quiet_three()) {
   const auto scene = HandScene::build(Hand::kLucs3, object, parameters);
   EXPECT_TRUE(scene) << scene.error().what;
   return std::move(SimulatedHand::create(*scene, {}, 1).value());
@@ -49,7 +49,7 @@ void close(SimulatedHand& hand) {
 }
 
 TEST(SimulatedHandThree, HasThePapersServosAndElevenPotentiometers) {
-  const auto hand = hand_with(tube(60));
+  const auto hand = three_with(tube(60));
   EXPECT_EQ(hand->description().degrees_of_freedom.size(), 12U);
   EXPECT_EQ(hand->description().degrees_of_freedom[0].name, "wrist");
   EXPECT_EQ(reading(*hand, "joints").size(), 11U);
@@ -57,9 +57,9 @@ TEST(SimulatedHandThree, HasThePapersServosAndElevenPotentiometers) {
 
 TEST(SimulatedHandThree, AClosedHandIsAtRestAndFeelsWhatItHolds) {
   for (const bool free : {false, true}) {
-    SimulationParameters parameters = quiet();
+    SimulationParameters parameters = quiet_three();
     parameters.free = free;
-    const auto hand = hand_with(tube(60), parameters);
+    const auto hand = three_with(tube(60), parameters);
     close(*hand);
     EXPECT_GT(felt(*hand), 10.0);
     ASSERT_TRUE(hand->step(0.5));
@@ -74,7 +74,7 @@ TEST(SimulatedHandThree, PotentiometersTellTheSizeOfWhatIsHeld) {
   std::vector<float> before;
   int monotone = 0;
   for (const double diameter : {40.0, 60.0, 80.0}) {
-    const auto hand = hand_with(tube(diameter));
+    const auto hand = three_with(tube(diameter));
     close(*hand);
     const auto joints = reading(*hand, "joints");
     if (!before.empty()) {
@@ -88,9 +88,9 @@ TEST(SimulatedHandThree, PotentiometersTellTheSizeOfWhatIsHeld) {
 
 TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
   for (const bool free : {false, true}) {
-    SimulationParameters parameters = quiet();
+    SimulationParameters parameters = quiet_three();
     parameters.free = free;
-    const auto hand = hand_with(tube(70), parameters);
+    const auto hand = three_with(tube(70), parameters);
     const auto& works = hand->works();
     const mjModel& model = *works.scene->model;
     const auto& servos = hand->description().degrees_of_freedom;
@@ -120,7 +120,7 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
 }
 
 TEST(SimulatedHandThree, NoTaxelReadsWithoutContactOfItsOwn) {
-  const auto hand = hand_with(thing(Shape::kBlock, 70, 45, 120));
+  const auto hand = three_with(thing(Shape::kBlock, 70, 45, 120));
   close(*hand);
   const auto& works = hand->works();
   std::vector<bool> has_contact(works.forces.size(), false);
@@ -141,11 +141,11 @@ TEST(SimulatedHandThree, NoTaxelReadsWithoutContactOfItsOwn) {
 TEST(SimulatedHandThree, HalvingTheTimeStepHardlyChangesWhatIsFelt) {
   std::vector<double> changes;
   for (const double diameter : {40.0, 50.0, 60.0, 70.0, 80.0}) {
-    SimulationParameters parameters = quiet();
-    const auto coarse = hand_with(tube(diameter), parameters);
+    SimulationParameters parameters = quiet_three();
+    const auto coarse = three_with(tube(diameter), parameters);
     close(*coarse);
     parameters.time_step /= 2;
-    const auto fine = hand_with(tube(diameter), parameters);
+    const auto fine = three_with(tube(diameter), parameters);
     close(*fine);
     changes.push_back(std::abs(felt(*fine) / felt(*coarse) - 1.0));
   }
@@ -154,7 +154,8 @@ TEST(SimulatedHandThree, HalvingTheTimeStepHardlyChangesWhatIsFelt) {
 }
 
 TEST(SimulatedHandThree, ATurnedBlockStandsAgainstThePalmWithItsCorner) {
-  const auto scene = HandScene::build(Hand::kLucs3, thing(Shape::kBlock, 90, 60, 130), quiet());
+  const auto scene =
+      HandScene::build(Hand::kLucs3, thing(Shape::kBlock, 90, 60, 130), quiet_three());
   ASSERT_TRUE(scene);
   for (const double turn : {0.0, 6.0, -15.0, 40.0}) {
     const auto hand = SimulatedHand::create(*scene, {.x = 0, .y = 0, .turn = turn}, 1);

@@ -26,7 +26,7 @@ Material plain_material() {
 }
 
 // Nothing but the edge, heard with 24 bits.
-TextureProbeParameters noiseless() {
+TextureProbeParameters noiseless_texture() {
   TextureProbeParameters parameters;
   parameters.placement_noise = 0.0;
   parameters.microphone_noise = 0.0;
@@ -37,7 +37,7 @@ TextureProbeParameters noiseless() {
 
 // Nothing of the edge.
 TextureProbeParameters deaf() {
-  TextureProbeParameters parameters = noiseless();
+  TextureProbeParameters parameters = noiseless_texture();
   parameters.sensitivity = 0.0;
   return parameters;
 }
@@ -127,7 +127,7 @@ TEST(TextureProbe, TheEdgeRingsAtItsRaisedResonance) {
   material.stiffness = 3.0;  // a grip of 3 / 4
   material.loss = 0.0;
   material.hurst = 0.5;  // whose slope is white noise
-  TextureProbeParameters parameters = noiseless();
+  TextureProbeParameters parameters = noiseless_texture();
   parameters.edge_damping = 0.005;
   parameters.edge_width = 0.001;
   const double expected = 900.0 * std::sqrt(1.0 + 0.5 * 0.75);  // 1055.3
@@ -145,9 +145,9 @@ TEST(TextureProbe, TheEdgeRingsAtItsRaisedResonance) {
 TEST(TextureProbe, LossTakesTheRingingAway) {
   Material material = plain_material();
   material.loss = 0.02;  // with the edge's own, a damping ratio of 0.06
-  const Sound ringing = stroke(material, noiseless(), {3, 1});
+  const Sound ringing = stroke(material, noiseless_texture(), {3, 1});
   material.loss = 0.26;  // 0.18
-  const Sound damped = stroke(material, noiseless(), {3, 1});
+  const Sound damped = stroke(material, noiseless_texture(), {3, 1});
   const int resonance = 1100;  // 900 sqrt(1 + 0.5 * 50 / 51) = 1098.7
   EXPECT_NEAR(power_around(ringing, resonance, 4) / power_around(damped, resonance, 4), 9.0, 0.5);
   EXPECT_NEAR(power_around(ringing, 120, 20) / power_around(damped, 120, 20), 1.0, 0.05);
@@ -158,7 +158,7 @@ TEST(TextureProbe, AWeaveIsALineAtSpeedOverPeriod) {
   cloth.roughness = 0.0;
   cloth.weave_period = 0.5;
   cloth.weave_height = 100.0;
-  const Sound sound = stroke(cloth, noiseless(), {4, 1});
+  const Sound sound = stroke(cloth, noiseless_texture(), {4, 1});
   int peak = 0;
   for (int frequency = 1; frequency < 400; ++frequency) {
     if (power_at(sound, frequency) > power_at(sound, peak)) peak = frequency;
@@ -176,7 +176,7 @@ TEST(TextureProbe, WhatTheSampleRateCannotCarryIsWeakenedBeforeItIsTaken) {
   Material cloth = plain_material();
   cloth.roughness = 0.0;
   cloth.weave_height = 1.0;
-  TextureProbeParameters parameters = noiseless();
+  TextureProbeParameters parameters = noiseless_texture();
   parameters.edge_width = 0.001;
   parameters.edge_resonance = 20000.0;
   parameters.edge_damping = 1.0 / std::sqrt(2.0);
@@ -195,14 +195,14 @@ TEST(TextureProbe, WhatTheSampleRateCannotCarryIsWeakenedBeforeItIsTaken) {
 
 TEST(TextureProbe, SoundGrowsWithRoughnessFrictionAndGrip) {
   Material material = plain_material();
-  const double once = root_mean_square(stroke(material, noiseless(), {5, 1}));
+  const double once = root_mean_square(stroke(material, noiseless_texture(), {5, 1}));
   material.roughness *= 3.0;
-  EXPECT_NEAR(root_mean_square(stroke(material, noiseless(), {5, 1})) / once, 3.0, 1e-3);
+  EXPECT_NEAR(root_mean_square(stroke(material, noiseless_texture(), {5, 1})) / once, 3.0, 1e-3);
   material = plain_material();
   material.friction *= 0.5;
-  EXPECT_NEAR(root_mean_square(stroke(material, noiseless(), {5, 1})) / once, 0.5, 1e-3);
+  EXPECT_NEAR(root_mean_square(stroke(material, noiseless_texture(), {5, 1})) / once, 0.5, 1e-3);
   material = plain_material();
-  TextureProbeParameters parameters = noiseless();
+  TextureProbeParameters parameters = noiseless_texture();
   parameters.resonance_rise = 0.0;
   const double rigid = root_mean_square(stroke(material, parameters, {5, 1}));
   material.stiffness = 1.0;  // grip 1 / 2 instead of 50 / 51
@@ -216,7 +216,7 @@ TEST(TextureProbe, PlacementNoiseHasItsSpread) {
   cloth.weave_period = kSpeed / 50.0;
   cloth.weave_height = 100.0;
   const auto line = [&](double placement_noise, std::uint64_t seed) {
-    TextureProbeParameters parameters = noiseless();
+    TextureProbeParameters parameters = noiseless_texture();
     parameters.stroke = 3.6;  // five periods
     parameters.placement_noise = placement_noise;
     auto probe = make_texture_probe(cloth, parameters, {4, seed});
@@ -273,7 +273,7 @@ TEST(TextureProbe, TheServoWhinesWhileItTurns) {
 }
 
 TEST(TextureProbe, AStillLeverIsSilent) {
-  TextureProbeParameters parameters = noiseless();
+  TextureProbeParameters parameters = noiseless_texture();
   parameters.servo_noise = 3.0;
   auto probe = make_texture_probe(plain_material(), parameters, {9, 1});
   ASSERT_TRUE((*probe)->step(0.5));

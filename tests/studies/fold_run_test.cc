@@ -27,7 +27,7 @@ constexpr std::uint64_t kSeed = 9;
 constexpr std::size_t kGroupings = 25;
 
 // Classes that overlap, so that maps make mistakes and areas tear.
-Recording recording() {
+Recording fold_recording() {
   return testing::objects_apart(3, kSamples / 3, 150.0, 7);
 }
 
@@ -50,7 +50,7 @@ std::vector<Fold> folds_of(const Question& question, Protocol protocol) {
 // What the map is to see, put together by hand: joints of the last frame, standardized.
 Samples seen_by_hand(const Fold& fold) {
   Matrix<float> joints(kSamples, 3);
-  const Recording asked = recording();
+  const Recording asked = fold_recording();
   for (std::size_t i = 0; i < kSamples; ++i) {
     for (std::size_t joint = 0; joint < 3; ++joint) {
       joints(i, joint) = asked.explorations[i].channels[0].frames(0, joint);
@@ -193,7 +193,7 @@ void compare(const Fold& fold, const Question& question) {
 }
 
 TEST(FoldRun, GivesWhatFollowsFromItsMap) {
-  const Question question = question_of(recording());
+  const Question question = question_of(fold_recording());
   for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
     for (const Fold& fold : folds_of(question, protocol)) compare(fold, question);
   }
@@ -248,7 +248,7 @@ TEST(FoldRun, PlainArithmeticFormsItsMapAtOnce) {
 
 // 0 would say that luck never does it.
 TEST(FoldRun, WithoutWrongGroupingsSaysNothingOfLuck) {
-  const Question question = question_of(recording());
+  const Question question = question_of(fold_recording());
   const std::vector<Fold> all = folds_of(question, Protocol::kTrainIsTest);
   const FoldOutcome outcome = outcome_of(trained_on(question, all[0]), question, all[0]);
   StudyParameters study = small_study().study;
@@ -309,8 +309,8 @@ TEST(HeldOut, NothingIsLearnedFromTheValuesOfWhatIsTested) {
   StudyDescription description = small_study();
   description.study.protocols = {Protocol::kFolds};
   description.study.folds = 5;
-  expect_nothing_leaks(description, recording(), Protocol::kLeaveOneOut);
-  expect_nothing_leaks(description, recording(), Protocol::kFolds);
+  expect_nothing_leaks(description, fold_recording(), Protocol::kLeaveOneOut);
+  expect_nothing_leaks(description, fold_recording(), Protocol::kFolds);
 }
 
 // Ranges, a T-MPSOM, a standardization and a map.
@@ -355,7 +355,7 @@ TEST(HeldOut, TheOtherFoldsDoLearnFromIt) {
 
 // Samples 1 to 3 of each object; the first keeps the classes numbered as they are.
 TEST(HeldOut, NothingIsLearnedFromTheLabelOfTheTestedSample) {
-  const Question question = question_of(recording());
+  const Question question = question_of(fold_recording());
   const auto folds = folds_of(question, Protocol::kLeaveOneOut);
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     if (sample % 4 == 0) continue;

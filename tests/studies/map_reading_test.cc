@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 using ByName = std::map<std::string, double>;
 
-constexpr std::uint64_t kSeed = 3;
+constexpr std::uint64_t kReadingSeed = 3;
 
 // Asked of samples that are individuals of their own; names are one letter a sample.
 AskedLabel label(const std::string& name, const std::string& letters) {
@@ -36,8 +36,8 @@ Question question_on(const Grid& grid, const std::vector<AskedLabel>& labels) {
   return question;
 }
 
-StudyParameters study_with(const std::vector<std::string>& mapped_with,
-                           std::size_t wrong_groupings = 50) {
+StudyParameters study_reading(const std::vector<std::string>& mapped_with,
+                              std::size_t wrong_groupings = 50) {
   StudyParameters study;
   study.mapped_with = mapped_with;
   study.wrong_groupings = wrong_groupings;
@@ -45,7 +45,7 @@ StudyParameters study_with(const std::vector<std::string>& mapped_with,
 }
 
 ByName read(const StudyParameters& study, const Question& question, const Numbers& winners) {
-  const NamedValues values = read_map(study, question, winners, kSeed);
+  const NamedValues values = read_map(study, question, winners, kReadingSeed);
   return {values.begin(), values.end()};
 }
 
@@ -57,7 +57,7 @@ const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
 TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
   const Question question = question_on(kRow, {label("object", "ABABCC")});
   const ByName values =
-      read(study_with({"A B", "B A", "A C", "C C"}), question, {0, 1, 4, 4, 8, 8});
+      read(study_reading({"A B", "B A", "A C", "C C"}), question, {0, 1, 4, 4, 8, 8});
   EXPECT_EQ(values.at("told_exactly"), 1.0);
   EXPECT_EQ(values.at("undetermined"), 2.0);
   EXPECT_EQ(values.at("with_own"), 2.0);
@@ -70,7 +70,7 @@ TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
 // Only A's first sample is mapped with B: its nearest is the B at 1, while that B's nearest is 0.
 TEST(ReadMap, TellsWhichIsMappedWithWhich) {
   const Question question = question_on(kRow, {label("object", "ABBAA")});
-  const ByName values = read(study_with({"A B", "B A"}), question, {1, 2, 2, 7, 8});
+  const ByName values = read(study_reading({"A B", "B A"}), question, {1, 2, 2, 7, 8});
   EXPECT_EQ(values.at("mapped_with A B"), 1.0);
   EXPECT_EQ(values.at("mapped_with B A"), 0.0);
 }
@@ -78,7 +78,7 @@ TEST(ReadMap, TellsWhichIsMappedWithWhich) {
 // Two neurons with two samples each, a class a neuron: every other dealing mixes both.
 TEST(ReadMap, SaysWhatLuckWouldGive) {
   const Question question = question_on(kRow, {label("object", "AABB")});
-  const ByName together = read(study_with({}), question, {0, 0, 8, 8});
+  const ByName together = read(study_reading({}), question, {0, 0, 8, 8});
   EXPECT_EQ(together.at("told_exactly"), 2.0);
   EXPECT_EQ(together.at("told_exactly_by_luck"), 0.0);
   EXPECT_EQ(together.at("undetermined"), 0.0);
@@ -86,14 +86,14 @@ TEST(ReadMap, SaysWhatLuckWouldGive) {
   EXPECT_EQ(together.at("with_own"), 4.0);
   EXPECT_EQ(together.at("with_own_by_luck"), 0.0);
   // At neurons of their own all are told, however they are dealt.
-  const ByName apart = read(study_with({}), question, {0, 2, 4, 6});
+  const ByName apart = read(study_reading({}), question, {0, 2, 4, 6});
   EXPECT_EQ(apart.at("told_exactly_by_luck"), 2.0);
   EXPECT_EQ(apart.at("undetermined_by_luck"), 0.0);
 }
 
 TEST(ReadMap, SaysNothingOfLuckWithoutWrongGroupings) {
   const Question question = question_on(kRow, {label("object", "AABB")});
-  const ByName values = read(study_with({}, 0), question, {0, 0, 8, 8});
+  const ByName values = read(study_reading({}, 0), question, {0, 0, 8, 8});
   EXPECT_TRUE(values.contains("told_exactly"));
   for (const char* name : {"told_exactly_by_luck", "undetermined_by_luck", "with_own_by_luck"}) {
     EXPECT_FALSE(values.contains(name)) << name;
@@ -102,7 +102,7 @@ TEST(ReadMap, SaysNothingOfLuckWithoutWrongGroupings) {
 
 TEST(ReadMap, AsksEveryLabel) {
   const Question question = question_on(kRow, {label("object", "ABCD"), label("shape", "rrss")});
-  const ByName values = read(study_with({"A B"}), question, {0, 0, 4, 8});
+  const ByName values = read(study_reading({"A B"}), question, {0, 0, 4, 8});
   EXPECT_EQ(values.at("told_exactly"), 2.0);
   EXPECT_EQ(values.at("shape.told_exactly"), 2.0);
   EXPECT_EQ(values.at("undetermined"), 2.0);
@@ -115,7 +115,7 @@ TEST(ReadMap, AsksEveryLabel) {
 TEST(ReadMap, SeesTheBorder) {
   const Grid square(4, 4, Lattice::kRectangular, Topology::kPlane);
   const Question question = question_on(square, {label("object", "AABBC")});
-  const ByName values = read(study_with({}), question, {0, 5, 7, 10, 14});
+  const ByName values = read(study_reading({}), question, {0, 5, 7, 10, 14});
   EXPECT_EQ(values.at("on_border"), 0.6);
   EXPECT_EQ(values.at("on_border_by_luck"), 0.75);
 }
@@ -126,7 +126,7 @@ TEST(ReadMap, LooksAtWhatWasLearnedFromAlone) {
   question.samples.samples = 4;
   question.samples.test_samples = 2;
   question.order = AskedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
-  const ByName values = read(study_with({}), question, {0, 0, 8, 8});
+  const ByName values = read(study_reading({}), question, {0, 0, 8, 8});
   EXPECT_EQ(values.at("with_own"), 4.0);
   EXPECT_EQ(values.at("with_own_by_luck"), 0.0);
   EXPECT_TRUE(values.contains("order_around"));
@@ -143,7 +143,7 @@ class ReadOrder : public ::testing::Test {
     const Grid square(3, 3, Lattice::kRectangular, Topology::kPlane);
     Question question = question_on(square, {label("object", "AABBCCDD")});
     question.order = AskedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
-    return read(study_with({}), question, {0, 0, 2, 2, 8, 8, 6, 6});
+    return read(study_reading({}), question, {0, 0, 2, 2, 8, 8, 6, 6});
   }
 };
 

@@ -11,7 +11,7 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 using Values = std::vector<double>;
 
-constexpr std::size_t kGroupings = 50;
+constexpr std::size_t kWrongGroupings = 50;
 
 Numbers first_numbers(std::size_t count) {
   Numbers numbers;
@@ -20,7 +20,7 @@ Numbers first_numbers(std::size_t count) {
 }
 
 // Asked of samples that are individuals of their own; names are one letter a sample.
-AskedLabel label(const std::string& name, const std::string& letters) {
+AskedLabel asked_label(const std::string& name, const std::string& letters) {
   std::vector<std::string> names;
   for (const char letter : letters) names.emplace_back(1, letter);
   return {name, Classes::from_names(names), first_numbers(letters.size())};
@@ -59,7 +59,8 @@ class Metrics : public ::testing::Test {
 
   // `outcomes` hold the folds of the first seed, then those of the next.
   void measure(const Question& question, Protocol protocol, const std::vector<Fold>& folds,
-               const std::vector<FoldOutcome>& outcomes, std::size_t wrong_groupings = kGroupings) {
+               const std::vector<FoldOutcome>& outcomes,
+               std::size_t wrong_groupings = kWrongGroupings) {
     StudyParameters study;
     study.wrong_groupings = wrong_groupings;
     std::vector<SeedOutcome> seeds;
@@ -78,7 +79,7 @@ class Metrics : public ::testing::Test {
 const Grid kSquare(2, 2, Lattice::kRectangular, Topology::kPlane);
 
 TEST_F(Metrics, OfAreasStandBesideWhatLuckGives) {
-  const Question question = question_of(kSquare, {label("object", "ABBA")});
+  const Question question = question_of(kSquare, {asked_label("object", "ABBA")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
   measure(question, Protocol::kTrainIsTest, folds,
           {tested_on_itself({0, 1, 2, 3}), tested_on_itself({0, 0, 0, 0}),
@@ -90,7 +91,7 @@ TEST_F(Metrics, OfAreasStandBesideWhatLuckGives) {
 }
 
 TEST_F(Metrics, OfAreasAreMeansOverFolds) {
-  const Question question = question_of(kSquare, {label("object", "ABBA")});
+  const Question question = question_of(kSquare, {asked_label("object", "ABBA")});
   std::vector<FoldOutcome> outcomes(2);
   outcomes[0].training_winners = {1, 2};
   outcomes[0].winners = {0, 3};
@@ -108,7 +109,7 @@ TEST_F(Metrics, OfAreasAreMeansOverFolds) {
 }
 
 TEST_F(Metrics, AreOfBothRecordingsUnderTestDataAlone) {
-  Question question = question_of(kSquare, {label("object", "ABBA")});
+  Question question = question_of(kSquare, {asked_label("object", "ABBA")});
   question.samples.samples = 2;
   question.samples.test_samples = 2;
   FoldOutcome outcome;
@@ -126,7 +127,8 @@ TEST_F(Metrics, AreOfBothRecordingsUnderTestDataAlone) {
 }
 
 TEST_F(Metrics, ByLuckAreLeftOutWhereThereIsNone) {
-  const Question question = question_of(kSquare, {label("object", "ABBA"), label("all", "CCCC")});
+  const Question question =
+      question_of(kSquare, {asked_label("object", "ABBA"), asked_label("all", "CCCC")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
   measure(question, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})}, 0);
   EXPECT_FALSE(has("areas_connected_by_luck"));
@@ -158,8 +160,9 @@ class MetricsOfLabels : public Metrics {
       outcome.torn = i == 2 ? 1.0 : 0.0;
       outcomes.push_back(outcome);
     }
-    const Question question = question_of(
-        kSquare, {label("object", "abcd"), label("shape", "rrss"), label("colour", "xyxy")});
+    const Question question =
+        question_of(kSquare, {asked_label("object", "abcd"), asked_label("shape", "rrss"),
+                              asked_label("colour", "xyxy")});
     measure(question, Protocol::kLeaveGroupOut, folds, outcomes);
   }
 };

@@ -94,7 +94,7 @@ TEST(Results, KeepTheOrderOfFieldsAndEndWithALine) {
 }
 
 TEST(Results, OfAStudyWithoutSystemsAreStillWhole) {
-  const Json json = Json::parse(to_json({}));
+  const Json json = Json::parse(to_json(StudyResults{}));
   EXPECT_EQ(json["settings"], Json::object());
   EXPECT_EQ(json["systems"], Json::array());
 }

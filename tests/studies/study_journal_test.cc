@@ -15,7 +15,7 @@ using testing::objects_apart;
 using testing::outcome_of;
 using testing::small_study;
 
-Recording recording() {
+Recording journal_recording() {
   return objects_apart(3, 4, 150.0, 2);
 }
 
@@ -39,7 +39,7 @@ class StudyJournal : public ::testing::Test {
   void interrupt(std::uint64_t trainings, std::size_t threads = 1) const {
     StudyOptions interrupted = options(threads);
     interrupted.progress = [=](std::uint64_t done, std::uint64_t) { return done < trainings; };
-    const auto outcome = run_study(small_study(), recording(), interrupted);
+    const auto outcome = run_study(small_study(), journal_recording(), interrupted);
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
   }
@@ -51,11 +51,11 @@ class StudyJournal : public ::testing::Test {
 constexpr std::uint64_t kTrainings = 1 + 2 * 12 + 1;
 
 TEST_F(StudyJournal, GoesOnWithTheSameResults) {
-  const std::string expected = to_json(outcome_of(small_study(), recording()).results);
+  const std::string expected = to_json(outcome_of(small_study(), journal_recording()).results);
   for (const std::uint64_t trainings : {1U, 2U, 14U, 25U}) {
     interrupt(trainings);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(1 + trainings));
-    EXPECT_EQ(to_json(outcome_of(small_study(), recording(), options()).results), expected);
+    EXPECT_EQ(to_json(outcome_of(small_study(), journal_recording(), options()).results), expected);
     // All but that of the model, which is made at the end; what was done was not done again.
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
@@ -63,17 +63,18 @@ TEST_F(StudyJournal, GoesOnWithTheSameResults) {
 }
 
 TEST_F(StudyJournal, GoesOnWithTheSameResultsOnThreads) {
-  const std::string expected = to_json(outcome_of(small_study(), recording()).results);
+  const std::string expected = to_json(outcome_of(small_study(), journal_recording()).results);
   for (const std::size_t threads : {2U, 4U}) {
     interrupt(9, threads);
-    EXPECT_EQ(to_json(outcome_of(small_study(), recording(), options(threads)).results), expected);
+    EXPECT_EQ(to_json(outcome_of(small_study(), journal_recording(), options(threads)).results),
+              expected);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
   }
 }
 
 TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
-  outcome_of(small_study(), recording(), options());
+  outcome_of(small_study(), journal_recording(), options());
   const std::string whole = bytes_of(path());
   std::vector<std::uint64_t> told;
   StudyOptions again = options();
@@ -82,7 +83,7 @@ TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
     told.push_back(done);
     return true;
   };
-  outcome_of(small_study(), recording(), again);
+  outcome_of(small_study(), journal_recording(), again);
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back(), 1U);
   EXPECT_TRUE(bytes_of(path()) == whole);
@@ -93,14 +94,14 @@ TEST_F(StudyJournal, ServesAnyNumberOfSeeds) {
   const auto kept = lines_of(path());
   StudyDescription more = small_study();
   more.study.seeds = 3;
-  const StudyOutcome outcome = outcome_of(more, recording(), options());
-  EXPECT_EQ(to_json(outcome.results), to_json(outcome_of(more, recording()).results));
+  const StudyOutcome outcome = outcome_of(more, journal_recording(), options());
+  EXPECT_EQ(to_json(outcome.results), to_json(outcome_of(more, journal_recording()).results));
   EXPECT_EQ(lines_of(path()), 1 + 2 + 3 * 12);
   EXPECT_LT(kept, lines_of(path()));
   StudyDescription fewer = small_study();
   fewer.study.seeds = 1;
-  EXPECT_EQ(to_json(outcome_of(fewer, recording(), options()).results),
-            to_json(outcome_of(fewer, recording()).results));
+  EXPECT_EQ(to_json(outcome_of(fewer, journal_recording(), options()).results),
+            to_json(outcome_of(fewer, journal_recording()).results));
 }
 
 void expect_other_study(const StudyDescription& description, const Recording& asked,
@@ -116,20 +117,20 @@ TEST_F(StudyJournal, OfOtherSettingsOrDataIsRefused) {
   interrupt(3);
   StudyDescription other = small_study();
   other.study.first_seed = 6;
-  expect_other_study(other, recording(), options());
+  expect_other_study(other, journal_recording(), options());
   other = small_study();
   other.study.protocols = {Protocol::kLeaveOneOut, Protocol::kTrainIsTest};
-  expect_other_study(other, recording(), options());
+  expect_other_study(other, journal_recording(), options());
   other = small_study();
   other.study.wrong_groupings = 3;
-  expect_other_study(other, recording(), options());
-  expect_other_study(small_study("constant_columns = 'zero'\n"), recording(), options());
+  expect_other_study(other, journal_recording(), options());
+  expect_other_study(small_study("constant_columns = 'zero'\n"), journal_recording(), options());
   expect_other_study(small_study(), objects_apart(3, 4, 150.0, 3), options());
 }
 
 // Another one, none, and the same explorations divided elsewhere.
 TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
-  Recording first = recording();
+  Recording first = journal_recording();
   Recording second = objects_apart(3, 2, 150.0, 8);
   StudyOptions with = options();
   with.test_data = &second;
@@ -147,7 +148,7 @@ TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
 }
 
 TEST_F(StudyJournal, IsNotMadeByAStudyThatCannotBegin) {
-  Recording constant = recording();
+  Recording constant = journal_recording();
   for (Exploration& exploration : constant.explorations) {
     exploration.channels[0].frames(0, 1) = 5.0F;
   }
@@ -158,7 +159,7 @@ TEST_F(StudyJournal, IsNotMadeByAStudyThatCannotBegin) {
 TEST_F(StudyJournal, ThatCannotBeWrittenStopsTheStudy) {
   StudyOptions nowhere;
   nowhere.journal = folder_.file("missing/journal");
-  const auto outcome = run_study(small_study(), recording(), nowhere);
+  const auto outcome = run_study(small_study(), journal_recording(), nowhere);
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().kind, ErrorKind::kSystem);
   EXPECT_EQ(outcome.error().where, nowhere.journal);

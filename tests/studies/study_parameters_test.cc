@@ -47,7 +47,7 @@ Result<StudyDescription> read(const std::string& toml) {
   return read_study(parse_toml(toml, "study.toml").value());
 }
 
-void expect_refused(const std::string& toml, const std::string& message) {
+void expect_study_refused(const std::string& toml, const std::string& message) {
   const auto description = read(toml);
   ASSERT_FALSE(description) << message;
   EXPECT_EQ(description.error().kind, ErrorKind::kUsage);
@@ -93,81 +93,92 @@ TEST(ReadStudy, NeedsNameAndModulesOnly) {
 }
 
 TEST(ReadStudy, SaysWhatIsMissing) {
-  expect_refused("[module.a]\ntype = \"channel\"\n",
-                 "study.toml:1: the study has no name; add name = \"...\" to [study]");
-  expect_refused("[study]\nname = \"n\"\n",
-                 "study.toml:1: there are no modules; add [module.NAME] with a type");
-  expect_refused("[study]\nname = \"n\"\nprotocols = []\n[module.a]\ntype = \"channel\"\n",
-                 "study.toml:3: the study has no protocols; add protocols = [\"leave_one_out\"] to "
-                 "[study]");
+  expect_study_refused("[module.a]\ntype = \"channel\"\n",
+                       "study.toml:1: the study has no name; add name = \"...\" to [study]");
+  expect_study_refused("[study]\nname = \"n\"\n",
+                       "study.toml:1: there are no modules; add [module.NAME] with a type");
+  expect_study_refused(
+      "[study]\nname = \"n\"\nprotocols = []\n[module.a]\ntype = \"channel\"\n",
+      "study.toml:3: the study has no protocols; add protocols = [\"leave_one_out\"] to "
+      "[study]");
 }
 
 TEST(ReadStudy, SaysWhatIsMisspelt) {
-  expect_refused("[study]\nname = \"n\"\n[modules.a]\ntype = \"channel\"\n",
-                 "study.toml:3: unknown table 'modules'; did you mean 'module'?");
-  expect_refused("[study]\nname = \"n\"\nsseds = 3\n",
-                 "study.toml:3: unknown key 'sseds'; did you mean 'seeds'?");
-  expect_refused(kLeast + "[recording]\nformats = \"icub_grasp\"\n",
-                 "study.toml:6: unknown key 'formats'; did you mean 'format'?");
-  expect_refused("[study]\nname = \"n\"\nprotocols = [\"leave_one_in\"]\n",
-                 "study.toml:3: 'protocols' must be one of train_is_test, leave_one_out, "
-                 "leave_group_out, k_folds, test_data, not \"leave_one_in\"; did you mean "
-                 "'leave_one_out'?");
+  expect_study_refused("[study]\nname = \"n\"\n[modules.a]\ntype = \"channel\"\n",
+                       "study.toml:3: unknown table 'modules'; did you mean 'module'?");
+  expect_study_refused("[study]\nname = \"n\"\nsseds = 3\n",
+                       "study.toml:3: unknown key 'sseds'; did you mean 'seeds'?");
+  expect_study_refused(kLeast + "[recording]\nformats = \"icub_grasp\"\n",
+                       "study.toml:6: unknown key 'formats'; did you mean 'format'?");
+  expect_study_refused("[study]\nname = \"n\"\nprotocols = [\"leave_one_in\"]\n",
+                       "study.toml:3: 'protocols' must be one of train_is_test, leave_one_out, "
+                       "leave_group_out, k_folds, test_data, not \"leave_one_in\"; did you mean "
+                       "'leave_one_out'?");
 }
 
 // What stood for a system before there were any.
 TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
-  expect_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
-                 "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
-                 "study, recording, explore, variation, claim");
+  expect_study_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
+                       "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
+                       "study, recording, explore, variation, claim");
 }
 
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {
-  expect_refused("study = 3\n",
-                 "study.toml:1: 'study' must be a table; write [study] on a line of its own, its "
-                 "keys below");
-  expect_refused(kLeast + "[[recording]]\nformat = \"icub_grasp\"\n",
-                 "study.toml:5: 'recording' must be a table; write [recording] on a line of its "
-                 "own, its keys below");
+  expect_study_refused(
+      "study = 3\n",
+      "study.toml:1: 'study' must be a table; write [study] on a line of its own, its "
+      "keys below");
+  expect_study_refused(
+      kLeast + "[[recording]]\nformat = \"icub_grasp\"\n",
+      "study.toml:5: 'recording' must be a table; write [recording] on a line of its "
+      "own, its keys below");
 }
 
 TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   const std::string study = "[study]\nname = \"n\"\n";
   const std::string module = "[module.a]\ntype = \"channel\"\n";
-  expect_refused(study + "protocols = [\"leave_one_out\", \"leave_one_out\"]\n" + module,
-                 "study.toml:3: a protocol is named twice; name each of protocols in [study] once");
-  expect_refused(study + "protocols = [\"test_data\"]\n" + module,
-                 "study.toml:3: 'test_data' is no protocol to name; run the study with --test-data "
-                 "instead");
-  expect_refused(study + "protocols = [\"leave_group_out\"]\n" + module,
-                 "study.toml:3: leave_group_out needs the labels whose groups are left out; add "
-                 "groups = [\"...\"] to [study]");
-  expect_refused(study + "groups = [\"trial\"]\n" + module,
-                 "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
-                 "it out, or add the protocol");
+  expect_study_refused(
+      study + "protocols = [\"leave_one_out\", \"leave_one_out\"]\n" + module,
+      "study.toml:3: a protocol is named twice; name each of protocols in [study] once");
+  expect_study_refused(
+      study + "protocols = [\"test_data\"]\n" + module,
+      "study.toml:3: 'test_data' is no protocol to name; run the study with --test-data "
+      "instead");
+  expect_study_refused(
+      study + "protocols = [\"leave_group_out\"]\n" + module,
+      "study.toml:3: leave_group_out needs the labels whose groups are left out; add "
+      "groups = [\"...\"] to [study]");
+  expect_study_refused(
+      study + "groups = [\"trial\"]\n" + module,
+      "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
+      "it out, or add the protocol");
   EXPECT_TRUE(read(study + "groups = []\n" + module));  // as a variation takes them away
-  expect_refused(study + "folds = 4\n" + module,
-                 "study.toml:3: 'folds' has no effect without the protocol k_folds; leave it out, "
-                 "or add the protocol");
+  expect_study_refused(
+      study + "folds = 4\n" + module,
+      "study.toml:3: 'folds' has no effect without the protocol k_folds; leave it out, "
+      "or add the protocol");
 }
 
 TEST(ReadStudy, RefusesQuestionsThatAskForNothing) {
   const std::string study = "[study]\nname = \"n\"\n";
   const std::string module = "[module.a]\ntype = \"channel\"\n";
-  expect_refused(
+  expect_study_refused(
       study + "groups = [\"a\", \"b\", \"a\"]\nprotocols = [\"leave_group_out\"]\n" + module,
       "study.toml:3: a label is named twice; name each of groups in [study] once");
-  expect_refused(study + "order = \"girth\"\n" + module,
-                 "study.toml:3: an order is one of individuals, and none are named; add individual "
-                 "= \"...\" to [study]");
-  expect_refused(study + "individual = \"object\"\nwithin = \"shape\"\n" + module,
-                 "study.toml:4: 'within' has no effect without 'order'; leave it out, or add the "
-                 "order");
+  expect_study_refused(
+      study + "order = \"girth\"\n" + module,
+      "study.toml:3: an order is one of individuals, and none are named; add individual "
+      "= \"...\" to [study]");
+  expect_study_refused(
+      study + "individual = \"object\"\nwithin = \"shape\"\n" + module,
+      "study.toml:4: 'within' has no effect without 'order'; leave it out, or add the "
+      "order");
   for (const std::string pair : {"sphere", "a b c"}) {
-    expect_refused(study + "mapped_with = [\"x y\", \"" + pair + "\"]\n" + module,
-                   "study.toml:3: '" + pair +
-                       "' does not name two classes; write two names with a space between them: "
-                       "those mapped, and those they are with");
+    expect_study_refused(
+        study + "mapped_with = [\"x y\", \"" + pair + "\"]\n" + module,
+        "study.toml:3: '" + pair +
+            "' does not name two classes; write two names with a space between them: "
+            "those mapped, and those they are with");
   }
 }
 
@@ -197,15 +208,16 @@ TEST(ReadStudy, RefusesEveryWrongTypeWithItsPlace) {
 }
 
 TEST(ReadStudy, RefusesNumbersOutOfRange) {
-  expect_refused("[study]\nseeds = 0\n",
-                 "study.toml:2: 'seeds' must be a whole number, 1 to 1000000, not 0");
-  expect_refused("[study]\nfirst_seed = -1\n",
-                 "study.toml:2: 'first_seed' must be a whole number, 0 to 1000000000000000, "
-                 "not -1");
-  expect_refused("[study]\nwrong_groupings = 10001\n",
-                 "study.toml:2: 'wrong_groupings' must be a whole number, 0 to 10000, not 10001");
-  expect_refused("[study]\nfolds = 1\n",
-                 "study.toml:2: 'folds' must be a whole number, 2 to 1000000, not 1");
+  expect_study_refused("[study]\nseeds = 0\n",
+                       "study.toml:2: 'seeds' must be a whole number, 1 to 1000000, not 0");
+  expect_study_refused("[study]\nfirst_seed = -1\n",
+                       "study.toml:2: 'first_seed' must be a whole number, 0 to 1000000000000000, "
+                       "not -1");
+  expect_study_refused(
+      "[study]\nwrong_groupings = 10001\n",
+      "study.toml:2: 'wrong_groupings' must be a whole number, 0 to 10000, not 10001");
+  expect_study_refused("[study]\nfolds = 1\n",
+                       "study.toml:2: 'folds' must be a whole number, 2 to 1000000, not 1");
 }
 
 // Another value than the default, and for every name another.

@@ -67,7 +67,7 @@ std::vector<std::string> lines_of(const Table& from) {
   return lines;
 }
 
-void expect_refused(const std::string& toml, const std::string& message) {
+void expect_variation_refused(const std::string& toml, const std::string& message) {
   const auto changed = varied(toml);
   ASSERT_FALSE(changed) << message;
   EXPECT_EQ(changed.error().kind, ErrorKind::kUsage);
@@ -115,19 +115,21 @@ TEST(Variation, WithoutChangesChangesNothing) {
 }
 
 TEST(Variation, OfAModuleThatIsNotThereIsRefusedAtItsLine) {
-  expect_refused("[variation.wide]\n[variation.wide.module.mpa]\nrows = 3\n",
-                 "question.toml:2: unknown module 'mpa'; did you mean 'map'?");
+  expect_variation_refused("[variation.wide]\n[variation.wide.module.mpa]\nrows = 3\n",
+                           "question.toml:2: unknown module 'mpa'; did you mean 'map'?");
 }
 
 TEST(Variation, TakesNoValueForATableNorTheReverse) {
-  expect_refused(
+  expect_variation_refused(
       "[variation.v]\nmodule.map = 3\n",
       "question.toml:2: 'map' is a table in the system's file; change the keys in it, as "
       "with map.KEY = ...");
-  expect_refused("[variation.v]\nmodule.map.rows.least = 3\n",
-                 "question.toml:2: 'rows' is no table in the system's file; give it a value");
-  expect_refused("[variation.v]\nphase.draws = 3\n",
-                 "question.toml:2: 'phase' is no table in the system's file; give it a value");
+  expect_variation_refused(
+      "[variation.v]\nmodule.map.rows.least = 3\n",
+      "question.toml:2: 'rows' is no table in the system's file; give it a value");
+  expect_variation_refused(
+      "[variation.v]\nphase.draws = 3\n",
+      "question.toml:2: 'phase' is no table in the system's file; give it a value");
 }
 
 TEST(ReadVariations, KeepsTheirOrderAndWhoTheyAreFor) {
@@ -153,15 +155,16 @@ TEST(ReadVariations, AreNoneInAFileWithoutThem) {
 TEST(ReadVariations, RefusesWhatIsNoneAtItsLine) {
   const std::string name = "write [variation.NAME] on a line of its own";
   const std::string systems = "'systems' must be a list of names; write systems = [\"...\"]";
-  expect_refused("variation = 3\n", "question.toml:1: a variation needs a name; " + name);
-  expect_refused("[[variation]]\nname = 'wide'\n",
-                 "question.toml:1: a variation needs a name; " + name);
-  expect_refused("[variation]\nwide = 3\n",
-                 "question.toml:2: 'wide' must be a table; write [variation.wide] on a line of its "
-                 "own, its changes below");
-  expect_refused("[variation.wide]\nsystems = 'a'\n", "question.toml:2: " + systems);
-  expect_refused("[variation.wide]\nsystems = [3]\n", "question.toml:2: " + systems);
-  expect_refused("[variation.wide.systems]\na = 1\n", "question.toml:1: " + systems);
+  expect_variation_refused("variation = 3\n", "question.toml:1: a variation needs a name; " + name);
+  expect_variation_refused("[[variation]]\nname = 'wide'\n",
+                           "question.toml:1: a variation needs a name; " + name);
+  expect_variation_refused(
+      "[variation]\nwide = 3\n",
+      "question.toml:2: 'wide' must be a table; write [variation.wide] on a line of its "
+      "own, its changes below");
+  expect_variation_refused("[variation.wide]\nsystems = 'a'\n", "question.toml:2: " + systems);
+  expect_variation_refused("[variation.wide]\nsystems = [3]\n", "question.toml:2: " + systems);
+  expect_variation_refused("[variation.wide.systems]\na = 1\n", "question.toml:1: " + systems);
 }
 
 }  // namespace

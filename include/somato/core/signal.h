@@ -39,6 +39,9 @@ class Signal {
   static Signal sparse(std::vector<std::size_t> shape, std::vector<std::uint32_t> indices,
                        std::vector<float> values);
 
+  /// A signal of one axis with the values of `view`.
+  static Signal copy_of(const SignalView& view);
+
   const std::vector<std::size_t>& shape() const { return shape_; }
   std::size_t size() const { return size_; }
   bool is_sparse() const { return sparse_; }
