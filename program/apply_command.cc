@@ -6,7 +6,6 @@
 
 #include "commands.h"
 #include "data.h"
-#include "output.h"
 #include "somato/files/csv.h"
 #include "somato/files/whole_file.h"
 #include "somato/graph/evaluation.h"
@@ -71,7 +70,6 @@ std::string line_of(const SystemModel& model, const Som& som, const SignalView& 
 Result<void> apply(const Arguments& arguments) {
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
-  if (auto fits = check_output(arguments, "output"); !fits) return fits;
   const std::string data = arguments.text("DATA");
   const auto format = read_format(arguments);
   if (!format) return fail(format.error());
@@ -107,7 +105,7 @@ Command apply_command() {
           "Ask a trained system about the explorations of a recording",
           {{"SYSTEM", "A system that 'somato run' has saved", true},
            {"DATA", "The recording: its file, or a folder of original files", true}},
-          {{"-o,--output", "File for the answers, as CSV; standard output without it"},
+          {output_flag("-o,--output", "File for the answers, as CSV; standard output without it"),
            {"--format", "Format of the original files, when their names do not tell"},
            threads_flag()},
           {},

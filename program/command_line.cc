@@ -9,7 +9,9 @@
 #include <new>
 #include <system_error>
 
+#include "output.h"
 #include "somato/core/instruction_set.h"
+#include "terminal.h"
 #include "version.h"
 
 namespace somato::program {
@@ -18,12 +20,12 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 constexpr int kIncomplete = 3;
-constexpr int kInterrupted = 130;
+constexpr int kSignal = 128;  // and the signal that interrupted it
 
 int exit_code(ErrorKind kind) {
   if (kind == ErrorKind::kUsage) return kWrongUsage;
   if (kind == ErrorKind::kIncomplete) return kIncomplete;
-  return kind == ErrorKind::kInterrupted ? kInterrupted : kFailed;
+  return kind == ErrorKind::kInterrupted ? kSignal + stop_signal() : kFailed;
 }
 
 // Where standard error cannot be written to there is nobody left to tell; the exit code still does.
@@ -43,11 +45,6 @@ std::string description_of(const ParameterInfo& info) {
   if (!range.empty()) text += fmt::format(" ({})", range);
   if (!info.choices.empty()) text += fmt::format(" ({})", fmt::join(info.choices, ", "));
   return text + fmt::format(" Default: {}.", info.default_text);
-}
-
-// "-o,--output" is known as "output".
-std::string key_of(const std::string& flag) {
-  return flag.substr(flag.rfind("--") + 2);
 }
 
 // A command's part of the parser, and where its arguments go.
@@ -79,6 +76,7 @@ class Parser {
       }
       if (option->count() > 0) arguments.lists[name] = option->results();
     }
+    if (auto safe = check_outputs(command_, arguments); !safe) return safe;
     return command_.run(arguments);
   }
 
@@ -229,6 +227,22 @@ CLI::App& place_of(CLI::App& root, const std::string& words, const std::string& 
 }
 
 }  // namespace
+
+Flag input_flag(std::string name, std::string text, bool required) {
+  return {std::move(name), std::move(text), required, true, Role::kInput};
+}
+
+Flag output_flag(std::string name, std::string text, bool required) {
+  return {std::move(name), std::move(text), required, true, Role::kOutput};
+}
+
+Flag folder_flag(std::string name, std::string text, std::vector<std::string> writes) {
+  return {std::move(name), std::move(text), false, true, Role::kOutputFolder, std::move(writes)};
+}
+
+std::string key_of(const std::string& flag) {
+  return flag.substr(flag.rfind("--") + 2);
+}
 
 std::string Arguments::text(const std::string& name) const {
   const auto found = texts.find(name);

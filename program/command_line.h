@@ -11,21 +11,36 @@
 
 namespace somato::program {
 
+/// What the value of an argument is for.
+enum class Role {
+  kValue,         ///< A number, a name, a choice.
+  kInput,         ///< A file or folder that is read, or the name of something shipped.
+  kOutput,        ///< A file that is written.
+  kOutputFolder,  ///< A folder that files are written into.
+};
+
 /// An argument without a flag, in its place.
 struct Positional {
   std::string name;  ///< Upper case, as the usage shows it.
   std::string text;
   bool required = true;
   bool many = false;  ///< Takes all that is left, at least one where it is required.
+  Role role = Role::kInput;
 };
 
-/// A flag that is no parameter of a struct: where things come from and go to.
+/// A flag that is not a parameter of a struct: where things come from and go to.
 struct Flag {
   std::string name;  ///< Such as "--out" or "-o,--output".
   std::string text;
   bool required = false;
   bool takes_value = true;
+  Role role = Role::kValue;
+  std::vector<std::string> writes = {};  ///< Of an output folder: the names of the files in it.
 };
+
+Flag input_flag(std::string name, std::string text, bool required = false);
+Flag output_flag(std::string name, std::string text, bool required = false);
+Flag folder_flag(std::string name, std::string text, std::vector<std::string> writes = {});
 
 /// What was written on the command line: by the name of a positional or flag, without dashes.
 class Arguments {
@@ -51,6 +66,9 @@ struct Command {
   std::string table = {};  ///< Of TOML files, that holds the same parameters as keys.
 };
 
+/// The key of a flag in Arguments: "-o,--output" is known as "output".
+std::string key_of(const std::string& flag);
+
 /// The flag of a parameter: `radius_start` is `--radius-start`.
 std::string flag_of(const std::string& parameter_name);
 
@@ -66,7 +84,7 @@ Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
 
 /// Finds the command that `argv` asks for and runs it. Prints help, the version, and on standard
 /// error what went wrong. Returns the program's exit code: 0 done, 1 failed, 2 wrong usage, 3
-/// done with losses, 130 interrupted.
+/// done with losses, 130 or 143 interrupted (128 and the signal).
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands);
 
 }  // namespace somato::program

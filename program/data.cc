@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "memory_flag.h"
 #include "somato/core/threads.h"
 #include "somato/files/labels.h"
 #include "somato/files/number_file.h"
@@ -12,7 +14,7 @@
 namespace somato::program {
 
 std::vector<Flag> data_flags() {
-  return {{"--labels", "Text file with the label of each row, one a line"},
+  return {input_flag("--labels", "Text file with the label of each row, one a line"),
           {"--label-column", "Column of a CSV file that holds labels, by name or number from 1"},
           {"--header",
            "Whether the first line of a text file holds names, yes or no; default: "
@@ -46,11 +48,20 @@ Result<void> check_labels_given_once(const Arguments& arguments) {
               "use either --labels or --label-column");
 }
 
+// What is no regular file cannot be read in parts, and has no size before it has been read.
+Result<std::size_t> limit_of(const Arguments& arguments) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(arguments.text("DATA"), ignored)) return kLargestFile;
+  return read_memory(arguments);
+}
+
 Result<Data> read_data(const Arguments& arguments) {
   if (auto once = check_labels_given_once(arguments); !once) return fail(std::move(once.error()));
   const auto options = read_csv_options(arguments);
   if (!options) return fail(options.error());
-  auto table = read_numbers(arguments.text("DATA"), *options);
+  const auto limit = limit_of(arguments);
+  if (!limit) return fail(limit.error());
+  auto table = read_numbers(arguments.text("DATA"), *options, *limit);
   if (!table) return fail(std::move(table.error()));
   auto labels = read_labels_of(arguments, table->values.rows());
   if (!labels) return fail(std::move(labels.error()));

@@ -14,6 +14,7 @@
 #include "somato/files/toml_file.h"
 #include "somato/recording/recording_file.h"
 #include "somato/simulation/explorer.h"
+#include "somato/simulation/hand_picture.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -36,7 +37,16 @@ Result<ExploringParameters> read_parameters(const Arguments& arguments) {
 
 Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) {
   if (!arguments.has("objects")) return default_things(body);
-  return read_object_table(arguments.text("objects"), declared_materials());
+  auto table = read_object_table(arguments.text("objects"), declared_materials());
+  if (!table) return table;
+  std::vector<std::string> meshes;
+  for (const Object& object : table->objects) {
+    if (!object.mesh_file.empty()) meshes.push_back(object.mesh_file);
+  }
+  if (auto apart = check_not_read(arguments.text("output"), meshes); !apart) {
+    return fail(std::move(apart.error()));
+  }
+  return table;
 }
 
 struct Request {
@@ -44,6 +54,7 @@ struct Request {
   ExploringPlan plan;
   std::string output;
   std::string image_folder;
+  std::size_t longest = 600;  // s of the body's time
 };
 
 Result<Request> read_request(const Arguments& arguments) {
@@ -57,6 +68,8 @@ Result<Request> read_request(const Arguments& arguments) {
   if (!seed) return fail(std::move(seed.error()));
   auto explorations = arguments.number("explorations", 1);
   if (!explorations) return fail(std::move(explorations.error()));
+  auto longest = arguments.number("longest", 1);
+  if (!longest) return fail(std::move(longest.error()));
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
   auto explorer = Explorer::build(*body, *things, *parameters, seed->value_or(1));
@@ -65,7 +78,8 @@ Result<Request> read_request(const Arguments& arguments) {
   return Request{std::move(*explorer),
                  {count, explorations->value_or(5), *threads},
                  arguments.text("output"),
-                 arguments.text("images")};
+                 arguments.text("images"),
+                 longest->value_or(600)};
 }
 
 // The number of frames of what a hand felt at each of its steps; of a probe, of its only channel.
@@ -109,8 +123,16 @@ void report_failures(const Request& request, const ExploringOutcome& outcome) {
 }
 
 // The command has done something even where not all went well.
-Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
+Result<void> judge(const Request& request, const ExploringOutcome& outcome,
+                   const GraspPictures& pictures) {
   report_failures(request, outcome);
+  if (outcome.failures.empty() && pictures.lost() > 0) {
+    Error error = *pictures.first_error();
+    error.kind = ErrorKind::kIncomplete;
+    error.what = fmt::format("all is recorded, but {} of the pictures could not be saved: {}",
+                             pictures.lost(), error.what);
+    return fail(std::move(error));
+  }
   if (outcome.failures.empty()) return {};
   return fail(ErrorKind::kIncomplete,
               fmt::format("{} of {} explorations failed and are not recorded",
@@ -124,8 +146,12 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
     spread.add(exploration);
     return file.add(std::move(exploration));
   };
+  GraspPictures pictures(request.image_folder);
+  const ExploreOptions options{
+      {static_cast<double>(request.longest), [] { return !stop_requested(); }},
+      request.image_folder.empty() ? nullptr : &pictures};
   const auto explore = [&](std::size_t thing, std::size_t trial) {
-    return request.explorer.explore(thing, trial, request.image_folder);
+    return request.explorer.explore(thing, trial, options);
   };
   auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
@@ -139,13 +165,12 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   if (auto finished = file.finish(); !finished) return finished;
   fmt::print("{}: {} explorations of {} thing{}, {}\n", request.output, recorded,
              request.plan.items, request.plan.items == 1 ? "" : "s", spread.text());
-  if (!interrupted) return judge(request, *outcome);
+  if (!interrupted) return judge(request, *outcome, pictures);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));
 }
 
 Result<void> run_explore(const Arguments& arguments) {
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto request = read_request(arguments);
   if (!request) return fail(std::move(request.error()));
   OutputFolder images(request->image_folder, "--images");
@@ -160,25 +185,30 @@ Result<void> run_explore(const Arguments& arguments) {
 }  // namespace
 
 Command explore_command() {
-  return {"explore",
-          "Explore things with a simulated hand or probe, and record what it feels",
-          {},
-          {{"--body",
-            "What explores: lucs2, lucs3, texture, hardness, probes (both of these), or all_senses "
-            "(Hand III with taxels, then both probes)",
-            true},
-           {"--objects", "TOML file with the things to explore, instead of the body's own table"},
-           {"--explorations", "Number of explorations of each thing; 5 unless given"},
-           {"--seed", "Seed of placement and noise; 1 unless given"},
-           {"--settings",
-            "TOML file with tables of parameters: simulation, plan, grasp, closing, texture_probe, "
-            "stroke, hardness_probe, press"},
-           {"--images", "Folder for pictures of the grasps"},
-           threads_flag(),
-           {"-o,--output", "File for the recording", true}},
-          SimulationParameters::declarations().infos(),
-          run_explore,
-          "simulation"};
+  return {
+      "explore",
+      "Explore things with a simulated hand or probe, and record what it feels",
+      {},
+      {{"--body",
+        "What explores: lucs2, lucs3, texture, hardness, probes (both of these), or all_senses "
+        "(Hand III with taxels, then both probes)",
+        true},
+       input_flag("--objects",
+                  "TOML file with the things to explore, instead of the body's own table"),
+       {"--explorations", "Number of explorations of each thing; 5 unless given"},
+       {"--seed", "Seed of placement and noise; 1 unless given"},
+       {"--longest",
+        "The most seconds of the body's own time that an exploration may take; 600 unless given"},
+       input_flag(
+           "--settings",
+           "TOML file with tables of parameters: simulation, plan, grasp, closing, texture_probe, "
+           "stroke, hardness_probe, press"),
+       folder_flag("--images", "Folder for pictures of the grasps"),
+       threads_flag(),
+       output_flag("-o,--output", "File for the recording", true)},
+      SimulationParameters::declarations().infos(),
+      run_explore,
+      "simulation"};
 }
 
 }  // namespace somato::program

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "commands.h"
-#include "output.h"
 #include "somato/files/toml_file.h"
 #include "somato/recording/csv_trials.h"
 #include "somato/recording/format.h"
@@ -124,7 +123,6 @@ std::string summary(const Recording& recording) {
 }
 
 Result<void> run_import(const Arguments& arguments) {
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   const auto recording =
       arguments.text("FORMAT") == kCsv ? import_csv(arguments) : import_named(arguments);
   if (!recording) return fail(recording.error());
@@ -139,12 +137,14 @@ Result<void> run_import(const Arguments& arguments) {
 Command import_command() {
   return {"import",
           "Make a recording of a folder of recorded files",
-          {{"FORMAT", fmt::format("What the files are: {}", fmt::join(formats(), ", ")), true},
+          {{"FORMAT", fmt::format("What the files are: {}", fmt::join(formats(), ", ")), true,
+            false, Role::kValue},
            {"DIR", "Folder with the files, in it or below", true}},
-          {{"-o,--output", "File for the recording", true},
-           {"--description",
-            "For csv: TOML file with the tables [import] and [[channel]], instead of the flags "
-            "below"},
+          {output_flag("-o,--output", "File for the recording", true),
+           input_flag(
+               "--description",
+               "For csv: TOML file with the tables [import] and [[channel]], instead of the flags "
+               "below"),
            {"--channels",
             "For csv: the channels with their units and columns, such as "
             "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz"}},

@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "data.h"
-#include "output.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
 #include "somato/studies/information.h"
@@ -68,9 +67,6 @@ Result<Information> measure(const Arguments& arguments) {
 }
 
 Result<void> run_information(const Arguments& arguments) {
-  if (arguments.has("output")) {
-    if (auto savable = check_output(arguments, "output"); !savable) return savable;
-  }
   auto information = measure(arguments);
   if (!information) return fail(std::move(information.error()));
   if (arguments.has("output")) {
@@ -87,9 +83,8 @@ Command information_command() {
   return {"information",
           "Measure how much a recording's vectors tell, as they reach a study's map",
           {{"STUDY", "TOML file that describes the study and its system", true}},
-          {{"--data", "The recording: its file, or a folder of original files", true},
-           threads_flag(),
-           {"-o,--output", "File for the figures, in JSON"}},
+          {input_flag("--data", "The recording: its file, or a folder of original files", true),
+           threads_flag(), output_flag("-o,--output", "File for the figures, in JSON")},
           InformationParameters::declarations().infos(),
           run_information,
           "information"};

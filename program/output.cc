@@ -3,9 +3,18 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace somato::program {
 namespace {
+
+namespace fs = std::filesystem;
+
+// As deep as importers look.
+constexpr int kDeepestFolder = 16;
+
+// An argument and a path that it names.
+using NamedPath = std::pair<std::string, std::string>;
 
 Result<void> refuse(const std::string& path, int reason, const std::string& advice) {
   return fail(ErrorKind::kSystem, "cannot save: " + std::generic_category().message(reason), path,
@@ -15,46 +24,117 @@ Result<void> refuse(const std::string& path, int reason, const std::string& advi
 // Whether two paths lead to one regular file, or to the same place where there is none yet.
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code missing;
-  if (std::filesystem::exists(a, missing)) {
-    return std::filesystem::is_regular_file(a, missing) &&
-           std::filesystem::equivalent(a, b, missing);
+  if (fs::exists(a, missing)) {
+    return fs::is_regular_file(a, missing) && fs::equivalent(a, b, missing);
   }
-  return std::filesystem::weakly_canonical(a, missing) ==
-         std::filesystem::weakly_canonical(b, missing);
+  return fs::weakly_canonical(a, missing) == fs::weakly_canonical(b, missing);
+}
+
+// Whether `file`, which exists, is one of the files of `folder`, under whatever name.
+bool is_in_folder(const std::string& file, const std::string& folder) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing) || !fs::is_directory(folder, missing)) return false;
+  const auto options = fs::directory_options::follow_directory_symlink |
+                       fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, options, missing), end; at != end;
+       at.increment(missing)) {
+    if (missing) return false;
+    if (at.depth() >= kDeepestFolder) at.disable_recursion_pending();
+    if (at->is_regular_file(missing) && fs::equivalent(at->path(), file, missing)) return true;
+  }
+  return false;
+}
+
+// Whether `file` is one of those that a command writes into `folder`, or below it.
+bool is_written(const std::string& file, const std::string& folder,
+                const std::vector<std::string>& names) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) return false;
+  for (const std::string& name : names) {
+    if (same_file(file, (fs::path(folder) / name).string())) return true;
+  }
+  return false;
+}
+
+tl::unexpected<Error> would_replace(const std::string& what, const std::string& output) {
+  return fail(ErrorKind::kUsage, "the file is given twice; saving would write over " + what, output,
+              "name another file");
+}
+
+Result<void> check_not_read(const std::string& output, const NamedPath& read) {
+  if (same_file(output, read.second)) return would_replace(read.first, output);
+  if (!is_in_folder(output, read.second)) return {};
+  return fail(ErrorKind::kUsage, "saving would write over a file of the folder " + read.first,
+              output, "name a file outside of it, or remove this one first");
+}
+
+std::vector<NamedPath> inputs_of(const Command& command, const Arguments& arguments) {
+  std::vector<NamedPath> inputs;
+  for (const Positional& positional : command.positionals) {
+    if (positional.role != Role::kInput) continue;
+    if (arguments.has(positional.name)) {
+      inputs.emplace_back(positional.name, arguments.text(positional.name));
+    }
+    const auto many = arguments.lists.find(positional.name);
+    if (many == arguments.lists.end()) continue;
+    for (const std::string& path : many->second) inputs.emplace_back("one of " + many->first, path);
+  }
+  for (const Flag& flag : command.flags) {
+    const std::string key = key_of(flag.name);
+    if (flag.role != Role::kInput || !arguments.has(key)) continue;
+    inputs.emplace_back("--" + key, arguments.text(key));
+  }
+  return inputs;
+}
+
+Result<void> check_folder(const Flag& flag, const std::string& folder,
+                          const std::vector<NamedPath>& inputs) {
+  for (const NamedPath& input : inputs) {
+    if (!is_written(input.second, folder, flag.writes)) continue;
+    return fail(ErrorKind::kUsage, "results are written over it, which is given as " + input.first,
+                input.second, "give --" + key_of(flag.name) + " another folder");
+  }
+  return {};
 }
 
 }  // namespace
 
 Result<void> check_output(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
+  if (fs::is_directory(path, ignored)) {
     return refuse(path, EISDIR, "name a file, not a folder");
   }
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";
-  if (std::filesystem::is_directory(folder, ignored)) return {};
-  return refuse(path, std::filesystem::exists(folder, ignored) ? ENOTDIR : ENOENT,
-                "check the path; folders are not made for you");
+  if (fs::is_directory(folder, ignored)) return {};
+  return refuse(path, fs::exists(folder, ignored) ? ENOTDIR : ENOENT,
+                "make the folder first, or check the path");
 }
 
-Result<void> check_output(const Arguments& arguments, const std::string& name) {
-  if (!arguments.has(name)) return {};
-  const std::string path = arguments.text(name);
-  for (const char* other : {"DATA", "MAP", "SYSTEM", "FILE", "labels", "output", "activity",
-                            "description", "data", "model"}) {
-    if (other == name || !arguments.has(other) || !same_file(path, arguments.text(other))) continue;
-    return fail(ErrorKind::kUsage,
-                "the file is given twice; saving would write over " + std::string(other), path,
-                "name another file");
+Result<void> check_not_read(const std::string& output, const std::vector<std::string>& read) {
+  for (const std::string& path : read) {
+    if (auto other = check_not_read(output, NamedPath{path, path}); !other) return other;
   }
-  for (const auto& [many, paths] : arguments.lists) {
-    for (const std::string& other : paths) {
-      if (!same_file(path, other)) continue;
-      return fail(ErrorKind::kUsage, "saving would write over one of " + many, path,
-                  "name another file");
+  return {};
+}
+
+Result<void> check_outputs(const Command& command, const Arguments& arguments) {
+  std::vector<NamedPath> others = inputs_of(command, arguments);
+  for (const Flag& flag : command.flags) {
+    const std::string key = key_of(flag.name);
+    if (!arguments.has(key)) continue;
+    const std::string path = arguments.text(key);
+    if (flag.role == Role::kOutputFolder) {
+      if (auto apart = check_folder(flag, path, others); !apart) return apart;
     }
+    if (flag.role != Role::kOutput) continue;
+    for (const NamedPath& other : others) {
+      if (auto apart = check_not_read(path, other); !apart) return apart;
+    }
+    if (auto savable = check_output(path); !savable) return savable;
+    others.emplace_back("--" + key, path);
   }
-  return check_output(path);
+  return {};
 }
 
 }  // namespace somato::program

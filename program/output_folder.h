@@ -25,6 +25,11 @@ class OutputFolder {
   /// Errors (kSystem): it cannot be made, or something stands in the place of one of its files.
   Result<void> make();
 
+  /// The names of the files that come to be in it.
+  static std::vector<std::string> names() {
+    return {"results.json", "map.svg", "system.somato", "unfinished.journal"};
+  }
+
   std::string results() const { return (path_ / "results.json").string(); }
   std::string map() const { return (path_ / "map.svg").string(); }
   std::string system() const { return (path_ / "system.somato").string(); }

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "commands.h"
-#include "output.h"
 #include "somato/recording/recover_recording.h"
 
 namespace somato::program {
@@ -21,8 +20,6 @@ void print_report(const RecoveryReport& report) {
 Result<void> recover(const Arguments& arguments) {
   const Result<RecordingFileParameters> parameters = read_flags<RecordingFileParameters>(arguments);
   if (!parameters) return fail(parameters.error());
-  Result<void> possible = check_output(arguments, "output");
-  if (!possible) return possible;
   const std::string from = arguments.text("FILE");
   const Result<RecoveryReport> report =
       recover_recording(from, arguments.text("output"), *parameters);
@@ -39,7 +36,7 @@ Command recover_command() {
   return {"recover",
           "Save what a damaged recording holds",
           {{"FILE", "A recording (MCAP) that is cut off or damaged", true}},
-          {{"-o,--output", "Where the new, whole recording goes", true},
+          {output_flag("-o,--output", "Where the new, whole recording goes", true),
            {"--compression", "How chunks are packed: none, lz4 or zstd (default)"}},
           {},
           recover};

@@ -117,7 +117,7 @@ std::string reference_page(const std::vector<Command>& commands) {
       "program itself reads; a test compares the two. [The tutorial](../tutorial.md) shows them at "
       "work, [results.md](results.md) defines what is measured.\n\n"
       "Exit codes: 0 done, 1 the data or the machine was at fault, 2 wrong usage, 3 done "
-      "with losses, 130 interrupted.\n\n## Commands\n\n";
+      "with losses, 130 or 143 interrupted.\n\n## Commands\n\n";
   for (const Command& command : commands) add_command(page, command);
   page +=
       "## Study files\n\nA study is a TOML file: the tables `[study]` and `[recording]`, and a "

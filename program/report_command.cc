@@ -23,6 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using Model = std::shared_ptr<const ReportModel>;
 
+constexpr std::size_t kLargestResults = std::size_t{64} << 20;  // bytes
+
 Result<std::string_view> find_page() {
   for (const Page& page : pages()) {
     if (page.name == "report.html") return page.text;
@@ -40,7 +42,7 @@ Result<void> check_results(const Arguments& arguments) {
       return fail(ErrorKind::kUsage, "the file is given twice", paths[i], "name each once");
     }
   }
-  return check_output(arguments, "output");
+  return {};
 }
 
 Result<Model> load_model(const std::string& path) {
@@ -86,7 +88,7 @@ Result<std::vector<ReportFile>> read_files(const Arguments& arguments) {
   }
   std::vector<ReportFile> files;
   for (const std::string& path : arguments.lists.at("RESULTS")) {
-    const auto text = read_whole(path);
+    const auto text = read_whole(path, kLargestResults);
     if (!text) return fail(text.error());
     auto results = parse_results(*text, path);
     if (!results) return fail(std::move(results.error()));
@@ -126,6 +128,22 @@ Result<Report> make(const Arguments& arguments) {
   return make_report(*files, sources);
 }
 
+// What is found beside the results by itself.
+Result<void> check_found(const Arguments& arguments) {
+  for (const std::string& path : arguments.lists.at("RESULTS")) {
+    std::vector<std::string> found = models_beside(path);
+    const fs::path folder = fs::path(path).parent_path();
+    for (const fs::path& place : {folder.empty() ? fs::path(".") : folder, folder / "recordings"}) {
+      std::error_code missing;
+      for (const auto& entry : fs::directory_iterator(place, missing)) {
+        if (entry.path().extension() == ".mcap") found.push_back(entry.path().string());
+      }
+    }
+    if (auto apart = check_not_read(arguments.text("output"), found); !apart) return apart;
+  }
+  return {};
+}
+
 std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -133,7 +151,8 @@ std::string counted(std::size_t count, const std::string& what) {
 Result<void> run_report(const Arguments& arguments) {
   const auto page = find_page();
   if (!page) return fail(page.error());
-  if (auto free = check_results(arguments); !free) return free;
+  if (auto once = check_results(arguments); !once) return once;
+  if (auto apart = check_found(arguments); !apart) return apart;
   const auto report = make(arguments);
   if (!report) return fail(report.error());
   const auto whole = report_page(*page, report->json);
@@ -149,20 +168,22 @@ Result<void> run_report(const Arguments& arguments) {
 }  // namespace
 
 Command report_command() {
-  return {"report",
-          "Make one page of results, to look at in a browser: maps, what their neurons stand for, "
-          "what the sensors told, claims",
-          {{"RESULTS", "results.json of studies and reproductions", true, true}},
-          {{"-o,--output", "The page to save, such as report.html", true},
-           {"--data",
-            "Recordings that the results are of, beside those in the folders of RESULTS: a file, "
-            "a folder of files, a data set, or a folder of data sets"},
-           {"--model",
-            "A trained system, beside those in the folders of RESULTS; used for results "
-            "with its settings"},
-           threads_flag()},
-          {},
-          run_report};
+  return {
+      "report",
+      "Make one page of results, to look at in a browser: maps, what their neurons stand for, "
+      "what the sensors told, claims",
+      {{"RESULTS", "results.json of studies and reproductions", true, true}},
+      {output_flag("-o,--output", "The page to save, such as report.html", true),
+       input_flag(
+           "--data",
+           "Recordings that the results are of, beside those in the folders of RESULTS: a file, "
+           "a folder of files, a data set, or a folder of data sets"),
+       input_flag("--model",
+                  "A trained system, beside those in the folders of RESULTS; used for results "
+                  "with its settings"),
+       threads_flag()},
+      {},
+      run_report};
 }
 
 }  // namespace somato::program

@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "data.h"
+#include "folder_lock.h"
 #include "output.h"
 #include "reproduction_recordings.h"
 #include "reproduction_table.h"
@@ -314,6 +315,8 @@ Result<void> run_reproduce(const Arguments& arguments) {
   auto request = read_reproduction_request(arguments);
   if (!request) return fail(std::move(request.error()));
   if (auto made = make_folders(request->out); !made) return made;
+  const auto lock = FolderLock::take(request->out);
+  if (!lock) return fail(lock.error());
   Reproduction reproduction(*request);
   if (auto ran = reproduction.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
   const std::string path = (request->out / "results.json").string();
@@ -338,11 +341,14 @@ Command reproduce_command() {
       {{"--pairs", "Pairs of recording and seed for each system; 100 unless given"},
        {"--recordings", "Independent recordings they are spread over; 6 unless given"},
        {"--seed", "First seed of exploring and of training; 2011 unless given"},
-       {"--data",
-        "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
-        "of data sets"},
-       {"--test-data", "A recording of its own to test what learned from all of each other"},
-       {"--out", "Folder for results.json, maps and recordings; out/reproduction unless given"},
+       input_flag(
+           "--data",
+           "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
+           "of data sets"),
+       input_flag("--test-data", "A separate recording to test on"),
+       folder_flag("--out",
+                   "Folder for results.json, maps and recordings; out/reproduction unless given",
+                   {"results.json"}),
        threads_flag()},
       {},
       run_reproduce};

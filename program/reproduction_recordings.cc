@@ -35,8 +35,10 @@ Result<void> explore_into(const std::string& path, const Explorer& explorer,
                           const ExploringPlan& plan, const std::string& name) {
   auto file = RecordingFile::begin(path);
   if (!file) return fail(std::move(file.error()));
+  const ExploreOptions options{{.goes_on = [] { return !stop_requested(); }}};
   const auto explored = explore_all(
-      plan, [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial); },
+      plan,
+      [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial, options); },
       [&](Exploration&& exploration) { return file->add(std::move(exploration)); },
       terminal_progress("exploring " + name));
   if (!explored) return fail(explored.error());

@@ -11,6 +11,7 @@
 #include "memory_flag.h"
 #include "somato/core/check.h"
 #include "somato/maps/initial_weights.h"
+#include "somato/maps/sample_range.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -113,6 +114,7 @@ Result<RowData> read_rows(const Arguments& arguments) {
   auto file = open_large(arguments);
   if (!file) return fail(std::move(file.error()));
   RowData rows;
+  rows.path = arguments.text("DATA");
   if (*file) {
     rows.file_ = std::move(*file);
     rows.features = rows.file_->names();
@@ -160,9 +162,27 @@ Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
   return MapAndRows{std::move(*model), std::move(*rows)};
 }
 
+Result<SamplePart> SamplesInRange::next() {
+  auto part = source_.next();
+  if (!part || !*part) return part;
+  for (std::size_t i = 0; i < (*part)->count(); ++i) {
+    if (is_in_range((**part)[i])) continue;
+    return fail(
+        ErrorKind::kData,
+        fmt::format("row {} is too large for the map: as the map takes it, it has to be told "
+                    "apart from others in single precision",
+                    done_ + i + 1),
+        path_, "leave the row out, or write what stands for a missing number as one");
+  }
+  done_ += (*part)->count();
+  return part;
+}
+
 PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
     : standardized_(rows.samples(), [&model](const Samples& part) { return model.prepare(part); }),
-      ahead_(model.standardization ? static_cast<SampleSource&>(standardized_) : rows.samples()) {}
+      in_range_(model.standardization ? static_cast<SampleSource&>(standardized_) : rows.samples(),
+                rows.path),
+      ahead_(in_range_) {}
 
 Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads) {
   const Progress progress = rows.in_memory() ? Progress() : terminal_progress("measuring");

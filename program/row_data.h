@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line.h"
@@ -19,6 +20,7 @@ class RowData {
  public:
   std::vector<std::string> features;  ///< Names of the columns, or empty.
   Classes classes;                    ///< Of the rows; empty without labels.
+  std::string path;                   ///< Of the file.
   std::size_t count = 0;              ///< Rows.
   std::vector<float> low;             ///< The least number of each column.
   std::vector<float> high;            ///< The greatest.
@@ -56,7 +58,28 @@ struct MapAndRows {
 /// Reads the positionals `MAP` and `DATA`; kData when the map takes another number of columns.
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments);
 
+/// Samples as a map takes them, of a source that must outlive this. Errors (kData, with the row):
+/// one is too large to be told apart from others in single precision.
+class SamplesInRange final : public SampleSource {
+ public:
+  SamplesInRange(SampleSource& source, std::string path)
+      : source_(source), path_(std::move(path)) {}
+
+  std::size_t size() const override { return source_.size(); }
+  Result<void> rewind() override {
+    done_ = 0;
+    return source_.rewind();
+  }
+  Result<SamplePart> next() override;
+
+ private:
+  SampleSource& source_;
+  std::string path_;
+  std::size_t done_ = 0;  // samples
+};
+
 /// Rows as the map of a model takes them, parts of a file read ahead. Both must outlive this.
+/// Errors of the samples: those of the file, and of SamplesInRange.
 class PreparedRows {
  public:
   PreparedRows(const SomModel& model, const RowData& rows);
@@ -65,6 +88,7 @@ class PreparedRows {
 
  private:
   ChangedSamples standardized_;
+  SamplesInRange in_range_;
   ReadAhead ahead_;
 };
 

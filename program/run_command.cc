@@ -9,6 +9,7 @@
 #include "data.h"
 #include "explanation.h"
 #include "explore_table.h"
+#include "folder_lock.h"
 #include "output_folder.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
@@ -38,7 +39,8 @@ Result<void> read_file(const std::string& path, const Table& file, ReproductionP
   return {};
 }
 
-Result<StudyDescription> describe(const Arguments& arguments) {
+// The study of the file, which comes first, and its variations.
+Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   auto seeds = arguments.number("seeds", 1);
   if (!seeds) return fail(std::move(seeds.error()));
   Result<Table> file = read_toml(arguments.text("STUDY"));
@@ -47,9 +49,17 @@ Result<StudyDescription> describe(const Arguments& arguments) {
   if (auto read = read_file(arguments.text("STUDY"), *file, plan); !read) {
     return fail(std::move(read.error()));
   }
-  StudyDescription description = std::move(plan.parts.front().description);
-  if (*seeds) description.study.seeds = **seeds;
-  return description;
+  if (*seeds) plan.parts.front().description.study.seeds = **seeds;
+  return plan;
+}
+
+// Only a recording tells whether a system can be built.
+Result<void> check_variations(const ReproductionPlan& plan, const Recording& recording) {
+  for (std::size_t i = 1; i < plan.parts.size(); ++i) {
+    const auto system = System::build(plan.parts[i].description.system, layout_of(recording));
+    if (!system) return fail(system.error());
+  }
+  return {};
 }
 
 std::string summary(const Metric& metric) {
@@ -105,15 +115,19 @@ Result<std::optional<Recording>> read_test_data(const Arguments& arguments,
   });
 }
 
-Result<void> run_whole(const Arguments& arguments, const StudyDescription& description,
+Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
                        std::size_t threads) {
+  const StudyDescription& description = plan.parts.front().description;
   const RecordingFormat format = description.recording.format;
   auto recording = read_study_data(format, arguments.text("data"));
   if (!recording) return fail(std::move(recording.error()));
+  if (auto buildable = check_variations(plan, *recording); !buildable) return buildable;
   auto test_data = read_test_data(arguments, format);
   if (!test_data) return fail(std::move(test_data.error()));
   OutputFolder folder(arguments.text("out"), "--out");
   if (auto made = folder.make(); !made) return made;
+  const auto lock = FolderLock::take(arguments.text("out"));
+  if (!lock) return fail(lock.error());
   const StudyOptions options{threads, terminal_progress(description.study.name),
                              *test_data ? &**test_data : nullptr, folder.journal()};
   auto outcome = run_study(description, *recording, options);
@@ -134,25 +148,28 @@ Result<void> run_study_command(const Arguments& arguments) {
   if (!needed) return needed;
   auto threads = read_threads(arguments);
   if (!threads) return fail(std::move(threads.error()));
-  auto description = describe(arguments);
-  if (!description) return fail(std::move(description.error()));
-  return explains ? explain(arguments, *description) : run_whole(arguments, *description, *threads);
+  const auto plan = read_study_plan(arguments);
+  if (!plan) return fail(plan.error());
+  return explains ? explain(arguments, plan->parts.front().description)
+                  : run_whole(arguments, *plan, *threads);
 }
 
 }  // namespace
 
 Command run_command() {
-  return {"run",
-          "Run a study: train a system on a recording and test it",
-          {{"STUDY", "TOML file that describes the study and its system", true}},
-          {{"--data", "The recording: its file, or a folder of original files"},
-           {"--test-data", "A recording of its own to test what learned from all of --data"},
-           {"--out", "Folder for results.json, map.svg and system.somato"},
-           {"--seeds", "Number of seeds, instead of the study's"},
-           {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
-           threads_flag()},
-          {},
-          run_study_command};
+  return {
+      "run",
+      "Run a study: train a system on a recording and test it",
+      {{"STUDY", "TOML file that describes the study and its system", true}},
+      {input_flag("--data", "The recording: its file, or a folder of original files"),
+       input_flag("--test-data", "A separate recording to test what learned from all of --data"),
+       folder_flag("--out", "Folder for results.json, map.svg and system.somato",
+                   OutputFolder::names()),
+       {"--seeds", "Number of seeds, instead of the study's"},
+       {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
+       threads_flag()},
+      {},
+      run_study_command};
 }
 
 }  // namespace somato::program

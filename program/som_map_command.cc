@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "data.h"
 #include "memory_flag.h"
-#include "output.h"
 #include "row_data.h"
 #include "somato/files/csv.h"
 #include "somato/files/file_writer.h"
@@ -67,12 +66,12 @@ std::string winners_csv(const SomModel& model, const Samples& samples, std::size
 Result<void> write_winners(const MapAndRows& both, const Arguments& arguments) {
   TextOutput output;
   if (auto begun = output.begin(arguments); !begun) return begun;
-  if (auto written = output.write(header_of_csv(both.model)); !written) return written;
   PreparedRows prepared(both.model, both.rows);
   std::size_t done = 0;
   return for_each_part(prepared.samples(),
                        [&](const Samples& part) {
-                         const std::string csv = winners_csv(both.model, part, done);
+                         std::string csv = winners_csv(both.model, part, done);
+                         if (done == 0) csv.insert(0, header_of_csv(both.model));
                          done += part.count();
                          return output.write(csv);
                        })
@@ -101,8 +100,6 @@ Result<void> write_activity(const MapAndRows& both, const std::string& path) {
 }
 
 Result<void> map(const Arguments& arguments) {
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
-  if (auto savable = check_output(arguments, "activity"); !savable) return savable;
   const auto both = read_map_and_rows(arguments);
   if (!both) return fail(both.error());
   if (arguments.has("activity")) {
@@ -118,8 +115,8 @@ Command som_map_command() {
   return {"som map",
           "Find the winner of each row on a map, and its label if the map has labels",
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
-          {{"-o,--output", "CSV file instead of standard output"},
-           {"--activity", "NPY file for the activity of every neuron, a row a sample"},
+          {output_flag("-o,--output", "CSV file instead of standard output"),
+           output_flag("--activity", "NPY file for the activity of every neuron, a row a sample"),
            {"--label-column", "Column of a CSV file that holds labels, which is left out"},
            {"--header",
             "Whether the first line of a text file holds names, yes or no; default: when it holds "

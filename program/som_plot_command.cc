@@ -7,7 +7,6 @@
 #include "commands.h"
 #include "data.h"
 #include "memory_flag.h"
-#include "output.h"
 #include "row_data.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/whole_file.h"
@@ -102,7 +101,6 @@ Result<void> plot(const Arguments& arguments) {
   auto most = arguments.number("components", 0);
   if (!most) return fail(std::move(most.error()));
   if (auto usable = check_panels(arguments, *chosen); !usable) return usable;
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   auto both = read_map_and_perhaps_rows(arguments);
   if (!both) return fail(std::move(both.error()));
   const Som& som = both->model.som;
@@ -129,7 +127,7 @@ Result<void> plot(const Arguments& arguments) {
 
 Command som_plot_command() {
   std::vector<Flag> flags = data_flags();
-  flags.push_back({"-o,--output", "SVG file", true});
+  flags.push_back(output_flag("-o,--output", "SVG file", true));
   flags.push_back(
       {"--panels",
        fmt::format("What to draw, with commas between: {}; default: all that the data allow",

@@ -5,7 +5,6 @@
 #include "commands.h"
 #include "data.h"
 #include "memory_flag.h"
-#include "output.h"
 #include "row_data.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
@@ -88,7 +87,6 @@ Result<void> train(const Arguments& arguments) {
   if (!parameters) return fail(parameters.error());
   const auto threads = read_threads(arguments);
   if (!threads) return fail(threads.error());
-  if (auto savable = check_output(arguments, "output"); !savable) return savable;
   const auto rows = read_training_rows(arguments);
   if (!rows) return fail(rows.error());
   if (auto fits = check_training(*parameters, *rows, arguments.text("DATA")); !fits) return fits;
@@ -110,7 +108,7 @@ Result<void> train(const Arguments& arguments) {
 
 Command som_train_command() {
   std::vector<Flag> flags = data_flags();
-  flags.push_back({"-o,--output", "File for the trained map", true});
+  flags.push_back(output_flag("-o,--output", "File for the trained map", true));
   flags.push_back({"--standardize",
                    "Give each column mean 0 and standard deviation 1; kept with the map", false,
                    false});

@@ -74,7 +74,7 @@ Result<void> systems(const Arguments& arguments) {
 Command systems_command() {
   return {"systems",
           "List the types of modules that systems are made of, with ports and parameters",
-          {{"TYPE", "One type alone", false}},
+          {{"TYPE", "One type only", false, false, Role::kValue}},
           {{"--markdown", "As a page of the documentation", false, false}},
           {},
           systems};

@@ -3,21 +3,28 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace somato::program {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+// Lock-free, so that a signal may set it.
+std::atomic<int> interrupted = 0;
 
 void on_interrupt(int signal) {
-  interrupted = 1;
+  interrupted = signal;
   std::signal(signal, SIG_DFL);
+  constexpr std::string_view kSaid = "\nsomato: stopping; once more ends at once\n";
+  if (isatty(STDERR_FILENO) == 1) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
+  }
 }
 
 std::string duration(double seconds) {
@@ -90,13 +97,17 @@ bool stop_requested() {
   return interrupted != 0;
 }
 
+int stop_signal() {
+  return interrupted != 0 ? interrupted.load() : SIGINT;
+}
+
 Progress terminal_progress(std::string what) {
   catch_stop_requests();
   std::shared_ptr<ProgressLine> line;
   if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
   return [line](std::uint64_t done, std::uint64_t total) {
     if (line) line->show(done, total);
-    if (interrupted && line) line->end();
+    if (interrupted != 0 && line) line->end();
     return interrupted == 0;
   };
 }

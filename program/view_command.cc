@@ -177,29 +177,31 @@ Result<void> run_view(const Arguments& arguments) {
 }  // namespace
 
 Command view_command() {
-  return {"view",
-          "Look at explorations in a browser of this machine",
-          {{"RECORDING",
-            "The recording to play: its file, or a folder of original files; with --body, what "
-            "systems learn from",
-            false}},
-          {{"--body",
-            "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or "
-            "hardness"},
-           {"--object",
-            "What the body explores first, by its name; the first of its table unless given"},
-           {"--objects",
-            "TOML file with the things that a body explores, instead of its own table, or that a "
-            "recording's hand explored"},
-           {"--model", "A trained system that reads along, saved by 'somato run'"},
-           {"--port", "Port of the page; any that is free unless given"},
-           {"--address", "Address to be reached at, in digits; 127.0.0.1 unless given"},
-           {"--allow-others",
-            "Lets --address be one that other machines reach: whoever learns the start address can "
-            "then see all and move the body, and it goes through the network unprotected",
-            false, false}},
-          {},
-          run_view};
+  return {
+      "view",
+      "Look at explorations in a browser of this machine",
+      {{"RECORDING",
+        "The recording to play: its file, or a folder of original files; with --body, what "
+        "systems learn from",
+        false}},
+      {{"--body",
+        "Instead of a recording, a simulated body that explores: lucs2, lucs3, texture or "
+        "hardness"},
+       {"--object",
+        "What the body explores first, by its name; the first of its table unless given"},
+       input_flag(
+           "--objects",
+           "TOML file with the things that a body explores, instead of its own table, or that a "
+           "recording's hand explored"),
+       input_flag("--model", "A trained system that reads along, saved by 'somato run'"),
+       {"--port", "Port of the page; any that is free unless given"},
+       {"--address", "Address to be reached at, in digits; 127.0.0.1 unless given"},
+       {"--allow-others",
+        "Lets --address be one that other machines reach: whoever learns the start address can "
+        "then see all and move the body, and it goes through the network unprotected",
+        false, false}},
+      {},
+      run_view};
 }
 
 }  // namespace somato::program

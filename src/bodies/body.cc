@@ -43,7 +43,18 @@ Result<void> Body::command(std::span<const double> targets) {
 
 Result<void> Body::step(double seconds) {
   require(std::isfinite(seconds) && seconds > 0.0, "Body::step: seconds must be above 0");
+  if (state().time + seconds > limits_.longest) {
+    return fail(ErrorKind::kData,
+                fmt::format("it takes more than {:g} s of the body's time", limits_.longest), {},
+                "shorten the times of its parameters, or allow it more time");
+  }
+  if (auto goes_on = check_stop(); !goes_on) return goes_on;
   return pass(seconds);
+}
+
+Result<void> Body::check_stop() const {
+  if (!limits_.goes_on || limits_.goes_on()) return {};
+  return fail(ErrorKind::kInterrupted, "exploring was stopped before its end");
 }
 
 Result<std::size_t> find_degree_of_freedom(const BodyDescription& description,

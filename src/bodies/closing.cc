@@ -143,21 +143,23 @@ const Declarations<Closing>& Closing::declarations() {
   using P = Closing;
   static const auto declared =
       Declarations<P>()
-          .add("iteration", &P::iteration, "s", Range::above(0),
+          .add("iteration", &P::iteration, "s", Range::between(1e-4, 10),
                "Time between two frames. Not given in the paper.")
           .add("share", &P::share, "", Range{0.0, 1.0, true},
                "Share of its greatest speed at which each servo closes. Not given in the paper.")
-          .add("still", &P::still, "deg", Range::at_least(0),
+          .add("still", &P::still, "deg", Range::between(0, 360),
                "The hand is still while no joint moves further. Not given in the paper.")
           .add("still_iterations", &P::still_iterations, "", Range::between(1, 1e6),
                "Iterations for which the closed hand must be still. Not given in the paper.")
-          .add("longest", &P::longest, "s", Range::above(0),
+          .add("longest", &P::longest, "s", Range::between(1e-3, 3600),
                "A hand that takes longer to close is an error. Not given in the paper.")
           .add(
-              "settle", [](P& p) -> auto& { return p.motion.settle; }, "s", Range::above(0),
+              "settle", [](P& p) -> auto& { return p.motion.settle; }, "s",
+              Range::between(1e-4, 60),
               "Time for the open hand to come to rest. Not given in the paper.")
           .add(
-              "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s", Range::above(0),
+              "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s",
+              Range::between(1e-3, 3600),
               "A hand that takes longer to open is an error. Not given in the paper.");
   return declared;
 }

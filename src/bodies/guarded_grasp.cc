@@ -189,29 +189,31 @@ const Declarations<GuardedGrasp>& GuardedGrasp::declarations() {
   using P = GuardedGrasp;
   static const auto declared =
       Declarations<P>()
-          .add("iteration", &P::iteration, "s", Range::above(0),
+          .add("iteration", &P::iteration, "s", Range::between(1e-4, 10),
                "Time for one step of all fingers; what is felt is looked at after each. Not given "
                "in the paper.")
-          .add("proximal_step", &P::proximal_step, "deg", Range::above(0),
+          .add("proximal_step", &P::proximal_step, "deg", Range::between(1e-4, 180),
                "How far a proximal segment closes at once. Not given in the paper.")
-          .add("distal_step", &P::distal_step, "deg", Range::above(0),
+          .add("distal_step", &P::distal_step, "deg", Range::between(1e-4, 180),
                "How far a distal segment closes at once. Not given in the paper.")
-          .add("threshold", &P::threshold, "N", Range::at_least(0),
+          .add("threshold", &P::threshold, "N", Range::between(0, 1e6),
                "A segment stops when the summed change of its taxels exceeds it. Not given in the "
                "paper.")
           .add("still_iterations", &P::still_iterations, "", Range::between(0, 1e6),
                "Iterations of the closed hand that end a grasp. Not given in the paper.")
           .add("most_iterations", &P::most_iterations, "", Range::between(1, 1e6),
                "A grasp that takes more is an error. Not given in the paper.")
-          .add("proximal_open", &P::proximal_open, "deg", Range::any(),
+          .add("proximal_open", &P::proximal_open, "deg", Range::between(-360, 360),
                "Where the proximal segments are in the open hand. Not given in the paper.")
-          .add("distal_open", &P::distal_open, "deg", Range::any(),
+          .add("distal_open", &P::distal_open, "deg", Range::between(-360, 360),
                "Where the distal segments are in the open hand. Not given in the paper.")
           .add(
-              "settle", [](P& p) -> auto& { return p.motion.settle; }, "s", Range::above(0),
+              "settle", [](P& p) -> auto& { return p.motion.settle; }, "s",
+              Range::between(1e-4, 60),
               "Time to come to rest after a move between grasps. Not given in the paper.")
           .add(
-              "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s", Range::above(0),
+              "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s",
+              Range::between(1e-3, 3600),
               "A move between grasps that takes longer is an error. Not given in the paper.");
   return declared;
 }

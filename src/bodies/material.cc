@@ -43,13 +43,13 @@ const Declarations<Material>& Material::declarations() {
     Declarations<Material> d;
     d.add("hardness", &Material::hardness, "", Range::any(),
           "The group it belongs to; not given in the paper");
-    d.add("density", &Material::density, "kg/m^3", Range::above(0),
+    d.add("density", &Material::density, "kg/m^3", Range::between(0.001, 1e6),
           "Density; not given in the paper");
     d.add("friction", &Material::friction, "", Range::between(0, 2),
           "Coulomb friction against skin and table; not given in the paper");
-    d.add("stiffness", &Material::stiffness, "N/mm", Range::above(0),
+    d.add("stiffness", &Material::stiffness, "N/mm", Range::between(1e-6, 1e9),
           "Force for a mm under the tip of the hardness probe; not given in the paper");
-    d.add("touch_stiffness", &Material::touch_stiffness, "N/mm", Range::above(0),
+    d.add("touch_stiffness", &Material::touch_stiffness, "N/mm", Range::between(1e-6, 1e9),
           "Force for a mm under a taxel; automatic: as under the tip; not given in the paper");
     declare_surface(d);
     return d;

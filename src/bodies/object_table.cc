@@ -270,7 +270,7 @@ const Declarations<ObjectLine>& ObjectLine::declarations() {
           .add("scale", &P::scale, "mm", kSize, "What a unit of the mesh's file means.")
           .add("material", &P::material, "", Range::any(),
                "Name of what it is made of. Has to be given.")
-          .add("mass", &P::mass, "kg", Range::above(0),
+          .add("mass", &P::mass, "kg", Range::between(1e-6, 1e4),
                "automatic: from the volume and the material's density.");
   return declared;
 }

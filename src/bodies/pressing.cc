@@ -82,13 +82,13 @@ const Declarations<PressParameters>& PressParameters::declarations() {
   using P = PressParameters;
   static const Declarations<PressParameters> kAll =
       Declarations<PressParameters>()
-          .add("to", &P::to, "mm", Range::any(),
+          .add("to", &P::to, "mm", Range::between(-1e4, 1e4),
                "Where the stick is sent; automatic: its limit. Not given in the paper.")
           .add("step", &P::step, "s", Range::between(1e-4, 60),
                "Time between readings. Not given in the paper.")
           .add("readings", &P::readings, "", Range::between(2, 1e6),
                "How many are averaged to see whether it rests. Not given in the paper.")
-          .add("patience", &P::patience, "s", Range::above(0),
+          .add("patience", &P::patience, "s", Range::between(1e-3, 3600),
                "How long to wait for that. Not given in the paper.");
   return kAll;
 }

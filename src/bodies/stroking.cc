@@ -95,9 +95,10 @@ const Declarations<StrokeParameters>& StrokeParameters::declarations() {
   using P = StrokeParameters;
   static const Declarations<StrokeParameters> kAll =
       Declarations<StrokeParameters>()
-          .add("from", &P::from, "deg", Range::any(),
+          .add("from", &P::from, "deg", Range::between(-360, 360),
                "Where the stroke starts. Not given in the paper.")
-          .add("to", &P::to, "deg", Range::any(), "Where it ends; 36 degrees further in P11.")
+          .add("to", &P::to, "deg", Range::between(-360, 360),
+               "Where it ends; 36 degrees further in P11.")
           .add("settle", &P::settle, "s", Range::between(0.001, 60),
                "Pause before the stroke. Not given in the paper.")
           .add("step", &P::step, "s", Range::between(1e-4, 60),

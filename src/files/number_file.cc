@@ -25,8 +25,9 @@ Error no_label_column_in_npy(const std::string& path) {
           "give the labels in a file of their own, one a line"};
 }
 
-Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options) {
-  return read_whole(path).and_then([&](const std::string& bytes) {
+Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options,
+                                 std::size_t limit) {
+  return read_whole(path, limit).and_then([&](const std::string& bytes) {
     return is_npy(bytes) ? table_of_npy(bytes, path, options) : parse_csv(bytes, path, options);
   });
 }

@@ -11,7 +11,7 @@ namespace {
 std::string advice_for(int error) {
   switch (error) {
     case ENOENT:
-      return "check the path; folders are not made for you";
+      return "check the path";
     case ENOTDIR:
       return "check the path; a part of it is not a folder";
     case EEXIST:

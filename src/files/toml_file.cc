@@ -21,13 +21,13 @@
 #include <utility>
 
 #include "files/dotted_keys.h"
+#include "files/json_text.h"
 #include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
 
 constexpr std::size_t kLargestText = std::size_t{16} << 20;
-constexpr int kDeepest = 16;
 
 using Content = std::variant<Value, Table, std::vector<Table>>;
 
@@ -36,7 +36,7 @@ class Converter {
   explicit Converter(std::string_view where) : where_(where) {}
 
   Result<Table> table(const toml::table& source, int depth) const {
-    if (depth > kDeepest) return too_deep(source);
+    if (depth > kDeepestNesting) return too_deep(source);
     Table out{line(source.source()), {}};
     for (const auto& item : in_order(source)) {
       Result<Content> converted = content(*item.second, depth + 1);
@@ -71,7 +71,7 @@ class Converter {
   }
 
   tl::unexpected<Error> too_deep(const toml::node& node) const {
-    return refuse(node, fmt::format("more than {} levels inside each other", kDeepest),
+    return refuse(node, fmt::format("more than {} levels inside each other", kDeepestNesting),
                   "flatten the description");
   }
 
@@ -113,7 +113,7 @@ class Converter {
   }
 
   Result<Value> list(const toml::array& array, int depth) const {
-    if (depth > kDeepest) return too_deep(array);
+    if (depth > kDeepestNesting) return too_deep(array);
     Value::List out;
     for (const toml::node& node : array) {
       if (node.is_table()) {
@@ -143,8 +143,8 @@ Result<Table> parse_toml(std::string_view text, std::string_view where) {
     return fail(ErrorKind::kUsage, fmt::format("the text is larger than {} bytes", kLargestText),
                 std::string(where), "check that it is the right file");
   }
-  if (const std::size_t line = line_of_long_key(text, kDeepest); line > 0) {
-    return fail(ErrorKind::kUsage, fmt::format("a key of more than {} parts", kDeepest + 1),
+  if (const std::size_t line = line_of_long_key(text, kDeepestNesting); line > 0) {
+    return fail(ErrorKind::kUsage, fmt::format("a key of more than {} parts", kDeepestNesting + 1),
                 fmt::format("{}:{}", where, line), "flatten the description");
   }
   const toml::parse_result parsed = toml::parse(text);
@@ -158,8 +158,9 @@ Result<Table> parse_toml(std::string_view text, std::string_view where) {
 }
 
 Result<Table> read_toml(const std::string& path) {
-  return read_whole(path).and_then(
-      [&](const std::string& bytes) { return parse_toml(bytes, path); });
+  return read_whole(path, kLargestText).and_then([&](const std::string& bytes) {
+    return parse_toml(bytes, path);
+  });
 }
 
 }  // namespace somato

@@ -10,6 +10,7 @@
 
 #include "somato/core/memory.h"
 #include "somato/maps/initial_weights.h"
+#include "somato/maps/sample_range.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
 
@@ -83,12 +84,12 @@ double longest_of(const Samples& prepared) {
 
 // Distances are summed in single precision: beyond its range every winner would be the first.
 Result<void> check_longest(double longest) {
-  constexpr double kLongest = 1e18;
   constexpr double kShortest = 1e-15;
-  if (longest <= kLongest && (longest >= kShortest || longest == 0.0)) return {};
+  if (longest <= kLongestSample && (longest >= kShortest || longest == 0.0)) return {};
   return fail(ErrorKind::kData,
-              longest > kLongest ? "the samples are too large to be told apart in single precision"
-                                 : "the samples are too small to be told apart in single precision",
+              longest > kLongestSample
+                  ? "the samples are too large to be told apart in single precision"
+                  : "the samples are too small to be told apart in single precision",
               {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
 }
 

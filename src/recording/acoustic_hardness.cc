@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/json_text.h"
 #include "files/text.h"
 #include "recording/files_below.h"
 #include "somato/files/whole_file.h"
@@ -23,46 +24,7 @@ using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
 constexpr std::size_t kLargestSample = std::size_t{64} << 20;
-constexpr int kDeepestJson = 16;
 constexpr std::string_view kAdvice = "repair the file or take it out";
-
-// Not yet parsed, a text of nothing but brackets would ask for a hundred times its own size.
-bool is_too_deep(std::string_view text) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size() && depth <= kDeepestJson; ++i) {
-    const char c = text[i];
-    if (quoted && c == '\\') ++i;
-    if (c == '"') quoted = !quoted;
-    if (!quoted && (c == '[' || c == '{')) ++depth;
-    if (!quoted && (c == ']' || c == '}')) --depth;
-  }
-  return depth > kDeepestJson;
-}
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  return fmt::format("{}:{}", line, before.size() - line_start + 1);
-}
-
-Result<Json> parse_json(std::string_view text, const std::string& where) {
-  if (is_too_deep(text)) {
-    return fail(ErrorKind::kData, fmt::format("the JSON is nested more than {} deep", kDeepestJson),
-                where, std::string(kAdvice));
-  }
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    return fail(ErrorKind::kData, "the text is no JSON",
-                fmt::format("{}:{}", where, line_and_column(text, error.byte)),
-                std::string(kAdvice));
-  } catch (const Json::out_of_range& /*error*/) {
-    return fail(ErrorKind::kData, "a number is beyond what JSON readers hold", where,
-                std::string(kAdvice));
-  }
-}
 
 // The members of one file that are wanted; every error knows its place.
 class SampleReader {
@@ -182,8 +144,9 @@ struct Impact {
 Result<Impact> read_impact(const std::string& file) {
   const Result<std::string> bytes = read_whole(file, kLargestSample);
   if (!bytes) return fail(bytes.error());
-  const auto json =
-      text_of(*bytes, file).and_then([&](std::string_view text) { return parse_json(text, file); });
+  const auto json = text_of(*bytes, file).and_then([&](std::string_view text) {
+    return parse_json<Json>(text, file, std::string(kAdvice));
+  });
   if (!json) return fail(json.error());
   const SampleReader reader(*json, file);
   auto id = reader.sample_id();

@@ -78,7 +78,12 @@ Result<std::vector<std::string>> files_below(const fs::path& folder, std::string
                   entry->path().string(), "a link may lead round in a circle");
     }
     const std::string path = entry->path().lexically_relative(folder).generic_string();
-    if (!is_folder && ends_in(path, extension)) files.push_back(path);
+    if (is_folder || !ends_in(path, extension)) continue;
+    if (entry->exists(failure) && !entry->is_regular_file(failure)) {
+      return fail(ErrorKind::kData, "it is not a regular file", entry->path().string(),
+                  "take it out of the folder");
+    }
+    files.push_back(path);
   }
   if (failure) return unreadable(folder, failure);
   std::sort(files.begin(), files.end(), naturally_before);

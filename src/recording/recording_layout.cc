@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "files/json_text.h"
 #include "files/text.h"
 
 namespace somato {
@@ -74,14 +75,18 @@ ExplorationMessage parse_message(const Json& json) {
 
 // Runs `parse` on the JSON in `text`; whatever is wrong becomes an error.
 template <typename Parse>
-auto parse_json(std::string_view text, std::string_view what, const Parse& parse)
+auto read_fields(std::string_view text, std::string_view what, const Parse& parse)
     -> Result<decltype(parse(Json()))> {
   if (text.size() > kLongestExplorationText) {
     return bad(
         fmt::format("{} has {} bytes, more than {}", what, text.size(), kLongestExplorationText));
   }
+  auto json = parse_json<Json>(text, std::string(what), {});
+  if (!json) return bad(fmt::format("{}: {}", json.error().where, json.error().what));
   try {
-    return parse(Json::parse(text));
+    return parse(*json);
+  } catch (const Json::exception&) {
+    return bad(fmt::format("{} lacks a field, or holds one of another type", what));
   } catch (const std::exception& error) {
     return bad(fmt::format("{} cannot be understood: {}", what, shown(error.what())));
   }
@@ -93,8 +98,8 @@ Result<void> take_metadata(const McapChannel& channel, const std::string& name, 
                            const Parse& parse) {
   const auto found = channel.metadata.find(name);
   if (found == channel.metadata.end()) return {};
-  auto parsed =
-      parse_json(found->second, fmt::format("'{}' of topic {}", name, shown(channel.topic)), parse);
+  auto parsed = read_fields(found->second,
+                            fmt::format("'{}' of topic {}", name, shown(channel.topic)), parse);
   if (!parsed) return fail(std::move(parsed.error()));
   value = std::move(*parsed);
   return {};
@@ -183,7 +188,7 @@ std::string exploration_json(const ExplorationMessage& message) {
 }
 
 Result<ExplorationMessage> parse_exploration_json(std::string_view json) {
-  return parse_json(json, "a message of /exploration", parse_message);
+  return read_fields(json, "a message of /exploration", parse_message);
 }
 
 std::string topic_of(const std::string& name) {

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "files/json_text.h"
+
 namespace somato::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDeepestList = 16;
 constexpr std::size_t kLongestPath = 200;
 
 const Json& nothing() {
@@ -24,27 +25,10 @@ std::string shortened(const std::string& path) {
   return from.size() <= kLongestPath ? from : from.substr(0, kLongestPath) + "...";
 }
 
-// The byte of what the parser throws; it is caught here alone.
-Result<Json> parsed(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const bool cut = error.byte > text.size();
-    return fail(ErrorKind::kData, cut ? std::string("it is no JSON: it ends too early")
-                                      : fmt::format("it is no JSON from byte {} on", error.byte));
-  } catch (const Json::exception&) {
-    return fail(ErrorKind::kData, "it is no JSON that can be read: a number is too large");
-  }
-}
-
 }  // namespace
 
-Result<Json> parse_json(std::string_view text, const std::string& where) {
-  auto json = parsed(text);
-  if (json) return json;
-  json.error().where = where;
-  json.error().advice = "give a results.json of 'somato run' or 'somato reproduce'";
-  return json;
+Result<Json> parse_results_json(std::string_view text, const std::string& where) {
+  return parse_json<Json>(text, where, "give a results.json of 'somato run' or 'somato reproduce'");
 }
 
 void CheckedJson::refuse(const std::string& what) const {
@@ -110,7 +94,7 @@ Value CheckedJson::value_of(const Json& json, int depth) const {
     return {false};
   }
   if (json.is_number_integer()) return {json.get<std::int64_t>()};
-  if (!json.is_array() || depth > kDeepestList) {
+  if (!json.is_array() || depth > kDeepestNesting) {
     refuse(fmt::format("is {}, where a setting is needed", json.type_name()));
     return {false};
   }

@@ -13,9 +13,8 @@
 
 namespace somato::detail {
 
-/// The JSON of a results.json that nobody vouches for. Errors (kData, at `where`): no JSON, with
-/// the byte.
-Result<nlohmann::ordered_json> parse_json(std::string_view text, const std::string& where);
+/// The JSON of a results.json. Errors: those of parse_json().
+Result<nlohmann::ordered_json> parse_results_json(std::string_view text, const std::string& where);
 
 /// A place in such a text that is read as what it should be. The first that is something else is
 /// kept with its path, and whoever reads goes on with zeros and empty texts: ask ok() before using

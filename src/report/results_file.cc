@@ -221,7 +221,7 @@ const RecordingInfo* ResultsFile::find_recording(const std::string& name) const 
 }
 
 Result<ResultsFile> parse_results(std::string_view text, const std::string& path) {
-  const auto json = detail::parse_json(text, path);
+  const auto json = detail::parse_results_json(text, path);
   if (!json) return fail(json.error());
   std::optional<Error> trouble;
   const CheckedJson root(*json, trouble);

@@ -78,9 +78,9 @@ const std::vector<std::string>& Explorer::things() const {
 }
 
 Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
-                                      const std::string& image_folder) const {
+                                      const ExploreOptions& options) const {
   require(thing < parts_->things.size(), "Explorer::explore: no such thing");
-  auto exploration = parts_->explorer->explore(thing, trial, image_folder);
+  auto exploration = parts_->explorer->explore(thing, trial, options);
   if (exploration) {
     exploration->source = parts_->source;
   } else if (exploration.error().where.empty()) {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <utility>
 
 #include "somato/bodies/explore_by_grasping.h"
@@ -14,14 +12,6 @@
 
 namespace somato::detail {
 namespace {
-
-// A name may hold what would lead into another folder.
-std::string picture_file(const std::string& folder, std::string thing, std::size_t trial,
-                         std::size_t grasp) {
-  std::replace(thing.begin(), thing.end(), '/', '_');
-  const std::string name = fmt::format("{}-{}-{}.png", thing, trial + 1, grasp + 1);
-  return (std::filesystem::path(folder) / name).string();
-}
 
 class HandExplorer : public ThingExplorer {
  public:
@@ -36,13 +26,14 @@ class HandExplorer : public ThingExplorer {
   }
 
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const std::string& image_folder) const override {
+                              const ExploreOptions& options) const override {
     auto hand = placed_hand(thing, trial);
     if (!hand) return fail(std::move(hand.error()));
+    (*hand)->keep_to(options.limits);
     const auto draw = [&](std::size_t grasp) -> Result<void> {
-      if (image_folder.empty()) return {};
-      return save_hand_picture(
-          **hand, picture_file(image_folder, scenes_[thing].object().name, trial, grasp));
+      if (options.pictures == nullptr) return {};
+      options.pictures->save(**hand, scenes_[thing].object().name, trial, grasp);
+      return {};
     };
     auto exploration = grasp(**hand, draw);
     if (exploration) exploration->labels = labels_of(scenes_[thing].object(), trial);

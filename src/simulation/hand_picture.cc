@@ -1,5 +1,9 @@
 #include "somato/simulation/hand_picture.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "simulation/png.h"
@@ -23,12 +27,29 @@ std::vector<detail::Tint> touched_taxels(const SimulatedHand::Works& works) {
   return tints;
 }
 
+// A name may hold what would lead into another folder.
+std::string picture_file(const std::string& folder, std::string thing, std::size_t trial,
+                         std::size_t grasp) {
+  std::replace(thing.begin(), thing.end(), '/', '_');
+  const std::string name = fmt::format("{}-{}-{}.png", thing, trial + 1, grasp + 1);
+  return (std::filesystem::path(folder) / name).string();
+}
+
 }  // namespace
 
 Result<void> save_hand_picture(const SimulatedHand& hand, const std::string& path) {
   const SimulatedHand::Works& works = hand.works();
   return detail::ray_picture(*works.scene->model, *works.data, {}, touched_taxels(works))
       .and_then([&](const detail::Image& image) { return detail::write_png(path, image); });
+}
+
+void GraspPictures::save(const SimulatedHand& hand, const std::string& thing, std::size_t trial,
+                         std::size_t grasp) {
+  auto saved = save_hand_picture(hand, picture_file(folder_, thing, trial, grasp));
+  if (saved) return;
+  const std::scoped_lock lock(mutex_);
+  ++lost_;
+  if (!first_error_) first_error_ = std::move(saved.error());
 }
 
 }  // namespace somato

@@ -96,9 +96,9 @@ void declare_stick(Declarations<HardnessProbeParameters>& d) {
         "How far the stick goes; not given in the paper.");
   d.add("stick_speed", &P::stick_speed, "mm/s", Range::between(0.001, 1e4),
         "How fast it goes without load; not given in the paper.");
-  d.add("clearance", &P::clearance, "mm", Range::at_least(0),
+  d.add("clearance", &P::clearance, "mm", Range::between(0, 1000),
         "How far the material is from the stick at 0; not given in the paper.");
-  d.add("force", &P::force, "N", Range::above(0),
+  d.add("force", &P::force, "N", Range::between(1e-6, 1e6),
         "Force with which it presses; P11 says constant, the value is not given in the paper.");
   d.add(
       "force_noise", &P::force_noise, "", Range::between(0, 0.05),
@@ -109,7 +109,7 @@ void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
   using P = HardnessProbeParameters;
   d.add("potentiometer_bits", &P::potentiometer_bits, "bits", Range::between(1, 24),
         "Bits of a reading over the stroke; 18 in P11.");
-  d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::at_least(0),
+  d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::between(0, 1000),
         "Standard deviation of a reading; not given in the paper.");
 }
 

@@ -47,7 +47,12 @@ class ProbeBody : public Body {
   }
 
   Result<void> pass(double seconds) override {
-    for (std::int64_t due = clock_.pass(seconds); due > 0; --due) tick();
+    constexpr std::int64_t kTicksBetweenStops = 1 << 16;
+    for (std::int64_t due = clock_.pass(seconds); due > 0; --due) {
+      tick();
+      if (due % kTicksBetweenStops != 0) continue;
+      if (auto goes_on = check_stop(); !goes_on) return goes_on;
+    }
     state_.readings[0] = read();
     state_.time = clock_.time();
     return {};

@@ -11,17 +11,19 @@ namespace somato::detail {
 namespace {
 
 Result<Exploration> stroke(const Material& material, const ExploringParameters& parameters,
-                           const ProbeSeeds& seeds) {
+                           const ProbeSeeds& seeds, const ExploreOptions& options) {
   return make_texture_probe(material, parameters.texture_probe, seeds)
       .and_then([&](const std::unique_ptr<Body>& probe) {
+        probe->keep_to(options.limits);
         return explore_by_stroking(*probe, parameters.stroke);
       });
 }
 
 Result<Exploration> press(const Material& material, const ExploringParameters& parameters,
-                          std::uint64_t seed) {
+                          std::uint64_t seed, const ExploreOptions& options) {
   return make_hardness_probe(material, parameters.hardness_probe, seed)
       .and_then([&](const std::unique_ptr<Body>& probe) {
+        probe->keep_to(options.limits);
         return explore_by_pressing(*probe, parameters.press);
       });
 }
@@ -49,16 +51,17 @@ class ProbeExplorer : public ThingExplorer {
   }
 
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const std::string& /*image_folder*/) const override {
+                              const ExploreOptions& options) const override {
     const Material& material = materials_[thing];
     Result<Exploration> exploration;
     if (probe_ != Probe::kHardness) {
-      exploration =
-          stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)});
+      exploration = stroke(material, parameters_,
+                           {seed_, seed_of(seed_, thing, trial, Draws::kTexture)}, options);
       if (!exploration) return exploration;
     }
     if (probe_ != Probe::kTexture) {
-      auto pressed = press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness));
+      auto pressed =
+          press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness), options);
       if (!pressed) return pressed;
       append_channels(*exploration, std::move(*pressed));
     }
@@ -96,15 +99,16 @@ class AllSensesExplorer : public ThingExplorer {
   std::vector<std::string> things() const override { return hand_->things(); }
 
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const std::string& image_folder) const override {
-    auto exploration = hand_->explore(thing, trial, image_folder);
+                              const ExploreOptions& options) const override {
+    auto exploration = hand_->explore(thing, trial, options);
     if (!exploration) return exploration;
     const Material& material = objects_[thing].material;
-    auto sound =
-        stroke(material, parameters_, {seed_, seed_of(seed_, thing, trial, Draws::kTexture)});
+    auto sound = stroke(material, parameters_,
+                        {seed_, seed_of(seed_, thing, trial, Draws::kTexture)}, options);
     if (!sound) return sound;
     append_channels(*exploration, std::move(*sound));
-    auto hardness = press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness));
+    auto hardness =
+        press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness), options);
     if (!hardness) return hardness;
     append_channels(*exploration, std::move(*hardness));
     return exploration;

@@ -148,6 +148,8 @@ Result<void> SimulatedHand::pass(double seconds) {
   const mjModel& model = *scene.model;
   const std::span<mjtNum> commands(works.data->ctrl, static_cast<std::size_t>(model.nu));
   works.state.time += seconds;
+  constexpr std::size_t kStepsBetweenStops = 256;
+  std::size_t steps = 0;
   // Half a step of slack, or rounding would leave out a step now and then.
   for (works.owed += seconds; works.owed >= 0.5 * model.opt.timestep;
        works.owed -= model.opt.timestep) {
@@ -155,6 +157,8 @@ Result<void> SimulatedHand::pass(double seconds) {
     mj_step(&model, works.data.get());
     detail::read_forces(model, *works.data, scene.taxels, works.forces);
     works.piezo.step(works.forces, model.opt.timestep);
+    if (++steps % kStepsBetweenStops != 0) continue;
+    if (auto goes_on = check_stop(); !goes_on) return goes_on;
   }
   if (auto stable = detail::check_stable(*works.data); !stable) {
     stable.error().where = scene.object.name;

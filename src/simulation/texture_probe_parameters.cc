@@ -25,7 +25,7 @@ void declare_edge(Declarations<TextureProbeParameters>& d) {
   using P = TextureProbeParameters;
   d.add("edge_width", &P::edge_width, "mm", Range::between(0.001, 10),
         "Least spacing of heights that the edge follows; not given in the paper.");
-  d.add("edge_stiffness", &P::edge_stiffness, "N/mm", Range::above(0),
+  d.add("edge_stiffness", &P::edge_stiffness, "N/mm", Range::between(1e-6, 1e9),
         "Force for a mm of the edge: a softer material gives way instead; not given in the paper.");
   d.add("edge_resonance", &P::edge_resonance, "Hz", Range::between(1, 1e6),
         "Resonance of the free edge; not given in the paper.");
@@ -39,30 +39,30 @@ void declare_edge(Declarations<TextureProbeParameters>& d) {
 
 void declare_microphone(Declarations<TextureProbeParameters>& d) {
   using P = TextureProbeParameters;
-  d.add("sensitivity", &P::sensitivity, "mV/(mm/s)", Range::at_least(0),
+  d.add("sensitivity", &P::sensitivity, "mV/(mm/s)", Range::between(0, 1e9),
         "What the microphone makes of the edge; not given in the paper.");
-  d.add("microphone_low", &P::microphone_low, "Hz", Range::above(0),
+  d.add("microphone_low", &P::microphone_low, "Hz", Range::between(1e-3, 1e6),
         "Frequency below which the microphone is deaf; not given in the paper.");
-  d.add("microphone_noise", &P::microphone_noise, "mV", Range::at_least(0),
+  d.add("microphone_noise", &P::microphone_noise, "mV", Range::between(0, 1e6),
         "Standard deviation of its white noise; not given in the paper.");
-  d.add("servo_tone", &P::servo_tone, "Hz", Range::above(0),
+  d.add("servo_tone", &P::servo_tone, "Hz", Range::between(1e-3, 1e6),
         "Mean fundamental of the moving servo's whine; not given in the paper.");
   d.add("servo_tone_spread", &P::servo_tone_spread, "", Range::between(0, 0.05),
         "Standard deviation of the fundamental between explorations, as a share; not given in the "
         "paper.");
-  d.add("servo_noise", &P::servo_noise, "mV", Range::at_least(0),
+  d.add("servo_noise", &P::servo_noise, "mV", Range::between(0, 1e6),
         "Root mean square of the whine, with its harmonics; not given in the paper.");
 }
 
 void declare_converter(Declarations<TextureProbeParameters>& d) {
   using P = TextureProbeParameters;
-  d.add("sample_rate", &P::sample_rate, "Hz", Range::between(1, 1e6),
+  d.add("sample_rate", &P::sample_rate, "Hz", Range::between(1, 2e5),
         "Frames a second; not given in the paper.");
-  d.add("oversampling", &P::oversampling, "", Range::between(2, 1024),
+  d.add("oversampling", &P::oversampling, "", Range::between(2, 64),
         "Steps of the simulation for a frame; not given in the paper.");
   d.add("adc_bits", &P::adc_bits, "bits", Range::between(1, 24),
         "Resolution of the converter; 12 has the NI USB-6008 of P11.");
-  d.add("adc_range", &P::adc_range, "mV", Range::above(0),
+  d.add("adc_range", &P::adc_range, "mV", Range::between(1e-6, 1e9),
         "Voltage, either way, at which the converter saturates; not given in the paper.");
 }
 

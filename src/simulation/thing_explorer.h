@@ -7,6 +7,7 @@
 
 #include "somato/core/result.h"
 #include "somato/recording/recording.h"
+#include "somato/simulation/explorer.h"
 
 namespace somato::detail {
 
@@ -23,7 +24,7 @@ class ThingExplorer {
 
   virtual std::vector<std::string> things() const = 0;
   virtual Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                                      const std::string& image_folder) const = 0;
+                                      const ExploreOptions& options) const = 0;
 };
 
 /// What is drawn at random in an exploration.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "somato/studies/protocol.h"
+#include "studies/metric_names.h"
+
 namespace somato {
 namespace {
 
@@ -14,6 +17,15 @@ bool holds(const Claim& claim, double value) {
          (!claim.at_most || value <= *claim.at_most + kClaimRounding);
 }
 
+Result<void> check_protocol(const std::string& name, const std::string& where) {
+  std::vector<std::string> known;
+  for (const auto& [protocol, protocol_name] : Choices<Protocol>::all()) {
+    if (protocol_name == name) return {};
+    known.push_back(protocol_name);
+  }
+  return fail(unknown_name("protocol", name, where, known));
+}
+
 Result<Claim> read_claim(const Table& table) {
   auto claim = read_parameters<Claim>(table);
   if (!claim) return claim;
@@ -23,6 +35,12 @@ Result<Claim> read_claim(const Table& table) {
   };
   if (claim->text.empty()) return refuse("a claim needs its text", "add text = \"...\"");
   if (claim->metric.empty()) return refuse("a claim needs a metric", "add metric = \"accuracy\"");
+  if (auto known = check_metric_name(claim->metric, table.where); !known) {
+    return fail(std::move(known.error()));
+  }
+  if (auto known = check_protocol(claim->protocol, table.where); !known) {
+    return fail(std::move(known.error()));
+  }
   if (!claim->at_least && !claim->at_most) {
     return refuse("a claim needs a bound", "add at_least = ... or at_most = ...");
   }

@@ -117,13 +117,13 @@ Result<void> Journal::read(const std::string& text) {
                 "the folder holds an interrupted study with other settings or data", path_,
                 "run that one to its end, give another --out, or remove the file");
   }
-  while (const auto line = lines.next()) {
-    const auto content = content_of(*line);
-    if (!content) return damaged(path_);
+  for (std::size_t left = lines.left();; left = lines.left()) {
+    whole_ = text.size() - left;
+    const auto line = lines.next();
+    const auto content = line ? content_of(*line) : std::nullopt;
+    if (!content) return {};  // what follows a damaged line is computed anew
     known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
   }
-  whole_ = text.size() - lines.left();
-  return {};
 }
 
 const FoldOutcome* Journal::find(std::size_t protocol, std::size_t training) const {

@@ -77,5 +77,29 @@ TEST(Body, ServosAndSensorsAreFoundByName) {
   EXPECT_NE((unknown.error().what + unknown.error().advice).find("wrist"), std::string::npos);
 }
 
+TEST(Body, TakesNoMoreThanItsTime) {
+  PlainBody body;
+  body.keep_to({.longest = 2.0});
+  ASSERT_TRUE(body.step(1.5));
+  const auto refused = body.step(0.6);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kData);
+  EXPECT_EQ(refused.error().what, "it takes more than 2 s of the body's time");
+  EXPECT_EQ(body.steps, 1);
+  EXPECT_TRUE(body.step(0.5));
+}
+
+TEST(Body, IsStopped) {
+  PlainBody body;
+  bool goes_on = true;
+  body.keep_to({.goes_on = [&] { return goes_on; }});
+  ASSERT_TRUE(body.step(1.0));
+  goes_on = false;
+  const auto stopped = body.step(1.0);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
+  EXPECT_EQ(body.steps, 1);
+}
+
 }  // namespace
 }  // namespace somato

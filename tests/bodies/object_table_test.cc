@@ -188,7 +188,7 @@ TEST(ObjectTable, MassesAreAboveZero) {
   for (const char* mass : {"0", "-0.1", "nan", "inf"}) {
     expect_says(error_of_object(fmt::format(
                     R"({{ shape = "sphere", diameter = 7, material = "wood", mass = {} }})", mass)),
-                {"'mass' must be a number, above 0"});
+                {"'mass' must be a number, 1e-06 to 10000"});
   }
 }
 

@@ -5,6 +5,8 @@
 namespace somato {
 namespace {
 
+using Json = nlohmann::json;
+
 class Report : public Reproduce {
  protected:
   void SetUp() override {
@@ -170,9 +172,9 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(1, {"report", "none.json", "-o", "x"}, {"none.json"});
   expect_refused(1, {"report", "bad.json", "-o", "x"},
                  {"bad.json", "ends too early", "give a results.json"});
-  expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "no JSON"});
+  expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "not valid JSON"});
   expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "no results.json"});
-  expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "no JSON"});
+  expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "not valid JSON"});
   expect_refused(2, {"report", "out/results.json", "./out/results.json", "-o", "x"}, {"twice"});
   expect_refused(2, {"report", "out/results.json", "-o", "out/results.json"}, {"write over"});
   expect_refused(1, {"report", "out/results.json", "-o", "no/where.html"}, {"no/where.html"});

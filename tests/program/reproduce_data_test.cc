@@ -3,6 +3,8 @@
 namespace somato {
 namespace {
 
+using Json = nlohmann::json;
+
 class ReproduceGiven : public Reproduce {
  protected:
   // Four recordings of the probe in explored/recordings.

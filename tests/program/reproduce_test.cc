@@ -6,6 +6,8 @@
 namespace somato {
 namespace {
 
+using Json = nlohmann::json;
+
 TEST_F(Reproduce, SpreadsPairsOverRecordings) {
   write("press.toml", press());
   const std::string shown = output_of(reproduce("press.toml", "out"));

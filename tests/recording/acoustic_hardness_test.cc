@@ -165,9 +165,9 @@ TEST_F(ImportAcousticHardness, RefusesASamplingRateThatIsNone) {
 TEST_F(ImportAcousticHardness, RefusesWhatIsNoImpact) {
   EXPECT_EQ(error_for("[]"), "1.json:/metadata/sample_id: a text is missing");
   EXPECT_EQ(error_for("3"), "1.json:/metadata/sample_id: a text is missing");
-  EXPECT_EQ(error_for(""), "1.json:1:1: the text is no JSON");
-  EXPECT_EQ(error_for("{\n  \"a\": ]"), "1.json:2:8: the text is no JSON");
-  EXPECT_EQ(error_for(R"({"a": 1e999})"), "1.json: a number is beyond what JSON readers hold");
+  EXPECT_EQ(error_for(""), "1.json:1:1: not valid JSON: it ends too early");
+  EXPECT_EQ(error_for("{\n  \"a\": ]"), "1.json:2:8: not valid JSON");
+  EXPECT_EQ(error_for(R"({"a": 1e999})"), "1.json: a number is larger than any that can be read");
 }
 
 TEST_F(ImportAcousticHardness, RefusesTextThatIsNotUtf8) {
@@ -179,11 +179,8 @@ TEST_F(ImportAcousticHardness, RefusesTextThatIsNotUtf8) {
 }
 
 TEST_F(ImportAcousticHardness, RefusesNestingWithoutEnd) {
-  for (const char* bracket : {"[", "{\"a\":"}) {
-    std::string bomb;
-    for (int i = 0; i < 1000000; ++i) bomb += bracket;
-    EXPECT_EQ(error_for(bomb), "1.json: the JSON is nested more than 16 deep");
-  }
+  EXPECT_EQ(error_for(std::string(1000000, '[')),
+            "1.json:1:17: the JSON is nested more than 16 deep");
   Json impact = impact_of("1");
   impact["metadata"]["material"] = "\" [[[[[[[[[[[[[[[[[[[[ \\";
   EXPECT_EQ(read(impact).labels[1].value, "\" [[[[[[[[[[[[[[[[[[[[ \\");

@@ -245,7 +245,7 @@ TEST(ResultsFile, WhatIsCutOffIsRefusedWhereverItIs) {
   for (std::size_t length = 0; length + 2 < whole.size(); length += 97) {
     const auto file = parse_results(std::string_view(whole).substr(0, length), "results.json");
     ASSERT_FALSE(file) << length;
-    EXPECT_NE(file.error().what.find("no JSON"), std::string::npos) << file.error().what;
+    EXPECT_NE(file.error().what.find("not valid JSON"), std::string::npos) << file.error().what;
   }
 }
 

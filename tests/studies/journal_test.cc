@@ -103,14 +103,39 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
 }
 
 // No bit may turn unnoticed: a figure would be another, and nobody would know. A turned line end
-// makes of two lines one that does not fit its checksum, but for the last, which counts as cut.
-TEST_F(JournalFile, WithATurnedBitIsRefused) {
-  const std::string whole = write_some(2);
-  for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit) {
+// makes of two lines one that does not fit its checksum.
+TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
+  const std::string whole = write_some(3);
+  const std::size_t header = whole.find('\n') + 1;
+  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string turned = whole;
     turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
-    expect_refused(turned, ErrorKind::kData, "remove it to begin the study anew");
+    if (bit / 8 < header) {
+      expect_refused(turned, ErrorKind::kData, "remove it to begin the study anew");
+      continue;
+    }
+    folder_.with("journal", turned);
+    const Journal journal = open();
+    const auto sound = static_cast<std::size_t>(
+        std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bit / 8), '\n') - 1);
+    for (std::size_t number = 0; number < 3; ++number) {
+      ASSERT_EQ(journal.find(1, number) != nullptr, number < sound) << bit;
+      if (number < sound) ASSERT_EQ(*journal.find(1, number), outcome_number(number));
+    }
   }
+}
+
+TEST_F(JournalFile, GoesOnAfterADamagedLine) {
+  const std::string whole = write_some(3);
+  std::string turned = whole;
+  turned[turned.size() / 2] ^= 1;
+  folder_.with("journal", turned);
+  Journal journal = open();
+  for (std::size_t number = 0; number < 3; ++number) {
+    if (journal.find(1, number) != nullptr) continue;
+    ASSERT_TRUE(journal.add(1, number, outcome_number(number)));
+  }
+  EXPECT_TRUE(bytes_of(path()) == whole);
 }
 
 TEST_F(JournalFile, OfAnotherStudyIsRefused) {

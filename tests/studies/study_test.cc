@@ -11,6 +11,7 @@
 #include "somato/maps/som_training.h"
 #include "somato/recording/content_hash.h"
 #include "somato/studies/wrong_groupings.h"
+#include "studies/metric_names.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 #include "support/study_results.h"
@@ -286,6 +287,7 @@ TEST(Study, LeavesOutTheMeasureOfWrongGroupingsWhenThereIsNone) {
   const StudyOutcome outcome = outcome_of(description, objects_apart(2, 3, 1.0, 1));
   for (const SystemResults& system : outcome.results.systems) {
     for (const Metric& metric : system.metrics) {
+      EXPECT_TRUE(check_metric_name(metric.name, {})) << metric.name;
       EXPECT_NE(metric.name, "areas_connected_by_luck");
     }
   }

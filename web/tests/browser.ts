@@ -46,17 +46,20 @@ export function screenshotPath(name: string): string {
   return join(folder, `${name}.png`);
 }
 
-/** What axe-core has against the page as it is now: [] when nothing. */
-export async function accessibilityViolations(page: Page): Promise<string[]> {
+/** What axe-core has against the page as it is now, by all its rules or those named: [] when nothing. */
+export async function accessibilityViolations(page: Page, rules: string[] = []): Promise<string[]> {
   const source = readFileSync(join(kHere, "..", "node_modules", "axe-core", "axe.min.js"), "utf8");
   await page.evaluate(source);
-  return page.evaluate(async () => {
-    const axe = (globalThis as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } }).axe;
+  return page.evaluate(async (only) => {
+    const { axe } = globalThis as unknown as { axe: Axe };
+    interface Axe {
+      run(options: object): Promise<{ violations: Violation[] }>;
+    }
     interface Violation {
       id: string;
       nodes: { target: string[]; failureSummary?: string }[];
     }
-    const { violations } = await axe.run();
+    const { violations } = await axe.run(only.length > 0 ? { runOnly: only } : {});
     return violations.map(
       ({ id, nodes }) =>
         `${id}: ${nodes
@@ -64,5 +67,5 @@ export async function accessibilityViolations(page: Page): Promise<string[]> {
           .map((node) => `${node.target.join(" ")} (${node.failureSummary ?? ""})`)
           .join("; ")}`,
     );
-  });
+  }, rules);
 }

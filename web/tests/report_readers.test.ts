@@ -13,7 +13,9 @@ describe("who reads it", () => {
   test.each(["light", "dark"] as const)("finds no barrier in %s", async (colorScheme) => {
     const { page } = await report.open(data, { colorScheme, reducedMotion: "reduce" });
     for (const system of [1, 2, 3, 4]) await goTo(page, system);
-    expect(await accessibilityViolations(page)).toEqual([]);
+    // Nothing but colours differs in the dark.
+    const rules = colorScheme === "dark" ? ["color-contrast"] : [];
+    expect(await accessibilityViolations(page, rules)).toEqual([]);
     await page.setViewportSize({ width: 1280, height: 1400 });
     await (
       await goTo(page, 1)

@@ -7,7 +7,7 @@ import { kTaxels } from "./fake_hand";
 import { firstFrame, frameShown, launchFlatBrowser, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
-const view = new ViewedPage();
+const view = new ViewedPage(launchFlatBrowser);
 
 describe("when things go wrong", () => {
   it("says that the connection is lost, and goes on when it is back", async () => {
@@ -57,18 +57,12 @@ describe("when things go wrong", () => {
 
   it("shows the unfolded hand without WebGL", async () => {
     await view.open();
-    await view.page.close();
-    const flat = await launchFlatBrowser();
-    await view.visit({ viewport: { width: 1280, height: 800 } }, flat);
-    await view.page.goto(view.server.address);
-    await firstFrame(view.page);
     await soon(() => words(view.page, ".scene-note")).toContain("cannot draw in three dimensions");
     view.server.show(1, 50);
     await frameShown(view.page, 50);
     await view.page.locator(".unfolded [data-cell='44']").click();
     await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[44]}")`);
     await screenshot(view.page, "view-no-webgl");
-    await flat.close();
   });
 
   it("shows hostile words as words", async () => {

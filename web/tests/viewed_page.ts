@@ -18,11 +18,14 @@ export class ViewedPage {
   page!: Page;
   private heard: string[] = [];
 
-  /** A browser for a file of tests; a test fails when its page complains. */
-  constructor() {
+  /**
+   * A browser for a file of tests; a test fails when its page complains. Drawing in three dimensions takes
+   * most of a test's time: tests that do not look at the scene launch a browser without.
+   */
+  constructor(launch = launchBrowser) {
     vi.setConfig({ testTimeout: 60_000, hookTimeout: 60_000 });
     beforeAll(async () => {
-      this.browser = await launchBrowser();
+      this.browser = await launch();
     });
     afterAll(() => this.browser.close());
     afterEach(async () => {

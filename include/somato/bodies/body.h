@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/core/matrix.h"
@@ -37,6 +40,12 @@ struct BodyState {
   std::vector<Matrix<float>> readings;
 };
 
+/// What ends an exploration that takes too long.
+struct BodyLimits {
+  double longest = std::numeric_limits<double>::infinity();  ///< Seconds of the body's time.
+  std::function<bool()> goes_on = {};  ///< Called now and then; when it returns false all ends.
+};
+
 /// A body that moves and feels. What explores with it knows no more than this: a simulation may
 /// stand behind it, or servos and sensors on a table.
 class Body {
@@ -57,14 +66,24 @@ class Body {
   /// targets.
   Result<void> command(std::span<const double> targets);
 
-  /// Lets `seconds` pass. Throws InvalidArgument unless they are above 0. Errors: what went wrong
-  /// in the world, such as a simulation that diverged or a device that does not answer; the body is
-  /// then of no more use.
+  /// Lets `seconds` pass. Throws InvalidArgument unless they are above 0. Errors: kData when its
+  /// limits leave it less time, kInterrupted when they stop it; what went wrong in the world, such
+  /// as a simulation that diverged or a device that does not answer. The body is then of no more
+  /// use.
   Result<void> step(double seconds);
 
+  /// From now on step() keeps to `limits`; without, a body has none.
+  void keep_to(BodyLimits limits) { limits_ = std::move(limits); }
+
  protected:
+  /// Fails (kInterrupted) when its limits stop it: for pass() to call now and then.
+  Result<void> check_stop() const;
+
   virtual Result<void> drive_to(std::span<const double> targets) = 0;
   virtual Result<void> pass(double seconds) = 0;
+
+ private:
+  BodyLimits limits_;
 };
 
 /// The index of the degree of freedom, or sensor, of that name; an unknown name is an error

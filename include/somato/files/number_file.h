@@ -1,17 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
 #include "somato/files/number_table.h"
+#include "somato/files/whole_file.h"
 
 namespace somato {
 
 /// The table in the file at `path`: NPY when it begins as NPY does, otherwise CSV.
 /// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column of an NPY
-/// file.
-Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {});
+/// file; kData for more than `limit` bytes.
+Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {},
+                                 std::size_t limit = kLargestFile);
 
 /// The failure (kUsage) for a label column of an NPY file.
 Error no_label_column_in_npy(const std::string& path);

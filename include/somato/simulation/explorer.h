@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "somato/bodies/body.h"
 #include "somato/bodies/object_table.h"
 #include "somato/core/parameter.h"
 #include "somato/recording/recording.h"
@@ -33,6 +34,14 @@ struct Choices<ExploringBody> {
 /// eight materials for the probes.
 Result<ObjectTable> default_things(ExploringBody body);
 
+class GraspPictures;
+
+/// What accompanies an exploration.
+struct ExploreOptions {
+  BodyLimits limits;                  ///< Of each body that explores.
+  GraspPictures* pictures = nullptr;  ///< Where the grasps of a hand are drawn, or nowhere.
+};
+
 /// Explores things in simulation; constant, so that threads may share it.
 class Explorer {
  public:
@@ -48,11 +57,10 @@ class Explorer {
 
   /// Explores a thing (counting from 0) for its so-and-so-manieth time (from 0), with the labels
   /// object, shape, girth, material, hardness and trial; for a probe material, hardness and trial.
-  /// Depends on its arguments and the seed alone. With `image_folder` the grasps of a hand are
-  /// drawn there as THING-TRIAL-GRASP.png.
+  /// Depends on its arguments and the seed alone.
   /// Errors: what went wrong with it, naming the thing; it is then no exploration.
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const std::string& image_folder = {}) const;
+                              const ExploreOptions& options = {}) const;
 
  private:
   class Parts;

@@ -1,0 +1,46 @@
+#include "studies/metric_names.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "somato/core/parameter.h"
+
+namespace somato {
+namespace {
+
+constexpr std::string_view kByLuck = "_by_luck";
+constexpr std::string_view kMappedWith = "mapped_with ";
+
+const std::vector<std::string>& plain_names() {
+  static const std::vector<std::string> names{"accuracy",
+                                              "baseline_accuracy",
+                                              "baseline_accuracy_raw",
+                                              "baseline_accuracy_standardized",
+                                              "quantization_error",
+                                              "topographic_error",
+                                              "individuals_apart",
+                                              "areas_connected",
+                                              "told_exactly",
+                                              "undetermined",
+                                              "with_own",
+                                              "order_around",
+                                              "order_within",
+                                              "on_border",
+                                              "placed_with_most_similar",
+                                              "baseline_placed_with_most_similar"};
+  return names;
+}
+
+}  // namespace
+
+Result<void> check_metric_name(const std::string& name, const std::string& where) {
+  if (name.find(kMappedWith) != std::string::npos) return {};
+  std::string plain = name.substr(name.rfind('.') + 1);  // npos + 1 is 0
+  if (plain.ends_with(kByLuck)) plain.resize(plain.size() - kByLuck.size());
+  const std::vector<std::string>& names = plain_names();
+  if (std::find(names.begin(), names.end(), plain) != names.end()) return {};
+  return fail(unknown_name("metric", plain, where, names));
+}
+
+}  // namespace somato
