@@ -28,9 +28,23 @@ int exit_code(ErrorKind kind) {
   return kind == ErrorKind::kInterrupted ? kSignal + stop_signal() : kFailed;
 }
 
+// Names of files and labels come from elsewhere: a terminal must not take them for commands.
+std::string printable(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      out += fmt::format("\\x{:02X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 // Where standard error cannot be written to there is nobody left to tell; the exit code still does.
 int report(const Error& error) {
-  std::fputs(fmt::format("somato: {}\n", to_string(error)).c_str(), stderr);
+  std::fputs(fmt::format("somato: {}\n", printable(to_string(error))).c_str(), stderr);
   return exit_code(error.kind);
 }
 

@@ -20,7 +20,25 @@
 namespace somato::program {
 namespace {
 
-Result<ExploringParameters> read_parameters(const Arguments& arguments) {
+// A flag that would be ignored is a mistake.
+Result<void> check_flags(const Arguments& arguments, ExploringBody body) {
+  const bool is_probe = body == ExploringBody::kTexture || body == ExploringBody::kHardness ||
+                        body == ExploringBody::kProbes;
+  const auto refuse = [&](const std::string& flag) {
+    return fail(ErrorKind::kUsage, "has no effect on the body " + choice_name(body), flag,
+                "leave it out");
+  };
+  const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
+  for (const Table::Entry& entry : flags.entries) {
+    if (is_probe || (entry.name == "taxels" && body == ExploringBody::kLucs2)) {
+      return refuse(entry.where);
+    }
+  }
+  if (is_probe && arguments.has("images")) return refuse("--images");
+  return {};
+}
+
+Result<ExploringParameters> read_parameters(const Arguments& arguments, ExploringBody body) {
   ExploringParameters parameters;
   if (arguments.has("settings")) {
     auto read = read_toml(arguments.text("settings")).and_then([](const Table& file) {
@@ -29,6 +47,7 @@ Result<ExploringParameters> read_parameters(const Arguments& arguments) {
     if (!read) return read;
     parameters = std::move(*read);
   }
+  if (auto useful = check_flags(arguments, body); !useful) return fail(std::move(useful.error()));
   auto simulation = read_flags<SimulationParameters>(arguments, parameters.simulation);
   if (!simulation) return fail(std::move(simulation.error()));
   parameters.simulation = std::move(*simulation);
@@ -62,7 +81,7 @@ Result<Request> read_request(const Arguments& arguments) {
   if (!body) return fail(std::move(body.error()));
   auto things = read_things(arguments, *body);
   if (!things) return fail(std::move(things.error()));
-  auto parameters = read_parameters(arguments);
+  auto parameters = read_parameters(arguments, *body);
   if (!parameters) return fail(std::move(parameters.error()));
   auto seed = arguments.number("seed", 0);
   if (!seed) return fail(std::move(seed.error()));

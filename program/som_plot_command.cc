@@ -95,7 +95,19 @@ Result<MapAndRows> read_map_and_perhaps_rows(const Arguments& arguments) {
   return MapAndRows{std::move(*model), {}};
 }
 
+// Pictures are SVG whatever their file is called: a name that says otherwise is a mistake.
+Result<void> check_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  for (const char* other : {".png", ".pdf", ".jpg", ".jpeg", ".eps"}) {
+    if (ending != other) continue;
+    return fail(ErrorKind::kUsage, fmt::format("the picture is SVG, not {}", ending.substr(1)),
+                output, "name it .svg; browsers and Inkscape save it otherwise");
+  }
+  return {};
+}
+
 Result<void> plot(const Arguments& arguments) {
+  if (auto fits = check_ending(arguments.text("output")); !fits) return fits;
   auto chosen = chosen_panels(arguments);
   if (!chosen) return fail(std::move(chosen.error()));
   auto most = arguments.number("components", 0);

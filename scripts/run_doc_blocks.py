@@ -9,6 +9,7 @@
   and build/release/somato are found; `somato` is on the path.
 - `<!-- test: skip REASON -->` before a block leaves it out; REASONS says which blocks may be. Data of
   others are a `--data FOLDER` or a quoted variable, such as "$FCPS".
+- `<!-- test: made FILE -->` before a picture says which file of that folder it is: the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
 """
@@ -31,6 +32,9 @@ TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(
     r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
     r"```(?P<kind>sh|bash|console|cpp)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$", re.MULTILINE)
 
 
 class Failure(Exception):
@@ -174,7 +178,18 @@ def run_document(options, document):
         except (Failure, subprocess.TimeoutExpired) as failure:
             print(f"FAILED  {block.where}: {failure}", flush=True)
             return 1  # what follows in this document may stand on it
-    return 0
+    return check_pictures(document, runner.folder)
+
+
+def check_pictures(document, folder):
+    """The number of pictures that are not what the commands have made."""
+    failures = 0
+    for match in MADE.finditer(document.read_text(encoding="utf-8")):
+        made, picture = folder / match["file"], document.parent / match["picture"]
+        if not made.is_file() or made.read_bytes() != picture.read_bytes():
+            print(f"FAILED  {document.name}: {match['picture']} is not {made}; make it anew", flush=True)
+            failures += 1
+    return failures
 
 
 def main(arguments=None):

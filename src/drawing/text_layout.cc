@@ -59,8 +59,11 @@ std::string shortened(std::string_view text, double width, double size) {
 
 std::vector<std::string> wrapped(std::string_view text, double width, double size,
                                  std::size_t most_lines) {
+  // More characters than fit, so that a text without end costs no more than one that is cut.
+  constexpr double kNarrowest = 0.4;
+  const auto most = static_cast<std::size_t>(width / size / kNarrowest) * (most_lines + 1) + 2;
   std::vector<std::u32string> lines;
-  for (const std::u32string& word : words_of(characters_of(text))) {
+  for (const std::u32string& word : words_of(characters_of(text).substr(0, most))) {
     const bool fits = !lines.empty() && width_of(lines.back() + U' ' + word) <= width / size;
     const bool is_full = lines.size() == most_lines;
     if (fits || is_full) {

@@ -27,6 +27,12 @@ std::optional<std::size_t> number_from_one(const std::string& text) {
   return whole ? std::optional(number - 1) : std::nullopt;
 }
 
+// Single precision holds what few digits say as well as it need be.
+double exact_number(std::string_view field, float rounded) {
+  constexpr std::size_t kFewDigits = 7;
+  return field.size() <= kFewDigits ? double{rounded} : read_csv_number<double>(field).number;
+}
+
 }  // namespace
 
 Result<void> CsvTableReader::begin() {
@@ -45,7 +51,8 @@ Result<NumberTable> CsvTableReader::rows(std::size_t most) {
     if (!read) return fail(std::move(read.error()));
   }
   table.values = Matrix<float>(count, columns(), std::move(values));
-  return table;
+  if (!fields_.empty()) return table;
+  return precision_.check(names_, where_).map([&] { return std::move(table); });
 }
 
 bool CsvTableReader::seems_header() const {
@@ -102,9 +109,10 @@ Result<void> CsvTableReader::read_row(std::vector<float>& values,
         ErrorKind::kData, fmt::format("expected {} fields, found {}", width_, fields_.size()),
         fmt::format("{}:{}", where_, fields_[0].line), "give every row the same number of fields");
   }
+  std::size_t column = 0;
   for (std::size_t i = 0; i < width_; ++i) {
     Result<void> read =
-        is_label(i) ? read_label(fields_[i], labels) : read_value(fields_[i], values);
+        is_label(i) ? read_label(fields_[i], labels) : read_value(fields_[i], column++, values);
     if (!read) return read;
   }
   return {};
@@ -120,8 +128,12 @@ Result<void> CsvTableReader::read_label(const CsvField& field,
   return {};
 }
 
-Result<void> CsvTableReader::read_value(const CsvField& field, std::vector<float>& values) const {
-  return number_in(field, records_.place(field)).map([&](float value) { values.push_back(value); });
+Result<void> CsvTableReader::read_value(const CsvField& field, std::size_t column,
+                                        std::vector<float>& values) {
+  return number_in(field, records_.place(field)).map([&](float value) {
+    values.push_back(value);
+    precision_.take(column, exact_number(field.text, value), value);
+  });
 }
 
 Result<void> CsvTableReader::no_rows() const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/column_precision.h"
 #include "files/csv_records.h"
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
@@ -40,7 +41,7 @@ class CsvTableReader {
   Result<void> read_first_record();
   Result<void> read_row(std::vector<float>& values, std::vector<std::string>& labels);
   Result<void> read_label(const CsvField& field, std::vector<std::string>& labels) const;
-  Result<void> read_value(const CsvField& field, std::vector<float>& values) const;
+  Result<void> read_value(const CsvField& field, std::size_t column, std::vector<float>& values);
   Result<void> no_rows() const;
 
   CsvRecords records_;
@@ -52,6 +53,7 @@ class CsvTableReader {
   std::optional<std::size_t> label_;
   bool named_label_ = false;
   std::vector<std::string> names_;
+  ColumnPrecision precision_;
 };
 
 }  // namespace somato

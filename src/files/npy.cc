@@ -44,9 +44,9 @@ Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where)
   const Result<NpyLayout> layout = npy_layout(bytes, bytes.size(), where);
   if (!layout) return fail(layout.error());
   Matrix<float> matrix(layout->rows, layout->columns);
-  return read_npy_rows(bytes.substr(layout->start), *layout, 0, matrix.values(), where).map([&] {
-    return std::move(matrix);
-  });
+  ColumnPrecision precision;
+  return read_npy_rows(bytes.substr(layout->start), *layout, 0, matrix.values(), where, precision)
+      .map([&] { return std::move(matrix); });
 }
 
 Result<Matrix<float>> read_npy(const std::string& path) {

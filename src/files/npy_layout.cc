@@ -171,7 +171,8 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
 }
 
 Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
-                           std::span<float> out, std::string_view where) {
+                           std::span<float> out, std::string_view where,
+                           ColumnPrecision& precision) {
   if (is_plain(layout) && copy_if_finite(bytes, out)) return {};
   const std::size_t columns = layout.columns;
   const std::size_t rows = out.size() / columns;
@@ -182,9 +183,10 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std:
       const auto rounded = static_cast<float>(value);
       if (!std::isfinite(rounded)) return not_a_float(value, first + row, column, where);
       out[row * columns + column] = rounded;
+      precision.take(column, value, rounded);
     }
   }
-  return {};
+  return first + rows == layout.rows ? precision.check({}, where) : Result<void>();
 }
 
 }  // namespace somato

@@ -36,6 +36,7 @@ double NpySource::memory_of_all() const {
 
 Result<void> NpySource::rewind() {
   row_ = 0;
+  precision_ = {};
   return file_.check();
 }
 
@@ -58,7 +59,7 @@ Result<Matrix<float>> NpySource::rows(std::size_t count) {
   bytes_.resize(count * layout_.columns * layout_.type->size);
   if (auto fetched = fetch(count, bytes_.data()); !fetched) return fail(fetched.error());
   Matrix<float> matrix(count, layout_.columns);
-  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path()).map([&] {
+  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path(), precision_).map([&] {
     return std::move(matrix);
   });
 }

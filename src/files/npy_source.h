@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/column_precision.h"
 #include "files/npy_layout.h"
 #include "files/unchanged_file.h"
 #include "somato/files/number_source.h"
@@ -40,6 +41,7 @@ class NpySource final : public NumberSource {
   std::size_t row_ = 0;
   std::string bytes_;
   std::vector<std::string> no_names_;
+  ColumnPrecision precision_;
 };
 
 }  // namespace somato

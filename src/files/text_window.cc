@@ -50,8 +50,8 @@ Result<bool> TextWindow::extend() {
   }
   text_.resize(old + room);
   const auto got = file_.read_all_at(place_, text_.data() + old, room);
-  text_.resize(old + got.value_or(0));
   if (!got) return system_failure("cannot read", where_, got.error());
+  text_.resize(old + *got);
   const bool beginning = place_ == 0;
   place_ += *got;
   if (auto checked = check(*got < room); !checked) return fail(std::move(checked.error()));

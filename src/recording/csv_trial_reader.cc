@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "files/column_precision.h"
 #include "files/csv_number.h"
 #include "files/csv_records.h"
 #include "files/text.h"
@@ -28,6 +29,11 @@ double units_per_second(TimeUnit unit) {
       return 1e9;
   }
   return 1.0;
+}
+
+double scaled(const CsvChannel& channel, double number) {
+  const double value = channel.factor * number;
+  return channel.absolute ? std::fabs(value) : value;
 }
 
 // Whether the fields of a first line may be names.
@@ -66,6 +72,7 @@ class TrialReader {
     std::vector<float> values;
     std::vector<std::uint8_t> valid;
     bool all_valid = true;
+    ColumnPrecision precision = {};
   };
 
   Result<void> next() { return records_.next(separator_, fields_); }
@@ -141,6 +148,10 @@ class TrialReader {
       Result<void> read = read_row().and_then([&] { return next(); });
       if (!read) return read;
     }
+    for (std::size_t c = 0; c < read_.size(); ++c) {
+      auto kept = read_[c].precision.check(layout_.columns[c], where_);
+      if (!kept) return kept;
+    }
     return {};
   }
 
@@ -186,9 +197,11 @@ class TrialReader {
       return {};
     }
     if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
-    const std::optional<float> value = csv_value(description_.channels[slot.channel], number);
+    const CsvChannel& channel = description_.channels[slot.channel];
+    const std::optional<float> value = csv_value(channel, number);
     if (!value) return refuse(field, CsvMeaning::kTooLarge);
     read.values[at] = *value;
+    read.precision.take(slot.element, scaled(channel, number), *value);
     return {};
   }
 
@@ -263,8 +276,7 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description) {
 }
 
 std::optional<float> csv_value(const CsvChannel& channel, double number) {
-  const double scaled = channel.factor * number;
-  const double value = channel.absolute ? std::fabs(scaled) : scaled;
+  const double value = scaled(channel, number);
   if (!(std::fabs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
   return static_cast<float>(value);
 }

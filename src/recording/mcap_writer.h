@@ -18,7 +18,7 @@
 namespace somato {
 
 /// The largest message that is written, in bytes: it fits into a chunk with all that goes before.
-inline constexpr std::size_t kLargestMcapMessage = std::size_t{16} << 20;
+inline constexpr std::size_t kLargestMcapMessage = std::size_t{23} << 20;
 
 /// Writes an MCAP file of chunks with indexes, statistics and checksums. Every chunk announces the
 /// schemas and channels of its messages, so that it can be read without those before it.

@@ -47,7 +47,7 @@ double half_extent(const Object& object, double turn) {
 
 Error lost(const HandScene::Parts& scene, const std::string& how) {
   return {ErrorKind::kData, fmt::format("the object {}", how), scene.object.name,
-          "hold it (leave out --free), or make it heavier"};
+          "hold it (leave out --free), or give it another mass"};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "somato/core/memory.h"
 
 #include <gtest/gtest.h>
+#include <sys/sysinfo.h>
 
 #include <filesystem>
 #include <fstream>
@@ -25,6 +26,15 @@ TEST(Memory, WhatIsFreeIsWithinTheLimitAndThatWithinTheMachine) {
   EXPECT_GT(free_memory(), 0u);
   EXPECT_LE(free_memory(), memory_limit());
   EXPECT_LE(memory_limit(), memory_of_machine());
+}
+
+// The system's other word for what is free, which leaves out what could be given back.
+TEST(Memory, WhatIsFreeIsNotLessThanTheSystemSays) {
+  if (memory_limit() < memory_of_machine()) GTEST_SKIP() << "limits leave this process less";
+  struct sysinfo info = {};
+  ASSERT_EQ(sysinfo(&info), 0);
+  EXPECT_GE(static_cast<double>(free_memory()),
+            0.5 * static_cast<double>(info.freeram) * info.mem_unit);
 }
 
 TEST(Memory, OfControlGroupsIsTheLeastOfThoseAround) {

@@ -133,6 +133,16 @@ TEST(Random, StartsWithTheWordsOfPhiloxInOrder) {
   }
 }
 
+TEST(Random, TakesTwoWordsForANumberTheLowerFirst) {
+  Random words(5, Stream::kDraws);
+  Random random(5, Stream::kDraws);
+  for (int i = 0; i < 20; ++i) {
+    const std::uint64_t low = words.next();
+    const std::uint64_t high = words.next();
+    EXPECT_EQ(random.uniform(), static_cast<double>((low + high * 0x100000000) >> 11) * 0x1p-53);
+  }
+}
+
 TEST(UniformAt, IsUniformAndDifferentAtEveryPlace) {
   std::set<float> seen;
   double sum = 0.0;

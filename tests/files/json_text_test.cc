@@ -9,7 +9,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-std::string repeated(const std::string& text, int count) {
+std::string times_over(const std::string& text, int count) {
   std::string all;
   for (int i = 0; i < count; ++i) all += text;
   return all;
@@ -39,23 +39,23 @@ TEST(JsonText, ErrorsSayWhere) {
 
 // Copies of nested values call themselves once a level: 100,000 levels ended in a crash.
 TEST(JsonText, IsNestedAsDeeplyAsAllowedAndNoDeeper) {
-  EXPECT_EQ(json_error(repeated("[", 16) + repeated("]", 16)), "");
-  EXPECT_EQ(json_error(repeated("[", 17) + repeated("]", 17)),
+  EXPECT_EQ(json_error(times_over("[", 16) + times_over("]", 16)), "");
+  EXPECT_EQ(json_error(times_over("[", 17) + times_over("]", 17)),
             "a.json:1:17: the JSON is nested more than 16 deep");
   EXPECT_EQ(
-      json_error(R"({"x":)" + repeated("[", 100000) + repeated("]", 100000) + R"(,"a":1,"b":2})"),
+      json_error(R"({"x":)" + times_over("[", 100000) + times_over("]", 100000) + R"(,"a":1,"b":2})"),
       "a.json:1:21: the JSON is nested more than 16 deep");
-  EXPECT_EQ(json_error(repeated("{\"a\":", 1000000)),
+  EXPECT_EQ(json_error(times_over("{\"a\":", 1000000)),
             "a.json:1:81: the JSON is nested more than 16 deep");
 }
 
 TEST(JsonText, BracketsInTextsDoNotNest) {
-  const std::string brackets = repeated("[", 50);
+  const std::string brackets = times_over("[", 50);
   EXPECT_EQ(json_error("[\"" + brackets + "\", \"\\\"" + brackets + "\"]"), "");
 }
 
 TEST(JsonText, ListsSideBySideDoNotNest) {
-  EXPECT_EQ(json_error("[" + repeated("[],", 1000) + "[]]"), "");
+  EXPECT_EQ(json_error("[" + times_over("[],", 1000) + "[]]"), "");
 }
 
 }  // namespace

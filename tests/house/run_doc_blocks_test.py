@@ -36,6 +36,13 @@ class DocBlocks(TreeTest):
         text = fenced("sh", "cat examples/data.csv > copy.csv\n") + fenced("bash", "grep 1,2 copy.csv\n")
         self.assertIn("ok      README.md:5", self.assert_passes("# Title\n" + text))
 
+    def test_compares_pictures_with_what_is_made(self):
+        self.write("source/map.svg", "<svg/>\n")
+        made = "<!-- test: made new.svg -->\n![a map](map.svg)\n"
+        self.assert_passes(fenced("sh", "echo '<svg/>' > new.svg\n") + made)
+        self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg is not")
+        self.assert_fails(fenced("sh", "true\n") + made, "map.svg is not")
+
     def test_leaves_the_source_tree_alone(self):
         self.assert_passes(fenced("sh", "touch new\n"))
         self.assertFalse((self.tree / "source/new").exists())
