@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <new>
 #include <system_error>
 
+#include "help_format.h"
 #include "output.h"
 #include "somato/core/instruction_set.h"
 #include "terminal.h"
@@ -84,6 +86,7 @@ class Parser {
       if (auto usable = check(*option); !usable) return usable;
       arguments.texts[name] = option->results().back();
     }
+    take_standard_streams(arguments);
     for (const auto& [name, option] : lists_) {
       for (const std::string& value : option->results()) {
         if (value.empty()) return fail(usage_error("the value is empty", name));
@@ -103,6 +106,20 @@ class Parser {
   }
 
  private:
+  // "-" is standard input where a file is read, and standard output where one is written.
+  void take_standard_streams(Arguments& arguments) const {
+    const auto replace = [&](const std::string& key, Role role) {
+      const auto given = arguments.texts.find(key);
+      if (given == arguments.texts.end() || given->second != "-") return;
+      if (role == Role::kInput) given->second = "/dev/stdin";
+      if (role == Role::kOutput) given->second = "/dev/stdout";
+    };
+    for (const Positional& positional : command_.positionals) {
+      replace(positional.name, positional.role);
+    }
+    for (const Flag& flag : command_.flags) replace(key_of(flag.name), flag.role);
+  }
+
   CLI::Option* add(const std::string& key, const std::string& names, const std::string& text) {
     auto value = std::make_unique<std::string>();
     CLI::Option* option = app_.add_option(names, *value, text);
@@ -315,6 +332,16 @@ Result<void> run_chosen(const std::vector<Parser>& parsers) {
   }
 }
 
+// What was asked for: nothing and "help" ask for help, "help run" for that of a command.
+std::vector<std::string> asked_words(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const bool asks_help = words.empty() || words.front() == "help";
+  if (!asks_help) return words;
+  if (!words.empty()) words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
 // Output that did not arrive is a failure, however late that turns out.
 int finish(int code) {
   if (code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
@@ -327,9 +354,9 @@ int finish(int code) {
 
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands) {
   CLI::App root("A self-organizing sense of touch", "somato");
-  root.set_version_flag("--version", SOMATO_VERSION);
+  root.set_version_flag("-V,--version", "somato " SOMATO_VERSION);
   root.require_subcommand(1);
-  root.get_formatter()->column_width(34);
+  root.formatter(std::make_shared<HelpFormat>());
   std::vector<Parser> parsers;
   parsers.reserve(commands.size());
   for (const Command& command : commands) {
@@ -341,8 +368,10 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
       "  somato som quality my.map data.csv\n"
       "  somato som plot my.map data.csv -o my.svg\n"
       "All flags of a command: somato som train --help");
+  std::vector<std::string> words = asked_words(argc, argv);
+  std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
-    root.parse(argc, argv);
+    root.parse(std::move(words));
   } catch (const CLI::Success& help) {
     return finish(root.exit(help));
   } catch (const CLI::ParseError& error) {

@@ -10,6 +10,7 @@ Command report_command();
 Command information_command();
 Command apply_command();
 Command systems_command();
+Command modules_command();
 Command view_command();
 Command explore_command();
 Command import_command();

@@ -16,6 +16,7 @@
 #include "somato/simulation/explorer.h"
 #include "somato/simulation/hand_picture.h"
 #include "terminal.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -115,7 +116,7 @@ class FrameSpread {
   std::size_t count() const { return count_; }
 
   std::string text() const {
-    if (least_ == most_) return fmt::format("{} frames each", most_);
+    if (least_ == most_) return counted(most_, "frame") + " each";
     return fmt::format("{} to {} frames each, mean {:.1f}", *least_, most_,
                        static_cast<double>(sum_) / static_cast<double>(count_));
   }
@@ -182,8 +183,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   if (auto finished = file.finish(); !finished) return finished;
-  fmt::print("{}: {} explorations of {} thing{}, {}\n", request.output, recorded,
-             request.plan.items, request.plan.items == 1 ? "" : "s", spread.text());
+  fmt::print("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
+             counted(request.plan.items, "thing"), spread.text());
   if (!interrupted) return judge(request, *outcome, pictures);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

@@ -11,7 +11,8 @@ namespace somato::program {
 /// process. Two that write the same journal would spoil it.
 class FolderLock {
  public:
-  /// Errors (kSystem): another run holds it. File systems without locks are taken as they are.
+  /// Removes the partial files that killed runs have left there. Errors (kSystem): another run
+  /// holds it. File systems without locks are taken as they are.
   static Result<FolderLock> take(const std::filesystem::path& folder);
 
   FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "somato/core/value.h"
 #include "somato/recording/inspect_recording.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -25,7 +26,7 @@ void print_label(const LabelSummary& label) {
   }
   std::uint64_t others = label.others;
   for (std::size_t i = shown; i < label.values.size(); ++i) others += label.values[i].explorations;
-  fmt::print("{}\n", others > 0 ? fmt::format(", and others {}", others) : "");
+  fmt::print("{}\n", others > 0 ? fmt::format(", and {} others", others) : "");
 }
 
 std::string times_of(const ChannelDescription& description) {
@@ -42,12 +43,13 @@ void print_channel(const ChannelSummary& channel, std::uint64_t explorations) {
   const std::string shape = description.shape.empty()
                                 ? fmt::format("{}", channel.elements)
                                 : fmt::format("{}", fmt::join(description.shape, " x "));
-  fmt::print("channel {}: {}{}, {}, {} frames an exploration{}\n", quoted(description.name), shape,
+  fmt::print("channel {}: {}{}, {}, {} an exploration{}\n", quoted(description.name), shape,
              description.unit.empty() ? "" : " " + quoted(description.unit), times_of(description),
-             range_of(channel.least_frames, channel.most_frames),
+             range_of(channel.least_frames, channel.most_frames) +
+                 (channel.most_frames == 1 ? " frame" : " frames"),
              channel.explorations == explorations
                  ? ""
-                 : fmt::format(", in {} explorations", channel.explorations));
+                 : ", in " + counted(channel.explorations, "exploration"));
 }
 
 Result<void> inspect(const Arguments& arguments) {

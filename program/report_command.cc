@@ -16,6 +16,7 @@
 #include "somato/graph/system_model.h"
 #include "somato/report/report.h"
 #include "version.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -142,10 +143,6 @@ Result<void> check_found(const Arguments& arguments) {
     if (auto apart = check_not_read(arguments.text("output"), found); !apart) return apart;
   }
   return {};
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 Result<void> run_report(const Arguments& arguments) {

@@ -41,7 +41,14 @@ Result<void> explore_into(const std::string& path, const Explorer& explorer,
       [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial, options); },
       [&](Exploration&& exploration) { return file->add(std::move(exploration)); },
       terminal_progress("exploring " + name));
-  if (!explored) return fail(explored.error());
+  if (!explored) {
+    Error error = explored.error();
+    if (error.kind == ErrorKind::kInterrupted) {
+      error.advice = "what is done is kept; the same command goes on from there and explores " +
+                     name + " anew";
+    }
+    return fail(std::move(error));
+  }
   if (!explored->failures.empty()) return fail(explored->failures.front().error);
   return file->finish();
 }

@@ -16,11 +16,13 @@
 #include "somato/graph/system_model.h"
 #include "somato/recording/format.h"
 #include "somato/recording/layout.h"
+#include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study.h"
 #include "study_data.h"
 #include "terminal.h"
 #include "winners_picture.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -39,11 +41,25 @@ Result<void> read_file(const std::string& path, const Table& file, ReproductionP
   return {};
 }
 
+// A file, or one of the program's own systems by its name.
+Result<Table> read_study_file(const std::string& name) {
+  std::error_code missing;
+  if (name.ends_with(".toml") || std::filesystem::exists(name, missing)) return read_toml(name);
+  auto own = own_systems();
+  if (!own) return fail(std::move(own.error()));
+  for (auto* files : {&own->systems, &own->recorded}) {
+    for (NamedFile& file : *files) {
+      if (file.name == name) return std::move(file.content);
+    }
+  }
+  return read_toml(name);
+}
+
 // The study of the file, which comes first, and its variations.
 Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   auto seeds = arguments.number("seeds", 1);
   if (!seeds) return fail(std::move(seeds.error()));
-  Result<Table> file = read_toml(arguments.text("STUDY"));
+  Result<Table> file = read_study_file(arguments.text("STUDY"));
   if (!file) return fail(std::move(file.error()));
   ReproductionPlan plan;
   if (auto read = read_file(arguments.text("STUDY"), *file, plan); !read) {
@@ -62,17 +78,21 @@ Result<void> check_variations(const ReproductionPlan& plan, const Recording& rec
   return {};
 }
 
+// A single map has no deviation.
 std::string summary(const Metric& metric) {
+  if (metric.values.size() == 1) return fmt::format("{:.3f}", metric.mean());
   return fmt::format("{:.3f} +- {:.3f}", metric.mean(), metric.standard_deviation());
 }
 
 void print_table(const StudyResults& results) {
   for (const SystemResults& system : results.systems) {
     const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
-    fmt::print("\n{}: {}{} by {}, {} samples, {} seeds\n", system.name, system.protocol, group,
-               system.label, system.samples, results.seeds);
+    fmt::print("\n{}: {}{} by {}, {}, {}\n", system.name, system.protocol, group, system.label,
+               counted(system.samples, "sample"), counted(results.seeds, "seed"));
+    std::size_t width = 33;
+    for (const Metric& metric : system.metrics) width = std::max(width, metric.name.size());
     for (const Metric& metric : system.metrics) {
-      fmt::print("  {:<33} {}\n", metric.name, summary(metric));
+      fmt::print("  {:<{}} {}\n", metric.name, width, summary(metric));
     }
   }
 }
@@ -160,8 +180,12 @@ Command run_command() {
   return {
       "run",
       "Run a study: train a system on a recording and test it",
-      {{"STUDY", "TOML file that describes the study and its system", true}},
-      {input_flag("--data", "The recording: its file, or a folder of original files"),
+      {{"STUDY",
+        "TOML file that describes the study and its system, or one of 'somato systems' by its name",
+        true}},
+      {input_flag("--data",
+                  "The recording: its file, or a folder of original files; required, as is --out, "
+                  "unless --explain is given"),
        input_flag("--test-data", "A separate recording to test what learned from all of --data"),
        folder_flag("--out", "Folder for results.json, map.svg and system.somato",
                    OutputFolder::names()),

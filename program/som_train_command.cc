@@ -8,6 +8,7 @@
 #include "row_data.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -76,8 +77,8 @@ Result<Som> train_map(const SomParameters& parameters, const SomModel& model, co
 
 void print_trained(const std::string& path, const Som& som, const RowData& rows,
                    const SomQuality& quality) {
-  fmt::print("{}: {} x {} neurons trained on {} samples of {} features\n", path, som.grid().rows(),
-             som.grid().columns(), rows.count, rows.size());
+  fmt::print("{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(),
+             som.grid().columns(), counted(rows.count, "sample"), counted(rows.size(), "feature"));
   fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n", quality.quantization_error,
              quality.topographic_error);
 }

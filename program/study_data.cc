@@ -10,7 +10,7 @@ Error with_place(Error error, const std::string& path) {
 }
 
 Error how_to_go_on(Error error) {
-  if (error.kind == ErrorKind::kInterrupted) {
+  if (error.kind == ErrorKind::kInterrupted && error.advice.empty()) {
     error.advice = "what is done is kept; the same command goes on from there";
   }
   return error;

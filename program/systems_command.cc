@@ -1,83 +1,45 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <iterator>
+#include <algorithm>
 
 #include "commands.h"
-#include "parameter_table.h"
-#include "somato/graph/module.h"
+#include "somato/studies/own_systems.h"
 
 namespace somato::program {
 namespace {
 
-std::string port_text(const InputPort& port) {
-  return std::string(port.many ? "a list of modules; " : "") + port.text +
-         (port.required ? "" : " Optional.");
+std::string body_of(const Table& file) {
+  const Table::Entry* explore = file.find("explore");
+  const auto* table = explore ? std::get_if<Table>(&explore->content) : nullptr;
+  const Table::Entry* body = table ? table->find("body") : nullptr;
+  const auto* value = body ? std::get_if<Value>(&body->content) : nullptr;
+  const auto* name = value ? std::get_if<std::string>(&value->content) : nullptr;
+  return name ? "  explores with " + *name : std::string();
 }
 
-void print_type(const ModuleType& type) {
-  fmt::print("{}{}\n  {}\n", type.name, type.learns ? " (learns)" : "", type.text);
-  for (const InputPort& port : type.ports) fmt::print("  <- {}: {}\n", port.name, port_text(port));
-  fmt::print("  -> {}\n", type.output);
-  for (const ParameterInfo& info : type.parameters) {
-    fmt::print("  {} = {}  {}. {}\n", info.name, info.default_text, values_of(info), info.text);
+void print_files(const std::string& title, const std::vector<NamedFile>& files) {
+  std::size_t width = 0;
+  for (const NamedFile& file : files) width = std::max(width, file.name.size());
+  fmt::print("{}\n", title);
+  for (const NamedFile& file : files) {
+    fmt::print("  {:<{}}{}\n", file.name, width, body_of(file.content));
   }
 }
 
-std::string markdown(const ModuleType& type) {
-  std::string page =
-      fmt::format("## `{}`\n\n{}{}\n\n", type.name, type.text, type.learns ? " It learns." : "");
-  page += "| port | what goes through |\n|---|---|\n";
-  for (const InputPort& port : type.ports) {
-    fmt::format_to(std::back_inserter(page), "| in: `{}` | {} |\n", port.name,
-                   markdown_cell(port_text(port)));
-  }
-  page += fmt::format("| out | {} |\n\n", markdown_cell(type.output));
-  if (!type.parameters.empty()) page += parameter_table(type.parameters) + "\n";
-  return page;
-}
-
-std::string markdown_page() {
-  std::string page =
-      "# Reference: types of modules\n\nMade by `somato systems --markdown` from what the program "
-      "itself knows; a test compares the two. A module is a table `[module.NAME]` of a study file "
-      "with its `type`, the names of the modules it listens to as keys named after its ports, and "
-      "its parameters. [Your own system](../your-system.md) shows how they are put together.\n\n";
-  for (const ModuleType& type : module_types()) page += markdown(type);
-  page.pop_back();
-  return page;
-}
-
-Result<void> systems(const Arguments& arguments) {
-  if (arguments.has("markdown") && arguments.has("TYPE")) {
-    return fail(ErrorKind::kUsage, "the page holds all types", "--markdown", "leave TYPE out");
-  }
-  if (arguments.has("markdown")) {
-    fmt::print("{}", markdown_page());
-    return {};
-  }
-  if (arguments.has("TYPE")) {
-    const auto type = find_module_type(arguments.text("TYPE"), "systems");
-    if (!type) return fail(type.error());
-    print_type(**type);
-    return {};
-  }
-  for (const ModuleType& type : module_types()) {
-    print_type(type);
-    fmt::print("\n");
-  }
+Result<void> list_systems(const Arguments& /*arguments*/) {
+  const auto own = own_systems();
+  if (!own) return fail(own.error());
+  print_files("The papers' systems, for somato run and somato reproduce:", own->systems);
+  print_files("\nThe same for data sets of others, with --data:", own->recorded);
+  print_files("\nQuestions about them, for somato reproduce:", own->questions);
+  fmt::print("\n'somato modules' lists what systems are made of.\n");
   return {};
 }
 
 }  // namespace
 
 Command systems_command() {
-  return {"systems",
-          "List the types of modules that systems are made of, with ports and parameters",
-          {{"TYPE", "One type only", false, false, Role::kValue}},
-          {{"--markdown", "As a page of the documentation", false, false}},
-          {},
-          systems};
+  return {"systems", "List the systems that come with the program", {}, {}, {}, list_systems};
 }
 
 }  // namespace somato::program

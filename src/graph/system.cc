@@ -24,7 +24,7 @@ Result<std::string> type_of(const ModuleDescription& module) {
   if (type) return *type;
   return fail(ErrorKind::kUsage, "the module does not say what it is",
               entry ? entry->where : module.settings.where,
-              "write type = \"...\"; 'somato systems' lists the types");
+              "write type = \"...\"; 'somato modules' lists the types");
 }
 
 bool is_port(const ModuleType& type, const std::string& name) {

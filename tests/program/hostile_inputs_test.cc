@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -90,7 +91,12 @@ TEST_F(HostileInputs, AFolderInWhichAnotherRunWorksIsRefused) {
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};
   expect_refused(1, words, {"out: another run of somato works in this folder"});
   close(folder);
+  const std::string mine = fmt::format("out/.somato-{}-0.partial", getpid());
+  write("out/.somato-2000000000-3.partial", "of a process that is gone");
+  write(mine, "of a process that lives");
   EXPECT_EQ(run(words).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("out/.somato-2000000000-3.partial")));
+  EXPECT_TRUE(fs::exists(path(mine)));
 }
 
 TEST_F(HostileInputs, AClaimWithAMisspeltNameIsRefused) {

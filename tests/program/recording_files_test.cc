@@ -158,7 +158,7 @@ TEST_F(RecordingFiles, LongRecordingsTakeLittleMemory) {
   const ProgramRun done = run_small({"inspect", "a.mcap"});
   EXPECT_EQ(done.exit_code, 0);
   EXPECT_NE(done.out.find("explorations: 301\n"), std::string::npos);
-  EXPECT_NE(done.out.find("and others"), std::string::npos);
+  EXPECT_NE(done.out.find(" others"), std::string::npos);
   EXPECT_EQ(run_small({"recover", "a.mcap", "-o", "b.mcap"}).exit_code, 0);
 }
 
@@ -171,7 +171,7 @@ TEST_F(RecordingFiles, TenThousandEmptyExplorationsAreCounted) {
   ASSERT_TRUE(writer.close());
   const std::string out = output_of({"inspect", "a.mcap"});
   EXPECT_NE(out.find("explorations: 10000\n"), std::string::npos);
-  EXPECT_NE(out.find("\"19\" 1, and others 9980\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("\"19\" 1, and 9980 others\n"), std::string::npos) << out;
 }
 
 }  // namespace

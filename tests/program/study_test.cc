@@ -97,7 +97,7 @@ TEST_F(Study, TheSameBytesAgainAndForEveryNumberOfThreads) {
 TEST_F(Study, ShowsATableAndWhereItsFilesAre) {
   write_study("3");
   const std::string shown = run_study("deep/down", {"--seeds", "1"});
-  EXPECT_NE(shown.find("small: train_is_test by object, 30 samples, 1 seeds"), std::string::npos);
+  EXPECT_NE(shown.find("small: train_is_test by object, 30 samples, 1 seed"), std::string::npos);
   EXPECT_NE(
       shown.find("Written: deep/down/results.json, deep/down/map.svg, deep/down/system.somato"),
       std::string::npos);

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include <algorithm>
 
 #include "program/program_test.h"
@@ -10,25 +12,20 @@ class Usage : public ProgramTest {};
 TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
   write_data();
   expect_refused(
-      2,
-      {{{},
-        {"a command is missing",
-         "run, report, view, information, apply, systems, import, inspect, recover, som, reference",
-         "somato --help"}},
-       {{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
-       {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
-       {{"som", "trian", "data.csv", "-o", "x"},
-        {"som: unknown command 'trian'", "did you mean 'train'?"}},
-       {{"--hlep"}, {"unknown flag '--hlep'", "'--help'"}},
-       {{"som", "train", "data.csv", "-o", "x", "--rwos", "3"},
-        {"som train: unknown flag '--rwos'", "did you mean '--rows'?"}},
-       {{"som", "train", "data.csv", "--rwos=3"}, {"unknown flag '--rwos'", "'--rows'"}},
-       {{"som", "train", "data.csv", "-o", "x", "-z"},
-        {"unknown flag '-z'", "see 'somato som train --help'"}},
-       {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
-       {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
-       {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
-       {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
+      2, {{{"som"}, {"som: a command is missing", "train, map, quality, plot"}},
+          {{"sim"}, {"unknown command 'sim'", "did you mean 'som'?"}},
+          {{"som", "trian", "data.csv", "-o", "x"},
+           {"som: unknown command 'trian'", "did you mean 'train'?"}},
+          {{"--hlep"}, {"unknown flag '--hlep'", "'--help'"}},
+          {{"som", "train", "data.csv", "-o", "x", "--rwos", "3"},
+           {"som train: unknown flag '--rwos'", "did you mean '--rows'?"}},
+          {{"som", "train", "data.csv", "--rwos=3"}, {"unknown flag '--rwos'", "'--rows'"}},
+          {{"som", "train", "data.csv", "-o", "x", "-z"},
+           {"unknown flag '-z'", "see 'somato som train --help'"}},
+          {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
+          {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
+          {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
+          {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
 }
 
 TEST_F(Usage, MissingArgumentsAreNamed) {
@@ -117,10 +114,38 @@ TEST_F(Usage, OtherCommandsCheckTheirFlagsToo) {
 }
 
 TEST_F(Usage, VersionAndHelpGoToStandardOutput) {
-  EXPECT_NE(output_of({"--version"}).find('.'), std::string::npos);
+  EXPECT_TRUE(output_of({"--version"}).starts_with("somato "));
+  EXPECT_EQ(output_of({"-V"}), output_of({"--version"}));
   for (const Words& words : {Words{"--help"}, {"-h"}, {"som", "--help"}, {"run", "--help"}}) {
     EXPECT_NE(output_of(words).find("Usage: somato"), std::string::npos);
   }
+}
+
+TEST_F(Usage, HelpComesWithoutDashesToo) {
+  EXPECT_EQ(output_of({}), output_of({"--help"}));
+  EXPECT_EQ(output_of({"help"}), output_of({"--help"}));
+  EXPECT_EQ(output_of({"help", "som", "train"}), output_of({"som", "train", "--help"}));
+}
+
+TEST_F(Usage, HelpIsWrapped) {
+  std::istringstream help(output_of({"som", "train", "--help"}));
+  for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST_F(Usage, ADashIsAStandardStream) {
+  train();
+  EXPECT_EQ(output_of({"som", "map", "good.map", "data.csv", "-o", "-"}),
+            output_of({"som", "map", "good.map", "data.csv"}));
+  EXPECT_NE(output_of({"som", "plot", "good.map", "-o", "-"}).find("<svg"), std::string::npos);
+}
+
+TEST_F(Usage, SystemsAreListedAndRunByName) {
+  const std::string systems = output_of({"systems"});
+  for (const char* name : {"shape_and_size ", "texture ", "hardness_acoustic", "t_mpsom_ratio"}) {
+    EXPECT_NE(systems.find(name), std::string::npos) << name;
+  }
+  EXPECT_EQ(output_of({"run", "shape_and_size", "--explain"}),
+            output_of({"run", SOMATO_SOURCE_DIR "/systems/shape_and_size.toml", "--explain"}));
 }
 
 // Words such as --rows of a help text.
@@ -144,7 +169,7 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
   const std::string page = output_of({"reference"});
   for (const Words& command : {Words{"run"},
                                {"apply"},
-                               {"systems"},
+                               {"modules"},
                                {"recover"},
                                {"som", "train"},
                                {"som", "map"},

@@ -4,13 +4,13 @@
 namespace somato {
 namespace {
 
-class Systems : public ProgramTest {};
+class Modules : public ProgramTest {};
 
-TEST_F(Systems, ListsEveryTypeWithItsPortsAndParameters) {
-  const std::string all = output_of({"systems"});
-  const std::string page = output_of({"systems", "--markdown"});
+TEST_F(Modules, ListsEveryTypeWithItsPortsAndParameters) {
+  const std::string all = output_of({"modules"});
+  const std::string page = output_of({"modules", "--markdown"});
   for (const ModuleType& type : module_types()) {
-    const std::string one = output_of({"systems", type.name});
+    const std::string one = output_of({"modules", type.name});
     EXPECT_TRUE(one.starts_with(type.name + (type.learns ? " (learns)\n" : "\n"))) << one;
     EXPECT_NE(all.find(one), std::string::npos) << type.name;
     EXPECT_NE(page.find("## `" + type.name + "`\n"), std::string::npos) << type.name;
@@ -26,12 +26,12 @@ TEST_F(Systems, ListsEveryTypeWithItsPortsAndParameters) {
   EXPECT_GT(module_types().size(), 10u);
 }
 
-TEST_F(Systems, RefusesWhatItDoesNotKnow) {
-  expect_refused(2, {{{"systems", "smo"}, {"unknown type of module 'smo'"}},
-                     {{"systems", "one_hat"},
-                      {"systems: unknown type of module 'one_hat'", "did you mean 'one_hot'?"}},
-                     {{"systems", "som", "more"}, {"unexpected argument 'more'"}},
-                     {{"systems", "som", "--markdown"},
+TEST_F(Modules, RefusesWhatItDoesNotKnow) {
+  expect_refused(2, {{{"modules", "smo"}, {"unknown type of module 'smo'"}},
+                     {{"modules", "one_hat"},
+                      {"modules: unknown type of module 'one_hat'", "did you mean 'one_hot'?"}},
+                     {{"modules", "som", "more"}, {"unexpected argument 'more'"}},
+                     {{"modules", "som", "--markdown"},
                       {"--markdown: the page holds all types", "leave TYPE out"}}});
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace somato::program {
+
+/// Writes --help within the width of the terminal; 100 columns where there is none.
+class HelpFormat : public CLI::Formatter {
+ public:
+  HelpFormat();
+
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+
+ private:
+  /// A name with its description beside it, wrapped.
+  std::string entry(const std::string& name, const std::string& text) const;
+
+  std::size_t width_;
+};
+
+}  // namespace somato::program
