@@ -42,9 +42,9 @@ TEST(JsonText, IsNestedAsDeeplyAsAllowedAndNoDeeper) {
   EXPECT_EQ(json_error(times_over("[", 16) + times_over("]", 16)), "");
   EXPECT_EQ(json_error(times_over("[", 17) + times_over("]", 17)),
             "a.json:1:17: the JSON is nested more than 16 deep");
-  EXPECT_EQ(
-      json_error(R"({"x":)" + times_over("[", 100000) + times_over("]", 100000) + R"(,"a":1,"b":2})"),
-      "a.json:1:21: the JSON is nested more than 16 deep");
+  EXPECT_EQ(json_error(R"({"x":)" + times_over("[", 100000) + times_over("]", 100000) +
+                       R"(,"a":1,"b":2})"),
+            "a.json:1:21: the JSON is nested more than 16 deep");
   EXPECT_EQ(json_error(times_over("{\"a\":", 1000000)),
             "a.json:1:81: the JSON is nested more than 16 deep");
 }
