@@ -10,6 +10,7 @@
 #include "somato/files/whole_file.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
+#include "somato/maps/sample_range.h"
 #include "study_data.h"
 
 namespace somato::program {
@@ -56,15 +57,31 @@ Result<void> check_layout(const System& system, const Recording& recording,
   return {};
 }
 
-std::string line_of(const SystemModel& model, const Som& som, const SignalView& input,
-                    const Exploration& exploration) {
+// The label that the recording gives; empty where it gives none.
+std::string given_label(const Exploration& exploration, const std::string& name) {
+  for (const Label& label : exploration.labels) {
+    if (label.name == name) return label.value;
+  }
+  return {};
+}
+
+Result<std::string> line_of(const SystemModel& model, const Som& som, const SignalView& input,
+                            const Exploration& exploration, std::size_t number) {
+  if (!is_in_range(input)) {
+    return fail(ErrorKind::kData,
+                fmt::format("exploration {} is too large for the map: what it takes has to be told "
+                            "apart from others in single precision",
+                            number),
+                exploration.source, "leave the exploration out");
+  }
   SomWorkspace workspace;
   const std::size_t winner = som.winner(input, workspace);
   const std::size_t label = model.answer->labels.classify(som, input, workspace);
-  return fmt::format("{},{},{},{},{:.9g},{}\n", csv_field(exploration.source), winner,
+  return fmt::format("{},{},{},{},{},{:.9g},{},{}\n", number, csv_field(exploration.source), winner,
                      winner / som.grid().columns(), winner % som.grid().columns(),
                      som.distance(input, winner, workspace),
-                     csv_field(model.answer->classes[label]));
+                     csv_field(model.answer->classes[label]),
+                     csv_field(given_label(exploration, model.answer->label)));
 }
 
 Result<void> apply(const Arguments& arguments) {
@@ -86,12 +103,15 @@ Result<void> apply(const Arguments& arguments) {
   const std::size_t input = model->system.modules()[*map].inputs.front();
   auto seen = evaluate(model->system, *recording, all, {input}, *threads, activations);
   if (!seen) return seen;
-  std::string text =
-      "exploration,winner,row,column,distance," + csv_field(model->answer->label) + "\n";
+  const std::string& label = model->answer->label;
+  std::string text = fmt::format("exploration,source,winner,row,column,distance,{},{}\n",
+                                 csv_field(label), csv_field("given_" + label));
   for (const std::size_t exploration : all) {
-    text += line_of(*model, *som_of(model->system, *map),
-                    activations.find(input, exploration)->values[0],
-                    recording->explorations[exploration]);
+    auto line = line_of(*model, *som_of(model->system, *map),
+                        activations.find(input, exploration)->values[0],
+                        recording->explorations[exploration], exploration + 1);
+    if (!line) return fail(std::move(line.error()));
+    text += *line;
   }
   if (arguments.has("output")) return save_whole(arguments.text("output"), text);
   fmt::print("{}", text);

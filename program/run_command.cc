@@ -84,6 +84,22 @@ std::string summary(const Metric& metric) {
   return fmt::format("{:.3f} +- {:.3f}", metric.mean(), metric.standard_deviation());
 }
 
+// A map that is much worse than the nearest known sample needs more of something. Where it is
+// tested on what it has learned, the nearest known sample is the tested one.
+void print_advice(const SystemResults& system) {
+  constexpr double kMuch = 0.05;
+  const Metric* accuracy = system.find_metric("accuracy");
+  const Metric* baseline = system.find_metric("baseline_accuracy");
+  if (accuracy == nullptr || baseline == nullptr || system.protocol == "train_is_test") return;
+  const double below = baseline->mean() - accuracy->mean();
+  if (below <= kMuch) return;
+  fmt::print(
+      "  The map is {:.0f} points below the nearest known sample. More neurons (rows, columns), "
+      "more\n"
+      "  iterations or a standardization may help.\n",
+      100 * below);
+}
+
 void print_table(const StudyResults& results) {
   for (const SystemResults& system : results.systems) {
     const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
@@ -94,6 +110,7 @@ void print_table(const StudyResults& results) {
     for (const Metric& metric : system.metrics) {
       fmt::print("  {:<{}} {}\n", metric.name, width, summary(metric));
     }
+    print_advice(system);
   }
 }
 

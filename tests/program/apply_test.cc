@@ -35,24 +35,27 @@ TEST_F(Apply, AnswersAsTheStudyDid) {
   const auto rows = rows_of(output_of({"apply", "out/system.somato", kTrials}));
   const Json run = Json::parse(read("out/results.json"))["systems"][0]["runs"][0];
   ASSERT_EQ(rows.size(), 31u);
-  EXPECT_EQ(rows[0], (Words{"exploration", "winner", "row", "column", "distance", "object"}));
+  EXPECT_EQ(rows[0], (Words{"exploration", "source", "winner", "row", "column", "distance",
+                            "object", "given_object"}));
   const SystemModel model = load_system(path("out/system.somato")).value();
   const Som& map = *som_of(model.system, model.system.find("map").value());
   const Recording recording = import_icub_grasp(kTrials).value();
   SomWorkspace workspace;
   for (std::size_t i = 0; i < 30; ++i) {
     const Words& row = rows[i + 1];
-    ASSERT_EQ(row.size(), 6u);
+    ASSERT_EQ(row.size(), 8u);
     const std::size_t winner = run["winners"][i];
-    EXPECT_NE(row[0].find(recording.explorations[i].source), std::string::npos) << row[0];
-    EXPECT_EQ(row[1], std::to_string(winner));
-    EXPECT_EQ(row[2], std::to_string(winner / 3));
-    EXPECT_EQ(row[3], std::to_string(winner % 3));
-    EXPECT_EQ(row[5], run["predictions"][i].get<std::string>());
+    EXPECT_EQ(row[0], std::to_string(i + 1));
+    EXPECT_NE(row[1].find(recording.explorations[i].source), std::string::npos) << row[1];
+    EXPECT_EQ(row[2], std::to_string(winner));
+    EXPECT_EQ(row[3], std::to_string(winner / 3));
+    EXPECT_EQ(row[4], std::to_string(winner % 3));
+    EXPECT_EQ(row[6], run["predictions"][i].get<std::string>());
+    EXPECT_EQ(row[7], run["labels"][i].get<std::string>());
     const Channel& joints = **find_channel(recording.explorations[i], "joints");
     const auto closed = joints.frames.row(joints.frames.rows() - 1);
     const SignalView view = SignalView::dense(closed);
-    EXPECT_NEAR(std::stod(row[4]), map.distance(view, winner, workspace), 1e-6);
+    EXPECT_NEAR(std::stod(row[5]), map.distance(view, winner, workspace), 1e-6);
   }
 }
 
