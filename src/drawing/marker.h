@@ -8,7 +8,7 @@
 namespace somato {
 
 /// Draws the marker of a class. All shapes cover about the area of a circle of `radius`; none
-/// reaches further than 1.4 times that.
+/// reaches further than 1.45 times that.
 void draw_marker(SvgWriter& svg, Point centre, double radius, const ClassMark& mark,
                  std::string_view tooltip = {});
 

@@ -68,6 +68,23 @@ TEST(Svg, DrawsWhatItIsTold) {
   EXPECT_EQ(texts[0]["font-weight"], "bold");
 }
 
+std::string transform_written(Point offset, Point scale) {
+  SvgWriter svg(5, 5, "");
+  svg.open_group("one", offset, {}, scale);
+  svg.close_group();
+  return test::groups(test::read_xml(std::move(svg).finish()).value(), "one").at(0)["transform"];
+}
+
+TEST(Svg, GroupsAreMovedAndStretchedOnlyWhereTheyAskForIt) {
+  EXPECT_EQ(transform_written({0, 0}, {1, 1}), "");
+  EXPECT_EQ(transform_written({0, 3}, {1, 1}), "translate(0,3)");
+  EXPECT_EQ(transform_written({1, 0}, {1, 1}), "translate(1,0)");
+  EXPECT_EQ(transform_written({0, 0}, {1, 2}), "scale(1,2)");
+  EXPECT_EQ(transform_written({0, 0}, {2, 1}), "scale(2,1)");
+  EXPECT_EQ(transform_written({0, 0}, {2, 2}), "scale(2,2)");
+  EXPECT_EQ(transform_written({0, 0}, {1.234567, 1}), "scale(1.234567,1)");
+}
+
 TEST(Svg, RefusesMistakes) {
   EXPECT_THROW(SvgWriter(0, 5, ""), InvalidArgument);
   EXPECT_THROW(SvgWriter(5, std::numeric_limits<double>::quiet_NaN(), ""), InvalidArgument);
