@@ -102,7 +102,7 @@ TEST_F(Curves, SchedulesThatFollowTheLengthOfTrainingAreNoOtherChange) {
   ASSERT_EQ(curves_json(parts_, {}, {}).size(), 1U);
   EXPECT_EQ(curves_json(parts_, {}, {})[0]["x"], "iterations");
   parts_.pop_back();
-  add("b", "longest", settings("300", "250"), {1, 1});
+  add("a", "longest", settings("300", "250"), {1, 1});
   EXPECT_EQ(curves_json(parts_, {}, {}), Json::array());
 }
 

@@ -103,6 +103,26 @@ TEST(RebuiltStudy, WhatPhasesDecidedDoesNotHinder) {
   }
 }
 
+// Each of them says how it drew, which was the phase's to say.
+TEST(RebuiltStudy, WhatAPhaseOfTwoDecidedDoesNotHinder) {
+  const std::string map = "type = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\n";
+  const auto phased = testing::study_from(
+      "[study]\nname = 'together'\nmap = 'one'\nseeds = 1\n"
+      "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+      "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+      "[module.one]\n" +
+      map + "[module.other]\n" + map + "[[phase]]\nlearn = ['one', 'other']\ndraws = 50\n");
+  const auto outcome = run_study(phased, testing::grasps(3, 3, 1)).value();
+  const auto rebuilt = rebuilt_study(outcome.results.settings);
+  ASSERT_TRUE(rebuilt) << to_string(rebuilt.error());
+  for (const ModuleDescription& module : rebuilt->system.modules) {
+    EXPECT_EQ(module.settings.find("draws"), nullptr) << module.name;
+  }
+  const auto again = System::build(rebuilt->system, layout_of(testing::grasps(3, 3, 1)));
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(again->phases().front().draws, 50U);
+}
+
 TEST(RebuiltStudy, SettingsThatAreNoneAreRefused) {
   EXPECT_FALSE(rebuilt_study({}));
   EXPECT_FALSE(rebuilt_study({{"study", {{"name", "\"a\""}, {"nonsense", "1"}}}}));

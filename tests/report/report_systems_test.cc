@@ -172,6 +172,21 @@ TEST(ReportOfSystems, ClaimsThatTheExplorationsCannotDecideAreLeftOutWithASenten
                          "is no 'boccia'."}));
 }
 
+TEST(ReportOfSystems, AClaimAboutTwoThingsIsJudgedWhereBothAreThere) {
+  const OwnSystems own = own_systems().value();
+  const auto file = std::find_if(own.systems.begin(), own.systems.end(), [](const NamedFile& one) {
+    return one.name == "t_mpsom_multiplied";
+  });
+  Recording recording = made_touch(6);
+  for (Exploration& exploration : recording.explorations) {
+    if (exploration.labels[0].value == "thing 1") exploration.labels[0].value = "boccia";
+  }
+  const MadeStudy study(once(*file, own.systems), recording);
+  const Json report = report_of({study.file()}, study.sources());
+  ASSERT_EQ(report["claims"].size(), 2U);
+  EXPECT_EQ(report["claims"][1]["metric"], "mapped_with boccia boule");
+}
+
 // A system of that name with another setting is not what the claims are about.
 TEST(ReportOfSystems, ClaimsAreNotThoseOfAChangedSystem) {
   const OwnSystems own = own_systems().value();

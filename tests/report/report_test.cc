@@ -53,6 +53,7 @@ TEST(Report, HasTheValuesOfResultsJson) {
     const Json& expected = results["systems"][i];
     const Json& found = system["protocols"][i];
     EXPECT_EQ(found["protocol"], expected["protocol"]);
+    EXPECT_FALSE(found.contains("name"));  // that of the system, which stands above
     EXPECT_EQ(found["metrics"], expected["metrics"]);
     for (std::size_t run = 0; run < expected["runs"].size(); ++run) {
       Json of_report = found["runs"][run];
