@@ -91,6 +91,31 @@ TEST(ChannelPlanes, AChannelReadAsItIsHasItsWeightsNamesAndUnit) {
   }
 }
 
+// A change of degrees is one in degrees, a sum of them over frames is not.
+TEST(ChannelPlanes, ModulesThatPassValuesOnKeepTheirUnitOrNot) {
+  const auto unit_through = [&](const std::string& type, const std::string& then) {
+    return Problem(channels({"joints"}) + module("once", type, "input = 'joints'") +
+                   module("end", then, "input = 'once'") + map_on("end"))
+        .planes()
+        .front()
+        .value_unit;
+  };
+  for (const std::string type : {"first", "last", "change"}) {
+    EXPECT_EQ(unit_through(type, "scale"), "deg") << type;
+  }
+  EXPECT_EQ(unit_through("accumulate", "scale"), "");
+  EXPECT_EQ(unit_through("last", "normalization"), "");
+}
+
+TEST(ChannelPlanes, AMapOfOneNeuronHasThemToo) {
+  const Problem problem(
+      channels({"joints"}) + module("closed", "last", "input = 'joints'") +
+      module("map", "som", "input = 'closed'\nrows = 1\ncolumns = 1\niterations = 20"));
+  const auto planes = problem.planes();
+  ASSERT_EQ(planes.size(), 1U);
+  EXPECT_EQ(planes[0].values(0, 2), double{problem.som().weight(0, 2)});
+}
+
 TEST(ChannelPlanes, WeightsOfLengthOneHaveNoUnit) {
   const Problem problem(channels({"joints"}) + module("closed", "last", "input = 'joints'") +
                         map_on("closed", "\nsimilarity = 'dot_product'"));
@@ -279,8 +304,12 @@ TEST(ChannelPlanes, ShortInputsThatAreNoChannelsHaveAllTheirElementsFirst) {
                         module("memory", "accumulate", "input = 'both'") + map_on("memory"));
   const auto planes = problem.planes();
   ASSERT_EQ(names_of(planes), (Words{"memory", "height", "wrist"}));
-  EXPECT_EQ(planes[0].values.columns(), 7U);
-  EXPECT_EQ(planes[0].values(5, 6), double{problem.som().weight(5, 6)});
+  ASSERT_EQ(planes[0].values.columns(), 7U);
+  for (std::size_t neuron = 0; neuron < 6; ++neuron) {
+    for (std::size_t element = 0; element < 7; ++element) {
+      EXPECT_EQ(planes[0].values(neuron, element), double{problem.som().weight(neuron, element)});
+    }
+  }
 }
 
 TEST(ChannelPlanes, EndAtWhatIsNoChannelAnyMore) {
@@ -303,10 +332,35 @@ TEST(ChannelPlanes, ManyElementsAreMeansOfNeighbours) {
       map_on("bits"));
   const auto planes = problem.planes();
   ASSERT_EQ(planes[0].elements.size(), 100U);
+  EXPECT_EQ(planes[0].elements.front(), "1-3");
   EXPECT_EQ(planes[0].elements[1], "4-6");
-  double sum = 0.0;
-  for (std::size_t e = 3; e < 6; ++e) sum += double{problem.som().weight(2, e)};
-  EXPECT_NEAR(planes[0].values(2, 1), sum / 3, 1e-9);
+  EXPECT_EQ(planes[0].elements.back(), "298-300");
+  for (std::size_t neuron = 0; neuron < 6; ++neuron) {
+    for (std::size_t group = 0; group < 100; ++group) {
+      double sum = 0.0;
+      for (std::size_t e = 3 * group; e < 3 * group + 3; ++e) {
+        sum += double{problem.som().weight(neuron, e)};
+      }
+      EXPECT_NEAR(planes[0].values(neuron, group), sum / 3, 1e-9);
+    }
+  }
+}
+
+// Each concatenation of a thing with itself doubles the ways back, and all are gone to their end.
+TEST(ChannelPlanes, WaysBackAreAsLongAsTheSystem) {
+  std::string text = channels({"wrist"}) + module("m0", "last", "input = 'wrist'");
+  for (int i = 1; i <= 7; ++i) {
+    const std::string before = "'m" + std::to_string(i - 1) + "'";
+    text += module("m" + std::to_string(i), "concatenation",
+                   "inputs = [" + before + ", " + before + "]");
+  }
+  const Problem problem(text + map_on("m7"));
+  const auto planes = problem.planes();
+  ASSERT_EQ(planes.size(), 128U);
+  for (std::size_t way = 0; way < 128; ++way) {
+    EXPECT_EQ(planes[way].name, "wrist");
+    EXPECT_EQ(planes[way].values(3, 0), double{problem.som().weight(3, way)}) << way;
+  }
 }
 
 // Each module doubles the ways back: 2^12 of them.

@@ -479,6 +479,31 @@ TEST(SystemTraining, AProgressMayStopEveryPhase) {
   }
 }
 
+// After each 64 draws and after the last, of frames as of explorations.
+TEST(SystemTraining, AProgressTellsHowManyDrawsAreDone) {
+  using Numbers = std::vector<std::uint64_t>;
+  const Recording recording = hand_recording(6, 5);
+  for (const std::string heard : {"joints", "closed"}) {
+    for (const Numbers& expected : {Numbers{63}, Numbers{64}, Numbers{64, 128, 130}}) {
+      const std::uint64_t draws = expected.back();
+      System system =
+          build(channels() + module("closed", "last", "input = \"joints\"") +
+                    module("a", "som", "input = \"" + heard + "\"" + kSmall) +
+                    module("b", "som", "input = \"a\"" + kSmall) +
+                    "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = " + std::to_string(draws) + "\n",
+                recording);
+      Numbers told;
+      const auto tell = [&](std::uint64_t done, std::uint64_t all) {
+        EXPECT_EQ(all, draws);
+        told.push_back(done);
+        return true;
+      };
+      ASSERT_TRUE(try_train(system, recording, 6, {1, 1, tell}));
+      EXPECT_EQ(told, expected) << heard;
+    }
+  }
+}
+
 TEST(SystemTraining, WhatFrozenModulesGaveIsKept) {
   const Recording recording = hand_recording(6, 5);
   System system = build(kEverything, recording);
