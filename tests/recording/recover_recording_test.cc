@@ -227,15 +227,21 @@ TEST(RecoverRecording, BitsThatTurnAreFoundOrDoNotMatter) {
   }
 }
 
-// Many chunks, one of them damaged: the explorations behind it are saved with their own labels.
-TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
-  const TemporaryFolder folder;
+// Six explorations of one value each, packed in several chunks.
+Recording six_things() {
   Recording recording;
   for (std::size_t i = 0; i < 6; ++i) {
     Exploration exploration = testing::exploration_of("thing " + std::to_string(i), {1, 2});
     exploration.channels[0].frames = Matrix<float>(40, 2, static_cast<float>(i));
     recording.explorations.push_back(exploration);
   }
+  return recording;
+}
+
+// Many chunks, one of them damaged: the explorations behind it are saved with their own labels.
+TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
+  const TemporaryFolder folder;
+  const Recording recording = six_things();
   for (const Compression compression : kAllExplorations) {
     const std::string path = folder.file("a");
     ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 3000)));
@@ -268,6 +274,32 @@ TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
       }
       EXPECT_EQ(frames, 240 - lost);
     }
+  }
+}
+
+// The next chunk begins one byte behind the place where the reader stumbles.
+TEST(RecoverRecording, LosesNothingByOneByteTooManyBetweenChunks) {
+  const TemporaryFolder folder;
+  const Recording recording = six_things();
+  for (const Compression compression : kAllExplorations) {
+    const std::string path = folder.file("a");
+    ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 3000)));
+    const std::string whole = bytes_of(path);
+    std::vector<WalkedRecord> chunks = testing::walk(whole, 8);
+    std::erase_if(chunks, [](const WalkedRecord& record) { return record.opcode != 6; });
+    const WalkedRecord& fourth = chunks.at(3);
+    std::string damaged = whole;
+    damaged.insert(fourth.end - fourth.content.size() - 9, 1, '\0');
+    folder.with("a", damaged);
+    EXPECT_FALSE(read_recording(path));
+    ASSERT_TRUE(recover_recording(path, folder.file("b")));
+    const Result<Recording> saved = read_recording(folder.file("b"));
+    ASSERT_TRUE(saved) << to_string(saved.error());
+    std::size_t frames = 0;
+    for (const Exploration& exploration : saved->explorations) {
+      frames += exploration.channels[0].frames.rows();
+    }
+    EXPECT_EQ(frames, 240U);
   }
 }
 

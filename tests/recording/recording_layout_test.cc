@@ -1,0 +1,55 @@
+#include "recording/recording_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace somato {
+namespace {
+
+ChannelDescription described(const std::string& name, const std::string& unit) {
+  ChannelDescription description;
+  description.name = name;
+  description.unit = unit;
+  return description;
+}
+
+// ROS has joints in radians (REP 103).
+TEST(RecordingLayout, JointsInDegreesAreWrittenInRadians) {
+  const std::vector<float> degrees{180.0F, -90.0F, 0.0F};
+  const std::string message = frame_message(described("joints", "deg"), 0, degrees);
+  const auto frame = parse_ros_message(RosKind::kJointState, message).value();
+  ASSERT_EQ(frame.values.size(), 3U);
+  EXPECT_NEAR(frame.values[0], std::numbers::pi, 1e-12);
+  EXPECT_NEAR(frame.values[1], -std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(frame_values(described("joints", "deg"), RosKind::kJointState, frame.values), degrees);
+}
+
+TEST(RecordingLayout, WhatIsNotInDegreesIsWrittenAsItIs) {
+  const std::vector<float> values{180.0F};
+  const std::string message = frame_message(described("joints", "rad"), 0, values);
+  const auto frame = parse_ros_message(RosKind::kJointState, message).value();
+  EXPECT_EQ(frame.values, std::vector<double>{180.0});
+  EXPECT_EQ(frame_values(described("touch", "deg"), RosKind::kFloat32Array, frame.values), values);
+}
+
+TEST(RecordingLayout, TheTopicOfExplorationsStaysFree) {
+  EXPECT_EQ(topic_of("touch"), "/touch");
+  EXPECT_EQ(topic_of("exploration"), "/exploration_");
+  EXPECT_EQ(topic_of("exploration_"), "/exploration__");
+  EXPECT_EQ(topic_of("explorations"), "/explorations");
+  EXPECT_EQ(topic_of("exploration_1_"), "/exploration_1_");
+  EXPECT_NE(topic_of("exploration"), exploration_channel().topic);
+}
+
+TEST(RecordingLayout, NamesAreReadFromTopicsAsTheyWere) {
+  for (const std::string name : {"touch", "touch_", "exploration", "exploration_", "exploration__",
+                                 "explorations", "exploration_1", "exploration_1_", "_"}) {
+    EXPECT_EQ(parse_description(channel_for(described(name, ""))).value().name, name);
+  }
+}
+
+}  // namespace
+}  // namespace somato
