@@ -29,6 +29,10 @@ TEST(GraspPoses, GoForthAgainAtTheThirdHeight) {
   EXPECT_EQ(grasp_poses({{5}, {7}, 1}).value(), (Poses{{5, 7}}));
 }
 
+TEST(GraspPoses, MayStandOnTheTable) {
+  EXPECT_EQ(grasp_poses({{0}, {0}, 1}).value(), (Poses{{0, 0}}));
+}
+
 TEST(GraspPoses, ThatCannotBeMadeAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [plan, word] :

@@ -73,6 +73,13 @@ TEST(Material, WhatCannotBeIsRefusedWithItsPlace) {
   expect_refused("[material]\ndensity = 3\n", "mine.toml:2", "no table");
 }
 
+// As the reference of keys says.
+TEST(Material, RidgesOfAWeaveLieAtMostTenCentimetresApart) {
+  const std::string weave = "[material.a]\nweave_height = 9\nweave_period = ";
+  EXPECT_TRUE(materials_of(weave + "100"));
+  expect_refused(weave + "100.5", "mine.toml:3", "weave_period");
+}
+
 TEST(Material, AFileWithoutMaterialsHasNone) {
   const auto read = materials_of("[object.ball]\nshape = \"sphere\"\n");
   ASSERT_TRUE(read);

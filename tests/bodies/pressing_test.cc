@@ -88,6 +88,13 @@ TEST(Pressing, NoiseIsNoMovement) {
   EXPECT_TRUE(explore_by_pressing(body));
 }
 
+TEST(Pressing, TwoReadingsAreEnoughToSeeWhetherItRests) {
+  SayingBody body([](double) { return 100.0; });
+  PressParameters parameters;
+  parameters.readings = 2;
+  EXPECT_TRUE(explore_by_pressing(body, parameters));
+}
+
 TEST(Pressing, AStickThatNeverRestsIsAnError) {
   SayingBody creeping([](double time) { return 50.0 * time; });
   expect_no_rest(creeping);
