@@ -48,6 +48,15 @@ TEST(ViewCommand, SaysWhatIsWrong) {
             "'name' must be a text of at most 256 bytes");
 }
 
+TEST(ViewCommand, AThingTurnsOnceAroundAtMost) {
+  for (const double turn : {-360.0, 360.0}) {
+    const std::string text = R"({"command":"placement","x":0,"y":0,"turn":)";
+    EXPECT_EQ(read<PlacementCommand>(text + std::to_string(turn) + "}").placement.turn, turn);
+    EXPECT_EQ(refusal(text + std::to_string(turn * 1.002) + "}"),
+              "'turn' must be a number from -360 to 360");
+  }
+}
+
 TEST(ViewCommand, IsNeverNested) {
   EXPECT_EQ(refusal(R"({"command":"thing","name":{"a":[1]}})"), "a command is an object in JSON");
 }

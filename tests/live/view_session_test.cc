@@ -6,7 +6,9 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "live/sessions.h"
@@ -228,6 +230,26 @@ TEST_F(SessionThread, GivesTheSameReadingHoweverAFrameIsReached) {
   command(session, R"({"command":"step","frames":1})");
   command(session, R"({"command":"step","frames":-1})");
   EXPECT_EQ(frame_of(session), sought);
+}
+
+TEST_F(SessionThread, ShowsTheMomentAgainAsAnotherSystemReadsIt) {
+  ViewSource source = testing::hand_source(6);
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"crossed", testing::crossed_system()}, {"two", testing::two_maps_system()}}) {
+    source.systems.push_back(testing::view_system(text, name));
+    source.systems.back().trained = testing::trained_model(text, source.recording);
+  }
+  source.system = 0;
+  ViewSession session(std::move(source), resting());
+  session.start();
+  command(session, R"({"command":"seek","exploration":1,"frame":1})");
+  EXPECT_TRUE(frame_of(session)["modules"].contains("crossed"));
+  command(session, R"({"command":"system","name":"two"})");
+  const json frame = frame_of(session);
+  EXPECT_EQ(frame["exploration"], 1);
+  EXPECT_EQ(frame["frame"], 1);
+  EXPECT_FALSE(frame["modules"].contains("crossed"));
+  EXPECT_TRUE(frame["modules"].contains("both"));
 }
 
 TEST_F(SessionThread, SaysWhyASystemDoesNotFit) {
