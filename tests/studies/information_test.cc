@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "somato/files/toml_file.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 
@@ -203,6 +204,18 @@ TEST(Information, AsksWhichOfTheFirstMapsIsMeant) {
   EXPECT_EQ(found.module, "joints_last");
 }
 
+// Whatever the order of the description.
+TEST(Information, FindsAMapThatIsDescribedFirst) {
+  const auto study = testing::study_from(
+      "[study]\nname = 's'\n"
+      "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n"
+      "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+      "[module.closed]\ntype = 'last'\ninput = 'joints'\n");
+  const auto found = measure_information(study, recording_of(kThings), asked());
+  ASSERT_TRUE(found) << to_string(found.error());
+  EXPECT_EQ(found->module, "closed");
+}
+
 TEST(Information, RefusesVectorsThatLearningModulesGive) {
   InformationParameters parameters = asked();
   parameters.map = "after";
@@ -274,6 +287,23 @@ TEST(Information, StandsInJson) {
   EXPECT_EQ(json["labels"][1]["accuracy_new_individuals"], 1.0);
   EXPECT_EQ(json["order"]["correlation"], 1.0);
   EXPECT_EQ(json["order"]["groups"][1]["group"], "round");
+}
+
+// As results.json: a level a blank deeper, and text as people write it.
+TEST(Information, StandsInJsonThatPeopleRead) {
+  StudyDescription study = raw_study();
+  study.study.name = "gr\u00f6\u00dfe";
+  const std::string json =
+      to_json(measure_information(study, recording_of(kThings), asked()).value());
+  EXPECT_TRUE(json.starts_with("{\n \"version\": 1,\n \"study\": \"gr\u00f6\u00dfe\",\n"));
+  EXPECT_TRUE(json.ends_with("\n}\n"));
+}
+
+TEST(Information, MayBeAskedWithoutShufflings) {
+  const auto table = parse_toml("shuffles = 0\nseed = 0\n", "asked");
+  const auto parameters = read_parameters<InformationParameters>(*table);
+  ASSERT_TRUE(parameters) << to_string(parameters.error());
+  EXPECT_EQ(parameters->shuffles, 0U);
 }
 
 }  // namespace

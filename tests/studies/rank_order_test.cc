@@ -128,6 +128,12 @@ TEST(RankOrder, ShufflesWithinGroups) {
   EXPECT_NEAR(order.shuffled_share, 1.0 / 3.0, 0.03);
 }
 
+TEST(RankOrder, WithoutShufflingLuckIsNotAsked) {
+  const RankOrder order = rank_order({{{1, 2, 3}, {4, 5, 6}}}, 0, 7);
+  EXPECT_EQ(order.shuffled, 0.0);
+  EXPECT_EQ(order.shuffled_share, 1.0);
+}
+
 TEST(RankOrder, IsTheSameForASeed) {
   const std::vector<OrderedGroup> groups{{{1, 2, 3, 4}, {2, 4, 1, 3}}};
   EXPECT_EQ(rank_order(groups, 50, 1).shuffled, rank_order(groups, 50, 1).shuffled);

@@ -136,6 +136,13 @@ TEST(Metric, HasMeanAndSampleStandardDeviation) {
   EXPECT_DOUBLE_EQ(metric.standard_deviation(), std::sqrt(32.0 / 7.0));
 }
 
+// Values that have no digits left below 2: squares of them would lose the difference.
+TEST(Metric, ADeviationIsNotLostBesideALargeMean) {
+  Metric metric;
+  metric.values = {0x1p53, 0x1p53 + 4.0};
+  EXPECT_DOUBLE_EQ(metric.standard_deviation(), std::sqrt(8.0));
+}
+
 TEST(Metric, OfOneValueHasNoDeviation) {
   const Metric metric{"m", {0.3}};
   EXPECT_EQ(metric.mean(), 0.3);

@@ -107,6 +107,15 @@ TEST(Study, RefusesAnIndividualOfTwoClasses) {
                  "explorations with the same 'thing' differ in 'object'");
 }
 
+TEST(Study, LeavesOutEachOfTwoGroups) {
+  StudyDescription description = small_study();
+  description.study.protocols = {Protocol::kLeaveGroupOut};
+  description.study.groups = {"trial"};
+  const auto outcome = run_study(description, testing::grasps(3, 2, 1));
+  ASSERT_TRUE(outcome) << to_string(outcome.error());
+  EXPECT_EQ(outcome->results.systems.at(0).group, "trial");
+}
+
 TEST(Study, RefusesWhatCannotBeDivided) {
   const Recording good = objects_apart(2, 2, 1.0, 1);
   StudyDescription description = small_study();

@@ -40,6 +40,19 @@ TEST(Study, TellsClassesApartThatAreApart) {
   EXPECT_EQ(outcome.results.systems.size(), 2U);
 }
 
+// Each of two parts has a sample of both objects, so that each is known when the other is tested.
+TEST(Study, DealsEachClassToAllParts) {
+  StudyDescription description = small_study();
+  description.study.protocols = {Protocol::kFolds};
+  description.study.folds = 2;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    description.study.first_seed = seed;
+    const StudyOutcome outcome = outcome_of(description, objects_apart(2, 2, 2.0, 1));
+    EXPECT_EQ(values_of(system_of(outcome, "k_folds"), "baseline_accuracy"), (Values{1, 1}))
+        << seed;
+  }
+}
+
 Recording noise_with_random_labels(std::size_t samples, std::uint64_t seed) {
   Random random(seed);
   Recording recording;
