@@ -217,6 +217,8 @@ TEST(MapPictureLayout, TheBarIsWithoutGapsFromOneNumberToTheOther) {
   const auto numbers = test::drawn_in(bar, "text");
   ASSERT_GE(steps.size(), 50U);
   const test::Box all = test::box_around(steps);
+  EXPECT_GE(all.bottom - all.top, 8.0);
+  EXPECT_LE(all.bottom - all.top, 20.0);
   for (std::size_t i = 1; i < steps.size(); ++i) {
     EXPECT_LE(steps[i].box.left, steps[i - 1].box.right);
     EXPECT_GT(steps[i].box.left, steps[i - 1].box.left);
