@@ -112,7 +112,9 @@ TEST(LabelPanel, MarkersAreOfAUsefulSize) {
     const double legend = test::number_of(test::drawn_in(drawn.part("legend"))[0].element, "r");
     EXPECT_GE(test::number_of(markers[0].element, "r"), 1.5);
     EXPECT_LE(test::number_of(markers[0].element, "r"), 2 * legend);
-    if (samples == 1) EXPECT_GE(test::number_of(markers[0].element, "r"), legend);
+    if (samples == 1) {
+      EXPECT_GE(test::number_of(markers[0].element, "r"), legend);
+    }
   }
 }
 
@@ -153,7 +155,9 @@ TEST(LabelPanel, NumbersAreReadableOrLeftOut) {
         EXPECT_GE(test::number_of(count.element, "font-size"), 7.0);
         EXPECT_LE(test::number_of(count.element, "font-size"), 12.0);
       }
-      if (classes == 20) EXPECT_TRUE(drawn.counts().empty());
+      if (classes == 20) {
+        EXPECT_TRUE(drawn.counts().empty());
+      }
     }
   }
 }
