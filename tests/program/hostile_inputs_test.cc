@@ -117,6 +117,23 @@ TEST_F(HostileInputs, AVariationWithAMisspeltKeyIsRefused) {
   expect_refused(2, {"run", "study.toml", "--data", kTrials, "--out", "out"}, {"rowz", "'rows'"});
 }
 
+TEST_F(HostileInputs, FlagsWithoutEffectAreRefused) {
+  expect_refused(
+      2, {{{"explore", "--body", "texture", "--free", "-o", "x"}, {"--free: ", "no effect"}},
+          {{"explore", "--body", "lucs2", "--taxels", "-o", "x"}, {"--taxels: "}},
+          {{"explore", "--body", "hardness", "--images", "im", "-o", "x"},
+           {"--images: ", "no effect"}}});
+}
+
+TEST_F(HostileInputs, APictureIsNotNamedAfterAnotherFormat) {
+  train();
+  expect_refused(2, {"som", "plot", "good.map", "-o", "p.png"}, {"p.png: ", "SVG, not png"});
+}
+
+TEST_F(HostileInputs, ControlCharactersOfNamesDoNotReachTheTerminal) {
+  expect_refused(1, {"inspect", "a\x1B]0;b\n.mcap"}, {R"(a\x1B]0;b\x0A.mcap)"});
+}
+
 class HostileExploring : public ProgramTest {
  protected:
   Words explore(const std::string& body, const Words& more = {}) const {
