@@ -18,12 +18,7 @@ namespace {
 
 Result<RecordingFormat> read_format(const Arguments& arguments) {
   if (!arguments.has("format")) return RecordingFormat::kAutomatic;
-  for (const auto& [format, name] : Choices<RecordingFormat>::all()) {
-    if (name == arguments.text("format")) return format;
-  }
-  std::vector<std::string> known;
-  for (const auto& choice : Choices<RecordingFormat>::all()) known.push_back(choice.second);
-  return fail(unknown_name("format", arguments.text("format"), "--format", known));
+  return choice_named<RecordingFormat>("format", arguments.text("format"), "--format");
 }
 
 Result<std::size_t> answering_map(const SystemModel& model, const std::string& path) {
@@ -57,14 +52,6 @@ Result<void> check_layout(const System& system, const Recording& recording,
   return {};
 }
 
-// The label that the recording gives; empty where it gives none.
-std::string given_label(const Exploration& exploration, const std::string& name) {
-  for (const Label& label : exploration.labels) {
-    if (label.name == name) return label.value;
-  }
-  return {};
-}
-
 Result<std::string> line_of(const SystemModel& model, const Som& som, const SignalView& input,
                             const Exploration& exploration, std::size_t number) {
   if (!is_in_range(input)) {
@@ -81,7 +68,7 @@ Result<std::string> line_of(const SystemModel& model, const Som& som, const Sign
                      winner / som.grid().columns(), winner % som.grid().columns(),
                      som.distance(input, winner, workspace),
                      csv_field(model.answer->classes[label]),
-                     csv_field(given_label(exploration, model.answer->label)));
+                     csv_field(find_label(exploration, model.answer->label).value_or("")));
 }
 
 Result<void> apply(const Arguments& arguments) {

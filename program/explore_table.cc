@@ -21,15 +21,7 @@ const Declarations<ExploreParameters>& ExploreParameters::declarations() {
 }
 
 Result<ExploringBody> read_body(const Arguments& arguments) {
-  const auto& bodies = Choices<ExploringBody>::all();
-  const std::string& name = arguments.text("body");
-  std::vector<std::string> known;
-  known.reserve(bodies.size());
-  for (const auto& [body, body_name] : bodies) {
-    if (body_name == name) return body;
-    known.push_back(body_name);
-  }
-  return fail(unknown_name("body", name, "--body", known));
+  return choice_named<ExploringBody>("body", arguments.text("body"), "--body");
 }
 
 Result<ExploreTable> read_explore_table(const Table& table) {

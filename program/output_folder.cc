@@ -22,8 +22,8 @@ Result<void> OutputFolder::make() {
     return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(), path_.string(),
                 "give " + flag_ + " a folder that can be written to");
   }
-  for (const std::string& file : {results(), map(), system(), journal()}) {
-    if (auto free = check_output(file); !free) return free;
+  for (const std::string& name : names()) {
+    if (auto free = check_output((path_ / name).string()); !free) return free;
   }
   return {};
 }

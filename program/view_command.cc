@@ -197,8 +197,8 @@ Command view_command() {
        {"--port", "Port of the page; any that is free unless given"},
        {"--address", "Address to be reached at, in digits; 127.0.0.1 unless given"},
        {"--allow-others",
-        "Lets --address be one that other machines reach: whoever learns the start address can "
-        "then see all and move the body, and it goes through the network unprotected",
+        "Allows an --address that other machines reach: anyone who has the start address can then "
+        "see everything and move the body, and the address is sent through the network unprotected",
         false, false}},
       {},
       run_view};

@@ -17,7 +17,8 @@ OPERATOR = re.compile("|".join(re.escape(operator) for operator in
 CONSTANT = re.compile(r"(?<![\w.])(\d+\.\d*(?:e-?\d+)?|\d+|true|false)(?=[^\w.'xX]|[uUfF]\b)")
 # A call or an assignment on a line of its own; reserved memory changes nothing that a test could see.
 STATEMENT = re.compile(r"\s+(?!return|using|throw|case|default|break|continue|static|const|auto|typedef|"
-                       r"goto|delete|else|namespace|friend|[\w.>-]+reserve\()[\w.:>*()\[\]-]+( [-+*/|&^%]?= .+|\(.*\));")
+                       r"goto|delete|else|namespace|friend|[\w.>-]+reserve\()"
+                       r"[\w.:>*()\[\]-]+( [-+*/|&^%]?= .+|\(.*\));")
 PREPROCESSOR = re.compile(r"\s*#")
 LITERAL = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/',
                      re.DOTALL)

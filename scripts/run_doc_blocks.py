@@ -32,9 +32,8 @@ TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(
     r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
     r"```(?P<kind>sh|bash|console|cpp)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-
-
-MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$", re.MULTILINE)
+MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$",
+                  re.MULTILINE)
 
 
 class Failure(Exception):

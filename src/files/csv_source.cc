@@ -27,6 +27,7 @@ Result<void> CsvSource::rewind() {
   auto window = std::make_unique<TextWindow>(file_.file(), file_.path());
   auto reader =
       std::make_unique<CsvTableReader>(CsvRecords(*window, file_.path()), file_.path(), options_);
+  if (is_known_) reader->trust_precision();
   if (auto begun = reader->begin(); !begun) return begun;
   reader_ = std::move(reader);
   window_ = std::move(window);
@@ -40,6 +41,7 @@ Result<std::shared_ptr<const NumberPart>> CsvSource::next_part() {
     // A fault, or an end, that a change has made is no fault of the file.
     if (auto same = file_.check(); !same) return fail(std::move(same.error()));
     if (!table) return fail(std::move(table.error()));
+    is_known_ = true;
     return std::shared_ptr<const NumberPart>();
   }
   return std::make_shared<const NumberPart>(

@@ -34,6 +34,7 @@ class CsvSource final : public NumberSource {
   UnchangedFile file_;
   CsvOptions options_;
   std::size_t part_bytes_;
+  bool is_known_ = false;  // read to its end before
   std::unique_ptr<TextWindow> window_;
   std::unique_ptr<CsvTableReader> reader_;
 };

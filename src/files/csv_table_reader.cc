@@ -132,6 +132,7 @@ Result<void> CsvTableReader::read_value(const CsvField& field, std::size_t colum
                                         std::vector<float>& values) {
   return number_in(field, records_.place(field)).map([&](float value) {
     values.push_back(value);
+    if (trusts_precision_) return;
     precision_.take(column, exact_number(field.text, value), value);
   });
 }

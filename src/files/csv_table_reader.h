@@ -19,6 +19,9 @@ class CsvTableReader {
   CsvTableReader(CsvRecords records, std::string_view where, CsvOptions options)
       : records_(std::move(records)), where_(where), options_(std::move(options)) {}
 
+  /// Does not look again at what rounding loses, in a file that has been read to its end.
+  void trust_precision() { trusts_precision_ = true; }
+
   /// Reads up to the first row of numbers, which has to be there.
   Result<void> begin();
 
@@ -54,6 +57,7 @@ class CsvTableReader {
   bool named_label_ = false;
   std::vector<std::string> names_;
   ColumnPrecision precision_;
+  bool trusts_precision_ = false;
 };
 
 }  // namespace somato

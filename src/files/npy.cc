@@ -45,7 +45,7 @@ Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where)
   if (!layout) return fail(layout.error());
   Matrix<float> matrix(layout->rows, layout->columns);
   ColumnPrecision precision;
-  return read_npy_rows(bytes.substr(layout->start), *layout, 0, matrix.values(), where, precision)
+  return read_npy_rows(bytes.substr(layout->start), *layout, 0, matrix.values(), where, &precision)
       .map([&] { return std::move(matrix); });
 }
 

@@ -172,7 +172,7 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
 
 Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
                            std::span<float> out, std::string_view where,
-                           ColumnPrecision& precision) {
+                           ColumnPrecision* precision) {
   if (is_plain(layout) && copy_if_finite(bytes, out)) return {};
   const std::size_t columns = layout.columns;
   const std::size_t rows = out.size() / columns;
@@ -183,10 +183,11 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std:
       const auto rounded = static_cast<float>(value);
       if (!std::isfinite(rounded)) return not_a_float(value, first + row, column, where);
       out[row * columns + column] = rounded;
-      precision.take(column, value, rounded);
+      if (precision != nullptr) precision->take(column, value, rounded);
     }
   }
-  return first + rows == layout.rows ? precision.check({}, where) : Result<void>();
+  const bool is_end = precision != nullptr && first + rows == layout.rows;
+  return is_end ? precision->check({}, where) : Result<void>();
 }
 
 }  // namespace somato

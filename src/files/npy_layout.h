@@ -41,9 +41,10 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size, std:
 /// Writes the numbers of `bytes`, rows of layout.columns numbers beginning with row `first`, to
 /// `out`, row by row. In Fortran order `bytes` hold these rows column by column. Errors: kData,
 /// with row and column, for a value that is not a finite float32; after the last row
-/// those of ColumnPrecision::check(), which knows the rows read before by `precision`.
+/// those of ColumnPrecision::check(), which knows the rows read before by `precision`,
+/// unless that is nullptr.
 Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
                            std::span<float> out, std::string_view where,
-                           ColumnPrecision& precision);
+                           ColumnPrecision* precision);
 
 }  // namespace somato

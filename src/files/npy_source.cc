@@ -59,14 +59,15 @@ Result<Matrix<float>> NpySource::rows(std::size_t count) {
   bytes_.resize(count * layout_.columns * layout_.type->size);
   if (auto fetched = fetch(count, bytes_.data()); !fetched) return fail(fetched.error());
   Matrix<float> matrix(count, layout_.columns);
-  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path(), precision_).map([&] {
-    return std::move(matrix);
-  });
+  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path(),
+                       is_known_ ? nullptr : &precision_)
+      .map([&] { return std::move(matrix); });
 }
 
 Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
   const std::size_t count = std::min(part_rows_, layout_.rows - row_);
   if (count == 0) {
+    is_known_ = true;
     return file_.check().map([] { return std::shared_ptr<const NumberPart>(); });
   }
   Result<Matrix<float>> values = rows(count);

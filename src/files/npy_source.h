@@ -42,6 +42,7 @@ class NpySource final : public NumberSource {
   std::string bytes_;
   std::vector<std::string> no_names_;
   ColumnPrecision precision_;
+  bool is_known_ = false;  // read to its end before
 };
 
 }  // namespace somato

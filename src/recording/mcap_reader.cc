@@ -12,7 +12,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kMostSamplesAnnounced = std::size_t{8} << 20;
+constexpr std::size_t kMostBytesAnnounced = std::size_t{8} << 20;
 constexpr std::size_t kSmallRecord = std::size_t{1} << 20;
 constexpr std::size_t kSearchedAtOnce = std::size_t{1} << 20;
 // Before the bytes of a chunk come opcode, length, times, sizes, checksum and the compression.
@@ -93,9 +93,9 @@ std::string McapReader::compressions() const {
 
 Result<void> McapReader::keep_within_limit(std::size_t more) {
   announced_ += more;
-  if (announced_ <= kMostSamplesAnnounced) return {};
+  if (announced_ <= kMostBytesAnnounced) return {};
   return bad(
-      fmt::format("the schemas and channels take more than {} MiB", kMostSamplesAnnounced >> 20));
+      fmt::format("the schemas and channels take more than {} MiB", kMostBytesAnnounced >> 20));
 }
 
 Result<void> McapReader::remember_schema(std::string_view content) {

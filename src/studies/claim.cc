@@ -17,15 +17,6 @@ bool holds(const Claim& claim, double value) {
          (!claim.at_most || value <= *claim.at_most + kClaimRounding);
 }
 
-Result<void> check_protocol(const std::string& name, const std::string& where) {
-  std::vector<std::string> known;
-  for (const auto& [protocol, protocol_name] : Choices<Protocol>::all()) {
-    if (protocol_name == name) return {};
-    known.push_back(protocol_name);
-  }
-  return fail(unknown_name("protocol", name, where, known));
-}
-
 Result<Claim> read_claim(const Table& table) {
   auto claim = read_parameters<Claim>(table);
   if (!claim) return claim;
@@ -38,7 +29,7 @@ Result<Claim> read_claim(const Table& table) {
   if (auto known = check_metric_name(claim->metric, table.where); !known) {
     return fail(std::move(known.error()));
   }
-  if (auto known = check_protocol(claim->protocol, table.where); !known) {
+  if (auto known = choice_named<Protocol>("protocol", claim->protocol, table.where); !known) {
     return fail(std::move(known.error()));
   }
   if (!claim->at_least && !claim->at_most) {

@@ -15,8 +15,9 @@
 namespace somato {
 
 /// The trainings of a study that are done, kept in a file as they are done, so that a study that
-/// was interrupted goes on where it was. A line a training, each with its checksum; from a line
-/// on that is cut or damaged they are left out. There is no file before there is something to keep.
+/// was interrupted resumes where it was. Each training has a line with its checksum; from the first
+/// line on that is cut or damaged, lines are left out. There is no file before there is something
+/// to keep.
 class Journal {
  public:
   /// No file: nothing is kept.

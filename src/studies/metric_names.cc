@@ -1,9 +1,9 @@
 #include "studies/metric_names.h"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 
+#include "core/contains.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
@@ -38,9 +38,8 @@ Result<void> check_metric_name(const std::string& name, const std::string& where
   if (name.find(kMappedWith) != std::string::npos) return {};
   std::string plain = name.substr(name.rfind('.') + 1);  // npos + 1 is 0
   if (plain.ends_with(kByLuck)) plain.resize(plain.size() - kByLuck.size());
-  const std::vector<std::string>& names = plain_names();
-  if (std::find(names.begin(), names.end(), plain) != names.end()) return {};
-  return fail(unknown_name("metric", plain, where, names));
+  if (contains(plain_names(), plain)) return {};
+  return fail(unknown_name("metric", plain, where, plain_names()));
 }
 
 }  // namespace somato

@@ -25,7 +25,7 @@ using testing::WalkedMessage;
 using testing::WalkedRecord;
 
 constexpr int kNever = 1 << 30;
-constexpr Compression kAllExplorations[] = {Compression::kNone, Compression::kLz4,
+constexpr Compression kAllCompressions[] = {Compression::kNone, Compression::kLz4,
                                             Compression::kZstd};
 
 RecordingFileParameters packed_in_chunks(Compression compression, std::size_t chunk_size) {
@@ -154,7 +154,7 @@ std::size_t step_of([[maybe_unused]] Compression compression) {
 
 TEST(RecoverRecording, SavesAllThatIsCompleteWhereverTheFileIsCut) {
   const Recording recording = small_recording();
-  for (const Compression compression : kAllExplorations) {
+  for (const Compression compression : kAllCompressions) {
     for (const std::size_t chunk_size : {2400U, 100000U}) {
       const TemporaryFolder folder;
       const std::string path = folder.file("cut");
@@ -194,7 +194,7 @@ bool holds_only_frames_of(const Recording& saved, const Recording& whole) {
 TEST(RecoverRecording, BitsThatTurnAreFoundOrDoNotMatter) {
   Recording recording = small_recording();
   recording.explorations.pop_back();
-  for (const Compression compression : kAllExplorations) {
+  for (const Compression compression : kAllCompressions) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a");
     ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 1 << 20)));
@@ -238,16 +238,21 @@ Recording six_things() {
   return recording;
 }
 
+std::vector<WalkedRecord> chunks_of(const std::string& file) {
+  std::vector<WalkedRecord> chunks = testing::walk(file, 8);
+  std::erase_if(chunks, [](const WalkedRecord& record) { return record.opcode != 6; });
+  return chunks;
+}
+
 // Many chunks, one of them damaged: the explorations behind it are saved with their own labels.
 TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
   const TemporaryFolder folder;
   const Recording recording = six_things();
-  for (const Compression compression : kAllExplorations) {
+  for (const Compression compression : kAllCompressions) {
     const std::string path = folder.file("a");
     ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 3000)));
     const std::string whole = bytes_of(path);
-    std::vector<WalkedRecord> chunks = testing::walk(whole, 8);
-    std::erase_if(chunks, [](const WalkedRecord& record) { return record.opcode != 6; });
+    const std::vector<WalkedRecord> chunks = chunks_of(whole);
     ASSERT_GE(chunks.size(), 5U);
     for (const std::size_t back : {1U, 45U}) {  // In the data, and in the checksum or compression.
       std::string damaged = whole;
@@ -281,12 +286,11 @@ TEST(RecoverRecording, SavesWhatStandsBehindADamagedChunk) {
 TEST(RecoverRecording, LosesNothingByOneByteTooManyBetweenChunks) {
   const TemporaryFolder folder;
   const Recording recording = six_things();
-  for (const Compression compression : kAllExplorations) {
+  for (const Compression compression : kAllCompressions) {
     const std::string path = folder.file("a");
     ASSERT_TRUE(write_recording(path, recording, packed_in_chunks(compression, 3000)));
     const std::string whole = bytes_of(path);
-    std::vector<WalkedRecord> chunks = testing::walk(whole, 8);
-    std::erase_if(chunks, [](const WalkedRecord& record) { return record.opcode != 6; });
+    const std::vector<WalkedRecord> chunks = chunks_of(whole);
     const WalkedRecord& fourth = chunks.at(3);
     std::string damaged = whole;
     damaged.insert(fourth.end - fourth.content.size() - 9, 1, '\0');

@@ -304,6 +304,17 @@ Value value_from_text(const ParameterInfo& info, std::string_view text);
 Error unknown_name(std::string_view what, std::string_view name, std::string_view where,
                    const std::vector<std::string>& known);
 
+/// The value of an enumeration of that name. Errors: unknown_name().
+template <typename Enum>
+Result<Enum> choice_named(std::string_view what, std::string_view name, std::string_view where) {
+  std::vector<std::string> known;
+  for (const auto& [value, value_name] : Choices<Enum>::all()) {
+    if (value_name == name) return value;
+    known.push_back(value_name);
+  }
+  return fail(unknown_name(what, name, where, known));
+}
+
 /// The failure for a key that should hold a value, not a table.
 Error not_a_value(std::string_view name, std::string_view where);
 
