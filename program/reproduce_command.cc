@@ -11,8 +11,10 @@
 #include "data.h"
 #include "folder_lock.h"
 #include "output.h"
+#include "part_runner.h"
 #include "reproduction_recordings.h"
 #include "reproduction_table.h"
+#include "result_output.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
 #include "somato/graph/system_model.h"
@@ -34,21 +36,17 @@ constexpr const char* kQuestions = "questions";
 struct ReproductionRequest {
   ReproductionPlan plan;
   bool everything = false;  ///< Systems that do not apply to what is given are passed over.
-  std::size_t pairs = 100;
-  std::size_t recordings = 6;
-  std::uint64_t seed = 2011;
-  std::size_t threads = 1;
+  PairsRequest pairs;
   std::filesystem::path out;
-  std::optional<GivenRecordings> given;
-  std::optional<Recording> test_data;
 };
 
 Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
   if (name.ends_with(".toml")) {
-    return read_toml(name).map([&](Table content) { return NamedFile{name, std::move(content)}; });
+    return read_file_or_own(name).map(
+        [&](Table content) { return NamedFile{name, std::move(content)}; });
   }
   std::vector<std::string> known{kAll, kQuestions};
-  for (const auto* files : {&own.systems, &own.recorded, &own.questions}) {
+  for (const auto* files : {&own.systems, &own.recorded, &own.questions, &own.studies}) {
     for (const NamedFile& file : *files) {
       if (file.name == name) return file;
       known.push_back(file.name);
@@ -69,7 +67,7 @@ Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names
     request.everything = request.everything || name == kAll || name == kQuestions;
     if (name == kAll) {
       append(own.systems, files);
-      if (request.given) append(own.recorded, files);
+      if (request.pairs.given) append(own.recorded, files);
     } else if (name == kQuestions) {
       append(own.questions, files);
     } else {
@@ -99,15 +97,10 @@ Result<void> check_names(const ReproductionPlan& plan) {
   return {};
 }
 
-// Explored anew unless given, so it must say how.
-Result<void> check_explorable(const ReproductionRequest& request) {
+Result<void> check_exploring(const ReproductionRequest& request) {
   for (const ReproductionPart& part : request.plan.parts) {
-    if (part.explore.entries.empty()) {
-      if (request.given) continue;
-      return fail(ErrorKind::kUsage, "'" + part.system + "' does not say what explores",
-                  part.description.where, "give --data, or add a table [explore]");
-    }
-    if (auto read = read_explore_table(part.explore); !read) return fail(std::move(read.error()));
+    auto right = check_explorable(part, request.pairs.given.has_value());
+    if (!right) return right;
   }
   return {};
 }
@@ -123,7 +116,7 @@ Result<void> read_plan(const Arguments& arguments, ReproductionRequest& request)
   for (const NamedFile& file : *files) {
     if (auto added = add_to_plan(file, own->systems, request.plan); !added) return added;
   }
-  return check_names(request.plan).and_then([&] { return check_explorable(request); });
+  return check_names(request.plan).and_then([&] { return check_exploring(request); });
 }
 
 Result<void> read_numbers(const Arguments& arguments, ReproductionRequest& request) {
@@ -133,32 +126,16 @@ Result<void> read_numbers(const Arguments& arguments, ReproductionRequest& reque
     if (*number) value = **number;
     return {};
   };
-  return read("pairs", 1, request.pairs)
-      .and_then([&] { return read("recordings", 1, request.recordings); })
-      .and_then([&] { return read("seed", 0, request.seed); });
-}
-
-Result<void> read_data(const Arguments& arguments, ReproductionRequest& request) {
-  if (arguments.has("data")) {
-    auto given = GivenRecordings::at(arguments.text("data"));
-    if (!given) return fail(std::move(given.error()));
-    request.given = std::move(*given);
-  }
-  if (!arguments.has("test-data")) return {};
-  auto test = read_study_data(RecordingFormat::kAutomatic, arguments.text("test-data"));
-  if (!test) return fail(std::move(test.error()));
-  request.test_data = std::move(*test);
-  return {};
+  return read("pairs", 1, request.pairs.pairs)
+      .and_then([&] { return read("recordings", 1, request.pairs.recordings); })
+      .and_then([&] { return read("seed", 0, request.pairs.seed); });
 }
 
 Result<ReproductionRequest> read_reproduction_request(const Arguments& arguments) {
   ReproductionRequest request;
   request.out = arguments.has("out") ? arguments.text("out") : "out/reproduction";
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  request.threads = *threads;
   auto read = read_numbers(arguments, request)
-                  .and_then([&] { return read_data(arguments, request); })
+                  .and_then([&] { return read_threads_and_data(arguments, request.pairs); })
                   .and_then([&] { return read_plan(arguments, request); });
   if (!read) return fail(std::move(read.error()));
   return request;
@@ -175,11 +152,11 @@ std::string file_name_of(const ReproductionPart& part) {
 class Reproduction {
  public:
   Reproduction(ReproductionRequest& request)
-      : request_(request), explored_(request.out / "recordings", request.seed, request.threads) {}
+      : request_(request), runner_(request.pairs, request.out / "recordings") {}
 
   Result<void> run() {
-    results_.seed = request_.seed;
-    results_.pairs = request_.pairs;
+    results_.seed = request_.pairs.seed;
+    results_.pairs = request_.pairs.pairs;
     for (std::size_t i = 0; i < request_.plan.parts.size(); ++i) {
       place_ = fmt::format(" ({} of {})", i + 1, request_.plan.parts.size());
       auto ran = run_part(request_.plan.parts[i]);
@@ -197,62 +174,23 @@ class Reproduction {
            fmt::format("{}-{}.journal", file_name_of(part), recording);
   }
 
+  PartEvents events_of(const ReproductionPart& part) {
+    return {[this, &part](std::size_t, std::size_t) {
+              return terminal_progress(title_of(part) + place_);
+            },
+            [this, &part](std::size_t recording) { return journal(part, recording); },
+            [this, &part](std::size_t index, const PairedRecording& recording,
+                          const StudyDescription& description, const StudyOutcome& outcome) {
+              remember(recording.info);
+              return draw(part, index, description, outcome);
+            }};
+  }
+
   Result<void> run_part(const ReproductionPart& part) {
-    PartResults found{part.question, part.system, part.variation, {}, {}, {}, {}};
-    const std::vector<std::size_t> given =
-        request_.given ? request_.given->of_format(part.description.recording.format)
-                       : std::vector<std::size_t>{};
-    if (request_.given && given.empty()) return pass_over(part, nothing_to_run_on(part));
-    const std::size_t pairs = std::min(request_.pairs, part.pairs.value_or(request_.pairs));
-    const std::size_t recordings =
-        std::min(request_.given ? given.size() : request_.recordings, pairs);
-    std::uint64_t first_seed = request_.seed;
-    for (std::size_t i = 0; i < recordings; ++i) {
-      const std::size_t seeds = pairs_of(i, recordings, pairs);
-      auto recording = request_.given ? request_.given->get(given[i]) : explored(part, i);
-      if (!recording) return fail(std::move(recording.error()));
-      auto ran = run_on(**recording, part, i, {first_seed, seeds}, found);
-      if (!ran && request_.given && is_misfit(ran.error())) return pass_over(part, ran.error());
-      if (!ran) return ran;
-      first_seed += seeds;
-    }
-    if (!request_.given) add_explore_settings(part, found);
-    results_.parts.push_back(std::move(found));
-    return {};
-  }
-
-  static void add_explore_settings(const ReproductionPart& part, PartResults& found) {
-    const std::vector<Settings> explored = explore_settings(part.explore);
-    found.settings.insert(found.settings.end(), explored.begin(), explored.end());
-  }
-
-  Result<KeptRecordings::Kept> explored(const ReproductionPart& part, std::size_t index) {
-    return read_explore_table(part.explore).and_then([&](const ExploreTable& table) {
-      return explored_.get(table, index);
-    });
-  }
-
-  struct Seeds {
-    std::uint64_t first;
-    std::size_t count;
-  };
-
-  Result<void> run_on(const PairedRecording& recording, const ReproductionPart& part,
-                      std::size_t index, Seeds seeds, PartResults& found) {
-    StudyDescription description = part.description;
-    description.study.first_seed = seeds.first;
-    description.study.seeds = seeds.count;
-    const Recording* test = request_.test_data ? &*request_.test_data
-                            : recording.test   ? &*recording.test
-                                               : nullptr;
-    const StudyOptions options{request_.threads, terminal_progress(title_of(part) + place_), test,
-                               journal(part, index).string()};
-    auto outcome = run_study(description, recording.recording, options);
-    if (!outcome) return fail(std::move(outcome.error()));
-    if (auto drawn = draw(part, index, description, *outcome); !drawn) return drawn;
-    if (auto added = add_results(outcome->results, index, found); !added) return added;
-    found.recordings.push_back(recording.info.name);
-    remember(recording.info);
+    auto ran = runner_.run(part, events_of(part));
+    if (!ran) return fail(std::move(ran.error()));
+    if (ran->misfit) return pass_over(part, std::move(*ran->misfit));
+    results_.parts.push_back(std::move(ran->results));
     return {};
   }
 
@@ -274,28 +212,14 @@ class Reproduction {
     if (!known) results_.recordings.push_back(info);
   }
 
-  // What a system and a recording have to say of each other, not the machine.
-  static bool is_misfit(const Error& error) {
-    return error.kind == ErrorKind::kUsage || error.kind == ErrorKind::kData;
-  }
-
   Result<void> pass_over(const ReproductionPart& part, Error error) {
     if (!request_.everything) return fail(std::move(error));
     results_.not_applicable.push_back({title_of(part), to_string(error)});
     return {};
   }
 
-  static Error nothing_to_run_on(const ReproductionPart& part) {
-    const RecordingFormat format = part.description.recording.format;
-    const bool files = format == RecordingFormat::kAutomatic;
-    const std::string wanted = files ? "recordings" : "the data set " + choice_name(format);
-    return {ErrorKind::kUsage, "this is run on " + wanted + ", and --data holds none",
-            part.description.where,
-            files ? "give --data a file or a folder of files" : "give --data its folder"};
-  }
-
   ReproductionRequest& request_;
-  ExploredRecordings explored_;
+  PartRunner runner_;
   ReproductionResults results_;
   std::string place_;
 };
@@ -323,8 +247,10 @@ Result<void> run_reproduce(const Arguments& arguments) {
   if (auto saved = save_whole(path, to_json(reproduction.results())); !saved) return saved;
   std::error_code gone;
   std::filesystem::remove_all(request->out / "unfinished", gone);
-  fmt::print("{}", reproduction_table(reproduction.results()));
-  fmt::print("\nWritten: {}, maps in {}\n", path, (request->out / "maps").string());
+  const std::string written =
+      fmt::format("\nWritten: {}, maps in {}\n", path, (request->out / "maps").string());
+  print_summary(arguments, reproduction_table(reproduction.results()) + written,
+                to_json(reproduction.results()));
   return {};
 }
 
@@ -337,7 +263,7 @@ Command reproduce_command() {
       {{"SYSTEM",
         "Systems and questions by name, or TOML files; all, or none named: the nine systems, with "
         "--data also those for data sets; questions: all questions about them",
-        false, true}},
+        false, true, Role::kInput, own_file_names}},
       {{"--pairs", "Pairs of recording and seed for each system; 100 unless given"},
        {"--recordings", "Independent recordings they are spread over; 6 unless given"},
        {"--seed", "First seed of exploring and of training; 2011 unless given"},
@@ -346,10 +272,11 @@ Command reproduce_command() {
            "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
            "of data sets"),
        input_flag("--test-data", "A separate recording to test on"),
-       folder_flag("--out",
+       folder_flag("-o,--out",
                    "Folder for results.json, maps and recordings; out/reproduction unless given",
                    {"results.json"}),
-       threads_flag()},
+       threads_flag(),
+       json_flag()},
       {},
       run_reproduce};
 }

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "folder_lock.h"
 #include "somato/bodies/exploring.h"
 #include "somato/files/checksum.h"
 #include "somato/files/whole_file.h"
@@ -117,6 +118,21 @@ KeptRecordings::Kept KeptRecordings::keep(const std::string& key, PairedRecordin
   return kept;
 }
 
+Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_objects,
+                                         std::uint64_t seed, const std::string& name) const {
+  const std::string path = (folder_ / name).string();
+  const auto alone = FolderLock::wait(folder_);
+  if (!alone) return fail(alone.error());
+  std::error_code missing;
+  if (std::filesystem::exists(path, missing)) return {};
+  auto things = things_for(table, new_objects);
+  if (!things) return fail(std::move(things.error()));
+  const auto explorer = Explorer::build(table.explore.body, *things, table.exploring, seed);
+  if (!explorer) return fail(explorer.error());
+  const std::size_t each = new_objects ? 1 : table.explore.explorations;
+  return explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
+}
+
 Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
                                                std::uint64_t seed, std::string& name) const {
   const auto named = file_name(table, new_objects, seed);
@@ -124,15 +140,17 @@ Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool n
   name = *named;
   const std::string path = (folder_ / name).string();
   std::error_code missing;
-  if (std::filesystem::exists(path, missing)) return read_recording(path);
-  auto things = things_for(table, new_objects);
-  if (!things) return fail(std::move(things.error()));
-  const auto explorer = Explorer::build(table.explore.body, *things, table.exploring, seed);
-  if (!explorer) return fail(explorer.error());
-  const std::size_t each = new_objects ? 1 : table.explore.explorations;
-  auto done = explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
-  if (!done) return fail(std::move(done.error()));
+  if (!std::filesystem::exists(path, missing)) {
+    auto done = explore(table, new_objects, seed, name);
+    if (!done) return fail(std::move(done.error()));
+  }
   return read_recording(path);
+}
+
+Result<std::string> ExploredRecordings::identity(const ExploreTable& table,
+                                                 std::size_t index) const {
+  return file_name(table, table.explore.new_objects, first_seed_ + index)
+      .map([&](const std::string& name) { return to_text(table) + name; });
 }
 
 Result<KeptRecordings::Kept> ExploredRecordings::get(const ExploreTable& table, std::size_t index) {

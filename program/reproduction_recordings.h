@@ -41,7 +41,8 @@ class KeptRecordings {
 };
 
 /// Recordings that are explored when they are asked for, and kept in a folder: who asks again, or
-/// goes on after an interruption, gets the same file.
+/// goes on after an interruption, gets the same file. Of several processes that need the same one
+/// the first explores it and the others wait.
 class ExploredRecordings {
  public:
   ExploredRecordings(std::filesystem::path folder, std::uint64_t first_seed, std::size_t threads)
@@ -51,10 +52,16 @@ class ExploredRecordings {
   /// it. Errors: those of exploring, also when a single exploration fails; kInterrupted.
   Result<KeptRecordings::Kept> get(const ExploreTable& table, std::size_t index);
 
+  /// A text that differs where the recording does, known before it is explored. Errors: kSystem,
+  /// for a file of objects that cannot be read.
+  Result<std::string> identity(const ExploreTable& table, std::size_t index) const;
+
  private:
   Result<PairedRecording> read(const ExploreTable& table, std::uint64_t seed) const;
   Result<Recording> explored(const ExploreTable& table, bool new_objects, std::uint64_t seed,
                              std::string& name) const;
+  Result<void> explore(const ExploreTable& table, bool new_objects, std::uint64_t seed,
+                       const std::string& name) const;
 
   std::filesystem::path folder_;
   std::uint64_t first_seed_;
@@ -72,6 +79,7 @@ class GivenRecordings {
   static GivenRecordings files_in(const std::filesystem::path& folder);
 
   std::size_t count() const { return places_.size(); }
+  const std::filesystem::path& path(std::size_t number) const { return places_[number].path; }
 
   /// Numbers of those a study of this format can be about: automatic, recordings of bodies.
   std::vector<std::size_t> of_format(RecordingFormat format) const;

@@ -71,14 +71,15 @@ const Declarations<SpectrumParameters>& SpectrumParameters::declarations() {
           .add("window", &P::window, "", Range::any(),
                "What a segment is multiplied by before the transform. Not given in the paper.")
           .add("segment_length", &P::segment_length, "frames", Range::between(1, kLongestSegment),
-               "Frames transformed at once; automatic: the whole exploration. 4096 in P11.")
+               "Frames transformed at once; automatic: the whole exploration. 4096 give the 2049 "
+               "magnitudes of P11.")
           .add("overlap", &P::overlap, "", Range::between(0, 0.99),
                "Share of a segment that the next one repeats. Not given in the paper.")
           .add("transform_length", &P::transform_length, "frames",
                Range::between(2, kLongestSegment),
                "Length of the transform, reached by zeros after the segment; fast where it has no "
-               "large prime factor; automatic: the power of two that holds the segment. 4096 in "
-               "P11.")
+               "large prime factor; automatic: the power of two that holds the segment. 4096 "
+               "give the 2049 magnitudes of P11.")
           .add("remove_mean", &P::remove_mean, "", Range::any(),
                "Whether each segment's mean is subtracted before the window. Not given in the "
                "paper.")

@@ -35,18 +35,18 @@ Matrix<float> row(std::span<const double> values) {
   return matrix;
 }
 
-// A unipolar converter reads nothing below zero.
-std::vector<double> noisy_forces(const std::vector<double>& forces, double deviation,
-                                 Random& noise) {
-  std::vector<double> read(forces.size());
-  for (std::size_t i = 0; i < read.size(); ++i)
-    read[i] = std::max(0.0, forces[i] + deviation * noise.normal());
-  return read;
-}
-
 std::vector<double> noisy(const std::vector<double>& values, double deviation, Random& noise) {
   std::vector<double> read(values.size());
   for (std::size_t i = 0; i < read.size(); ++i) read[i] = values[i] + deviation * noise.normal();
+  return read;
+}
+
+// What touch sensors report of what their converters read.
+std::vector<double> reported(std::vector<double> read, PiezoConverter converter, double threshold) {
+  for (double& value : read) {
+    if (converter == PiezoConverter::kUnipolar) value = std::max(0.0, value);
+    if (std::abs(value) < threshold) value = 0.0;
+  }
   return read;
 }
 
@@ -97,9 +97,13 @@ void read_sensors(SimulatedHand::Works& works) {
         noisy(servo_angles(*scene.model, *works.data), scene.parameters.joint_noise, works.noise)));
   }
   if (works.forces.empty()) return;
-  const double deviation = scene.parameters.sensor_noise;
-  state.readings.push_back(row(noisy_forces(works.forces, deviation, works.noise)));
-  state.readings.push_back(row(noisy(works.piezo.signals(), deviation, works.noise)));
+  const SimulationParameters& given = scene.parameters;
+  const auto report = [&](const std::vector<double>& sensed, PiezoConverter converter) {
+    state.readings.push_back(row(reported(noisy(sensed, given.sensor_noise, works.noise), converter,
+                                          given.touch_threshold)));
+  };
+  report(works.forces, PiezoConverter::kUnipolar);  // no contact pulls
+  report(works.piezo.signals(), given.piezo_converter);
 }
 
 }  // namespace

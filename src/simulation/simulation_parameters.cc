@@ -2,6 +2,12 @@
 
 namespace somato {
 
+const std::vector<std::pair<PiezoConverter, std::string>>& Choices<PiezoConverter>::all() {
+  static const std::vector<std::pair<PiezoConverter, std::string>> choices{
+      {PiezoConverter::kBipolar, "bipolar"}, {PiezoConverter::kUnipolar, "unipolar"}};
+  return choices;
+}
+
 const Declarations<SimulationParameters>& SimulationParameters::declarations() {
   static const Declarations<SimulationParameters> all = [] {
     Declarations<SimulationParameters> d;
@@ -23,8 +29,15 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
           "Standard deviation of a potentiometer's noise; not given in the paper");
     d.add("servo_play", &SimulationParameters::servo_play, "", Range::between(0, 100),
           "Play of the servos' gears, as a multiple of the model's; not given in the paper");
+    d.add(
+        "touch_threshold", &SimulationParameters::touch_threshold, "N", Range::between(0, 100),
+        "Readings of a touch sensor that are smaller, by their size, are reported as 0; not given "
+        "in the paper");
     d.add("piezo_time", &SimulationParameters::piezo_time, "s", Range::between(0.001, 10),
           "Time in which a piezo element forgets a change of force; not given in the paper");
+    d.add("piezo_converter", &SimulationParameters::piezo_converter, "", Range::any(),
+          "Whether the converter behind a piezo element reads falling loads, whose voltage is "
+          "negative, or 0 in their place; not given in the paper");
     d.add("friction", &SimulationParameters::friction, "", Range::between(0, 2),
           "Coulomb friction of the object; automatic: its material's; not given in the paper");
     return d;

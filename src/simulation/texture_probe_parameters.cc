@@ -61,7 +61,8 @@ void declare_converter(Declarations<TextureProbeParameters>& d) {
   d.add("oversampling", &P::oversampling, "", Range::between(2, 64),
         "Steps of the simulation for a frame; not given in the paper.");
   d.add("adc_bits", &P::adc_bits, "bits", Range::between(1, 24),
-        "Resolution of the converter; 12 has the NI USB-6008 of P11.");
+        "Resolution of the converter; 12 by the data sheet of the NI USB-6008 that P11 names; not "
+        "given in the paper.");
   d.add("adc_range", &P::adc_range, "mV", Range::between(1e-6, 1e9),
         "Voltage, either way, at which the converter saturates; not given in the paper.");
 }

@@ -1,7 +1,5 @@
 #include "studies/journal.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "somato/files/checksum.h"
 #include "somato/files/whole_file.h"
+#include "studies/checked_line.h"
 
 namespace somato {
 namespace {
@@ -24,25 +22,8 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
               "give --out a folder that can be written to");
 }
 
-// A line that was damaged is found by its checksum.
-std::string line_of(const SortedJson& content) {
-  const std::string text = content.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
-  return fmt::format("{:08x} {}\n", crc32c(text), text);
-}
-
-// What the line holds, if it is whole.
-std::optional<SortedJson> content_of(std::string_view line) {
-  constexpr std::size_t kChecksum = 9;
-  if (line.size() <= kChecksum) return {};
-  const std::string_view text = line.substr(kChecksum);
-  if (line.substr(0, kChecksum) != fmt::format("{:08x} ", crc32c(text))) return {};
-  SortedJson content = SortedJson::parse(text, nullptr, false);
-  if (content.is_discarded()) return {};
-  return content;
-}
-
 std::string header_of(const std::string& fingerprint) {
-  return line_of({{"somato_journal", kJournalVersion}, {"study", fingerprint}});
+  return checked_line({{"somato_journal", kJournalVersion}, {"study", fingerprint}});
 }
 
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
@@ -111,7 +92,7 @@ Result<void> Journal::read(const std::string& text) {
   const auto header = lines.next();
   if (!header) return header_.starts_with(text) ? Result<void>() : damaged(path_);
   if (std::string(*header) + "\n" != header_) {
-    const auto content = content_of(*header);
+    const auto content = checked_content(*header);
     if (!content || !content->contains("somato_journal")) return damaged(path_);
     return fail(ErrorKind::kUsage,
                 "the folder holds an interrupted study with other settings or data", path_,
@@ -120,7 +101,7 @@ Result<void> Journal::read(const std::string& text) {
   for (std::size_t left = lines.left();; left = lines.left()) {
     whole_ = text.size() - left;
     const auto line = lines.next();
-    const auto content = line ? content_of(*line) : std::nullopt;
+    const auto content = line ? checked_content(*line) : std::nullopt;
     if (!content) return {};  // what follows a damaged line is computed anew
     known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
   }
@@ -133,7 +114,7 @@ const FoldOutcome* Journal::find(std::size_t protocol, std::size_t training) con
 
 Result<void> Journal::add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   if (path_.empty()) return {};
-  const std::string line = line_of(content_for(protocol, training, outcome));
+  const std::string line = checked_line(content_for(protocol, training, outcome));
   const std::scoped_lock lock(*mutex_);
   if (!file_) {
     // A line that was cut must not become the beginning of the next one.

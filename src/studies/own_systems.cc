@@ -24,14 +24,29 @@ constexpr std::array<std::string_view, 9> kOrder = {"single_tensor_product",
                                                     "combined",
                                                     "bimodal"};
 
+constexpr std::array<std::string_view, 4> kFolders = {"systems", "systems/recorded",
+                                                      "systems/questions", "studies"};
+
+std::string name_of(const detail::EmbeddedFile& file) {
+  return std::filesystem::path(file.path).stem().string();
+}
+
+bool is_in(const detail::EmbeddedFile& file, std::string_view folder) {
+  return std::filesystem::path(file.path).parent_path() == folder;
+}
+
+bool is_own(const detail::EmbeddedFile& file) {
+  return std::any_of(kFolders.begin(), kFolders.end(),
+                     [&](std::string_view folder) { return is_in(file, folder); });
+}
+
 Result<std::vector<NamedFile>> files_in(std::string_view folder) {
   std::vector<NamedFile> files;
   for (const detail::EmbeddedFile& file : detail::embedded_files()) {
-    const std::filesystem::path path(file.path);
-    if (path.parent_path() != folder || path.extension() != ".toml") continue;
+    if (!is_in(file, folder)) continue;
     auto content = parse_toml(file.text, file.path);
     if (!content) return fail(std::move(content.error()));
-    files.push_back({path.stem().string(), std::move(*content)});
+    files.push_back({name_of(file), std::move(*content)});
   }
   return files;
 }
@@ -44,16 +59,36 @@ std::size_t place_of(const NamedFile& file) {
 }  // namespace
 
 Result<OwnSystems> own_systems() {
-  auto systems = files_in("systems");
-  if (!systems) return fail(std::move(systems.error()));
-  auto recorded = files_in("systems/recorded");
-  if (!recorded) return fail(std::move(recorded.error()));
-  auto questions = files_in("systems/questions");
-  if (!questions) return fail(std::move(questions.error()));
-  std::sort(systems->begin(), systems->end(), [](const NamedFile& a, const NamedFile& b) {
+  OwnSystems own;
+  std::array<std::vector<NamedFile>*, kFolders.size()> parts = {&own.systems, &own.recorded,
+                                                                &own.questions, &own.studies};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto files = files_in(kFolders[i]);
+    if (!files) return fail(std::move(files.error()));
+    *parts[i] = std::move(*files);
+  }
+  std::sort(own.systems.begin(), own.systems.end(), [](const NamedFile& a, const NamedFile& b) {
     return std::pair(place_of(a), a.name) < std::pair(place_of(b), b.name);
   });
-  return OwnSystems{std::move(*systems), std::move(*recorded), std::move(*questions)};
+  return own;
+}
+
+std::optional<OwnFile> find_own_file(const std::string& name) {
+  for (const detail::EmbeddedFile& file : detail::embedded_files()) {
+    if (is_own(file) && (file.path == name || name_of(file) == name)) {
+      return OwnFile{file.path, file.text};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> own_file_names() {
+  std::vector<std::string> names;
+  for (const detail::EmbeddedFile& file : detail::embedded_files()) {
+    if (is_own(file)) names.push_back(name_of(file));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace somato

@@ -109,8 +109,19 @@ Json optional_json(const std::optional<double>& value) {
 }
 
 Json claim_json(const ClaimOutcome& outcome) {
-  const Claim& claim = outcome.claim;
-  const Metric values{claim.metric, outcome.values};
+  const Metric values{outcome.claim.metric, outcome.values};
+  Json json = detail::claim_json(outcome.claim);
+  json["share"] = outcome.share();
+  json["mean"] = values.mean();
+  json["sd"] = values.standard_deviation();
+  json["by_luck"] = optional_json(outcome.by_luck);
+  json["pairs"] = outcome.values.size();
+  return json;
+}
+
+}  // namespace
+
+Json detail::claim_json(const Claim& claim) {
   Json json = {{"text", claim.text},           {"paper", claim.paper},
                {"question", claim.question},   {"system", claim.system},
                {"variation", claim.variation}, {"metric", claim.metric},
@@ -122,15 +133,8 @@ Json claim_json(const ClaimOutcome& outcome) {
   json["published"] = optional_json(claim.published);
   json["at_least"] = optional_json(claim.at_least);
   json["at_most"] = optional_json(claim.at_most);
-  json["share"] = outcome.share();
-  json["mean"] = values.mean();
-  json["sd"] = values.standard_deviation();
-  json["by_luck"] = optional_json(outcome.by_luck);
-  json["pairs"] = outcome.values.size();
   return json;
 }
-
-}  // namespace
 
 std::size_t pairs_of(std::size_t recording, std::size_t recordings, std::size_t pairs) {
   return pairs / recordings + (recording < pairs % recordings ? 1 : 0);

@@ -50,7 +50,10 @@ bool states_shapes(const SystemDescription& system) {
 // What is wrong in a module is told before anything is explored, if it can be known by then.
 Result<void> check_modules(const SystemDescription& system) {
   if (!states_shapes(system)) return {};
-  const auto built = System::build(system, RecordingLayout{});
+  RecordingLayout any_number;  // which decides automatic sizes
+  any_number.explorations = 1;
+  any_number.frames = 1;
+  const auto built = System::build(system, any_number);
   return built ? Result<void>() : fail(built.error());
 }
 

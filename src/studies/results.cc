@@ -35,14 +35,14 @@ Json runs_json(const std::vector<Run>& runs) {
   return json;
 }
 
+}  // namespace
+
 // TOML's numbers, texts, switches and lists of them are JSON's as they stand; only a text that is
 // not UTF-8 is not.
-Json setting_json(const std::string& value) {
+Json detail::setting_json(const std::string& value) {
   const Json json = Json::parse(value, nullptr, false);
   return json.is_discarded() ? Json(value) : json;
 }
-
-}  // namespace
 
 Json detail::system_json(const SystemResults& system) {
   Json json = {{"name", system.name}, {"protocol", system.protocol}};

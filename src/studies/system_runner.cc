@@ -77,7 +77,7 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
   if (tally.stopped()) return;
   const std::size_t training = taken_ + index;
   if (const FoldOutcome* known = journal.find(number_, training)) {
-    outcomes_[training] = *known;
+    outcomes_[training] = std::make_unique<FoldOutcome>(*known);
     return;
   }
   const std::size_t fold = training % folds_.size();
@@ -85,8 +85,9 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
       train_fold(description_, question_, folds_[fold], seed(training / folds_.size()),
                  [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
   if (!trained) return tally.failed(trained.error());
-  outcomes_[training] = test_fold(*trained, question_, folds_[fold], neighbours(*trained, fold));
-  if (auto kept = journal.add(number_, training, outcomes_[training]); !kept) {
+  outcomes_[training] = std::make_unique<FoldOutcome>(
+      test_fold(*trained, question_, folds_[fold], neighbours(*trained, fold)));
+  if (auto kept = journal.add(number_, training, *outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
   tally.one_done();
@@ -94,8 +95,8 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
 
 void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   if (taken_ == 0) return;
-  outcomes_[0] = tested;
-  outcomes_[0].nearest = neighbours(trained, 0);
+  outcomes_[0] = std::make_unique<FoldOutcome>(tested);
+  outcomes_[0]->nearest = neighbours(trained, 0);
 }
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
@@ -125,7 +126,7 @@ std::vector<SeedOutcome> SystemRunner::seeds() const {
   for (std::size_t s = 0; s < seeds.size(); ++s) {
     seeds[s].seed = seed(s);
     for (std::size_t f = 0; f < folds_.size(); ++f) {
-      seeds[s].folds.push_back(&outcomes_[s * folds_.size() + f]);
+      seeds[s].folds.push_back(outcomes_[s * folds_.size() + f].get());
     }
   }
   return seeds;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -89,10 +90,10 @@ class SystemRunner {
   std::size_t number_;
   std::size_t taken_;  ///< Trainings that are not run here.
   std::vector<Fold> folds_;
-  std::vector<std::size_t> tested_;  ///< All tested samples, ascending.
-  std::vector<FoldOutcome> outcomes_;
-  std::vector<Neighbours> neighbours_;     ///< Of folds whose vectors know no seed.
-  std::vector<std::once_flag> are_known_;  ///< Of neighbours_.
+  std::vector<std::size_t> tested_;                     ///< All tested samples, ascending.
+  std::vector<std::unique_ptr<FoldOutcome>> outcomes_;  // those that are known
+  std::vector<Neighbours> neighbours_;                  ///< Of folds whose vectors know no seed.
+  std::vector<std::once_flag> are_known_;               ///< Of neighbours_.
 };
 
 }  // namespace somato

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "somato/files/whole_file.h"
 #include "support/temporary_folder.h"
 #include "support/things.h"
@@ -45,6 +47,14 @@ TEST(HandPicture, ShowsTheObjectAndThePosture) {
   ASSERT_TRUE(hand->command(std::vector<double>{130, 0, 10, -40, 10, -40, 10, -40}));
   ASSERT_TRUE(hand->step(2.0));
   EXPECT_NE(picture_of(*hand), open);
+}
+
+TEST(HandPicture, OfAGraspIsNamedByThingTrialAndGraspFromOneOn) {
+  const TemporaryFolder folder;
+  GraspPictures pictures(folder.path());
+  pictures.save(*hand_before(cylinder_thing()), "tall/tube", 3, 6);
+  EXPECT_EQ(pictures.lost(), 0U);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("tall_tube-4-7.png")));
 }
 
 TEST(HandPicture, AFolderThatIsMissingIsTold) {

@@ -21,7 +21,7 @@ struct World {
 // A camera at the origin that looks along +y, z up, 60 deg high; it sees what `bodies` describes.
 World make_world(const std::string& geoms) {
   const std::string text = R"(<mujoco><asset>
-      <material name="green" rgba="0 1 0 1"/><material name="clear" rgba="0 1 0 0"/>
+      <material name="clear" rgba="0 1 0 0"/><material name="green" rgba="0 1 0 1"/>
       <mesh name="wedge" vertex="-1 0 -1  1 0 -1  0 0 1  0 1 0"/>
     </asset><worldbody>
       <camera name="view" pos="0 0 0" xyaxes="1 0 0 0 0 1" fovy="60"/>

@@ -241,6 +241,54 @@ TEST(SimulatedHand, NoiseHasItsSpreadAndForceIsNeverBelowZero) {
   EXPECT_NEAR(std::sqrt(squares / count), 0.5, 0.02);
 }
 
+// Each reading of touch (3) and touch_change (4) while a hand closes on a thing and opens again.
+std::vector<std::vector<float>> readings_of(SimulationParameters parameters) {
+  parameters.sensor_noise = 0.02;
+  const auto hand = hand_with(cylinder_thing(), parameters);
+  std::vector<std::vector<float>> all(2);
+  for (const auto& [distal, seconds] : {std::pair(-75, 2.0), {-20, 2.0}, {-75, 2.0}}) {
+    EXPECT_TRUE(hand->command(posture(130, 21, distal)));
+    for (double passed = 0.0; passed < seconds; passed += 0.1) {
+      EXPECT_TRUE(hand->step(0.1));
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto row = hand->state().readings[3 + i].row(0);
+        all[i].insert(all[i].end(), row.begin(), row.end());
+      }
+    }
+  }
+  return all;
+}
+
+// The noise is drawn alike, so that only what is reported of it differs.
+TEST(SimulatedHand, ReportsNothingBelowTheThreshold) {
+  SimulationParameters parameters = quiet();
+  const auto whole = readings_of(parameters);
+  parameters.touch_threshold = 0.1;
+  const auto reported = readings_of(parameters);
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    std::size_t silenced = 0;
+    for (std::size_t i = 0; i < whole[channel].size(); ++i) {
+      const float read = whole[channel][i];
+      EXPECT_EQ(reported[channel][i], std::abs(read) < 0.1F ? 0.0F : read);
+      silenced += read != 0.0F && reported[channel][i] == 0.0F ? 1 : 0;
+    }
+    EXPECT_GT(silenced, whole[channel].size() / 4);
+    EXPECT_GT(*std::max_element(reported[channel].begin(), reported[channel].end()), 0.5F);
+  }
+}
+
+TEST(SimulatedHand, AUnipolarConverterReadsRisingLoadsOnly) {
+  SimulationParameters parameters = quiet();
+  const auto both_ways = readings_of(parameters);
+  parameters.piezo_converter = PiezoConverter::kUnipolar;
+  const auto rising = readings_of(parameters);
+  EXPECT_EQ(rising[0], both_ways[0]);
+  EXPECT_LT(*std::min_element(both_ways[1].begin(), both_ways[1].end()), -0.5F);
+  for (std::size_t i = 0; i < rising[1].size(); ++i) {
+    EXPECT_EQ(rising[1][i], std::max(0.0F, both_ways[1][i]));
+  }
+}
+
 TEST(SimulatedHand, ThePiezoChannelForgetsASteadyGrasp) {
   const auto hand = hand_with(cylinder_thing());
   grasp(*hand);

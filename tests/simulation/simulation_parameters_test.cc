@@ -20,12 +20,17 @@ TEST(SimulationParameters, DefaultsAreWithinTheirRanges) {
   }
 }
 
-TEST(SimulationParameters, NegativeNoiseIsRefused) {
-  SimulationParameters parameters;
-  const auto refused =
-      SimulationParameters::declarations().find("placement_noise")->assign(parameters, Value{-1.0});
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+TEST(SimulationParameters, WhatVariesMayBeTurnedOffAndIsNeverNegative) {
+  for (const char* name : {"placement_noise", "placement_turn", "sensor_noise", "joint_noise",
+                           "servo_play", "friction"}) {
+    SCOPED_TRACE(name);
+    SimulationParameters parameters;
+    const auto parameter = SimulationParameters::declarations().find(name);
+    EXPECT_TRUE(parameter->assign(parameters, Value{0.0}));
+    const auto refused = parameter->assign(parameters, Value{-0.001});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+  }
 }
 
 }  // namespace

@@ -120,7 +120,9 @@ TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
         std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bit / 8), '\n') - 1);
     for (std::size_t number = 0; number < 3; ++number) {
       ASSERT_EQ(journal.find(1, number) != nullptr, number < sound) << bit;
-      if (number < sound) ASSERT_EQ(*journal.find(1, number), outcome_number(number));
+      if (number < sound) {
+        ASSERT_EQ(*journal.find(1, number), outcome_number(number));
+      }
     }
   }
 }

@@ -223,7 +223,8 @@ TEST_F(Plan, BuildsWhatStatesItsShapes) {
   std::string shaped = system_text("small");
   shaped.insert(shaped.find("[module.closed]"), "shape = [3]\n");
   const std::string line = std::to_string(kLines + 3);
-  const std::string none = "'rows' must be a whole number, 1 to 16777216, not 0";
+  const std::string none =
+      "'rows' must be a whole number, 1 to 16777216, not 0; \"automatic\" is possible too";
   expect_refused(shaped + "[variation.v]\nmodule.map.rows = 0\n",
                  "asked.toml:" + line + ", module 'map': " + none);
   EXPECT_TRUE(add("asked", shaped));

@@ -10,7 +10,7 @@
 
 namespace somato {
 
-/// How a hardness probe presses: P11 section IV-C presses and reads at the end.
+/// How a hardness probe presses: P11 section IV presses and reads at the end.
 struct PressParameters {
   std::optional<double> to;
   double step = 0.05;

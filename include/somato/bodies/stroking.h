@@ -7,7 +7,7 @@
 
 namespace somato {
 
-/// How a texture probe strokes: P11 section IV-B turns its lever by 36 degrees in 1 s.
+/// How a texture probe strokes: P11 section IV-A turns its lever by 36 degrees in 1 s.
 struct StrokeParameters {
   double from = 0.0;
   double to = 36.0;

@@ -58,8 +58,8 @@ struct Choices<SpectrumScale> {
   static const std::vector<std::pair<SpectrumScale, std::string>>& all();
 };
 
-/// The parameters of a spectrum; see Spectrum. P11 section IV-B gives the 2049 bins of a transform
-/// of 4096 frames and nothing more.
+/// The parameters of a spectrum; see Spectrum. P11 section IV-B gives 2049 frequencies, as many
+/// as a transform of 4096 frames has, and nothing more.
 struct SpectrumParameters {
   SpectrumWindow window = SpectrumWindow::kHann;
   std::optional<std::size_t> segment_length;

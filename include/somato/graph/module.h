@@ -63,6 +63,14 @@ class Module {
   Module& operator=(Module&&) = delete;
   virtual ~Module() = default;
 
+  /// Decides the automatic parameters that the shape of the output depends on, from what a
+  /// recording brings; called once, before connect(). Returns them with their values, for the
+  /// description of the system: what has learned keeps its shape with other recordings.
+  virtual Table decide(const std::vector<Connection>& /*inputs*/,
+                       const RecordingLayout& /*layout*/) {
+    return {};
+  }
+
   /// What the output carries when the inputs are these, in the order of the ports; called once,
   /// before anything else. Errors (kUsage): inputs that do not fit, with the port as `where`.
   virtual Result<PortType> connect(const std::vector<Connection>& inputs) = 0;

@@ -19,13 +19,20 @@ struct SomModel {
   std::optional<Standardization> standardization;  ///< Applied to data before the map sees it.
   std::vector<std::string> classes;                ///< Names of the classes, or empty.
   NeuronLabels labels;                             ///< A class a neuron; empty without classes.
+  /// Of the columns of the training data, over the rows that knew them, where missing values were
+  /// filled with them; otherwise empty.
+  std::vector<double> means = {};
+
+  /// What a missing value of each column is replaced by: `means`, or those of the standardization;
+  /// empty where the model has neither.
+  std::vector<double> fill_values() const;
 
   /// The samples as the map takes them. Throws InvalidArgument when the sizes differ.
   Samples prepare(const Samples& samples) const;
 };
 
 /// Saves wholly or not at all (see save_whole); docs/formats/model-file.md describes the file.
-/// Throws InvalidArgument when features, standardization or labels do not fit the map.
+/// Throws InvalidArgument when features, standardization, labels or means do not fit the map.
 Result<void> save_som_model(const std::string& path, const SomModel& model);
 
 /// The same model, bit by bit. Errors: kSystem for a file that cannot be read, kData for one that

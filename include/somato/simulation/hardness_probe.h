@@ -12,7 +12,7 @@
 
 namespace somato {
 
-/// The parameters of a simulated hardness probe; see make_hardness_probe(). P11 section IV-C gives
+/// The parameters of a simulated hardness probe; see make_hardness_probe(). P11 section IV-A gives
 /// 18 bits and a constant force, and no more.
 struct HardnessProbeParameters {
   double stroke = 10.0;
@@ -34,7 +34,7 @@ struct HardnessProbeParameters {
 std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters);
 
 /// A hardness probe over a piece of material: a stick on a servo that presses with a constant
-/// force, and the servo's potentiometer (P11 section IV-C; how it is simulated:
+/// force, and the servo's potentiometer (P11 section IV; how it is simulated:
 /// docs/bodies/probes.md).
 ///
 /// It has the degree of freedom `stick` (mm), at 0 to begin with, which is `clearance` above the

@@ -16,7 +16,7 @@ struct ProbeSeeds {
 };
 
 /// A texture probe on a piece of material: a metal edge on a lever, and a microphone that listens
-/// to it (P11 section IV-B; how it is simulated: docs/bodies/probes.md).
+/// to it (P11 section IV; how it is simulated: docs/bodies/probes.md).
 ///
 /// It has the degree of freedom `lever` (deg), at 0 to begin with, and the sensor `sound` (counts,
 /// one element, at the sample rate). How a caller cuts time into steps changes no frame. One

@@ -7,8 +7,9 @@
 
 namespace somato {
 
-/// The parameters of a simulated texture probe; see make_texture_probe(). P11 section IV-B gives
-/// the lever's 36 degrees in 1 s; its converter, an NI USB-6008, has 12 bits.
+/// The parameters of a simulated texture probe; see make_texture_probe(). P11 section IV-A gives
+/// the lever's 36 degrees in 1 s, section IV names the converter, an NI USB-6008, which has 12 bits
+/// by its data sheet.
 struct TextureProbeParameters {
   double stroke = 36.0;
   double lever_speed = 36.0;

@@ -19,14 +19,13 @@ namespace {
 // Refused before it is asked for: a system that promises more memory than it has would end the
 // program later, without a word.
 Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::string& port) {
-  const double gibibytes =
-      static_cast<double>(neurons) * static_cast<double>(elements) * sizeof(float) / (1 << 30);
-  const double there = static_cast<double>(memory_of_machine()) / (1 << 30);
-  if (gibibytes <= there) return {};
+  const double needed =
+      static_cast<double>(neurons) * static_cast<double>(elements) * sizeof(float);
+  const auto there = static_cast<double>(memory_of_machine());
+  if (needed <= there) return {};
   return fail(ErrorKind::kUsage,
-              fmt::format("{} neurons with {} elements need {:.1f} GiB of memory, and this machine "
-                          "has {:.1f}",
-                          neurons, elements, gibibytes, there),
+              fmt::format("{} neurons with {} elements need {} of memory, and this machine has {}",
+                          neurons, elements, memory_text(needed), memory_text(there)),
               port, "choose fewer neurons or elements");
 }
 
@@ -61,9 +60,9 @@ class KnownStepper : public Stepper {
 
   Result<Signal> step(std::span<const SignalView> /*inputs*/) override {
     const SomParameters& p = learner_.parameters();
-    std::vector<float> activity(p.rows * p.columns);
+    std::vector<float> activity(p.grid().size());
     learner_.activity(exploration_, activity);
-    return Signal::dense({p.rows, p.columns}, std::move(activity));
+    return Signal::dense({*p.rows, *p.columns}, std::move(activity));
   }
 
  private:
@@ -73,16 +72,34 @@ class KnownStepper : public Stepper {
 
 }  // namespace
 
+Table SomModule::decide(const std::vector<Connection>& inputs, const RecordingLayout& layout) {
+  const bool of_frames = inputs.front().type.rate == Rate::kFrame;
+  const std::size_t samples = of_frames ? layout.frames : layout.explorations;
+  if (!parameters_.is_size_automatic() || samples == 0) return {};
+  decide_size(parameters_, samples);
+  Table decided;
+  for (const char* name : {"rows", "columns", "iterations"}) {
+    if (!reason_without_effect(parameters_, name).empty()) continue;
+    decided.entries.push_back(
+        {name, {}, SomParameters::declarations().find(name)->read(parameters_)});
+  }
+  return decided;
+}
+
 Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
   const PortType& input = inputs.front().type;
   input_size_ = input.size();
   rate_ = input.rate;
-  if (auto grid = Grid::validate(parameters_.rows, parameters_.columns, parameters_.lattice,
+  if (parameters_.is_size_automatic()) {
+    return fail(ErrorKind::kUsage, "the map's size is automatic, which takes a recording", {},
+                "give the recording, or write rows and columns as numbers");
+  }
+  if (auto grid = Grid::validate(*parameters_.rows, *parameters_.columns, parameters_.lattice,
                                  parameters_.topology);
       !grid) {
     return fail(std::move(grid.error()));
   }
-  const std::size_t neurons = parameters_.rows * parameters_.columns;
+  const std::size_t neurons = parameters_.grid().size();
   // How many elements of a sparse input get weights is known when it learns.
   const bool all_stored =
       !input.sparse || !InitialWeightsSource::are_zero_without_samples(parameters_);
@@ -92,7 +109,7 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
   if (auto possible = resolve(parameters_, 2, input_size_); !possible) {
     return fail(std::move(possible.error()));
   }
-  return checked_size({rate_, {parameters_.rows, parameters_.columns}, false, input.clock},
+  return checked_size({rate_, {*parameters_.rows, *parameters_.columns}, false, input.clock},
                       inputs.front().port);
 }
 
@@ -104,7 +121,7 @@ std::unique_ptr<Stepper> SomModule::start() const {
 
 std::size_t SomModule::memory() const {
   const std::size_t elements = som_.neurons() > 0 ? som_.elements().count() : input_size_;
-  return parameters_.rows * parameters_.columns * elements * sizeof(float);
+  return parameters_.grid().size() * elements * sizeof(float);
 }
 
 SomParameters SomModule::parameters_for(const Lesson& lesson) const {
@@ -145,8 +162,7 @@ Result<std::uint64_t> SomModule::begin(const Lesson& lesson, const TrainingInput
                 "write initial_weights = \"uniform\"");
   }
   // What others learn may bring any element later.
-  if (auto fits = check_memory(parameters.rows * parameters.columns,
-                               lesson.inputs_fixed ? 1 : input_size_, {});
+  if (auto fits = check_memory(parameters.grid().size(), lesson.inputs_fixed ? 1 : input_size_, {});
       !fits) {
     return fail(std::move(fits.error()));
   }

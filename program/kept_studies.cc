@@ -1,0 +1,53 @@
+#include "kept_studies.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "somato/files/checksum.h"
+#include "somato/files/whole_file.h"
+#include "somato/studies/part_file.h"
+
+namespace somato::program {
+namespace {
+
+constexpr const char* kFound = ".found";
+
+}  // namespace
+
+Result<void> KeptStudies::make_folder() const {
+  std::error_code code;
+  std::filesystem::create_directories(unfinished(), code);
+  if (!code) return {};
+  return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
+              unfinished().string(), "give --out a folder that can be written to");
+}
+
+void KeptStudies::look() {
+  std::error_code ignored;
+  for (const auto& part : std::filesystem::directory_iterator(parts_, ignored)) {
+    for (const auto& file : std::filesystem::directory_iterator(part.path(), ignored)) {
+      if (file.path().extension() == kFound) found_[file.path().stem().string()] = file.path();
+    }
+  }
+}
+
+std::optional<PartResults> KeptStudies::find(const std::string& name) const {
+  const auto found = found_.find(name);
+  if (found == found_.end()) return {};
+  const auto content = read_whole(found->second.string());
+  return content ? read_part_file(*content) : std::nullopt;
+}
+
+Result<void> KeptStudies::keep(const std::string& name, const PartResults& results) {
+  const std::filesystem::path path = own_ / (name + kFound);
+  if (auto saved = save_whole(path.string(), part_file(results)); !saved) return saved;
+  found_[name] = path;
+  return {};
+}
+
+std::string checksum_name(const std::string& text) {
+  return fmt::format("{:08x}{:08x}", crc32c(text), crc32(text));
+}
+
+}  // namespace somato::program

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "commands.h"
+#include "data.h"
+#include "explore_table.h"
+#include "output.h"
+#include "result_output.h"
+#include "somato/files/toml_file.h"
+#include "somato/files/whole_file.h"
+#include "somato/studies/own_systems.h"
+#include "somato/studies/sweep_picture.h"
+#include "somato/studies/sweep_results.h"
+#include "study_data.h"
+#include "sweep_run.h"
+#include "sweep_table.h"
+#include "wording.h"
+
+namespace somato::program {
+namespace {
+
+std::map<std::string, std::string> explore_defaults() {
+  std::map<std::string, std::string> defaults;
+  for (const auto& [name, info] : explore_parameters()) defaults[name] = info.default_text;
+  return defaults;
+}
+
+// Nothing explores where recordings are given.
+Result<void> check_moved(const SweepRequest& request) {
+  for (const Unknown& unknown : request.sweep.sweep.unknowns) {
+    for (const std::string& key : unknown.parameters.key) {
+      if (!request.pairs.given || !key.starts_with("explore.")) continue;
+      return fail(ErrorKind::kUsage, "'" + key + "' changes nothing where --data is given",
+                  unknown.where, "leave out --data, or this unknown");
+    }
+  }
+  return {};
+}
+
+Result<void> check_points(const SweepRequest& request) {
+  for (const SweepPoint& point : request.points) {
+    const auto plan = plan_of_point(request.sweep, point);
+    if (!plan) return fail(plan.error());
+    for (const ReproductionPart& part : plan->parts) {
+      auto right = check_explorable(part, request.pairs.given.has_value());
+      if (!right) return right;
+    }
+  }
+  return {};
+}
+
+Result<void> read_sweep_files(const Arguments& arguments, SweepRequest& request) {
+  const auto file = read_toml(arguments.text("over"));
+  if (!file) return fail(file.error());
+  const auto sweep = read_sweep(*file);
+  if (!sweep) return fail(sweep.error());
+  auto system = read_file_or_own(arguments.text("SYSTEM"));
+  if (!system) return fail(std::move(system.error()));
+  auto planned =
+      plan_sweep(*sweep, {arguments.text("SYSTEM"), std::move(*system)}, explore_defaults());
+  if (!planned) return fail(std::move(planned.error()));
+  request.sweep = std::move(*planned);
+  request.points = sweep_points(*sweep);
+  request.pairs.pairs = sweep->sweep.pairs;
+  request.pairs.recordings = sweep->sweep.recordings;
+  request.pairs.seed = sweep->sweep.seed;
+  return check_moved(request).and_then([&] { return check_points(request); });
+}
+
+Result<SweepRequest> read_sweep_request(const Arguments& arguments) {
+  SweepRequest request;
+  request.out = arguments.has("out") ? arguments.text("out") : "out/sweep";
+  auto part = read_sweep_part(arguments);
+  if (!part) return fail(std::move(part.error()));
+  request.part = std::move(*part);
+  auto read = read_threads_and_data(arguments, request.pairs).and_then([&] {
+    return read_sweep_files(arguments, request);
+  });
+  if (!read) return fail(std::move(read.error()));
+  return request;
+}
+
+std::string part_text(const SweepPart& part) {
+  if (part.is_whole() && part.given_by.empty()) return {};
+  const std::string by = part.given_by.empty() ? "" : " (" + part.given_by + ")";
+  return fmt::format("Part {} of {}{} is done.\n", part.number, part.of, by);
+}
+
+// Other parts have points to run.
+void print_part(const Arguments& arguments, const SweepRequest& request, std::size_t done) {
+  const SweepPart& part = request.part;
+  const std::string text = fmt::format(
+      "{}{} of {} are there. The last part writes sweep.json, as does the same command without "
+      "--part, which runs what is missing.\n",
+      part_text(part), done, counted(request.points.size(), "point"));
+  print_summary(arguments, text,
+                Table{{},
+                      {entry("part", std::uint64_t{part.number}),
+                       entry("parts", std::uint64_t{part.of}), entry("done", std::uint64_t{done}),
+                       entry("points", std::uint64_t{request.points.size()})}});
+}
+
+Result<void> save_results(const Arguments& arguments, const SweepRequest& request,
+                          const SweepResults& results) {
+  const std::string path = (request.out / "sweep.json").string();
+  const std::string picture = (request.out / "sweep.svg").string();
+  const std::string json = to_json(results);
+  if (auto saved = save_whole(path, json); !saved) return saved;
+  if (auto saved = save_whole(picture, sweep_picture(results)); !saved) return saved;
+  print_summary(arguments,
+                part_text(request.part) + sweep_table(results) +
+                    fmt::format("\nWritten: {}, {}\n", path, picture),
+                json);
+  return {};
+}
+
+Result<void> run_sweep(const Arguments& arguments) {
+  auto request = read_sweep_request(arguments);
+  if (!request) return fail(std::move(request.error()));
+  SweepRun sweep(*request);
+  if (auto made = sweep.make_folders(); !made) return made;
+  for (const char* file : {"sweep.json", "sweep.svg"}) {
+    if (auto free = check_output((request->out / file).string()); !free) return free;
+  }
+  const auto lock = sweep.lock();
+  if (!lock) return fail(lock.error());
+  if (auto ran = sweep.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
+  const auto results = sweep.results();
+  if (!results) return fail(results.error());
+  if (results->points.size() == request->points.size()) {
+    return save_results(arguments, *request, *results);
+  }
+  print_part(arguments, *request, results->points.size());
+  return {};
+}
+
+}  // namespace
+
+Command sweep_command() {
+  return {
+      "sweep",
+      "Run a system over a design of its unknown settings, and report where its claims hold",
+      {{"SYSTEM", "TOML file of a system with claims, or one that 'somato systems' lists", true,
+        false, Role::kInput, own_file_names}},
+      {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
+       {"--part",
+        "K/N: run point K and every N-th after it; without it, what Slurm says of an array's "
+        "task, else all points"},
+       input_flag(
+           "--data",
+           "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
+           "of data sets"),
+       input_flag("--test-data", "A separate recording to test on"),
+       folder_flag("-o,--out",
+                   "Folder for sweep.json, sweep.svg and what parts have found; out/sweep "
+                   "unless given",
+                   {"sweep.json", "sweep.svg"}),
+       threads_flag(),
+       json_flag()},
+      {},
+      run_sweep};
+}
+
+}  // namespace somato::program

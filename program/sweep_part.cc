@@ -1,0 +1,75 @@
+#include "sweep_part.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace somato::program {
+namespace {
+
+constexpr std::size_t kMostParts = 1'000'000;
+constexpr const char* kTask = "SLURM_ARRAY_TASK_ID";
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, number);
+  if (status != std::errc() || stop != end || number > kMostParts) return {};
+  return number;
+}
+
+Result<SweepPart> part_named(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = whole_number(text.substr(0, slash));
+  const auto of = slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
+  if (!number || !of || *number < 1 || *number > *of) {
+    return fail(ErrorKind::kUsage, "'" + text + "' is no part", "--part",
+                "write K/N with K from 1 to N, such as 3/7");
+  }
+  return SweepPart{*number, *of, {}};
+}
+
+// Of the environment; `otherwise` where it is not there.
+Result<std::size_t> slurm_number(const char* name, std::size_t otherwise) {
+  const char* text = std::getenv(name);
+  if (!text) return otherwise;
+  if (const auto number = whole_number(text)) return *number;
+  return fail(ErrorKind::kUsage, fmt::format("'{}' is no number of a task", text), name,
+              "give --part K/N");
+}
+
+Result<SweepPart> slurm_part() {
+  const auto task = slurm_number(kTask, 0);
+  const auto first = slurm_number("SLURM_ARRAY_TASK_MIN", 1);
+  const auto step = slurm_number("SLURM_ARRAY_TASK_STEP", 1);
+  const auto count = slurm_number("SLURM_ARRAY_TASK_COUNT", 0);
+  for (const auto* number : {&task, &first, &step, &count}) {
+    if (!*number) return fail(number->error());
+  }
+  const bool follows = *step > 0 && *task >= *first && (*task - *first) % *step == 0;
+  const std::size_t number = follows ? (*task - *first) / *step + 1 : 0;
+  if (number < 1 || number > *count) {
+    return fail(ErrorKind::kUsage,
+                fmt::format("task {} is none of {} that follow {} in steps of {}", *task, *count,
+                            *first, *step),
+                kTask, "use an array without gaps, such as --array=1-7, or give --part K/N");
+  }
+  return SweepPart{number, *count, fmt::format("{} = {}", kTask, *task)};
+}
+
+}  // namespace
+
+std::string SweepPart::folder_name() const {
+  return fmt::format("{}-of-{}", number, of);
+}
+
+Result<SweepPart> read_sweep_part(const Arguments& arguments) {
+  if (arguments.has("part")) return part_named(arguments.text("part"));
+  return std::getenv(kTask) ? slurm_part() : SweepPart{};
+}
+
+}  // namespace somato::program
