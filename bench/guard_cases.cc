@@ -110,7 +110,7 @@ void count_winners_of_clusters(const Counted& counted) {
   SomParameters parameters = map_of(30);
   parameters.similarity = Similarity::kEuclidean;
   parameters.normalize_input = false;
-  const Som som(parameters, clusters(parameters.rows * parameters.columns, 64, 11));
+  const Som som(parameters, clusters(parameters.grid().size(), 64, 11));
   count_winners(som, Samples(clusters(700, 64, 12)), "winners_700_of_clusters", counted);
 }
 

@@ -48,4 +48,23 @@ if(SOMATO_BUILD_PROGRAM)
   file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(somato_program PROPERTIES INSTALL_RPATH "$ORIGIN/${from_program}")
   install(TARGETS somato_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  foreach(folder systems studies examples)
+    install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/somato)
+  endforeach()
+
+  # The program itself prints its manual page and what shells need to complete its commands.
+  function(install_printed folder name)
+    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/printed/${name}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/printed
+      COMMAND somato_program ${ARGN} > ${PROJECT_BINARY_DIR}/printed/${name}
+      DEPENDS somato_program)
+    set_property(GLOBAL APPEND PROPERTY SOMATO_PRINTED ${PROJECT_BINARY_DIR}/printed/${name})
+    install(FILES ${PROJECT_BINARY_DIR}/printed/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
+  endfunction()
+  install_printed(man/man1 somato.1 reference --man)
+  install_printed(bash-completion/completions somato completions bash)
+  install_printed(zsh/site-functions _somato completions zsh)
+  install_printed(fish/vendor_completions.d somato.fish completions fish)
+  get_property(printed GLOBAL PROPERTY SOMATO_PRINTED)
+  add_custom_target(somato_printed ALL DEPENDS ${printed})
 endif()

@@ -18,6 +18,13 @@ void check(std::string_view text, const somato::CsvOptions& options) {
   SOMATO_ASSERT(somato::parse_csv(somato::format_csv(*table), "again", again) == *table);
 }
 
+// Of what is accepted, all is finite or missing, and nothing is infinite.
+void check_missing(std::string_view text, const somato::CsvOptions& options) {
+  const somato::Result<somato::NumberTable> table = somato::parse_csv(text, "input", options);
+  if (!table) return;
+  for (const float value : table->values.values()) SOMATO_ASSERT(!std::isinf(value));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -30,5 +37,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(text, options);
   options = {' ', false, ""};
   check(text, options);
+  options = {};
+  options.decimal = ',';
+  check(text, options);
+  options.decimal = '.';
+  options.columns.skip = {"a*"};
+  check(text, options);
+  options.columns.skip = {"1", "3..4"};
+  check(text, options);
+  options.columns = {{}, {}, {"b", "a"}};
+  check(text, options);
+  options = {};
+  options.keeps_missing = true;
+  check_missing(text, options);
   return 0;
 }

@@ -2,11 +2,15 @@
 
 #include <cstdio>
 #include <numeric>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "data.h"
+#include "result_output.h"
 #include "somato/files/csv.h"
+#include "somato/files/json_table.h"
 #include "somato/files/whole_file.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
@@ -52,8 +56,9 @@ Result<void> check_layout(const System& system, const Recording& recording,
   return {};
 }
 
-Result<std::string> line_of(const SystemModel& model, const Som& som, const SignalView& input,
-                            const Exploration& exploration, std::size_t number) {
+// What the system says of an exploration, under the names of the columns.
+Result<Table> answer_of(const SystemModel& model, const Som& som, const SignalView& input,
+                        const Exploration& exploration, std::size_t number) {
   if (!is_in_range(input)) {
     return fail(ErrorKind::kData,
                 fmt::format("exploration {} is too large for the map: what it takes has to be told "
@@ -64,11 +69,35 @@ Result<std::string> line_of(const SystemModel& model, const Som& som, const Sign
   SomWorkspace workspace;
   const std::size_t winner = som.winner(input, workspace);
   const std::size_t label = model.answer->labels.classify(som, input, workspace);
-  return fmt::format("{},{},{},{},{},{:.9g},{},{}\n", number, csv_field(exploration.source), winner,
-                     winner / som.grid().columns(), winner % som.grid().columns(),
-                     som.distance(input, winner, workspace),
-                     csv_field(model.answer->classes[label]),
-                     csv_field(find_label(exploration, model.answer->label).value_or("")));
+  const std::string& name = model.answer->label;
+  return Table{
+      {},
+      {entry("exploration", number), entry("source", exploration.source), entry("winner", winner),
+       entry("row", som.grid().row_of(winner)), entry("column", som.grid().column_of(winner)),
+       entry("distance", som.distance(input, winner, workspace)),
+       entry(name, model.answer->classes[label]),
+       entry("given_" + name, find_label(exploration, name).value_or(""))}};
+}
+
+std::string csv_cell(const Table::Entry& cell) {
+  const auto& value = std::get<Value>(cell.content);
+  if (const auto* text = std::get_if<std::string>(&value.content)) return csv_field(*text);
+  const auto* number = std::get_if<double>(&value.content);
+  return number ? fmt::format("{:.9g}", *number) : to_toml(value);
+}
+
+// `answers`, at least one, which have the same columns.
+std::string csv_of(const std::vector<Table>& answers) {
+  std::vector<std::string> cells;
+  cells.reserve(answers.front().entries.size());
+  for (const Table::Entry& cell : answers.front().entries) cells.push_back(csv_field(cell.name));
+  std::string csv = fmt::format("{}\n", fmt::join(cells, ","));
+  for (const Table& answer : answers) {
+    cells.clear();
+    for (const Table::Entry& cell : answer.entries) cells.push_back(csv_cell(cell));
+    csv += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return csv;
 }
 
 Result<void> apply(const Arguments& arguments) {
@@ -90,18 +119,20 @@ Result<void> apply(const Arguments& arguments) {
   const std::size_t input = model->system.modules()[*map].inputs.front();
   auto seen = evaluate(model->system, *recording, all, {input}, *threads, activations);
   if (!seen) return seen;
-  const std::string& label = model->answer->label;
-  std::string text = fmt::format("exploration,source,winner,row,column,distance,{},{}\n",
-                                 csv_field(label), csv_field("given_" + label));
+  std::vector<Table> answers;
+  answers.reserve(all.size());
   for (const std::size_t exploration : all) {
-    auto line = line_of(*model, *som_of(model->system, *map),
-                        activations.find(input, exploration)->values[0],
-                        recording->explorations[exploration], exploration + 1);
-    if (!line) return fail(std::move(line.error()));
-    text += *line;
+    auto answer = answer_of(*model, *som_of(model->system, *map),
+                            activations.find(input, exploration)->values[0],
+                            recording->explorations[exploration], exploration + 1);
+    if (!answer) return fail(std::move(answer.error()));
+    answers.push_back(std::move(*answer));
   }
+  const std::string text = arguments.has("json")
+                               ? to_json(Table{{}, {entry("answers", std::move(answers))}})
+                               : csv_of(answers);
   if (arguments.has("output")) return save_whole(arguments.text("output"), text);
-  fmt::print("{}", text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
   return {};
 }
 
@@ -113,6 +144,7 @@ Command apply_command() {
           {{"SYSTEM", "A system that 'somato run' has saved", true},
            {"DATA", "The recording: its file, or a folder of original files", true}},
           {output_flag("-o,--output", "File for the answers, as CSV; standard output without it"),
+           {"--json", "Answers as JSON instead of CSV", false, false},
            {"--format", "Format of the original files, when their names do not tell"},
            threads_flag()},
           {},

@@ -14,7 +14,9 @@
 #include "output.h"
 #include "somato/core/instruction_set.h"
 #include "terminal.h"
+#include "usage.h"
 #include "version.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -30,20 +32,6 @@ int exit_code(ErrorKind kind) {
   return kind == ErrorKind::kInterrupted ? kSignal + stop_signal() : kFailed;
 }
 
-// Names of files and labels come from elsewhere: a terminal must not take them for commands.
-std::string printable(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02X}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 // Where standard error cannot be written to there is nobody left to tell; the exit code still does.
 int report(const Error& error) {
   std::fputs(fmt::format("somato: {}\n", printable(to_string(error))).c_str(), stderr);
@@ -54,15 +42,6 @@ Error usage_error(const std::string& what, const std::string& where) {
   return {ErrorKind::kUsage, what, where, {}};
 }
 
-std::string description_of(const ParameterInfo& info) {
-  std::string text = info.text;
-  if (!info.unit.empty()) text += fmt::format(" [{}]", info.unit);
-  const std::string range = to_string(info.range);
-  if (!range.empty()) text += fmt::format(" ({})", range);
-  if (!info.choices.empty()) text += fmt::format(" ({})", fmt::join(info.choices, ", "));
-  return text + fmt::format(" Default: {}.", info.default_text);
-}
-
 // A command's part of the parser, and where its arguments go.
 class Parser {
  public:
@@ -71,10 +50,12 @@ class Parser {
     for (const Flag& flag : command.flags) add_flag(flag);
     for (const ParameterInfo& info : command.parameters) {
       CLI::Option* option =
-          add(flag_of(info.name).substr(2), flag_of(info.name), description_of(info));
+          add(flag_of(info.name).substr(2), flag_of(info.name), parameter_description(info));
       option->type_name("VALUE");
       if (info.type == "switch") make_switch(*option);
     }
+    const std::string quiet(kQuietText);
+    app.add_flag("--quiet", quiet)->disable_flag_override();
   }
 
   bool chosen() const { return app_.parsed(); }
@@ -94,6 +75,7 @@ class Parser {
       if (option->count() > 0) arguments.lists[name] = option->results();
     }
     if (auto safe = check_outputs(command_, arguments); !safe) return safe;
+    if (app_.get_option("--quiet")->count() > 0) be_quiet();
     return command_.run(arguments);
   }
 

@@ -26,6 +26,7 @@ struct Positional {
   bool required = true;
   bool many = false;  ///< Takes all that is left, at least one where it is required.
   Role role = Role::kInput;
+  std::function<std::vector<std::string>()> names = {};  ///< Known ones, which shells complete.
 };
 
 /// A flag that is not a parameter of a struct: where things come from and go to.

@@ -6,6 +6,7 @@ namespace somato::program {
 
 Command run_command();
 Command reproduce_command();
+Command sweep_command();
 Command report_command();
 Command information_command();
 Command apply_command();
@@ -18,6 +19,7 @@ Command som_train_command();
 Command som_map_command();
 Command som_quality_command();
 Command som_plot_command();
+Command completions_command();
 Command inspect_command();
 Command recover_command();
 

@@ -3,34 +3,100 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
-#include "memory_flag.h"
 #include "somato/core/threads.h"
 #include "somato/files/labels.h"
-#include "somato/files/number_file.h"
 
 namespace somato::program {
+namespace {
 
-std::vector<Flag> data_flags() {
-  return {input_flag("--labels", "Text file with the label of each row, one a line"),
-          {"--label-column", "Column of a CSV file that holds labels, by name or number from 1"},
+// The items of a flag, with commas between.
+Result<std::vector<std::string>> read_items(const Arguments& arguments, const std::string& flag) {
+  std::vector<std::string> items;
+  if (!arguments.has(flag)) return items;
+  const std::string text = arguments.text(flag);
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    std::string item = text.substr(start, end - start);
+    item.erase(0, std::min(item.find_first_not_of(' '), item.size()));
+    item.erase(item.find_last_not_of(' ') + 1);
+    if (item.empty()) {
+      return fail(ErrorKind::kUsage, "a name is empty", "--" + flag,
+                  "write names or patterns with commas between");
+    }
+    items.push_back(std::move(item));
+    start = end + 1;
+  }
+  return items;
+}
+
+Result<char> read_decimal(const Arguments& arguments) {
+  const std::string mark = arguments.has("decimal") ? arguments.text("decimal") : "point";
+  if (mark == "point") return '.';
+  if (mark == "comma") return ',';
+  return fail(ErrorKind::kUsage, fmt::format("must be point or comma, not '{}'", mark),
+              "--decimal");
+}
+
+Result<std::optional<bool>> read_header(const Arguments& arguments) {
+  if (!arguments.has("header")) return std::optional<bool>();
+  const std::string header = arguments.text("header");
+  if (header == "yes" || header == "no") return std::optional(header == "yes");
+  return fail(ErrorKind::kUsage, fmt::format("must be yes or no, not '{}'", header), "--header");
+}
+
+}  // namespace
+
+std::vector<Flag> table_flags() {
+  return {{"--label-column", "Column of a CSV file that holds labels, by name or number from 1"},
+          {"--columns-to-use",
+           "Columns to use as features, with commas between: names or patterns such as 'tax_*', or "
+           "numbers from 1 and ranges such as 2..17 where columns have no names; default: all"},
+          {"--skip", "Columns to leave out, written alike"},
+          {"--missing",
+           fmt::format("Missing values, which are empty fields, NaN and words such as NA: {}",
+                       "refuse; mean fills in the column's mean over the training rows that know "
+                       "it; nearest fills in what the nearest complete row holds or, with a "
+                       "trained map, the winner by the known values. Default: refuse")},
+          {"--decimal", "What marks decimals in text, point or comma; default: point"},
           {"--header",
            "Whether the first line of a text file holds names, yes or no; default: "
            "when it holds something that is no number"}};
 }
 
-Result<CsvOptions> read_csv_options(const Arguments& arguments) {
+std::vector<Flag> data_flags() {
+  std::vector<Flag> flags = table_flags();
+  flags.insert(flags.begin(),
+               input_flag("--labels", "Text file with the label of each row, one a line"));
+  return flags;
+}
+
+Result<CsvOptions> read_table_options(const Arguments& arguments) {
   CsvOptions options;
   options.label_column = arguments.text("label-column");
-  if (!arguments.has("header")) return options;
-  const std::string header = arguments.text("header");
-  if (header != "yes" && header != "no") {
-    return fail(ErrorKind::kUsage, fmt::format("must be yes or no, not '{}'", header), "--header");
-  }
-  options.header = header == "yes";
+  auto header = read_header(arguments);
+  if (!header) return fail(std::move(header.error()));
+  auto decimal = read_decimal(arguments);
+  if (!decimal) return fail(std::move(decimal.error()));
+  auto use = read_items(arguments, "columns-to-use");
+  if (!use) return fail(std::move(use.error()));
+  auto skip = read_items(arguments, "skip");
+  if (!skip) return fail(std::move(skip.error()));
+  const auto missing = read_missing(arguments);
+  if (!missing) return fail(missing.error());
+  options.header = *header;
+  options.decimal = *decimal;
+  options.columns.use = std::move(*use);
+  options.columns.skip = std::move(*skip);
+  options.keeps_missing = *missing != MissingFill::kRefuse;
   return options;
+}
+
+Result<MissingFill> read_missing(const Arguments& arguments) {
+  if (!arguments.has("missing")) return MissingFill::kRefuse;
+  return choice_named<MissingFill>("way to fill missing values", arguments.text("missing"),
+                                   "--missing");
 }
 
 Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std::size_t rows) {
@@ -48,40 +114,6 @@ Result<void> check_labels_given_once(const Arguments& arguments) {
               "use either --labels or --label-column");
 }
 
-// What is no regular file cannot be read in parts, and has no size before it has been read.
-Result<std::size_t> limit_of(const Arguments& arguments) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(arguments.text("DATA"), ignored)) return kLargestFile;
-  return read_memory(arguments);
-}
-
-Result<Data> read_data(const Arguments& arguments) {
-  if (auto once = check_labels_given_once(arguments); !once) return fail(std::move(once.error()));
-  const auto options = read_csv_options(arguments);
-  if (!options) return fail(options.error());
-  const auto limit = limit_of(arguments);
-  if (!limit) return fail(limit.error());
-  auto table = read_numbers(arguments.text("DATA"), *options, *limit);
-  if (!table) return fail(std::move(table.error()));
-  auto labels = read_labels_of(arguments, table->values.rows());
-  if (!labels) return fail(std::move(labels.error()));
-  if (!arguments.has("labels")) labels = std::move(table->labels);
-  return Data{std::move(table->names), Samples(std::move(table->values)), std::move(*labels)};
-}
-
-Result<void> check_names(const std::vector<std::string>& of_map,
-                         const std::vector<std::string>& of_data, const std::string& path) {
-  if (of_map.empty() || of_data.empty()) return {};
-  for (std::size_t i = 0; i < of_map.size(); ++i) {
-    if (of_map[i] == of_data[i]) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("column {} is '{}', but the map was trained on '{}' there", i + 1,
-                            of_data[i], of_map[i]),
-                path, "give the columns in the order of the training data");
-  }
-  return {};
-}
-
 Result<std::size_t> read_threads(const Arguments& arguments) {
   return arguments.number("threads", 1).map([](std::optional<std::size_t> threads) {
     return std::min<std::size_t>(threads.value_or(available_threads()), 1024);
@@ -89,7 +121,7 @@ Result<std::size_t> read_threads(const Arguments& arguments) {
 }
 
 Flag threads_flag() {
-  return {"--threads", "Threads; the result does not depend on it. Default: all cores"};
+  return {"--threads", "Number of threads; the result is the same for any. Default: all cores"};
 }
 
 }  // namespace somato::program

@@ -1,38 +1,32 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "command_line.h"
-#include "somato/core/samples.h"
+#include "somato/codes/missing_values.h"
 #include "somato/files/csv.h"
 
 namespace somato::program {
 
-/// Rows of numbers from a file, with a label a row if the command line names any.
-struct Data {
-  std::vector<std::string> features;  ///< Names of the columns, or empty.
-  Samples samples;
-  std::vector<std::string> labels;  ///< One a row, or empty.
-};
+/// The flags that say how a table is read: what read_table_options() and read_missing() understand.
+std::vector<Flag> table_flags();
 
-/// The flags that read_data() understands.
+/// These, and `--labels`.
 std::vector<Flag> data_flags();
 
-/// Reads the file that the positional `DATA` names, and its labels. Errors: those of the files, and
-/// kData when there are not as many labels as rows.
-Result<Data> read_data(const Arguments& arguments);
+/// How the flags say that the table is to be read. Errors: kUsage.
+Result<CsvOptions> read_table_options(const Arguments& arguments);
 
-/// The parts of it: how the flags say a text file is to be read; the labels of a file of their own,
-/// which has to have `rows`, or none; that labels are not given in two ways (kUsage).
-Result<CsvOptions> read_csv_options(const Arguments& arguments);
+/// The flag `--missing`. Errors: kUsage.
+Result<MissingFill> read_missing(const Arguments& arguments);
+
+/// The labels of a file of their own, which has to have `rows`, or none.
 Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std::size_t rows);
-Result<void> check_labels_given_once(const Arguments& arguments);
 
-/// Fails (kData) when the columns of the data at `path` have other names than those of the map, if
-/// both have names: in another order they would give answers that look right.
-Result<void> check_names(const std::vector<std::string>& of_map,
-                         const std::vector<std::string>& of_data, const std::string& path);
+/// Fails (kUsage) when labels are given in two ways.
+Result<void> check_labels_given_once(const Arguments& arguments);
 
 /// The flag `--threads`, or all cores.
 Result<std::size_t> read_threads(const Arguments& arguments);

@@ -3,32 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "result_output.h"
+#include "somato/core/memory.h"
 
 namespace somato::program {
 namespace {
 
-std::string in_bytes(std::size_t bytes) {
-  constexpr double kStep = 1024.0;
-  auto size = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  const std::vector<std::string> units{"B", "KiB", "MiB", "GiB", "TiB"};
-  for (; size >= kStep && unit + 1 < units.size(); ++unit) size /= kStep;
-  return fmt::format("{:.{}f} {}", size, unit == 0 ? 0 : 1, units[unit]);
+std::vector<std::string> names_of(const System& system, const std::vector<std::size_t>& modules) {
+  std::vector<std::string> names;
+  names.reserve(modules.size());
+  for (const std::size_t module : modules) names.push_back(system.modules()[module].name);
+  return names;
+}
+
+std::string rate_of(const SystemModule& module) {
+  return module.output.rate == Rate::kFrame ? "frame" : "exploration";
 }
 
 std::vector<std::string> row_of(const System& system, const SystemModule& module) {
-  std::vector<std::string> inputs;
-  inputs.reserve(module.inputs.size());
-  for (const std::size_t input : module.inputs) inputs.push_back(system.modules()[input].name);
+  const std::vector<std::string> inputs = names_of(system, module.inputs);
   const std::size_t memory = module.module->memory();
   return {module.name,
           module.type->name,
           fmt::format("{}", fmt::join(inputs, ", ")),
           fmt::format("{}", fmt::join(module.output.shape, " x ")),
           fmt::format("{}{}", module.output.size(), module.output.sparse ? " (sparse)" : ""),
-          module.output.rate == Rate::kFrame ? "frame" : "exploration",
-          memory == 0 ? "" : in_bytes(memory)};
+          rate_of(module),
+          memory == 0 ? "" : memory_text(static_cast<double>(memory))};
 }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {
@@ -48,9 +52,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string phase_line(const System& system, const Phase& phase) {
-  std::vector<std::string> names;
-  names.reserve(phase.learners.size());
-  for (const std::size_t module : phase.learners) names.push_back(system.modules()[module].name);
+  const std::vector<std::string> names = names_of(system, phase.learners);
   const std::string draws =
       phase.draws ? fmt::format("{} ", *phase.draws) : std::string("as many as it asks for: ");
   const bool at_once = phase.learners.size() == 1 &&
@@ -59,7 +61,33 @@ std::string phase_line(const System& system, const Phase& phase) {
                      choice_name(phase.of));
 }
 
+Table module_table(const System& system, const SystemModule& module) {
+  return {
+      {},
+      {entry("module", module.name), entry("type", module.type->name),
+       entry("listens_to", names_of(system, module.inputs)), entry("shape", module.output.shape),
+       entry("elements", module.output.size()), entry("sparse", module.output.sparse),
+       entry("every", rate_of(module)), entry("memory", module.module->memory())}};
+}
+
+Table phase_table(const System& system, const Phase& phase) {
+  Table table{{}, {entry("modules", names_of(system, phase.learners))}};
+  if (phase.draws) table.entries.push_back(entry("draws", *phase.draws));
+  table.entries.push_back(entry("of", choice_name(phase.of)));
+  return table;
+}
+
 }  // namespace
+
+Table explanation_table(const System& system) {
+  std::size_t memory = 0;
+  for (const SystemModule& module : system.modules()) memory += module.module->memory();
+  const auto of_module = [&](const SystemModule& module) { return module_table(system, module); };
+  const auto of_phase = [&](const Phase& phase) { return phase_table(system, phase); };
+  return {{},
+          {entry("modules", system.modules(), of_module),
+           entry("phases", system.phases(), of_phase), entry("learned_memory", memory)}};
+}
 
 std::string explanation(const System& system) {
   std::vector<std::vector<std::string>> rows{
@@ -73,7 +101,7 @@ std::string explanation(const System& system) {
   for (std::size_t i = 0; i < system.phases().size(); ++i) {
     text += fmt::format("phase {}  {}\n", i + 1, phase_line(system, system.phases()[i]));
   }
-  return text + fmt::format("learned memory {}\n", in_bytes(memory));
+  return text + fmt::format("learned memory {}\n", memory_text(static_cast<double>(memory)));
 }
 
 }  // namespace somato::program

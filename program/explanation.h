@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "somato/core/value.h"
 #include "somato/graph/system.h"
 
 namespace somato::program {
@@ -9,5 +10,8 @@ namespace somato::program {
 /// What a system is made of, for a person: each module with its type, output and memory, and the
 /// phases of learning.
 std::string explanation(const System& system);
+
+/// The same with sizes in bytes: `modules`, `phases` and `learned_memory`.
+Table explanation_table(const System& system);
 
 }  // namespace somato::program

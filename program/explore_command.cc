@@ -183,8 +183,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   if (auto finished = file.finish(); !finished) return finished;
-  fmt::print("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
-             counted(request.plan.items, "thing"), spread.text());
+  print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
+                            counted(request.plan.items, "thing"), spread.text()));
   if (!interrupted) return judge(request, *outcome, pictures);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

@@ -3,6 +3,17 @@
 #include <utility>
 
 namespace somato::program {
+namespace {
+
+template <typename Parameters>
+void add_parameters(const std::string& table, const Parameters& /*parameters*/,
+                    std::map<std::string, ParameterInfo>& all) {
+  for (const ParameterInfo& info : Parameters::declarations().infos()) {
+    all[table + "." + info.name] = info;
+  }
+}
+
+}  // namespace
 
 const Declarations<ExploreParameters>& ExploreParameters::declarations() {
   using P = ExploreParameters;
@@ -43,6 +54,21 @@ Result<ExploreTable> read_explore_table(const Table& table) {
   auto exploring = read_exploring_parameters(tables);
   if (!exploring) return fail(std::move(exploring.error()));
   return ExploreTable{std::move(*explore), std::move(*exploring)};
+}
+
+std::map<std::string, ParameterInfo> explore_parameters() {
+  const ExploringParameters tables;
+  std::map<std::string, ParameterInfo> all;
+  add_parameters("explore", ExploreParameters{}, all);
+  add_parameters("explore.simulation", tables.simulation, all);
+  add_parameters("explore.plan", tables.plan, all);
+  add_parameters("explore.grasp", tables.grasp, all);
+  add_parameters("explore.closing", tables.closing, all);
+  add_parameters("explore.texture_probe", tables.texture_probe, all);
+  add_parameters("explore.stroke", tables.stroke, all);
+  add_parameters("explore.hardness_probe", tables.hardness_probe, all);
+  add_parameters("explore.press", tables.press, all);
+  return all;
 }
 
 std::string to_text(const ExploreTable& table) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "command_line.h"
@@ -33,6 +34,10 @@ struct ExploreTable {
 
 /// Errors (kUsage) with their place: unknown keys, values out of range, no body.
 Result<ExploreTable> read_explore_table(const Table& table);
+
+/// What is said about each of its keys, by names such as "explore.explorations" and
+/// "explore.simulation.placement_noise".
+std::map<std::string, ParameterInfo> explore_parameters();
 
 /// All of it as text; equal texts explore alike.
 std::string to_text(const ExploreTable& table);

@@ -6,10 +6,14 @@
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
+
+#include "terminal.h"
 
 namespace somato::program {
 
@@ -35,18 +39,38 @@ void remove_partial_files(const std::filesystem::path& folder) {
   }
 }
 
+int open_folder(const std::filesystem::path& folder) {
+  return open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+// 0, or why it cannot be locked: EWOULDBLOCK where somebody else has.
+int lock_now(int folder) {
+  return flock(folder, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+}
+
 }  // namespace
 
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
-  FolderLock lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (lock.folder_ < 0) return lock;
-  if (flock(lock.folder_, LOCK_EX | LOCK_NB) == 0) {
-    remove_partial_files(folder);
-    return lock;
+  FolderLock lock(open_folder(folder));
+  const int reason = lock_now(lock.folder_);
+  if (reason == EWOULDBLOCK) {
+    return fail(ErrorKind::kSystem, "another run of somato works in this folder", folder.string(),
+                "wait for its end, or give another folder");
   }
-  if (errno != EWOULDBLOCK) return lock;
-  return fail(ErrorKind::kSystem, "another run of somato works in this folder", folder.string(),
-              "wait for its end, or give another folder");
+  if (reason == 0) remove_partial_files(folder);
+  return lock;
+}
+
+Result<FolderLock> FolderLock::wait(const std::filesystem::path& folder) {
+  FolderLock lock(open_folder(folder));
+  while (lock_now(lock.folder_) == EWOULDBLOCK) {
+    if (stop_requested()) {
+      return fail(ErrorKind::kInterrupted, "stopped while another run worked in this folder",
+                  folder.string());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return lock;
 }
 
 FolderLock::~FolderLock() {

@@ -15,6 +15,9 @@ class FolderLock {
   /// holds it. File systems without locks are taken as they are.
   static Result<FolderLock> take(const std::filesystem::path& folder);
 
+  /// Waits until no other run holds it; partial files stay. Errors: kInterrupted, by Ctrl-C.
+  static Result<FolderLock> wait(const std::filesystem::path& folder);
+
   FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -8,18 +8,32 @@
 #include "somato/files/toml_file.h"
 #include "somato/recording/csv_trials.h"
 #include "somato/recording/format.h"
+#include "somato/recording/mcap_trials.h"
 #include "somato/recording/recording_file.h"
+#include "terminal.h"
 
 namespace somato::program {
 namespace {
 
 constexpr const char* kCsv = "csv";
+constexpr const char* kMcap = "mcap";
+
+// A recording, and what is to be said beside it.
+struct Imported {
+  Recording recording;
+  std::string remark;
+};
+
+Imported without_remark(Recording recording) {
+  return {std::move(recording), {}};
+}
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
-  names.reserve(Choices<RecordingFormat>::all().size() + 1);
+  names.reserve(Choices<RecordingFormat>::all().size() + 2);
   for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
   names.emplace_back(kCsv);
+  names.emplace_back(kMcap);
   return names;
 }
 
@@ -64,47 +78,79 @@ Result<CsvImport> description_of_flags(const Arguments& arguments) {
   return description;
 }
 
-// A flag that describes CSV files, if any was given.
-std::string describing_flag(const Arguments& arguments) {
-  std::vector<std::string> names{"--channels"};
+// A flag that describes files, if any was given but those in `known`.
+std::string describing_flag(const Arguments& arguments, const std::vector<std::string>& known) {
+  std::vector<std::string> names{"--description", "--channels"};
   for (const ParameterInfo& info : CsvTrials::declarations().infos())
     names.push_back(flag_of(info.name));
   const auto given = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-    return arguments.has(name.substr(2));
+    return arguments.has(name.substr(2)) &&
+           std::find(known.begin(), known.end(), name) == known.end();
   });
   return given == names.end() ? std::string() : *given;
 }
 
-Result<Recording> import_csv(const Arguments& arguments) {
-  const std::string flag = describing_flag(arguments);
-  if (!arguments.has("description")) {
-    return description_of_flags(arguments).and_then([&](const CsvImport& description) {
-      return import_csv_trials(arguments.text("DIR"), description);
-    });
-  }
-  if (!flag.empty()) {
-    return fail(ErrorKind::kUsage, "the files are described twice", flag,
-                "leave out the flag, or --description");
-  }
-  return read_toml(arguments.text("description"))
-      .and_then(read_csv_import)
-      .and_then([&](const CsvImport& description) {
-        return import_csv_trials(arguments.text("DIR"), description);
-      });
+Result<CsvImport> description_of(const Arguments& arguments) {
+  if (!arguments.has("description")) return description_of_flags(arguments);
+  const std::string flag = describing_flag(arguments, {"--description"});
+  if (flag.empty()) return read_toml(arguments.text("description")).and_then(read_csv_import);
+  return fail(ErrorKind::kUsage, "the files are described twice", flag,
+              "leave out the flag, or --description");
 }
 
-Result<Recording> import_named(const Arguments& arguments) {
+// What was left out, as a second line; empty for nothing.
+std::string line_of(const CsvLeftOut& left_out) {
+  if (left_out.rows == 0) return {};
+  std::string files;
+  if (left_out.files > 0) {
+    files = fmt::format(", with {} {} that no window fits into", left_out.files,
+                        left_out.files == 1 ? "file" : "files");
+  }
+  return fmt::format("left out, as they fill no window: {} {}{}\n", left_out.rows,
+                     left_out.rows == 1 ? "row" : "rows", files);
+}
+
+Result<Imported> import_csv(const Arguments& arguments) {
+  CsvLeftOut left_out;
+  return description_of(arguments)
+      .and_then([&](const CsvImport& description) {
+        return import_csv_trials(arguments.text("DIR"), description, &left_out);
+      })
+      .map([&](Recording recording) { return Imported{std::move(recording), line_of(left_out)}; });
+}
+
+Result<Imported> import_mcap(const Arguments& arguments) {
+  const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
+  if (!flag.empty()) {
+    return fail(ErrorKind::kUsage, "recordings tell their channels themselves", flag,
+                "leave out the flag, or import as csv");
+  }
+  return read_flags<CsvTrials>(arguments)
+      .and_then([&](const CsvTrials& trials) {
+        return import_mcap_trials(arguments.text("DIR"), trials.files,
+                                  trials.other_files == Unmentioned::kIgnore);
+      })
+      .map(without_remark);
+}
+
+Result<Imported> import_named(const Arguments& arguments) {
   const std::string& name = arguments.text("FORMAT");
-  const std::string flag =
-      arguments.has("description") ? "--description" : describing_flag(arguments);
+  const std::string flag = describing_flag(arguments, {});
   if (!flag.empty()) {
     return fail(ErrorKind::kUsage, fmt::format("the format '{}' is known", name), flag,
                 "leave out the flag, or import as csv");
   }
   for (const auto& [format, known] : Choices<RecordingFormat>::all()) {
-    if (known == name) return load_recording(format, arguments.text("DIR"));
+    if (known != name) continue;
+    return load_recording(format, arguments.text("DIR")).map(without_remark);
   }
   return fail(unknown_name("format", name, "FORMAT", formats()));
+}
+
+Result<Imported> import(const Arguments& arguments) {
+  const std::string& format = arguments.text("FORMAT");
+  if (format == kCsv) return import_csv(arguments);
+  return format == kMcap ? import_mcap(arguments) : import_named(arguments);
 }
 
 std::string summary(const Recording& recording) {
@@ -123,12 +169,11 @@ std::string summary(const Recording& recording) {
 }
 
 Result<void> run_import(const Arguments& arguments) {
-  const auto recording =
-      arguments.text("FORMAT") == kCsv ? import_csv(arguments) : import_named(arguments);
-  if (!recording) return fail(recording.error());
+  const auto imported = import(arguments);
+  if (!imported) return fail(imported.error());
   const std::string path = arguments.text("output");
-  if (auto saved = write_recording(path, *recording); !saved) return saved;
-  fmt::print("{}: {}\n", path, summary(*recording));
+  if (auto saved = write_recording(path, imported->recording); !saved) return saved;
+  print_summary(fmt::format("{}: {}\n{}", path, summary(imported->recording), imported->remark));
   return {};
 }
 
@@ -137,9 +182,11 @@ Result<void> run_import(const Arguments& arguments) {
 Command import_command() {
   return {"import",
           "Make a recording of a folder of recorded files",
-          {{"FORMAT", fmt::format("What the files are: {}", fmt::join(formats(), ", ")), true,
-            false, Role::kValue},
-           {"DIR", "Folder with the files, in it or below", true}},
+          {{"FORMAT",
+            fmt::format("What the files are: {}; mcap takes the flags --files and --other-files",
+                        fmt::join(formats(), ", ")),
+            true, false, Role::kValue, formats},
+           {"DIR", "Folder with the files, in it or below; for csv also one file", true}},
           {output_flag("-o,--output", "File for the recording", true),
            input_flag(
                "--description",
@@ -147,7 +194,7 @@ Command import_command() {
                "below"),
            {"--channels",
             "For csv: the channels with their units and columns, such as "
-            "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz"}},
+            "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'"}},
           CsvTrials::declarations().infos(),
           run_import,
           "import"};

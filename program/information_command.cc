@@ -5,49 +5,50 @@
 
 #include "commands.h"
 #include "data.h"
-#include "somato/files/toml_file.h"
+#include "result_output.h"
 #include "somato/files/whole_file.h"
 #include "somato/studies/information.h"
+#include "somato/studies/own_systems.h"
 #include "study_data.h"
 
 namespace somato::program {
 namespace {
 
-void print_figure(const std::string& name, const std::optional<double>& value) {
-  if (value) fmt::print("  {:<34}{:.3f}\n", name, *value);
+std::string figure(const std::string& name, const std::optional<double>& value) {
+  return value ? fmt::format("  {:<34}{:.3f}\n", name, *value) : std::string();
 }
 
-void print_label(const LabelInformation& about) {
-  fmt::print("\n{}: {} classes\n", about.label, about.classes);
-  print_figure("accuracy", about.accuracy);
-  print_figure("chance", about.chance);
-  print_figure("accuracy_new_individuals", about.accuracy_new_individuals);
-  print_figure("chance_new_individuals", about.chance_new_individuals);
-  print_figure("distance_ratio", about.distance_ratio);
+std::string text_of(const LabelInformation& about) {
+  return fmt::format("\n{}: {} classes\n", about.label, about.classes) +
+         figure("accuracy", about.accuracy) + figure("chance", about.chance) +
+         figure("accuracy_new_individuals", about.accuracy_new_individuals) +
+         figure("chance_new_individuals", about.chance_new_individuals) +
+         figure("distance_ratio", about.distance_ratio);
 }
 
-void print_order(const OrderInformation& order, const InformationParameters& asked) {
-  fmt::print("\norder by {}{}\n", asked.order,
-             asked.within.empty() ? "" : ", within each " + asked.within);
-  print_figure("correlation", order.correlation);
-  print_figure("shuffled", order.shuffled);
-  print_figure("shuffled_share", order.shuffled_share);
-  if (asked.within.empty()) return;
+std::string text_of(const OrderInformation& order, const InformationParameters& asked) {
+  std::string text = fmt::format("\norder by {}{}\n", asked.order,
+                                 asked.within.empty() ? "" : ", within each " + asked.within);
+  text += figure("correlation", order.correlation) + figure("shuffled", order.shuffled) +
+          figure("shuffled_share", order.shuffled_share);
+  if (asked.within.empty()) return text;
   for (const OrderInformation::Group& group : order.groups) {
-    print_figure(fmt::format("correlation of {} in {}", group.individuals, group.name),
-                 group.correlation);
+    text += figure(fmt::format("correlation of {} in {}", group.individuals, group.name),
+                   group.correlation);
   }
+  return text;
 }
 
-void print(const Information& information) {
-  fmt::print("{}: {} explorations, vectors of {} elements from '{}'\n", information.study,
-             information.explorations, information.elements, information.module);
-  for (const LabelInformation& about : information.labels) print_label(about);
-  if (information.order) print_order(*information.order, information.asked);
+std::string text_of(const Information& information) {
+  std::string text =
+      fmt::format("{}: {} explorations, vectors of {} elements from '{}'\n", information.study,
+                  information.explorations, information.elements, information.module);
+  for (const LabelInformation& about : information.labels) text += text_of(about);
+  return text + (information.order ? text_of(*information.order, information.asked) : "");
 }
 
 Result<StudyDescription> read_asked_study(const Arguments& arguments) {
-  return read_toml(arguments.text("STUDY")).and_then([](const Table& file) {
+  return read_file_or_own(arguments.text("STUDY")).and_then([](const Table& file) {
     return read_study(file);
   });
 }
@@ -73,21 +74,24 @@ Result<void> run_information(const Arguments& arguments) {
     auto saved = save_whole(arguments.text("output"), to_json(*information));
     if (!saved) return saved;
   }
-  print(*information);
+  print_result(arguments, text_of(*information), to_json(*information));
   return {};
 }
 
 }  // namespace
 
 Command information_command() {
-  return {"information",
-          "Measure how much a recording's vectors tell, as they reach a study's map",
-          {{"STUDY", "TOML file that describes the study and its system", true}},
-          {input_flag("--data", "The recording: its file, or a folder of original files", true),
-           threads_flag(), output_flag("-o,--output", "File for the figures, in JSON")},
-          InformationParameters::declarations().infos(),
-          run_information,
-          "information"};
+  return {
+      "information",
+      "Measure how much a recording's vectors tell, as they reach a study's map",
+      {{"STUDY",
+        "TOML file that describes the study and its system, or one that 'somato systems' lists",
+        true, false, Role::kInput, own_file_names}},
+      {input_flag("--data", "The recording: its file, or a folder of original files", true),
+       threads_flag(), output_flag("-o,--output", "File for the figures, in JSON"), json_flag()},
+      InformationParameters::declarations().infos(),
+      run_information,
+      "information"};
 }
 
 }  // namespace somato::program

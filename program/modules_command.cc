@@ -2,26 +2,59 @@
 
 #include <cstdio>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "parameter_table.h"
+#include "result_output.h"
 #include "somato/graph/module.h"
 
 namespace somato::program {
 namespace {
+
+std::vector<std::string> type_names() {
+  std::vector<std::string> names;
+  names.reserve(module_types().size());
+  for (const ModuleType& type : module_types()) names.push_back(type.name);
+  return names;
+}
 
 std::string port_text(const InputPort& port) {
   return std::string(port.many ? "a list of modules; " : "") + port.text +
          (port.required ? "" : " Optional.");
 }
 
-void print_type(const ModuleType& type) {
-  fmt::print("{}{}\n  {}\n", type.name, type.learns ? " (learns)" : "", type.text);
-  for (const InputPort& port : type.ports) fmt::print("  <- {}: {}\n", port.name, port_text(port));
-  fmt::print("  -> {}\n", type.output);
-  for (const ParameterInfo& info : type.parameters) {
-    fmt::print("  {} = {}  {}. {}\n", info.name, info.default_text, values_of(info), info.text);
+std::string text_of(const ModuleType& type) {
+  std::string text =
+      fmt::format("{}{}\n  {}\n", type.name, type.learns ? " (learns)" : "", type.text);
+  for (const InputPort& port : type.ports) {
+    text += fmt::format("  <- {}: {}\n", port.name, port_text(port));
   }
+  text += fmt::format("  -> {}\n", type.output);
+  for (const ParameterInfo& info : type.parameters) {
+    text += fmt::format("  {} = {}  {}. {}\n", info.name, info.default_text, values_of(info),
+                        info.text);
+  }
+  return text;
+}
+
+Table table_of(const ModuleType& type) {
+  const auto of_port = [](const InputPort& port) {
+    return Table{{},
+                 {entry("port", port.name), entry("many", port.many),
+                  entry("required", port.required), entry("text", port.text)}};
+  };
+  const auto of_parameter = [](const ParameterInfo& info) {
+    return Table{{},
+                 {entry("parameter", info.name), entry("values", values_of(info)),
+                  entry("default", info.default_text), entry("text", info.text)}};
+  };
+  return {{},
+          {entry("type", type.name), entry("text", type.text), entry("learns", type.learns),
+           entry("ports", type.ports, of_port), entry("output", type.output),
+           entry("parameters", type.parameters, of_parameter)}};
 }
 
 std::string markdown(const ModuleType& type) {
@@ -48,10 +81,19 @@ std::string markdown_page() {
   return page;
 }
 
-Result<void> list_modules(const Arguments& arguments) {
-  if (arguments.has("markdown") && arguments.has("TYPE")) {
-    return fail(ErrorKind::kUsage, "the page holds all types", "--markdown", "leave TYPE out");
+// Errors: kUsage for flags that ask for different things.
+Result<void> check_flags(const Arguments& arguments) {
+  if (!arguments.has("markdown")) return {};
+  for (const auto& [name, advice] :
+       {std::pair("TYPE", "leave TYPE out"), std::pair("json", "leave --json out")}) {
+    if (!arguments.has(name)) continue;
+    return fail(ErrorKind::kUsage, "the page holds all types, as Markdown", "--markdown", advice);
   }
+  return {};
+}
+
+Result<void> list_modules(const Arguments& arguments) {
+  if (auto usable = check_flags(arguments); !usable) return usable;
   if (arguments.has("markdown")) {
     fmt::print("{}", markdown_page());
     return {};
@@ -59,13 +101,13 @@ Result<void> list_modules(const Arguments& arguments) {
   if (arguments.has("TYPE")) {
     const auto type = find_module_type(arguments.text("TYPE"), "modules");
     if (!type) return fail(type.error());
-    print_type(**type);
+    print_result(arguments, text_of(**type), table_of(**type));
     return {};
   }
-  for (const ModuleType& type : module_types()) {
-    print_type(type);
-    fmt::print("\n");
-  }
+  std::string text;
+  for (const ModuleType& type : module_types()) text += text_of(type) + "\n";
+  const auto of_type = [](const ModuleType& type) { return table_of(type); };
+  print_result(arguments, text, Table{{}, {entry("modules", module_types(), of_type)}});
   return {};
 }
 
@@ -74,8 +116,8 @@ Result<void> list_modules(const Arguments& arguments) {
 Command modules_command() {
   return {"modules",
           "List the types of modules that systems are made of, with ports and parameters",
-          {{"TYPE", "One type only", false, false, Role::kValue}},
-          {{"--markdown", "As a page of the documentation", false, false}},
+          {{"TYPE", "One type only", false, false, Role::kValue, type_names}},
+          {{"--markdown", "As a page of the documentation", false, false}, json_flag()},
           {},
           list_modules};
 }

@@ -61,7 +61,7 @@ tl::unexpected<Error> would_replace(const std::string& what, const std::string& 
               "name another file");
 }
 
-Result<void> check_not_read(const std::string& output, const NamedPath& read) {
+Result<void> check_is_not(const std::string& output, const NamedPath& read) {
   if (same_file(output, read.second)) return would_replace(read.first, output);
   if (!is_in_folder(output, read.second)) return {};
   return fail(ErrorKind::kUsage, "saving would write over a file of the folder " + read.first,
@@ -113,7 +113,7 @@ Result<void> check_output(const std::string& path) {
 
 Result<void> check_not_read(const std::string& output, const std::vector<std::string>& read) {
   for (const std::string& path : read) {
-    if (auto other = check_not_read(output, NamedPath{path, path}); !other) return other;
+    if (auto other = check_is_not(output, NamedPath{path, path}); !other) return other;
   }
   return {};
 }
@@ -129,7 +129,7 @@ Result<void> check_outputs(const Command& command, const Arguments& arguments) {
     }
     if (flag.role != Role::kOutput) continue;
     for (const NamedPath& other : others) {
-      if (auto apart = check_not_read(path, other); !apart) return apart;
+      if (auto apart = check_is_not(path, other); !apart) return apart;
     }
     if (auto savable = check_output(path); !savable) return savable;
     others.emplace_back("--" + key, path);

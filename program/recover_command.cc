@@ -1,20 +1,38 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
+#include "result_output.h"
 #include "somato/recording/recover_recording.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
 
-void print_report(const RecoveryReport& report) {
-  for (const Error& damage : report.damage) fmt::print("{}: {}\n", damage.where, damage.what);
-  if (report.damaged_places > report.damage.size()) {
-    fmt::print("and {} places more\n", report.damaged_places - report.damage.size());
+std::string text_of(const RecoveryReport& report) {
+  std::string text;
+  for (const Error& damage : report.damage) {
+    text += fmt::format("{}: {}\n", damage.where, damage.what);
   }
-  fmt::print("saved: {} explorations, {} frames\nincomplete: {} explorations\n",
-             report.explorations, report.messages, report.incomplete);
+  if (report.damaged_places > report.damage.size()) {
+    text += fmt::format("and {} places more\n", report.damaged_places - report.damage.size());
+  }
+  return text +
+         fmt::format("saved: {}, {}\nincomplete: {}\n", counted(report.explorations, "exploration"),
+                     counted(report.messages, "frame"), counted(report.incomplete, "exploration"));
+}
+
+Table table_of(const RecoveryReport& report) {
+  const auto of_place = [](const Error& place) {
+    return Table{{}, {entry("where", place.where), entry("what", place.what)}};
+  };
+  return {{},
+          {entry("explorations", report.explorations), entry("frames", report.messages),
+           entry("incomplete", report.incomplete), entry("damaged_places", report.damaged_places),
+           entry("damage", report.damage, of_place), entry("lossless", report.lossless)}};
 }
 
 Result<void> recover(const Arguments& arguments) {
@@ -24,7 +42,7 @@ Result<void> recover(const Arguments& arguments) {
   const Result<RecoveryReport> report =
       recover_recording(from, arguments.text("output"), *parameters);
   if (!report) return fail(report.error());
-  print_report(*report);
+  print_summary(arguments, text_of(*report), table_of(*report));
   if (report->lossless) return {};
   return fail(ErrorKind::kIncomplete, "something was lost", from,
               fmt::format("{} holds all that could be saved", arguments.text("output")));
@@ -37,7 +55,8 @@ Command recover_command() {
           "Save what a damaged recording holds",
           {{"FILE", "A recording (MCAP) that is cut off or damaged", true}},
           {output_flag("-o,--output", "Where the new, whole recording goes", true),
-           {"--compression", "How chunks are packed: none, lz4 or zstd (default)"}},
+           {"--compression", "How chunks are packed: none, lz4 or zstd (default)"},
+           json_flag()},
           {},
           recover};
 }

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "explore_table.h"
+#include "man_page.h"
 #include "parameter_table.h"
 #include "somato/bodies/object_table.h"
 #include "somato/maps/som_parameters.h"
@@ -15,6 +16,8 @@
 #include "somato/studies/information.h"
 #include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study_parameters.h"
+#include "somato/studies/sweep.h"
+#include "usage.h"
 
 namespace somato::program {
 namespace {
@@ -37,20 +40,7 @@ std::string flag_cell(const Flag& flag) {
   return cell + "`";
 }
 
-std::string usage_of(const Command& command) {
-  std::string usage = "somato " + command.name;
-  for (const Positional& positional : command.positionals) {
-    const std::string name = positional.name + (positional.many ? "..." : "");
-    usage += positional.required ? " " + name : " [" + name + "]";
-  }
-  for (const Flag& flag : command.flags) {
-    if (flag.required) usage += fmt::format(" {} ...", flag.name.substr(0, flag.name.find(',')));
-  }
-  return usage + (command.flags.size() + command.parameters.size() > 0 ? " [FLAGS]" : "");
-}
-
 void add_arguments(std::string& page, const Command& command) {
-  if (command.positionals.size() + command.flags.size() == 0) return;
   page += "| argument | meaning |\n|---|---|\n";
   for (const Positional& positional : command.positionals) {
     page += fmt::format("| `{}` | {}. |\n", positional.name, markdown_cell(positional.text));
@@ -59,6 +49,7 @@ void add_arguments(std::string& page, const Command& command) {
     page += fmt::format("| {} | {}{}. |\n", flag_cell(flag), markdown_cell(flag.text),
                         flag.required ? "; required" : "");
   }
+  page += fmt::format("| `--quiet` | {}. |\n", kQuietText);
   page += "\n";
 }
 
@@ -109,6 +100,15 @@ void add_reproduction(std::string& page) {
   add_table<QuestionParameters>(page, "`[question]`");
 }
 
+void add_sweep(std::string& page) {
+  page +=
+      "## What `somato sweep` reads\n\nThe file of `--over` ([sweeps](sweeps.md)); its other "
+      "tables "
+      "change the system, as a variation does.\n\n";
+  add_table<SweepParameters>(page, "`[sweep]`");
+  add_table<UnknownParameters>(page, "`[unknown.NAME]`");
+}
+
 std::string reference_page(const std::vector<Command>& commands) {
   std::string page =
       "# Reference: flags and keys\n\n"
@@ -129,6 +129,7 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_table<RecordingParameters>(page, "`[recording]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
   add_reproduction(page);
+  add_sweep(page);
   add_exploring(page);
   page +=
       "## What vectors tell\n\nFlags of `somato information`; they stand in no file. "
@@ -139,24 +140,26 @@ std::string reference_page(const std::vector<Command>& commands) {
       "[them](modules.md).\n\n";
   add_table<SomParameters>(page, "map");
   page +=
-      "## Descriptions of CSV files\n\nHow a folder of CSV files, one a trial, becomes a recording "
-      "([your data](../your-data.md)): a table `[import]`, and a table `[[channel]]` for each "
+      "## Descriptions of CSV files\n\nHow CSV files become a recording ([your "
+      "data](../your-data.md)): a table `[import]`, and a table `[[channel]]` for each "
       "channel.\n\n";
   add_table<CsvTrials>(page, "`[import]`");
   add_table<CsvChannel>(page, "`[[channel]]`");
+  page.pop_back();
   return page;
 }
 
 }  // namespace
 
 Command reference_command(const std::vector<Command>& others) {
-  Command command{"reference", "Print the reference of all flags and keys, in Markdown", {}, {}, {},
-                  {}};
+  Command command{"reference", "Print the reference of all flags and keys, in Markdown",
+                  {},          {{"--man", "Print the manual page instead, for man", false, false}},
+                  {},          {}};
   std::vector<Command> all = others;
   all.push_back(command);
-  command.run = [all](const Arguments& /*arguments*/) -> Result<void> {
-    const std::string page = reference_page(all);
-    std::fwrite(page.data(), 1, page.size() - 1, stdout);
+  command.run = [all](const Arguments& arguments) -> Result<void> {
+    const std::string page = arguments.has("man") ? man_page(all) : reference_page(all);
+    std::fwrite(page.data(), 1, page.size(), stdout);
     return {};
   };
   return command;

@@ -15,6 +15,7 @@
 #include "somato/files/whole_file.h"
 #include "somato/graph/system_model.h"
 #include "somato/report/report.h"
+#include "terminal.h"
 #include "version.h"
 #include "wording.h"
 
@@ -133,12 +134,8 @@ Result<Report> make(const Arguments& arguments) {
 Result<void> check_found(const Arguments& arguments) {
   for (const std::string& path : arguments.lists.at("RESULTS")) {
     std::vector<std::string> found = models_beside(path);
-    const fs::path folder = fs::path(path).parent_path();
-    for (const fs::path& place : {folder.empty() ? fs::path(".") : folder, folder / "recordings"}) {
-      std::error_code missing;
-      for (const auto& entry : fs::directory_iterator(place, missing)) {
-        if (entry.path().extension() == ".mcap") found.push_back(entry.path().string());
-      }
+    for (const GivenRecordings& beside : recordings_beside(path)) {
+      for (std::size_t i = 0; i < beside.count(); ++i) found.push_back(beside.path(i).string());
     }
     if (auto apart = check_not_read(arguments.text("output"), found); !apart) return apart;
   }
@@ -156,9 +153,10 @@ Result<void> run_report(const Arguments& arguments) {
   if (!whole) return fail(whole.error());
   const std::string output = arguments.text("output");
   if (auto saved = save_whole(output, *whole); !saved) return saved;
-  fmt::print("{}: {}, {}\n", output, counted(report->systems, "system"),
-             counted(report->claims, "claim"));
-  for (const std::string& sentence : report->missing) fmt::print("  {}\n", sentence);
+  std::string text = fmt::format("{}: {}, {}\n", output, counted(report->systems, "system"),
+                                 counted(report->claims, "claim"));
+  for (const std::string& sentence : report->missing) text += "  " + sentence + "\n";
+  print_summary(text);
   return {};
 }
 

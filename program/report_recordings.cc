@@ -16,12 +16,20 @@ Result<void> ReportRecordings::add_named(const std::string& path) {
   return {};
 }
 
-void ReportRecordings::add_beside(const std::filesystem::path& results) {
+std::vector<GivenRecordings> recordings_beside(const std::filesystem::path& results) {
   const std::filesystem::path folder = std::filesystem::absolute(results).parent_path();
+  std::vector<GivenRecordings> found;
   for (const auto& place : {folder, folder / "recordings"}) {
     std::error_code missing;
-    if (!std::filesystem::is_directory(place, missing)) continue;
-    auto given = GivenRecordings::files_in(place);
+    if (std::filesystem::is_directory(place, missing)) {
+      found.push_back(GivenRecordings::files_in(place));
+    }
+  }
+  return found;
+}
+
+void ReportRecordings::add_beside(const std::filesystem::path& results) {
+  for (GivenRecordings& given : recordings_beside(results)) {
     for (std::size_t i = 0; i < given.count(); ++i) unread_.push_back({given_.size(), i});
     given_.push_back(std::move(given));
   }

@@ -13,6 +13,10 @@
 
 namespace somato::program {
 
+/// The recordings in the folder of a results.json and in its folder `recordings`, of those that are
+/// there.
+std::vector<GivenRecordings> recordings_beside(const std::filesystem::path& results);
+
 /// Recordings that results may be of, found by their content.
 class ReportRecordings {
  public:
@@ -20,8 +24,8 @@ class ReportRecordings {
   /// first. Errors: those of GivenRecordings::at() and of reading them.
   Result<void> add_named(const std::string& path);
 
-  /// Adds those in the folder of a results.json and in its folder `recordings`: whatever is not
-  /// there or cannot be read is passed over, and nothing is read before it is asked for.
+  /// Adds recordings_beside(): what cannot be read is passed over, and nothing is read before it is
+  /// asked for.
   void add_beside(const std::filesystem::path& results);
 
   /// The one with that content_hash().

@@ -35,14 +35,6 @@ void append(const ObjectTable& table, std::vector<ReportThing>& things) {
   for (const Object& object : table.objects) things.push_back(thing_of(object));
 }
 
-template <typename Parameters>
-void add_units(const std::string& table, const Parameters& /*parameters*/,
-               std::map<std::string, std::string>& units) {
-  for (const ParameterInfo& info : Parameters::declarations().infos()) {
-    units[table + "." + info.name] = info.unit;
-  }
-}
-
 }  // namespace
 
 Result<std::vector<ReportThing>> report_things() {
@@ -62,16 +54,8 @@ Result<std::vector<ReportThing>> report_things() {
 }
 
 std::map<std::string, std::string> explore_units() {
-  const ExploringParameters all;
   std::map<std::string, std::string> units;
-  add_units("explore.simulation", all.simulation, units);
-  add_units("explore.plan", all.plan, units);
-  add_units("explore.grasp", all.grasp, units);
-  add_units("explore.closing", all.closing, units);
-  add_units("explore.texture_probe", all.texture_probe, units);
-  add_units("explore.stroke", all.stroke, units);
-  add_units("explore.hardness_probe", all.hardness_probe, units);
-  add_units("explore.press", all.press, units);
+  for (const auto& [name, info] : explore_parameters()) units[name] = info.unit;
   return units;
 }
 

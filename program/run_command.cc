@@ -11,6 +11,7 @@
 #include "explore_table.h"
 #include "folder_lock.h"
 #include "output_folder.h"
+#include "result_output.h"
 #include "somato/files/toml_file.h"
 #include "somato/files/whole_file.h"
 #include "somato/graph/system_model.h"
@@ -20,9 +21,9 @@
 #include "somato/studies/reproduction_plan.h"
 #include "somato/studies/study.h"
 #include "study_data.h"
+#include "study_table.h"
 #include "terminal.h"
 #include "winners_picture.h"
-#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -41,25 +42,11 @@ Result<void> read_file(const std::string& path, const Table& file, ReproductionP
   return {};
 }
 
-// A file, or one of the program's own systems by its name.
-Result<Table> read_study_file(const std::string& name) {
-  std::error_code missing;
-  if (name.ends_with(".toml") || std::filesystem::exists(name, missing)) return read_toml(name);
-  auto own = own_systems();
-  if (!own) return fail(std::move(own.error()));
-  for (auto* files : {&own->systems, &own->recorded}) {
-    for (NamedFile& file : *files) {
-      if (file.name == name) return std::move(file.content);
-    }
-  }
-  return read_toml(name);
-}
-
 // The study of the file, which comes first, and its variations.
 Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   auto seeds = arguments.number("seeds", 1);
   if (!seeds) return fail(std::move(seeds.error()));
-  Result<Table> file = read_study_file(arguments.text("STUDY"));
+  Result<Table> file = read_file_or_own(arguments.text("STUDY"));
   if (!file) return fail(std::move(file.error()));
   ReproductionPlan plan;
   if (auto read = read_file(arguments.text("STUDY"), *file, plan); !read) {
@@ -76,42 +63,6 @@ Result<void> check_variations(const ReproductionPlan& plan, const Recording& rec
     if (!system) return fail(system.error());
   }
   return {};
-}
-
-// A single map has no deviation.
-std::string summary(const Metric& metric) {
-  if (metric.values.size() == 1) return fmt::format("{:.3f}", metric.mean());
-  return fmt::format("{:.3f} +- {:.3f}", metric.mean(), metric.standard_deviation());
-}
-
-// A map that is much worse than the nearest known sample needs more of something. Where it is
-// tested on what it has learned, the nearest known sample is the tested one.
-void print_advice(const SystemResults& system) {
-  constexpr double kMuch = 0.05;
-  const Metric* accuracy = system.find_metric("accuracy");
-  const Metric* baseline = system.find_metric("baseline_accuracy");
-  if (accuracy == nullptr || baseline == nullptr || system.protocol == "train_is_test") return;
-  const double below = baseline->mean() - accuracy->mean();
-  if (below <= kMuch) return;
-  fmt::print(
-      "  The map is {:.0f} points below the nearest known sample. More neurons (rows, columns), "
-      "more\n"
-      "  iterations or a standardization may help.\n",
-      100 * below);
-}
-
-void print_table(const StudyResults& results) {
-  for (const SystemResults& system : results.systems) {
-    const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
-    fmt::print("\n{}: {}{} by {}, {}, {}\n", system.name, system.protocol, group, system.label,
-               counted(system.samples, "sample"), counted(results.seeds, "seed"));
-    std::size_t width = 33;
-    for (const Metric& metric : system.metrics) width = std::max(width, metric.name.size());
-    for (const Metric& metric : system.metrics) {
-      fmt::print("  {:<{}} {}\n", metric.name, width, summary(metric));
-    }
-    print_advice(system);
-  }
 }
 
 Result<void> save(const OutputFolder& folder, const StudyDescription& description,
@@ -132,7 +83,7 @@ Result<void> explain(const Arguments& arguments, const StudyDescription& descrip
   }
   const auto system = System::build(description.system, std::move(layout));
   if (!system) return fail(system.error());
-  fmt::print("{}", explanation(*system));
+  print_result(arguments, explanation(*system), explanation_table(*system));
   return {};
 }
 
@@ -174,8 +125,9 @@ Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
   if (auto saved = save(folder, description, *outcome); !saved) return saved;
   std::error_code gone;
   std::filesystem::remove(folder.journal(), gone);
-  print_table(outcome->results);
-  fmt::print("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
+  const std::string written =
+      fmt::format("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
+  print_summary(arguments, study_table(outcome->results) + written, to_json(outcome->results));
   return {};
 }
 
@@ -198,17 +150,18 @@ Command run_command() {
       "run",
       "Run a study: train a system on a recording and test it",
       {{"STUDY",
-        "TOML file that describes the study and its system, or one of 'somato systems' by its name",
-        true}},
+        "TOML file that describes the study and its system, or one that 'somato systems' lists",
+        true, false, Role::kInput, own_file_names}},
       {input_flag("--data",
                   "The recording: its file, or a folder of original files; required, as is --out, "
                   "unless --explain is given"),
        input_flag("--test-data", "A separate recording to test what learned from all of --data"),
-       folder_flag("--out", "Folder for results.json, map.svg and system.somato",
+       folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
                    OutputFolder::names()),
        {"--seeds", "Number of seeds, instead of the study's"},
        {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
-       threads_flag()},
+       threads_flag(),
+       json_flag()},
       {},
       run_study_command};
 }

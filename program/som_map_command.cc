@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "map_and_rows.h"
 #include "memory_flag.h"
-#include "row_data.h"
+#include "result_output.h"
 #include "somato/files/csv.h"
 #include "somato/files/file_writer.h"
+#include "somato/files/json_table.h"
 #include "somato/files/npy.h"
 
 namespace somato::program {
@@ -38,43 +40,72 @@ class TextOutput {
   std::optional<FileWriter> file_;
 };
 
-std::string header_of_csv(const SomModel& model) {
-  const bool labelled = !model.classes.empty();
-  return fmt::format("sample,winner,row,column,distance{}\n", labelled ? ",label" : "");
-}
+// How the winners are written: a table of CSV, or with --json a list of objects.
+class WinnerFormat {
+ public:
+  WinnerFormat(const SomModel& model, bool is_json) : model_(model), is_json_(is_json) {}
 
-// Lines for rows of which the first has the number `first`, from 0.
-std::string winners_csv(const SomModel& model, const Samples& samples, std::size_t first) {
-  const Som& som = model.som;
-  std::string csv;
+  std::string begin() const {
+    if (is_json_) return "[";
+    return fmt::format("sample,winner,row,column,distance{}\n",
+                       model_.classes.empty() ? "" : ",label");
+  }
+
+  // `sample` is a number from 1.
+  std::string row(std::size_t sample, std::size_t winner, double distance,
+                  std::optional<std::size_t> its_class) const {
+    const Grid& grid = model_.som.grid();
+    const std::string label = its_class ? model_.classes[*its_class] : std::string();
+    if (!is_json_) {
+      return fmt::format("{},{},{},{},{:.9g}{}\n", sample, winner, grid.row_of(winner),
+                         grid.column_of(winner), distance, its_class ? "," + csv_field(label) : "");
+    }
+    Table table{
+        {},
+        {entry("sample", sample), entry("winner", winner), entry("row", grid.row_of(winner)),
+         entry("column", grid.column_of(winner)), entry("distance", distance)}};
+    if (its_class) table.entries.push_back(entry("label", label));
+    const std::string json = to_json(table);
+    return (sample == 1 ? "\n" : ",\n") + json.substr(0, json.size() - 1);
+  }
+
+  std::string end() const { return is_json_ ? "\n]\n" : ""; }
+
+ private:
+  const SomModel& model_;
+  bool is_json_;
+};
+
+// Rows of which the first has the number `first`, from 0.
+std::string winners_text(const SomModel& model, const WinnerFormat& format, const Samples& samples,
+                         std::size_t first) {
+  std::string text;
   SomWorkspace workspace;
   for (std::size_t i = 0; i < samples.count(); ++i) {
     const SignalView sample = samples[i];
-    const std::size_t winner = som.winner(sample, workspace);
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.9g}", first + i + 1, winner,
-                   som.grid().row_of(winner), som.grid().column_of(winner),
-                   som.distance(sample, winner, workspace));
-    if (!model.classes.empty()) {
-      const std::size_t its_class = model.labels.classify(som, sample, workspace);
-      csv += "," + csv_field(model.classes[its_class]);
-    }
-    csv += "\n";
+    const std::size_t winner = model.som.winner(sample, workspace);
+    std::optional<std::size_t> its_class;
+    if (!model.classes.empty()) its_class = model.labels.classify(model.som, sample, workspace);
+    text +=
+        format.row(first + i + 1, winner, model.som.distance(sample, winner, workspace), its_class);
   }
-  return csv;
+  return text;
 }
 
 Result<void> write_winners(const MapAndRows& both, const Arguments& arguments) {
   TextOutput output;
   if (auto begun = output.begin(arguments); !begun) return begun;
+  const WinnerFormat format(both.model, arguments.has("json"));
   PreparedRows prepared(both.model, both.rows);
   std::size_t done = 0;
   return for_each_part(prepared.samples(),
                        [&](const Samples& part) {
-                         std::string csv = winners_csv(both.model, part, done);
-                         if (done == 0) csv.insert(0, header_of_csv(both.model));
+                         std::string text = winners_text(both.model, format, part, done);
+                         if (done == 0) text.insert(0, format.begin());
                          done += part.count();
-                         return output.write(csv);
+                         return output.write(text);
                        })
+      .and_then([&] { return output.write(format.end()); })
       .and_then([&] { return output.commit(); });
 }
 
@@ -106,22 +137,23 @@ Result<void> map(const Arguments& arguments) {
     auto written = write_activity(*both, arguments.text("activity"));
     if (!written) return written;
   }
-  return write_winners(*both, arguments);
+  return write_winners(*both, arguments).map([&] { note_columns_and_filled(both->rows); });
 }
 
 }  // namespace
 
 Command som_map_command() {
+  std::vector<Flag> flags{
+      output_flag("-o,--output", "CSV file instead of standard output"),
+      output_flag("--activity", "NPY file for the activity of every neuron, a row a sample")};
+  const std::vector<Flag> of_table = table_flags();
+  flags.insert(flags.end(), of_table.begin(), of_table.end());
+  flags.push_back(memory_flag());
+  flags.push_back({"--json", "Winners as JSON instead of CSV", false, false});
   return {"som map",
           "Find the winner of each row on a map, and its label if the map has labels",
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
-          {output_flag("-o,--output", "CSV file instead of standard output"),
-           output_flag("--activity", "NPY file for the activity of every neuron, a row a sample"),
-           {"--label-column", "Column of a CSV file that holds labels, which is left out"},
-           {"--header",
-            "Whether the first line of a text file holds names, yes or no; default: when it holds "
-            "something that is no number"},
-           memory_flag()},
+          std::move(flags),
           {},
           map};
 }

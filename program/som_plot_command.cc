@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "map_and_rows.h"
 #include "memory_flag.h"
-#include "row_data.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/files/whole_file.h"
 #include "somato/maps/som_quality.h"
@@ -39,6 +40,15 @@ Result<std::vector<std::string>> chosen_panels(const Arguments& arguments) {
 
 bool wants(const std::vector<std::string>& chosen, const std::string& panel) {
   return std::find(chosen.begin(), chosen.end(), panel) != chosen.end();
+}
+
+Result<void> check_data_flags(const Arguments& arguments) {
+  if (arguments.has("DATA")) return {};
+  for (const Flag& flag : data_flags()) {
+    if (!arguments.has(key_of(flag.name))) continue;
+    return fail(ErrorKind::kUsage, "has no effect without data", flag.name, "give DATA");
+  }
+  return {};
 }
 
 // Only what was asked for by name can be missed.
@@ -113,6 +123,7 @@ Result<void> plot(const Arguments& arguments) {
   auto most = arguments.number("components", 0);
   if (!most) return fail(std::move(most.error()));
   if (auto usable = check_panels(arguments, *chosen); !usable) return usable;
+  if (auto usable = check_data_flags(arguments); !usable) return usable;
   auto both = read_map_and_perhaps_rows(arguments);
   if (!both) return fail(std::move(both.error()));
   const Som& som = both->model.som;
@@ -132,7 +143,9 @@ Result<void> plot(const Arguments& arguments) {
   const std::string caption =
       fmt::format("{} x {} neurons, {} {}", som.grid().rows(), som.grid().columns(),
                   choice_name(som.grid().lattice()), choice_name(som.grid().topology()));
-  return save_whole(arguments.text("output"), draw_picture(title, caption, panels));
+  return save_whole(arguments.text("output"), draw_picture(title, caption, panels)).map([&] {
+    if (arguments.has("DATA")) note_columns_and_filled(both->rows);
+  });
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "map_and_rows.h"
 #include "memory_flag.h"
-#include "row_data.h"
+#include "result_output.h"
 #include "somato/maps/areas.h"
 
 namespace somato::program {
@@ -32,15 +34,15 @@ Result<double> accuracy(const MapAndRows& both) {
       .map([&] { return right / static_cast<double>(row); });
 }
 
-Result<std::string> label_measures(const MapAndRows& both, const SomQuality& quality) {
+Result<void> add_label_measures(const MapAndRows& both, const SomQuality& quality, Table& table) {
+  if (!both.rows.labelled()) return {};
   const std::vector<std::size_t>& classes = both.rows.classes.of_sample;
   const WinnerAreas areas(both.model.som.grid(), quality.winners);
-  std::string text =
-      fmt::format("individuals_apart {}\nareas_connected {}\n",
-                  individuals_apart(quality.winners, classes), areas.connected(classes));
-  if (both.model.classes.empty()) return text;
+  table.entries.push_back(entry("individuals_apart", individuals_apart(quality.winners, classes)));
+  table.entries.push_back(entry("areas_connected", areas.connected(classes)));
+  if (both.model.classes.empty()) return {};
   return accuracy(both).map(
-      [&](double share) { return text + fmt::format("accuracy {:.6g}\n", share); });
+      [&](double share) { table.entries.push_back(entry("accuracy", share)); });
 }
 
 Result<void> quality(const Arguments& arguments) {
@@ -50,15 +52,16 @@ Result<void> quality(const Arguments& arguments) {
   if (!both) return fail(both.error());
   const auto quality = measure_rows(both->model, both->rows, *threads);
   if (!quality) return fail(quality.error());
-  const auto of_labels =
-      both->rows.labelled() ? label_measures(*both, *quality) : Result<std::string>();
-  if (!of_labels) return fail(of_labels.error());
   const auto hit = std::count_if(quality->hits.begin(), quality->hits.end(),
                                  [](std::size_t hits) { return hits > 0; });
-  fmt::print("samples {}\nneurons {}\nneurons_hit {}\n", both->rows.count,
-             both->model.som.neurons(), hit);
-  fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n{}", quality->quantization_error,
-             quality->topographic_error, *of_labels);
+  Table table{{},
+              {entry("samples", both->rows.count), entry("neurons", both->model.som.neurons()),
+               entry("neurons_hit", static_cast<std::uint64_t>(hit)),
+               entry("quantization_error", quality->quantization_error),
+               entry("topographic_error", quality->topographic_error)}};
+  if (auto measured = add_label_measures(*both, *quality, table); !measured) return measured;
+  print_result(arguments, lines_of(table), table);
+  note_columns_and_filled(both->rows);
   return {};
 }
 
@@ -68,6 +71,7 @@ Command som_quality_command() {
   std::vector<Flag> flags = data_flags();
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
+  flags.push_back(json_flag());
   return {"som quality",
           "Measure how well a map stands for data",
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},

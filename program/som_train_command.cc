@@ -2,16 +2,33 @@
 
 #include <utility>
 
+#include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "map_and_rows.h"
 #include "memory_flag.h"
-#include "row_data.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
 #include "wording.h"
 
 namespace somato::program {
 namespace {
+
+// Means are those of the known values; the nearest row is the nearest one for the map, which sees
+// columns in standard deviations where they are standardized.
+Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector<double>& means) {
+  if (rows.missing == MissingFill::kRefuse) return {};
+  auto known = rows.known.means(rows.features);
+  if (!known) {
+    known.error().where = rows.path;
+    return fail(std::move(known.error()));
+  }
+  const bool scaled = rows.missing == MissingFill::kNearest && arguments.has("standardize");
+  std::vector<double> scale;
+  if (scaled && rows.in_memory()) scale = known_deviations(*rows.in_memory(), *known);
+  if (rows.missing == MissingFill::kMean) means = *known;
+  return rows.fill(*known, scale);
+}
 
 Result<RowData> read_training_rows(const Arguments& arguments) {
   auto rows = read_rows(arguments);
@@ -28,9 +45,11 @@ Result<RowData> read_training_rows(const Arguments& arguments) {
 }
 
 // A model without its map.
-Result<SomModel> start_model(const Arguments& arguments, const RowData& rows) {
+Result<SomModel> start_model(const Arguments& arguments, const RowData& rows,
+                             std::vector<double> means) {
   SomModel model;
   model.features = rows.features;
+  model.means = std::move(means);
   if (!arguments.has("standardize")) return model;
   return Standardization::fit(rows.samples(), {ConstantColumns::kZero}, rows.features)
       .map([&](Standardization&& fitted) {
@@ -77,10 +96,12 @@ Result<Som> train_map(const SomParameters& parameters, const SomModel& model, co
 
 void print_trained(const std::string& path, const Som& som, const RowData& rows,
                    const SomQuality& quality) {
-  fmt::print("{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(),
-             som.grid().columns(), counted(rows.count, "sample"), counted(rows.size(), "feature"));
-  fmt::print("quantization_error {:.6g}\ntopographic_error {:.6g}\n", quality.quantization_error,
-             quality.topographic_error);
+  const std::string size = fmt::format(
+      "{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(), som.grid().columns(),
+      counted(rows.count, "sample"), counted(rows.size(), "feature"));
+  const std::string errors = fmt::format("quantization_error {:.6g}\ntopographic_error {:.6g}\n",
+                                         quality.quantization_error, quality.topographic_error);
+  print_summary(size + columns_and_filled(rows) + errors);
 }
 
 Result<void> train(const Arguments& arguments) {
@@ -88,10 +109,12 @@ Result<void> train(const Arguments& arguments) {
   if (!parameters) return fail(parameters.error());
   const auto threads = read_threads(arguments);
   if (!threads) return fail(threads.error());
-  const auto rows = read_training_rows(arguments);
+  auto rows = read_training_rows(arguments);
   if (!rows) return fail(rows.error());
   if (auto fits = check_training(*parameters, *rows, arguments.text("DATA")); !fits) return fits;
-  auto model = start_model(arguments, *rows);
+  std::vector<double> means;
+  if (auto filled = fill_missing(arguments, *rows, means); !filled) return filled;
+  auto model = start_model(arguments, *rows, std::move(means));
   if (!model) return fail(std::move(model.error()));
   auto som = train_map(*parameters, *model, *rows, *threads);
   if (!som) return fail(std::move(som.error()));

@@ -1,45 +1,89 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
+#include "result_output.h"
 #include "somato/studies/own_systems.h"
 
 namespace somato::program {
 namespace {
 
+// What the file explores with; empty where it needs data.
 std::string body_of(const Table& file) {
   const Table::Entry* explore = file.find("explore");
   const auto* table = explore ? std::get_if<Table>(&explore->content) : nullptr;
   const Table::Entry* body = table ? table->find("body") : nullptr;
   const auto* value = body ? std::get_if<Value>(&body->content) : nullptr;
   const auto* name = value ? std::get_if<std::string>(&value->content) : nullptr;
-  return name ? "  explores with " + *name : std::string();
+  return name ? *name : std::string();
 }
 
-void print_files(const std::string& title, const std::vector<NamedFile>& files) {
+std::string text_of(const std::string& title, const std::vector<NamedFile>& files) {
   std::size_t width = 0;
   for (const NamedFile& file : files) width = std::max(width, file.name.size());
-  fmt::print("{}\n", title);
+  std::string text = title + "\n";
   for (const NamedFile& file : files) {
-    fmt::print("  {:<{}}{}\n", file.name, width, body_of(file.content));
+    const std::string body = body_of(file.content);
+    text += body.empty() ? fmt::format("  {}\n", file.name)
+                         : fmt::format("  {:<{}}  explores with {}\n", file.name, width, body);
   }
+  return text;
 }
 
-Result<void> list_systems(const Arguments& /*arguments*/) {
-  const auto own = own_systems();
-  if (!own) return fail(own.error());
-  print_files("The papers' systems, for somato run and somato reproduce:", own->systems);
-  print_files("\nThe same for data sets of others, with --data:", own->recorded);
-  print_files("\nQuestions about them, for somato reproduce:", own->questions);
-  fmt::print("\n'somato modules' lists what systems are made of.\n");
-  return {};
+Table table_of(const NamedFile& file) {
+  Table table{
+      {}, {entry("name", file.name), entry("file", std::string(find_own_file(file.name)->path))}};
+  const std::string body = body_of(file.content);
+  if (!body.empty()) table.entries.push_back(entry("body", body));
+  return table;
+}
+
+void list(const Arguments& arguments, const OwnSystems& own) {
+  const auto of_file = [](const NamedFile& file) { return table_of(file); };
+  print_result(
+      arguments,
+      text_of("The papers' systems, for somato run and somato reproduce:", own.systems) +
+          text_of("\nThe same for data sets of others, with --data:", own.recorded) +
+          text_of("\nStudies of data sets of others, with --data:", own.studies) +
+          text_of("\nQuestions about the papers' systems, for somato reproduce:", own.questions) +
+          "\n'somato systems NAME' prints the file, to begin one with; 'somato modules' lists what "
+          "systems\nare made of.\n",
+      Table{{},
+            {entry("systems", own.systems, of_file), entry("recorded", own.recorded, of_file),
+             entry("studies", own.studies, of_file), entry("questions", own.questions, of_file)}});
+}
+
+Result<void> print_file(const Arguments& arguments) {
+  const std::string name = arguments.text("NAME");
+  if (arguments.has("json")) {
+    return fail(ErrorKind::kUsage, "the file is TOML", "--json", "leave it out, or leave NAME out");
+  }
+  if (const auto file = find_own_file(name)) {
+    std::fwrite(file->text.data(), 1, file->text.size(), stdout);
+    return {};
+  }
+  return fail(unknown_name("system", name, "systems", own_file_names()));
+}
+
+Result<void> run_systems(const Arguments& arguments) {
+  if (arguments.has("NAME")) return print_file(arguments);
+  return own_systems().map([&](const OwnSystems& own) { list(arguments, own); });
 }
 
 }  // namespace
 
 Command systems_command() {
-  return {"systems", "List the systems that come with the program", {}, {}, {}, list_systems};
+  return {"systems",
+          "List the systems and studies that come with the program, or print one's file",
+          {{"NAME", "Print the file of this one", false, false, Role::kValue, own_file_names}},
+          {json_flag()},
+          {},
+          run_systems};
 }
 
 }  // namespace somato::program

@@ -17,12 +17,13 @@ namespace {
 
 // Lock-free, so that a signal may set it.
 std::atomic<int> interrupted = 0;
+std::atomic<bool> quiet = false;
 
 void on_interrupt(int signal) {
   interrupted = signal;
   std::signal(signal, SIG_DFL);
   constexpr std::string_view kSaid = "\nsomato: stopping; once more ends at once\n";
-  if (isatty(STDERR_FILENO) == 1) {
+  if (isatty(STDERR_FILENO) == 1 && !quiet) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
   }
 }
@@ -84,6 +85,18 @@ void catch_signal(int signal) {
 
 }  // namespace
 
+void be_quiet() {
+  quiet = true;
+}
+
+bool is_quiet() {
+  return quiet;
+}
+
+void print_summary(const std::string& text) {
+  if (!quiet) std::fputs(text.c_str(), stdout);
+}
+
 void report_file_size_limits() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -104,7 +117,7 @@ int stop_signal() {
 Progress terminal_progress(std::string what) {
   catch_stop_requests();
   std::shared_ptr<ProgressLine> line;
-  if (isatty(STDERR_FILENO) != 0) line = std::make_shared<ProgressLine>(std::move(what));
+  if (isatty(STDERR_FILENO) != 0 && !quiet) line = std::make_shared<ProgressLine>(std::move(what));
   return [line](std::uint64_t done, std::uint64_t total) {
     if (line) line->show(done, total);
     if (interrupted != 0 && line) line->end();

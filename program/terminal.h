@@ -6,6 +6,13 @@
 
 namespace somato::program {
 
+/// From now on there is neither progress nor a summary, only what was asked for and errors.
+void be_quiet();
+bool is_quiet();
+
+/// Prints a summary on standard output, unless quiet.
+void print_summary(const std::string& text);
+
 /// Makes a file size limit an error that is reported; without this it ends the process.
 void report_file_size_limits();
 

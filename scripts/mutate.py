@@ -79,7 +79,8 @@ class Room:
         original = words[words.index("-o") + 1]
         words[words.index("-o") + 1] = str(folder / "mutant.o")
         words[words.index("-c") + 1] = str(source)
-        words += [f"-I{mutant.file.parent}", "-w"]
+        # Only for quoted includes: a room's png.h must not stand in for the system's.
+        words += ["-iquote", str(mutant.file.parent), "-w"]
         if subprocess.run(words, cwd=DEV, capture_output=True).returncode != 0:
             return None
         # In front of the library, whose own object is then not taken.

@@ -26,6 +26,7 @@ from pathlib import Path
 # Why a block may be left out, and what each of its lines must then look like.
 REASONS = {
     "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?)",
+    "needs docker": r"(#.*|docker .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }
 TIMEOUT = 600  # seconds for a command

@@ -68,7 +68,8 @@ STAGES = [
     Stage("dev: tests", tests("dev", "-LE", "^long$"),
           "wrong results, messages and pages; commands of the documentation that fail", 511, "dev"),
     Stage("long tests", tests("dev", "-L", "^long$"),
-          "an installed package that cannot be used; damaged inputs that do harm (5,000 of them)",
+          "an installed package that cannot be used; damaged inputs that do harm (5,000 of them); "
+          "values at the ends of their ranges that do",
           None, "dev", thorough=True),
     Stage("asan: build", command("./dev", "build", "asan"), "nothing; the next stage needs it",
           678, "asan", thorough=True),

@@ -1,9 +1,11 @@
 #include "somato/core/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -89,6 +91,14 @@ std::size_t memory_limit() {
 
 std::size_t free_memory() {
   return std::min({free_on_machine(), of_control_groups(true), free_address_space()});
+}
+
+std::string memory_text(double bytes) {
+  constexpr double kStep = 1024.0;
+  const std::array units{"B", "KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  for (; bytes >= kStep && unit + 1 < units.size(); ++unit) bytes /= kStep;
+  return fmt::format("{:.{}f} {}", bytes, unit == 0 ? 0 : 1, units[unit]);
 }
 
 // Version 2 of control groups has a single line, "0::/path".

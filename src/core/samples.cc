@@ -35,6 +35,11 @@ Samples Samples::from_signals(const std::vector<Signal>& signals) {
   return samples;
 }
 
+std::size_t Samples::bytes() const {
+  if (!sparse_) return rows_.rows() * size_ * sizeof(float);
+  return values_.size() * sizeof(float) + indices_.size() * sizeof(std::uint32_t);
+}
+
 SignalView Samples::operator[](std::size_t index) const {
   if (!sparse_) return SignalView::dense(rows_.row(index));
   const std::size_t start = row_starts_[index];

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "files/csv_number.h"
-#include "files/csv_records.h"
-#include "files/csv_table_reader.h"
 #include "files/text.h"
+#include "files/whole_table.h"
 #include "somato/core/check.h"
 #include "somato/files/whole_file.h"
 
@@ -67,14 +65,8 @@ Result<NumberTable> parse_csv(std::string_view text, std::string_view where,
                               const CsvOptions& options) {
   require(!options.separator || is_known_separator(*options.separator),
           "a separator is a comma, a semicolon, a tab or a space");
-  return text_of(text, where).and_then([&](std::string_view clean) {
-    CsvTableReader reader(CsvRecords(clean, where), where, options);
-    return reader.begin()
-        .and_then([&] { return reader.rows(std::numeric_limits<std::size_t>::max()); })
-        .map([&](NumberTable&& table) {
-          table.names = reader.names();
-          return std::move(table);
-        });
+  return csv_table(text, where, options).map([](WholeTable&& whole) {
+    return std::move(whole.table);
   });
 }
 

@@ -42,6 +42,14 @@ CsvReading<T> out_of_range(std::string_view text) {
 
 }  // namespace
 
+bool has_decimal_comma(std::string_view field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos || field.find('.') != std::string_view::npos) return false;
+  std::string with_point(field);
+  with_point[comma] = '.';
+  return read_csv_number<double>(with_point).meaning == CsvMeaning::kNumber;
+}
+
 bool is_csv_text(std::string_view field) {
   return read_csv_number<float>(field).meaning == CsvMeaning::kText;
 }

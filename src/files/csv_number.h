@@ -26,6 +26,9 @@ struct CsvReading {
 template <typename T>
 CsvReading<T> read_csv_number(std::string_view field);
 
+/// Whether a field is a number once its only comma is a point, such as 1,5 (or 1,000).
+bool has_decimal_comma(std::string_view field);
+
 /// Whether a field holds no number, nor a word for a missing one.
 bool is_csv_text(std::string_view field);
 

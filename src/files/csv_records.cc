@@ -57,15 +57,15 @@ Result<bool> CsvRecords::read_on(const Position& from) {
   return more;
 }
 
-char CsvRecords::guess_separator() {
+char CsvRecords::guess_separator(std::string_view candidates) {
   for (;;) {
     const Position start = position_;
-    const auto [separator, whole] = guess_from_here();
+    const auto [separator, whole] = guess_from_here(candidates);
     if (whole || !read_on(start).value_or(false)) return separator;
   }
 }
 
-std::pair<char, bool> CsvRecords::guess_from_here() {
+std::pair<char, bool> CsvRecords::guess_from_here(std::string_view candidates) {
   skip_what_is_no_record();
   std::string outside_quotes;
   bool quoted = false;
@@ -79,7 +79,7 @@ std::pair<char, bool> CsvRecords::guess_from_here() {
     if (!quoted) outside_quotes += text_[i];
   }
   const std::string_view record = trimmed(outside_quotes);
-  for (const char separator : {'\t', ';', ',', ' '}) {
+  for (const char separator : candidates) {
     if (record.find(separator) != std::string_view::npos) return {separator, whole};
   }
   return {',', whole};

@@ -32,9 +32,9 @@ class CsvRecords {
   CsvRecords(TextWindow& window, std::string_view where)
       : window_(&window), text_(window.text()), where_(where) {}
 
-  /// The separator that the next record seems to use: the first of tab, semicolon, comma and blank
-  /// that stands in it outside quotes, otherwise a comma.
-  char guess_separator();
+  /// The separator that the next record seems to use: the first of `candidates` that stands in it
+  /// outside quotes, otherwise a comma.
+  char guess_separator(std::string_view candidates = "\t;, ");
 
   /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
   Result<void> next(char separator, std::vector<CsvField>& fields);
@@ -51,7 +51,8 @@ class CsvRecords {
   };
 
   Result<void> record(char separator, std::vector<CsvField>& fields);
-  std::pair<char, bool> guess_from_here();  // And whether all of the record was there.
+  // The separator, and whether all of the record was there.
+  std::pair<char, bool> guess_from_here(std::string_view candidates);
   Result<bool> read_on(const Position& from);
   bool at_end() const { return position_.offset == text_.size(); }
   char here() const { return text_[position_.offset]; }

@@ -11,10 +11,14 @@ Result<std::unique_ptr<NumberSource>> CsvSource::begin(UnchangedFile file,
   return source->rewind().map([&]() -> std::unique_ptr<NumberSource> { return std::move(source); });
 }
 
-// A number is at least a digit and a separator; a list of unknown length doubles as it grows.
+// A number is at least a digit and a separator, a missing one a separator, as is what is left out;
+// a list of unknown length doubles as it grows.
 double CsvSource::memory_of_all() const {
   const auto text = static_cast<double>(file_.size());
-  return text + 4.0 * text / 2.0 * sizeof(float);
+  const auto features = static_cast<double>(size());
+  const double others = static_cast<double>(columns().width) - features;
+  const double row = (options_.keeps_missing ? 1.0 : 2.0) * features + others;
+  return 4.0 * (text / row) * features * sizeof(float);
 }
 
 double CsvSource::share_read() const {

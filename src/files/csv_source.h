@@ -22,9 +22,7 @@ class CsvSource final : public NumberSource {
   CsvSource(UnchangedFile file, CsvOptions options, std::size_t part_bytes)
       : file_(std::move(file)), options_(std::move(options)), part_bytes_(part_bytes) {}
 
-  std::size_t size() const override { return reader_->columns(); }
-  const std::vector<std::string>& names() const override { return reader_->names(); }
-  bool has_labels() const override { return reader_->has_labels(); }
+  const TableColumns& columns() const override { return reader_->columns(); }
   double memory_of_all() const override;
   double share_read() const override;
   Result<void> rewind() override;

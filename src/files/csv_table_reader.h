@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/column_precision.h"
+#include "files/csv_number.h"
 #include "files/csv_records.h"
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
@@ -25,26 +26,27 @@ class CsvTableReader {
   /// Reads up to the first row of numbers, which has to be there.
   Result<void> begin();
 
-  /// Of the columns of numbers; empty when there are none.
-  const std::vector<std::string>& names() const { return names_; }
-
-  /// Columns of numbers.
-  std::size_t columns() const { return width_ - (label_ ? 1 : 0); }
-
-  bool has_labels() const { return label_.has_value(); }
+  /// What the columns are for.
+  const TableColumns& columns() const { return columns_; }
 
   /// The next rows, at most `most`, which is above 0, without names; none when there are no more.
   Result<NumberTable> rows(std::size_t most);
 
  private:
   Result<void> next() { return records_.next(separator_, fields_); }
-  bool is_label(std::size_t column) const { return label_ == column; }
+  bool is_label(std::size_t column) const { return columns_.label == column; }
   bool seems_header() const;
+  Result<void> check_separator();
+  Result<void> choose();
   Result<void> find_label_column();
   Result<void> read_first_record();
   Result<void> read_row(std::vector<float>& values, std::vector<std::string>& labels);
+  CsvReading<float> reading_of(const CsvField& field);
+  std::string_view with_point(const CsvField& field);
   Result<void> read_label(const CsvField& field, std::vector<std::string>& labels) const;
-  Result<void> read_value(const CsvField& field, std::size_t column, std::vector<float>& values);
+  Result<void> read_value(std::size_t column, float& value);
+  Error no_number(std::size_t column, CsvMeaning meaning);
+  std::string advice_for_text(const CsvField& field);
   Result<void> no_rows() const;
 
   CsvRecords records_;
@@ -52,10 +54,10 @@ class CsvTableReader {
   CsvOptions options_;
   char separator_ = ',';
   std::vector<CsvField> fields_;
-  std::size_t width_ = 0;
-  std::optional<std::size_t> label_;
+  TableColumns columns_;
   bool named_label_ = false;
-  std::vector<std::string> names_;
+  bool is_first_row_ = true;
+  std::string number_text_;
   ColumnPrecision precision_;
   bool trusts_precision_ = false;
 };

@@ -43,10 +43,9 @@ bool is_npy(std::string_view bytes) {
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where) {
   const Result<NpyLayout> layout = npy_layout(bytes, bytes.size(), where);
   if (!layout) return fail(layout.error());
-  Matrix<float> matrix(layout->rows, layout->columns);
-  ColumnPrecision precision;
-  return read_npy_rows(bytes.substr(layout->start), *layout, 0, matrix.values(), where, &precision)
-      .map([&] { return std::move(matrix); });
+  return npy_reading(*layout, {}, std::string(where)).and_then([&](const NpyReading& all) {
+    return npy_matrix(bytes, *layout, all, where);
+  });
 }
 
 Result<Matrix<float>> read_npy(const std::string& path) {

@@ -32,9 +32,9 @@ double read_big(const char* bytes) {
   return static_cast<double>(big_endian<T>(bytes));
 }
 
-// A byte of a boolean that is neither 0 nor 1 is no number.
+// A byte of a boolean that is neither 0 nor 1 is no number, nor does it stand for a missing one.
 double read_bool(const char* byte) {
-  return *byte == 0 || *byte == 1 ? *byte : std::numeric_limits<double>::quiet_NaN();
+  return *byte == 0 || *byte == 1 ? *byte : std::numeric_limits<double>::infinity();
 }
 
 constexpr NpyType kTypes[] = {
@@ -112,7 +112,9 @@ tl::unexpected<Error> not_a_float(double value, std::size_t row, std::size_t col
   return refuse(where,
                 fmt::format("{} in row {}, column {} (counted from 1) is no finite 32-bit number",
                             value, row + 1, column + 1),
-                "leave the row out or fill in a number");
+                std::isnan(value)
+                    ? "leave the row out, fill in a number, or pass --missing mean or nearest"
+                    : "leave the row out or fill in a number");
 }
 
 // Plain copying is enough for what the machine itself would write.
@@ -170,24 +172,54 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
   return NpyLayout{type, size->rows, size->columns, header->fortran_order, *start};
 }
 
-Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
-                           std::span<float> out, std::string_view where,
-                           ColumnPrecision* precision) {
-  if (is_plain(layout) && copy_if_finite(bytes, out)) return {};
+Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,
+                               const std::string& where) {
+  if (!options.label_column.empty()) {
+    return fail(ErrorKind::kUsage, "an NPY file has no label column", where,
+                "give the labels in a file of their own, one a line");
+  }
+  if (options.decimal != '.') {
+    return fail(ErrorKind::kUsage, "an NPY file has no decimal comma", where,
+                "leave --decimal out; it is for text");
+  }
+  TableColumns columns;
+  columns.width = layout.columns;
+  return choose_columns(options.columns, std::move(columns), where).map([&](TableColumns&& chosen) {
+    return NpyReading{std::move(chosen), options.keeps_missing};
+  });
+}
+
+Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
+                           const NpyReading& reading, std::size_t first, std::span<float> out,
+                           std::string_view where, ColumnPrecision* precision) {
+  const std::vector<std::size_t>& chosen = reading.columns.features;
+  const bool all = chosen.size() == layout.columns;
+  if (all && is_plain(layout) && copy_if_finite(bytes, out)) return {};
   const std::size_t columns = layout.columns;
-  const std::size_t rows = out.size() / columns;
+  const std::size_t rows = out.size() / chosen.size();
+  float* next = out.data();
   for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
+    for (const std::size_t column : chosen) {
       const std::size_t place = layout.fortran_order ? column * rows + row : row * columns + column;
       const double value = layout.type->read(bytes.data() + place * layout.type->size);
       const auto rounded = static_cast<float>(value);
+      *next++ = rounded;
+      if (std::isnan(value) && reading.keeps_missing) continue;
       if (!std::isfinite(rounded)) return not_a_float(value, first + row, column, where);
-      out[row * columns + column] = rounded;
       if (precision != nullptr) precision->take(column, value, rounded);
     }
   }
   const bool is_end = precision != nullptr && first + rows == layout.rows;
   return is_end ? precision->check({}, where) : Result<void>();
+}
+
+Result<Matrix<float>> npy_matrix(std::string_view bytes, const NpyLayout& layout,
+                                 const NpyReading& reading, std::string_view where) {
+  Matrix<float> matrix(layout.rows, reading.columns.features.size());
+  ColumnPrecision precision;
+  return read_npy_rows(bytes.substr(layout.start), layout, reading, 0, matrix.values(), where,
+                       &precision)
+      .map([&] { return std::move(matrix); });
 }
 
 }  // namespace somato

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "files/column_precision.h"
+#include "somato/core/matrix.h"
 #include "somato/core/result.h"
+#include "somato/files/csv.h"
 
 namespace somato {
 
@@ -26,6 +28,12 @@ struct NpyLayout {
   std::size_t start = 0;  ///< Bytes before the first number.
 };
 
+/// What is read of an NPY file.
+struct NpyReading {
+  TableColumns columns;
+  bool keeps_missing = false;  ///< NaN is kept, not refused.
+};
+
 /// As many bytes as tell how long the header is.
 inline constexpr std::size_t kNpyStart = 12;
 
@@ -38,13 +46,23 @@ Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_siz
 /// Errors: kData at `where`.
 Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size, std::string_view where);
 
+/// What `options` say is to be read of a file of that layout. Errors (kUsage, at `where`): a label
+/// column, a decimal comma, those of choose_columns().
+Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,
+                               const std::string& where);
+
 /// Writes the numbers of `bytes`, rows of layout.columns numbers beginning with row `first`, to
-/// `out`, row by row. In Fortran order `bytes` hold these rows column by column. Errors: kData,
+/// `out`, row by row: those of the columns that are read. In Fortran order `bytes` hold these rows
+/// column by column. Errors: kData,
 /// with row and column, for a value that is not a finite float32; after the last row
 /// those of ColumnPrecision::check(), which knows the rows read before by `precision`,
 /// unless that is nullptr.
-Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout, std::size_t first,
-                           std::span<float> out, std::string_view where,
-                           ColumnPrecision* precision);
+Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
+                           const NpyReading& reading, std::size_t first, std::span<float> out,
+                           std::string_view where, ColumnPrecision* precision);
+
+/// All rows of a whole file; see read_npy_rows().
+Result<Matrix<float>> npy_matrix(std::string_view bytes, const NpyLayout& layout,
+                                 const NpyReading& reading, std::string_view where);
 
 }  // namespace somato

@@ -18,20 +18,23 @@ Result<std::string> header_of(const UnchangedFile& file) {
 
 }  // namespace
 
-Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file, std::size_t part_bytes) {
+Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file,
+                                                       const CsvOptions& options,
+                                                       std::size_t part_bytes) {
   const Result<std::string> header = header_of(file);
   if (!header) return fail(header.error());
   const Result<NpyLayout> layout = npy_layout(*header, file.size(), file.path());
   if (!layout) return fail(layout.error());
+  auto reading = npy_reading(*layout, options, file.path());
+  if (!reading) return fail(std::move(reading.error()));
   const std::size_t rows = part_bytes / sizeof(float) / layout->columns;
-  return std::make_unique<NpySource>(std::move(file), *layout,
+  return std::make_unique<NpySource>(std::move(file), *layout, std::move(*reading),
                                      std::clamp<std::size_t>(rows, 1, layout->rows));
 }
 
+// A list that grows is there twice when it doubles.
 double NpySource::memory_of_all() const {
-  const double samples =
-      static_cast<double>(layout_.rows) * static_cast<double>(layout_.columns) * sizeof(float);
-  return static_cast<double>(file_.size()) + 2.0 * samples;
+  return 3.0 * static_cast<double>(layout_.rows) * static_cast<double>(size()) * sizeof(float);
 }
 
 Result<void> NpySource::rewind() {
@@ -58,8 +61,8 @@ Result<void> NpySource::fetch(std::size_t count, char* bytes) const {
 Result<Matrix<float>> NpySource::rows(std::size_t count) {
   bytes_.resize(count * layout_.columns * layout_.type->size);
   if (auto fetched = fetch(count, bytes_.data()); !fetched) return fail(fetched.error());
-  Matrix<float> matrix(count, layout_.columns);
-  return read_npy_rows(bytes_, layout_, row_, matrix.values(), file_.path(),
+  Matrix<float> matrix(count, size());
+  return read_npy_rows(bytes_, layout_, reading_, row_, matrix.values(), file_.path(),
                        is_known_ ? nullptr : &precision_)
       .map([&] { return std::move(matrix); });
 }

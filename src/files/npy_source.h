@@ -15,15 +15,17 @@ namespace somato {
 /// The rows of an NPY file.
 class NpySource final : public NumberSource {
  public:
-  /// Errors: kData for another or a damaged file.
-  static Result<std::unique_ptr<NumberSource>> begin(UnchangedFile file, std::size_t part_bytes);
+  /// Errors: kData for another or a damaged file; those of npy_reading().
+  static Result<std::unique_ptr<NumberSource>> begin(UnchangedFile file, const CsvOptions& options,
+                                                     std::size_t part_bytes);
 
-  NpySource(UnchangedFile file, const NpyLayout& layout, std::size_t part_rows)
-      : file_(std::move(file)), layout_(layout), part_rows_(part_rows) {}
+  NpySource(UnchangedFile file, const NpyLayout& layout, NpyReading reading, std::size_t part_rows)
+      : file_(std::move(file)),
+        layout_(layout),
+        reading_(std::move(reading)),
+        part_rows_(part_rows) {}
 
-  std::size_t size() const override { return layout_.columns; }
-  const std::vector<std::string>& names() const override { return no_names_; }
-  bool has_labels() const override { return false; }
+  const TableColumns& columns() const override { return reading_.columns; }
   double memory_of_all() const override;
   double share_read() const override {
     return static_cast<double>(row_) / static_cast<double>(layout_.rows);
@@ -37,10 +39,10 @@ class NpySource final : public NumberSource {
 
   UnchangedFile file_;
   NpyLayout layout_;
+  NpyReading reading_;
   std::size_t part_rows_;
   std::size_t row_ = 0;
   std::string bytes_;
-  std::vector<std::string> no_names_;
   ColumnPrecision precision_;
   bool is_known_ = false;  // read to its end before
 };

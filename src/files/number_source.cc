@@ -4,10 +4,11 @@
 
 #include "files/csv_source.h"
 #include "files/npy_source.h"
+#include "files/numbers_in_memory.h"
 #include "files/unchanged_file.h"
+#include "files/whole_table.h"
 #include "somato/core/check.h"
 #include "somato/files/npy.h"
-#include "somato/files/number_file.h"
 
 namespace somato {
 
@@ -23,6 +24,14 @@ Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
   return detail::open_numbers(operating_system(), path, options, part_bytes);
 }
 
+Result<std::unique_ptr<NumberSource>> numbers_in(const std::string& bytes, const std::string& where,
+                                                 const CsvOptions& options) {
+  return whole_table(bytes, where, options)
+      .map([](WholeTable&& whole) -> std::unique_ptr<NumberSource> {
+        return std::make_unique<NumbersInMemory>(std::move(whole));
+      });
+}
+
 Result<std::unique_ptr<NumberSource>> detail::open_numbers(FileSystem& files,
                                                            const std::string& path,
                                                            const CsvOptions& options,
@@ -33,8 +42,7 @@ Result<std::unique_ptr<NumberSource>> detail::open_numbers(FileSystem& files,
   const std::size_t size = std::min(sizeof start, file->size());
   if (auto read = file->read(0, start, size); !read) return fail(std::move(read.error()));
   if (!is_npy({start, size})) return CsvSource::begin(std::move(*file), options, part_bytes);
-  if (!options.label_column.empty()) return fail(no_label_column_in_npy(path));
-  return NpySource::begin(std::move(*file), part_bytes);
+  return NpySource::begin(std::move(*file), options, part_bytes);
 }
 
 }  // namespace somato

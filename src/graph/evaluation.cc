@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 
 #include "graph/exploration_run.h"
+#include "somato/core/memory.h"
 #include "somato/core/threads.h"
 
 namespace somato {
@@ -33,6 +35,32 @@ class FirstError {
   std::optional<Error> error_;
 };
 
+// What is kept of all explorations must fit into the memory that was free at the start: a system
+// that takes more would end the program without a word.
+class MemoryBudget {
+ public:
+  Result<void> take(const System& system, std::size_t module, const Sequence& output) {
+    const std::size_t taken = taken_ += output.values.bytes();
+    if (taken <= free_) return {};
+    is_spent_ = true;
+    return fail(system.at_module(
+        {ErrorKind::kSystem,
+         fmt::format("what is kept of its output and others takes more than {} of memory, all that "
+                     "was free",
+                     memory_text(static_cast<double>(free_))),
+         {},
+         "give it fewer elements, or use fewer explorations"},
+        module));
+  }
+
+  bool is_spent() const { return is_spent_; }
+
+ private:
+  std::size_t free_ = free_memory();
+  std::atomic<bool> is_spent_ = false;
+  std::atomic<std::size_t> taken_ = 0;
+};
+
 }  // namespace
 
 Result<void> evaluate(const System& system, const Recording& recording,
@@ -42,7 +70,9 @@ Result<void> evaluate(const System& system, const Recording& recording,
   std::vector<bool> is_wanted(system.modules().size(), false);
   for (const std::size_t module : wanted) is_wanted[module] = true;
   FirstError first;
+  MemoryBudget budget;
   for_each_task(explorations.size(), threads, [&](std::size_t task) {
+    if (budget.is_spent()) return;
     const std::size_t exploration = explorations[task];
     ExplorationRun run(system, &recording.explorations[exploration],
                        [&](std::size_t module) { return activations.find(module, exploration); });
@@ -53,9 +83,13 @@ Result<void> evaluate(const System& system, const Recording& recording,
       return;
     }
     for (const std::size_t module : wanted) {
-      if (!activations.find(module, exploration)) {
-        activations.set(module, exploration, run.take(module));
+      if (activations.find(module, exploration)) continue;
+      auto output = run.take(module);
+      if (auto fits = budget.take(system, module, *output); !fits) {
+        first.keep(exploration, std::move(fits.error()));
+        return;
       }
+      activations.set(module, exploration, std::move(output));
     }
   });
   if (first.error()) return fail(*first.error());

@@ -1,6 +1,9 @@
 #include "graph/exploration_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "graph/finite.h"
@@ -53,8 +56,15 @@ Result<void> ExplorationRun::compute_group(const std::vector<std::size_t>& group
 
 Result<Sequence> ExplorationRun::compute_module(std::size_t module) const {
   const Module& runs = *system_.modules()[module].module;
-  if (const auto* source = dynamic_cast<const Source*>(&runs)) return source->read(*exploration_);
-  return runs.run(inputs_of(module));
+  try {
+    if (const auto* source = dynamic_cast<const Source*>(&runs)) return source->read(*exploration_);
+    return runs.run(inputs_of(module));
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorKind::kSystem,
+                fmt::format("there is not enough memory for its output of {}",
+                            to_string(system_.modules()[module].output)),
+                {}, "give it fewer elements");
+  }
 }
 
 Result<void> ExplorationRun::compute_loop(const std::vector<std::size_t>& group) {

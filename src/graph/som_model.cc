@@ -24,7 +24,8 @@ const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
                                         "features",
                                         "standardization",
                                         "classes",
-                                        "labels"};
+                                        "labels",
+                                        "means"};
 
 // A list of names as a line of TOML, so that a name may hold anything.
 std::string names_to_toml(const std::vector<std::string>& names) {
@@ -81,6 +82,21 @@ Result<void> read_standardization(const Archive& archive, const std::string& whe
   return {};
 }
 
+Result<void> read_means(const Archive& archive, const std::string& where, SomModel& model) {
+  if (!archive.find("means")) return {};
+  auto array = archive.get<Array<double>>("means", where);
+  if (!array) return fail(std::move(array.error()));
+  const std::vector<double>& values = (*array)->values;
+  if ((*array)->shape != std::vector<std::uint64_t>{model.som.input_size()}) {
+    return damaged_model("the means do not fit the map", where);
+  }
+  for (const double value : values) {
+    if (!std::isfinite(value)) return damaged_model("the means hold an impossible number", where);
+  }
+  model.means = values;
+  return {};
+}
+
 Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
   if (model.classes.empty() && !archive.find("labels")) return {};
   auto labels = labels_from(archive, model.som.neurons(), model.classes.size(), where);
@@ -97,6 +113,8 @@ void require_fit(const SomModel& model) {
   require(!model.standardization || (model.standardization->means.size() == size &&
                                      model.standardization->deviations.size() == size),
           "a model's standardization needs as many columns as the map");
+  require(model.means.empty() || model.means.size() == size,
+          "a model's means need as many columns as the map");
   require(model.labels.neurons() == (model.classes.empty() ? 0 : model.som.neurons()),
           "a model with classes needs a label or none for each neuron, one without nothing");
   require(model.classes.empty() || !model.labels.labelled().empty(),
@@ -107,6 +125,10 @@ void require_fit(const SomModel& model) {
 }
 
 }  // namespace
+
+std::vector<double> SomModel::fill_values() const {
+  return means.empty() && standardization ? standardization->means : means;
+}
 
 Samples SomModel::prepare(const Samples& samples) const {
   return standardization ? standardization->apply(samples) : samples;
@@ -124,6 +146,9 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
     archive.add("classes", names_to_toml(model.classes));
     archive.add("labels", labels_array(model.labels));
   }
+  if (!model.means.empty()) {
+    archive.add("means", Array<double>{{model.means.size()}, model.means});
+  }
   return save_archive(path, archive);
 }
 
@@ -138,12 +163,13 @@ Result<SomModel> load_som_model(const std::string& path) {
   if (!features) return fail(std::move(features.error()));
   auto classes = read_names(*archive, "classes", path);
   if (!classes) return fail(std::move(classes.error()));
-  SomModel model{std::move(*som), std::move(*features), {}, std::move(*classes), {}};
+  SomModel model{std::move(*som), std::move(*features), {}, std::move(*classes), {}, {}};
   if (!model.features.empty() && model.features.size() != model.som.input_size()) {
     return damaged_model("the names of the features do not fit the map", path);
   }
   if (auto read = read_standardization(*archive, path, model); !read) return fail(read.error());
   if (auto read = read_labels(*archive, path, model); !read) return fail(read.error());
+  if (auto read = read_means(*archive, path, model); !read) return fail(read.error());
   return model;
 }
 

@@ -27,6 +27,19 @@ Result<std::string> type_of(const ModuleDescription& module) {
               "write type = \"...\"; 'somato modules' lists the types");
 }
 
+// In the place of an entry of that name, or at the end.
+void set_entry(Table& settings, Table::Entry entry) {
+  entry.where = settings.where;
+  const auto known =
+      std::find_if(settings.entries.begin(), settings.entries.end(),
+                   [&](const Table::Entry& other) { return other.name == entry.name; });
+  if (known == settings.entries.end()) {
+    settings.entries.push_back(std::move(entry));
+  } else {
+    *known = std::move(entry);
+  }
+}
+
 bool is_port(const ModuleType& type, const std::string& name) {
   return std::any_of(type.ports.begin(), type.ports.end(),
                      [&](const InputPort& port) { return port.name == name; });
@@ -275,6 +288,10 @@ Result<void> System::infer_module(std::size_t number) {
   inputs.reserve(module.inputs.size());
   for (std::size_t i = 0; i < module.inputs.size(); ++i) {
     inputs.push_back({module.ports[i], modules_[module.inputs[i]].output});
+  }
+  Table& settings = description_.modules[number].settings;
+  for (Table::Entry& decided : module.module->decide(inputs, layout_).entries) {
+    set_entry(settings, std::move(decided));
   }
   auto output = module.module->connect(inputs);
   if (output) {

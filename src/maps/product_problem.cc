@@ -59,7 +59,7 @@ bool ProductProblem::starts_at_random() const {
 }
 
 std::size_t ProductProblem::padded() const {
-  return (parameters_.rows * parameters_.columns + kRowLanes - 1) / kRowLanes * kRowLanes;
+  return (parameters_.grid().size() + kRowLanes - 1) / kRowLanes * kRowLanes;
 }
 
 // By sparse training samples.
@@ -151,7 +151,7 @@ ProductStart ProductProblem::start(std::size_t threads) const {
 Som ProductProblem::form(std::span<const double> of_start, std::span<const double> coefficients,
                          std::size_t threads) const {
   const WeightStrips strips = this->strips();
-  LaneMatrix<float> weights(parameters_.rows * parameters_.columns, elements_.count());
+  LaneMatrix<float> weights(parameters_.grid().size(), elements_.count());
   for_each_range(padded() / kRowLanes, threads, [&](std::size_t begin, std::size_t end) {
     strips.form(begin, end, of_start, coefficients, weights);
   });

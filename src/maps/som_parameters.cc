@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace somato {
 namespace {
@@ -73,8 +74,10 @@ const Declarations<SomParameters>& SomParameters::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("rows", &P::rows, "neurons", Range::between(1, 1 << 24),
-               "Rows of the map; even on a hexagonal torus.")
-          .add("columns", &P::columns, "neurons", Range::between(1, 1 << 24), "Columns of the map.")
+               "Rows of the map; even on a hexagonal torus. Automatic: 5 sqrt(samples) neurons in "
+               "about a square (Vesanto and others 2000).")
+          .add("columns", &P::columns, "neurons", Range::between(1, 1 << 24),
+               "Columns of the map. Automatic: as for rows.")
           .add("lattice", &P::lattice, "", Range::any(),
                "Layout of the neurons: four neighbours at right angles, or six. The papers draw "
                "rectangular "
@@ -94,7 +97,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "One random sample at a time (the papers'), or all samples an epoch.")
           .add("iterations", &P::iterations, "samples drawn", Range::between(0, 1e15),
                "Length of online training; automatic: 2000 as in P11, or 10 a sample if that is "
-               "more.")
+               "more; 500 a neuron (Kohonen 1990) where the map's size is automatic.")
           .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
                "Length of batch training.")
           .add("draws", &P::draws, "", Range::any(),
@@ -107,7 +110,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "How the neighbourhood radius goes from start to end. Not given in the paper.")
           .add("radius_start", &P::radius_start, "neurons", Range::at_least(0),
                "Neighbourhood radius (a Gaussian's sigma) at the start; automatic: half of the "
-               "longer side of the map. P11 gives 15 for the texture map only.")
+               "longer side of the map. P11 gives 15 for the texture map, and the "
+               "whole map for hardness.")
           .add("radius_end", &P::radius_end, "neurons", Range::at_least(0),
                "Neighbourhood radius at the end. About 1 in P11.")
           .add("radius_reached_at", &P::radius_reached_at, "iterations or epochs",
@@ -123,7 +127,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
           .add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
                Range::between(1, 1e15),
                "When the learning rate has reached its end, where it stays; automatic: at the end "
-               "of training.")
+               "of training. Not given in the paper.")
           .add("arithmetic", &P::arithmetic, "", Range::any(),
                "How training computes; the map is the same up to rounding. Automatic: inner "
                "products "
@@ -131,7 +135,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "batch training eight times as many features and 8 epochs; in a system, where the "
                "samples are whole explorations that nothing changes meanwhile.")
           .add("softmax", &P::softmax, "", Range::any(),
-               "Form of the map's activity from its similarities s: s^m or exp(m s).")
+               "Form of the map's activity from its similarities s: s^m or exp(m s). Not given in "
+               "the paper.")
           .add("softmax_exponent", &P::softmax_exponent, "", Range::above(0),
                "The m of the activity; 10 in P11.")
           .add("activity_norm", &P::activity_norm, "", Range::any(),
@@ -142,14 +147,31 @@ const Declarations<SomParameters>& SomParameters::declarations() {
   return declared;
 }
 
+void decide_size(SomParameters& parameters, std::size_t samples) {
+  auto& p = parameters;
+  if (!p.is_size_automatic()) return;
+  const double neurons = 5.0 * std::sqrt(static_cast<double>(samples));
+  const auto at_least_one = [](double side) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(side)));
+  };
+  if (!p.rows) {
+    p.rows =
+        at_least_one(p.columns ? neurons / static_cast<double>(*p.columns) : std::sqrt(neurons));
+    const bool must_be_even = p.lattice == Lattice::kHexagonal && p.topology == Topology::kTorus;
+    if (must_be_even) *p.rows += *p.rows % 2;
+  }
+  if (!p.columns) p.columns = at_least_one(neurons / static_cast<double>(*p.rows));
+  constexpr std::uint64_t kIterations = 500;  // a neuron
+  p.iterations = p.iterations.value_or(kIterations * p.grid().size());
+}
+
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
-  if (auto valid = Grid::validate(parameters.rows, parameters.columns, parameters.lattice,
-                                  parameters.topology);
-      !valid) {
+  decide_size(parameters, samples);
+  auto& p = parameters;
+  if (auto valid = Grid::validate(*p.rows, *p.columns, p.lattice, p.topology); !valid) {
     return fail(std::move(valid.error()));
   }
-  auto& p = parameters;
-  const auto longer_side = static_cast<double>(std::max(p.rows, p.columns));
+  const auto longer_side = static_cast<double>(std::max(*p.rows, *p.columns));
   p.normalize_input = p.normalize_input.value_or(p.similarity == Similarity::kDotProduct);
   p.iterations = p.iterations.value_or(std::max<std::uint64_t>(2000, 10 * samples));
   p.radius_start = p.radius_start.value_or(longer_side / 2.0);

@@ -32,13 +32,6 @@ Samples normalized_dense(const Samples& samples) {
   return Samples(std::move(rows));
 }
 
-std::string amount(double bytes) {
-  constexpr double kMebibyte = 1 << 20;
-  constexpr double kGibibyte = 1 << 30;
-  return bytes < kGibibyte ? fmt::format("{:.0f} MiB", bytes / kMebibyte)
-                           : fmt::format("{:.1f} GiB", bytes / kGibibyte);
-}
-
 }  // namespace
 
 // Batch training adds the sums of samples a neuron and their means over the neighbourhood, in
@@ -57,10 +50,10 @@ Result<void> check_memory(const SomParameters& parameters, std::size_t elements)
   if (needed <= static_cast<double>(limit)) return {};
   return fail(
       ErrorKind::kSystem,
-      fmt::format("{} x {} neurons of {} features need {} of memory, and {} {}", parameters.rows,
-                  parameters.columns, elements, amount(needed),
+      fmt::format("{} x {} neurons of {} features need {} of memory, and {} {}", *parameters.rows,
+                  *parameters.columns, elements, memory_text(needed),
                   limit < memory_of_machine() ? "limits leave this process" : "this machine has",
-                  amount(static_cast<double>(limit))),
+                  memory_text(static_cast<double>(limit))),
       {}, "choose fewer rows or columns");
 }
 

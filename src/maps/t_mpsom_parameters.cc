@@ -114,7 +114,7 @@ Declarations<TMpsomParameters> declare() {
   all.add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
           Range::at_least(1),
           "When the learning rate has reached its end, where it stays; automatic: after all "
-          "iterations.");
+          "iterations; not given in the paper.");
   all.add("input_norm", &P::input_norm, "", Range::any(),
           "Norm that each input is divided by in every iteration; with l2 the strength of an input "
           "is lost; which norm is not given in the paper.");

@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "files/column_precision.h"
 #include "files/csv_number.h"
 #include "files/csv_records.h"
 #include "files/text.h"
-#include "somato/core/value.h"
+#include "recording/csv_import_check.h"
 
 namespace somato {
 namespace {
@@ -36,38 +36,33 @@ double scaled(const CsvChannel& channel, double number) {
   return channel.absolute ? std::fabs(value) : value;
 }
 
-// Whether the fields of a first line may be names.
-bool is_header(const std::vector<std::string>& fields) {
-  return std::any_of(fields.begin(), fields.end(), [](const std::string& field) {
-    return read_csv_number<double>(field).meaning == CsvMeaning::kText;
-  });
+// Whether a field names no label. 'none' is a label: what an empty hand holds.
+bool is_missing_label(const std::string& text) {
+  return text != "none" && read_csv_number<double>(text).meaning == CsvMeaning::kMissing;
 }
 
 // Reads one file; every error knows its place in it.
 class TrialReader {
  public:
-  TrialReader(const CsvImport& description, const CsvLayout& layout, std::string_view text,
-              const std::string& where)
+  TrialReader(const CsvImport& description, const CsvLayout& layout, CsvFilesInCommon& common,
+              std::string_view text, const std::string& where)
       : description_(description),
         layout_(layout),
+        common_(common),
         records_(text, where),
         where_(where),
+        labels_(description.trials.labels.size()),
         read_(description.channels.size()) {}
 
-  Result<std::vector<Channel>> read() {
+  Result<CsvTrial> read() {
     separator_ = records_.guess_separator();
     auto done =
         next().and_then([&] { return read_header(); }).and_then([&] { return read_rows(); });
     if (!done) return fail(std::move(done.error()));
-    return channels();
+    return CsvTrial{channels(), std::move(parts_)};
   }
 
  private:
-  enum class Use { kNothing, kTime, kValue };
-  struct Column {
-    Use use = Use::kNothing;
-    CsvSlot slot = {};
-  };
   struct Values {
     std::vector<float> values;
     std::vector<std::uint8_t> valid;
@@ -84,62 +79,44 @@ class TrialReader {
     for (const CsvField& field : fields_) {
       names.push_back(description_.trials.header ? field.text : std::to_string(names.size() + 1));
     }
-    Result<void> used =
-        use_columns(names).and_then([&] { return refuse_missing(names); }).and_then([&] {
-          return refuse_others(names);
-        });
+    Result<void> used = use_columns(names);
     if (!used || !description_.trials.header) return used;
     return next();
   }
 
-  Column use_of(const std::string& name) const {
-    if (!description_.trials.time.empty() && name == description_.trials.time) {
-      return {Use::kTime, {}};
+  Result<void> use_columns(const std::vector<std::string>& names) {
+    auto found = find_csv_columns(description_, layout_, names);
+    if (!found) {
+      found.error().where = line_place();
+      return fail(std::move(found.error()));
     }
-    const auto slot = layout_.slots.find(name);
-    return slot == layout_.slots.end() ? Column{} : Column{Use::kValue, slot->second};
+    columns_ = std::move(*found);
+    return refuse_duplicates(names).and_then([&] { return refuse_others(); }).and_then([&] {
+      return common_.take(columns_, names, where_);
+    });
   }
 
-  Result<void> use_columns(const std::vector<std::string>& names) {
-    std::set<std::string> seen;
-    columns_.reserve(names.size());
+  Result<void> refuse_duplicates(const std::vector<std::string>& names) const {
+    std::map<std::string, bool> used_names;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      columns_.push_back(use_of(names[i]));
-      if (columns_[i].use == Use::kNothing || seen.insert(names[i]).second) continue;
+      const bool used = columns_.columns[i].use != CsvUse::kNothing;
+      const auto [name, is_new] = used_names.emplace(names[i], used);
+      if (is_new || (!used && !name->second)) continue;
       return fail(ErrorKind::kData, fmt::format("there are two columns {}", shown(names[i])),
                   records_.place(fields_[i]), "rename one of them");
     }
     return {};
   }
 
-  Result<void> refuse_others(const std::vector<std::string>& names) const {
-    if (description_.trials.other_columns == Unmentioned::kIgnore) return {};
+  Result<void> refuse_others() const {
+    const bool ignore = description_.trials.other_columns == Unmentioned::kIgnore;
+    if (ignore || columns_.others.empty()) return {};
     std::vector<std::string> others;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool mentioned = columns_[i].use != Use::kNothing || layout_.ignored.contains(names[i]);
-      if (!mentioned) others.push_back(shown(names[i]));
-    }
-    if (others.empty()) return {};
+    others.reserve(columns_.others.size());
+    for (const std::string& name : columns_.others) others.push_back(shown(name));
     return fail(ErrorKind::kData,
                 fmt::format("columns that are not mentioned: {}", fmt::join(others, ", ")),
                 line_place(), "give them to a channel, or list them under 'ignore'");
-  }
-
-  Result<void> refuse_missing(const std::vector<std::string>& names) const {
-    const auto missing = [&](const std::string& name) {
-      return std::find(names.begin(), names.end(), name) == names.end();
-    };
-    std::vector<std::string> wanted;
-    if (!description_.trials.time.empty()) wanted.push_back(description_.trials.time);
-    for (const auto& columns : layout_.columns) {
-      wanted.insert(wanted.end(), columns.begin(), columns.end());
-    }
-    const auto first = std::find_if(wanted.begin(), wanted.end(), missing);
-    if (first == wanted.end()) return {};
-    const bool lacks_header = description_.trials.header && !is_header(names);
-    return fail(ErrorKind::kData, fmt::format("there is no column {}", shown(*first)), line_place(),
-                lacks_header ? "where the first line holds no names, write header = false"
-                             : name_advice(*first, names));
   }
 
   Result<void> read_rows() {
@@ -149,28 +126,72 @@ class TrialReader {
       if (!read) return read;
     }
     for (std::size_t c = 0; c < read_.size(); ++c) {
-      auto kept = read_[c].precision.check(layout_.columns[c], where_);
+      auto kept = read_[c].precision.check(columns_.channels[c], where_);
       if (!kept) return kept;
     }
     return {};
   }
 
   Result<void> read_row() {
-    if (fields_.size() != columns_.size()) {
-      return fail(ErrorKind::kData,
-                  fmt::format("expected {} fields, found {}", columns_.size(), fields_.size()),
-                  line_place(), "repair the file or take it out");
+    if (fields_.size() != columns_.columns.size()) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("expected {} fields, found {}", columns_.columns.size(), fields_.size()),
+          line_place(), "repair the file or take it out");
     }
     for (std::size_t c = 0; c < read_.size(); ++c) {
-      read_[c].values.resize(read_[c].values.size() + layout_.columns[c].size());
+      read_[c].values.resize(read_[c].values.size() + columns_.channels[c].size());
       read_[c].valid.resize(read_[c].values.size(), 1);
     }
     Result<void> read;
-    for (std::size_t i = 0; read && i < columns_.size(); ++i) {
-      if (columns_[i].use == Use::kTime) read = read_time(fields_[i]);
-      if (columns_[i].use == Use::kValue) read = read_value(fields_[i], columns_[i].slot);
+    for (std::size_t i = 0; read && i < fields_.size(); ++i) {
+      read = read_field(fields_[i], columns_.columns[i]);
     }
-    return read;
+    return read.and_then([&] { return add_to_part(); });
+  }
+
+  Result<void> read_field(const CsvField& field, const CsvColumn& column) {
+    switch (column.use) {
+      case CsvUse::kNothing:
+        return {};
+      case CsvUse::kTime:
+        return read_time(field);
+      case CsvUse::kLabel:
+        return read_label(field, column.element);
+      case CsvUse::kValue:
+        return read_value(field, column);
+    }
+    return {};
+  }
+
+  Result<void> read_label(const CsvField& field, std::size_t label) {
+    const std::string& name = description_.trials.labels[label];
+    if (is_missing_label(field.text)) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the label '{}' is missing: {}", name, shown(field.text)),
+                  records_.place(field), "fill it in, take the row out, or leave the label out");
+    }
+    if (!is_name(field.text)) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("the label '{}' is not 1 to 255 bytes of text: {}", name, shown(field.text)),
+          records_.place(field), "correct it");
+    }
+    labels_[label] = field.text;
+    return {};
+  }
+
+  // Adds the row to the rows before it that have the same labels.
+  Result<void> add_to_part() {
+    const bool changes = parts_.empty() || parts_.back().values != labels_;
+    if (changes && !parts_.empty() && !divides_files(description_.trials)) {
+      return fail(ErrorKind::kData, "the labels of columns change within the file", line_place(),
+                  "divide it: write window = 500 or the like, or rows = \"explorations\"");
+    }
+    if (changes) parts_.push_back({rows_, 0, labels_});
+    ++parts_.back().rows;
+    ++rows_;
+    return {};
   }
 
   Result<void> read_time(const CsvField& field) {
@@ -187,9 +208,10 @@ class TrialReader {
                 records_.place(field), "repair the file or take it out");
   }
 
-  Result<void> read_value(const CsvField& field, const CsvSlot& slot) {
+  Result<void> read_value(const CsvField& field, const CsvColumn& slot) {
     Values& read = read_[slot.channel];
-    const std::size_t at = read.values.size() - layout_.columns[slot.channel].size() + slot.element;
+    const std::size_t at =
+        read.values.size() - columns_.channels[slot.channel].size() + slot.element;
     const auto [meaning, number] = read_csv_number<double>(field.text);
     if (meaning == CsvMeaning::kMissing && description_.trials.missing == MissingValues::kMask) {
       read.valid[at] = 0;
@@ -226,7 +248,7 @@ class TrialReader {
     channels.reserve(read_.size());
     for (std::size_t c = 0; c < read_.size(); ++c) {
       const CsvChannel& described = description_.channels[c];
-      const std::vector<std::string>& columns = layout_.columns[c];
+      const std::vector<std::string>& columns = columns_.channels[c];
       Channel channel{described.name, described.unit, columns, {}, {}};
       channel.shape = described.shape;
       if (!columns.empty()) fill(channel, read_[c]);
@@ -246,11 +268,15 @@ class TrialReader {
 
   const CsvImport& description_;
   const CsvLayout& layout_;
+  CsvFilesInCommon& common_;
   CsvRecords records_;
   std::string where_;
   char separator_ = ',';
   std::vector<CsvField> fields_;
-  std::vector<Column> columns_;
+  CsvColumns columns_;
+  std::vector<std::string> labels_;  // Of the row that was read last.
+  std::vector<LabelledRows> parts_;
+  std::size_t rows_ = 0;
   std::vector<Values> read_;  // Of each channel.
   std::vector<double> times_;
   double first_time_ = 0.0;
@@ -258,32 +284,16 @@ class TrialReader {
 
 }  // namespace
 
-Result<CsvLayout> csv_layout_of(const CsvImport& description) {
-  CsvLayout layout;
-  layout.columns.reserve(description.channels.size());
-  for (const CsvChannel& channel : description.channels) {
-    auto columns = expand_columns(channel.columns);
-    if (!columns) return fail(std::move(columns.error()));
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      layout.slots[(*columns)[i]] = {layout.columns.size(), i};
-    }
-    layout.columns.push_back(std::move(*columns));
-  }
-  auto ignored = expand_columns(description.trials.ignore);
-  if (!ignored) return fail(std::move(ignored.error()));
-  layout.ignored.insert(ignored->begin(), ignored->end());
-  return layout;
-}
-
 std::optional<float> csv_value(const CsvChannel& channel, double number) {
   const double value = scaled(channel, number);
   if (!(std::fabs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
   return static_cast<float>(value);
 }
 
-Result<std::vector<Channel>> read_csv_trial(const CsvImport& description, const CsvLayout& layout,
-                                            std::string_view text, const std::string& where) {
-  return TrialReader(description, layout, text, where).read();
+Result<CsvTrial> read_csv_trial(const CsvImport& description, const CsvLayout& layout,
+                                CsvFilesInCommon& common, std::string_view text,
+                                const std::string& where) {
+  return TrialReader(description, layout, common, text, where).read();
 }
 
 }  // namespace somato

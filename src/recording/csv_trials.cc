@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,7 +12,9 @@
 
 #include "files/csv_number.h"
 #include "files/text.h"
+#include "recording/csv_import_check.h"
 #include "recording/csv_trial_reader.h"
+#include "recording/csv_windows.h"
 #include "recording/trial_files.h"
 #include "somato/files/whole_file.h"
 
@@ -18,57 +22,145 @@ namespace somato {
 namespace {
 
 // The frame of a channel that is made of a label.
-Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const TrialFile& trial) {
-  for (const Label& label : trial.labels) {
-    if (label.name != channel.from_label) continue;
-    const auto [meaning, number] = read_csv_number<double>(label.value);
-    const auto value =
-        meaning == CsvMeaning::kNumber ? csv_value(channel, number) : std::optional<float>();
-    if (value) return Matrix<float>(1, 1, *value);
-    return fail(ErrorKind::kData,
-                fmt::format("label '{}' is {}, which is no number for channel '{}'", label.name,
-                            shown(label.value), channel.name),
-                trial.path, "rename the file or take it out");
-  }
-  return fail(unknown_name("label", channel.from_label, trial.path, {}));
+Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const Exploration& exploration) {
+  const auto value = find_label(exploration, channel.from_label);
+  if (!value) return fail(value.error());
+  const auto [meaning, number] = read_csv_number<double>(*value);
+  const auto kept =
+      meaning == CsvMeaning::kNumber ? csv_value(channel, number) : std::optional<float>();
+  if (kept) return Matrix<float>(1, 1, *kept);
+  return fail(ErrorKind::kData,
+              fmt::format("label '{}' is {}, which is no number for channel '{}'",
+                          channel.from_label, shown(*value), channel.name),
+              exploration.source, "rename the file or take it out");
 }
 
-Result<Exploration> read_trial(const CsvImport& description, const CsvLayout& layout,
-                               const TrialFile& trial) {
-  const Result<std::string> bytes = read_whole(trial.path);
-  if (!bytes) return fail(bytes.error());
-  auto channels = text_of(*bytes, trial.path).and_then([&](std::string_view text) {
-    return read_csv_trial(description, layout, text, trial.path);
-  });
-  if (!channels) return fail(std::move(channels.error()));
-  for (std::size_t c = 0; c < channels->size(); ++c) {
+Result<void> fill_from_labels(const CsvImport& description, Exploration& exploration) {
+  for (std::size_t c = 0; c < exploration.channels.size(); ++c) {
     if (description.channels[c].from_label.empty()) continue;
-    auto frame = frame_of_label(description.channels[c], trial);
+    auto frame = frame_of_label(description.channels[c], exploration);
     if (!frame) return fail(std::move(frame.error()));
-    (*channels)[c].frames = std::move(*frame);
+    exploration.channels[c].frames = std::move(*frame);
   }
-  return Exploration{trial.labels, trial.path, std::move(*channels)};
+  return {};
 }
+
+// The labels of the `number`th exploration of a file, whose columns give `values`.
+std::vector<Label> labels_of(const CsvTrials& trials, const TrialFile& file,
+                             const std::vector<std::string>& values, std::size_t number) {
+  std::vector<Label> labels = file.labels;
+  for (std::size_t i = 0; i < values.size(); ++i) labels.push_back({trials.labels[i], values[i]});
+  if (!divides_files(trials)) return labels;
+  labels.push_back({kFileLabel, file.name});
+  labels.push_back({trials.window ? kWindowLabel : kRowLabel, std::to_string(number)});
+  return labels;
+}
+
+Result<CsvTrial> read_trial(const CsvImport& description, const CsvLayout& layout,
+                            CsvFilesInCommon& common, const TrialFile& file) {
+  const Result<std::string> bytes = read_whole(file.path);
+  if (!bytes) return fail(bytes.error());
+  return text_of(*bytes, file.path).and_then([&](std::string_view text) {
+    return read_csv_trial(description, layout, common, text, file.path);
+  });
+}
+
+Result<std::vector<TrialFile>> files_at(const std::filesystem::path& path,
+                                        const CsvTrials& trials) {
+  if (trials.files.empty()) {
+    if (is_one_file(path))
+      return std::vector<TrialFile>{{path.string(), path.filename().string(), {}}};
+    return fail(ErrorKind::kUsage, "'files' is missing, which a folder needs", path.string(),
+                "write files = \"{object}_{trial:number}.csv\" or the like, or give one file");
+  }
+  const NamePattern pattern = NamePattern::parse(trials.files, false).value();
+  return find_trial_files(path, pattern, trials.other_files == Unmentioned::kIgnore);
+}
+
+Result<void> check_name(const CsvTrials& trials, const TrialFile& file) {
+  if (!divides_files(trials) || is_name(file.name)) return {};
+  return fail(ErrorKind::kData,
+              "the name of the file, a label, is not 1 to 255 bytes of UTF-8 text", file.path,
+              "rename the file or its folder");
+}
+
+// Makes the explorations of one file after the other.
+class TrialImport {
+ public:
+  TrialImport(const CsvImport& description, const CsvLayout& layout)
+      : description_(description), layout_(layout) {}
+
+  Result<void> add(const TrialFile& file) {
+    if (auto named = check_name(description_.trials, file); !named) return named;
+    auto trial = read_trial(description_, layout_, common_, file);
+    if (!trial) return fail(std::move(trial.error()));
+    const CsvWindows divided = windows_of(description_.trials, trial->parts);
+    left_out_.rows += divided.left_out;
+    left_out_.files += divided.windows.empty() ? 1 : 0;
+    longest_ = std::max(longest_, longest_part(trial->parts));
+    Result<void> added;
+    for (std::size_t i = 0; added && i < divided.windows.size(); ++i) {
+      added = add_window(file, *trial, divided.windows[i], i + 1);
+    }
+    return added;
+  }
+
+  Result<Recording> finish(const std::string& where) {
+    if (auto used = common_.check_ignored(layout_, where); !used) return fail(used.error());
+    if (!recording_.explorations.empty()) return std::move(recording_);
+    const bool labelled = !description_.trials.labels.empty();
+    return fail(ErrorKind::kData,
+                fmt::format("no file has {} rows{}; the most are {}",
+                            description_.trials.window.value_or(1),
+                            labelled ? " with the same labels one after the other" : "", longest_),
+                where, "make 'window' smaller");
+  }
+
+  const CsvLeftOut& left_out() const { return left_out_; }
+
+ private:
+  static std::size_t longest_part(const std::vector<LabelledRows>& parts) {
+    std::size_t longest = 0;
+    for (const LabelledRows& part : parts) longest = std::max(longest, part.rows);
+    return longest;
+  }
+
+  Result<void> add_window(const TrialFile& file, const CsvTrial& trial, const CsvWindow& window,
+                          std::size_t number) {
+    const std::vector<std::string>& values = trial.parts[window.part].values;
+    Exploration exploration{labels_of(description_.trials, file, values, number), file.path, {}};
+    exploration.channels.reserve(trial.channels.size());
+    for (const Channel& channel : trial.channels) {
+      exploration.channels.push_back(cut(channel, window));
+    }
+    Result<void> filled = fill_from_labels(description_, exploration);
+    if (filled) recording_.explorations.push_back(std::move(exploration));
+    return filled;
+  }
+
+  const CsvImport& description_;
+  const CsvLayout& layout_;
+  CsvFilesInCommon common_;
+  Recording recording_;
+  CsvLeftOut left_out_;
+  std::size_t longest_ = 0;
+};
 
 }  // namespace
 
 Result<Recording> import_csv_trials(const std::filesystem::path& folder,
-                                    const CsvImport& description) {
+                                    const CsvImport& description, CsvLeftOut* left_out) {
   if (auto checked = check_csv_import(description); !checked) return fail(checked.error());
   const Result<CsvLayout> layout = csv_layout_of(description);
   if (!layout) return fail(layout.error());
-  const NamePattern pattern = NamePattern::parse(description.trials.files).value();
-  const bool ignore_others = description.trials.other_files == Unmentioned::kIgnore;
-  const auto trials = find_trial_files(folder, pattern, ignore_others);
-  if (!trials) return fail(trials.error());
-  Recording recording;
-  recording.explorations.reserve(trials->size());
-  for (const TrialFile& trial : *trials) {
-    auto exploration = read_trial(description, *layout, trial);
-    if (!exploration) return fail(std::move(exploration.error()));
-    recording.explorations.push_back(std::move(*exploration));
+  const auto files = files_at(folder, description.trials);
+  if (!files) return fail(files.error());
+  TrialImport import(description, *layout);
+  for (const TrialFile& file : *files) {
+    if (auto added = import.add(file); !added) return fail(std::move(added.error()));
   }
-  return recording;
+  if (left_out) *left_out = import.left_out();
+  return import.finish(folder.string());
 }
 
 }  // namespace somato

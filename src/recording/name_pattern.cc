@@ -69,7 +69,7 @@ Result<void> NamePattern::add_label(std::string_view inside) {
   return {};
 }
 
-Result<NamePattern> NamePattern::parse(std::string_view text) {
+Result<NamePattern> NamePattern::parse(std::string_view text, bool needs_labels) {
   NamePattern pattern;
   pattern.text_ = text;
   for (;;) {
@@ -88,7 +88,7 @@ Result<NamePattern> NamePattern::parse(std::string_view text) {
     if (!added) return fail(std::move(added.error()));
     text.remove_prefix(close + 1);
   }
-  if (!pattern.parts_.empty()) return pattern;
+  if (!needs_labels || !pattern.parts_.empty()) return pattern;
   return bad_pattern("the pattern has no labels");
 }
 
@@ -100,7 +100,7 @@ std::vector<std::string> NamePattern::labels() const {
 }
 
 std::string NamePattern::extension() const {
-  const std::string& end = parts_.back().behind;
+  const std::string& end = parts_.empty() ? before_ : parts_.back().behind;
   const std::size_t dot = end.rfind('.');
   return dot == std::string::npos ? std::string() : end.substr(dot);
 }

@@ -18,9 +18,10 @@ namespace somato {
 /// file's path.
 class NamePattern {
  public:
-  /// Errors (kUsage): no labels, a label without name or named twice, a brace without its
-  /// counterpart, two labels that touch, a name with another narrowing than `number`.
-  static Result<NamePattern> parse(std::string_view text);
+  /// Errors (kUsage): no labels where it `needs_labels`, a label without name or named twice, a
+  /// brace without its counterpart, two labels that touch, a name with another narrowing than
+  /// `number`.
+  static Result<NamePattern> parse(std::string_view text, bool needs_labels = true);
 
   const std::string& text() const { return text_; }
 

@@ -178,17 +178,6 @@ Result<void> check_like(const Channel& channel, const Channel& first) {
                     first.element_names);
 }
 
-Result<void> check_like(const Exploration& exploration, const Exploration& first) {
-  Result<void> checked =
-      check_same("labels", names_of(exploration.labels), names_of(first.labels)).and_then([&] {
-        return check_same("channels", names_of(exploration.channels), names_of(first.channels));
-      });
-  for (std::size_t i = 0; checked && i < exploration.channels.size(); ++i) {
-    checked = check_like(exploration.channels[i], first.channels[i]);
-  }
-  return checked;
-}
-
 }  // namespace
 
 std::vector<std::size_t> Channel::frame_shape() const {
@@ -224,12 +213,23 @@ Result<std::vector<std::string>> label_values(const Recording& recording, std::s
   return values;
 }
 
+Result<void> check_alike(const Exploration& exploration, const Exploration& first) {
+  Result<void> checked =
+      check_same("labels", names_of(exploration.labels), names_of(first.labels)).and_then([&] {
+        return check_same("channels", names_of(exploration.channels), names_of(first.channels));
+      });
+  for (std::size_t i = 0; checked && i < exploration.channels.size(); ++i) {
+    checked = check_like(exploration.channels[i], first.channels[i]);
+  }
+  return checked;
+}
+
 Result<void> validate(const Recording& recording) {
   if (recording.explorations.empty()) return bad_data("the recording has no explorations");
   for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
     const Exploration& exploration = recording.explorations[i];
     Result<void> checked = check_alone(exploration).and_then([&] {
-      return check_like(exploration, recording.explorations.front());
+      return check_alike(exploration, recording.explorations.front());
     });
     if (checked) continue;
     checked.error().where = place(recording, i);

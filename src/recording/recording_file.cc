@@ -11,6 +11,7 @@
 #include "recording/frame_writer.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_reader.h"
+#include "somato/core/memory.h"
 #include "somato/recording/recording_reader.h"
 
 namespace somato {
@@ -165,12 +166,16 @@ Result<void> write_recording(const std::string& path, const Recording& recording
 }
 
 Result<Recording> read_recording(const std::string& path) {
-  Result<RecordingReader> reader = RecordingReader::open(path);
+  // What grows takes three times its size for a moment.
+  Result<RecordingReader> reader = RecordingReader::open(path, free_memory() / 3);
   if (!reader) return fail(std::move(reader.error()));
   Recording recording;
   for (;;) {
     Result<std::optional<Exploration>> exploration = reader->next();
-    if (!exploration) return fail(std::move(exploration.error()));
+    if (!exploration) {
+      if (exploration.error().where.empty()) exploration.error().where = path;
+      return fail(std::move(exploration.error()));
+    }
     if (!*exploration) return recording;
     recording.explorations.push_back(std::move(**exploration));
   }

@@ -1,11 +1,14 @@
 #include "somato/recording/recording_reader.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 
 #include "recording/mcap_reader.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_interpreter.h"
+#include "somato/core/memory.h"
 
 namespace somato {
 namespace {
@@ -50,7 +53,8 @@ Channel made(const ChannelDescription& description, std::size_t elements, Collec
 
 class RecordingReader::State {
  public:
-  explicit State(McapReader file) : file_(std::move(file)), interpreter_(file_) {}
+  State(McapReader file, std::size_t most_memory)
+      : file_(std::move(file)), interpreter_(file_), most_memory_(most_memory) {}
   State(const State&) = delete;
   State(State&&) = delete;
   State& operator=(const State&) = delete;
@@ -76,11 +80,22 @@ class RecordingReader::State {
     if (!meaning) return fail(meaning.error());
     if (*meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
     if (*meaning == Meaning::kFrame) {
+      if (auto fits = take_memory(interpreter_.frame()); !fits) return fail(fits.error());
       channels_.resize(interpreter_.channels().size());
       add_frame(channels_[interpreter_.frame().channel], interpreter_.frame());
     }
     if (*meaning == Meaning::kEnd) return take();
     return std::optional<Exploration>();
+  }
+
+  // A small file can unpack to frames that no machine holds.
+  Result<void> take_memory(const RecordingInterpreter::Frame& frame) {
+    taken_ += frame.values.size() * sizeof(float) + frame.valid.size() + sizeof(double);
+    if (taken_ <= most_memory_) return {};
+    return fail(ErrorKind::kSystem,
+                fmt::format("its frames take more than the {} of memory that there are for them",
+                            memory_text(static_cast<double>(most_memory_))),
+                {}, "use a shorter recording, or a machine with more memory");
   }
 
   Result<std::optional<Exploration>> finish() {
@@ -105,6 +120,8 @@ class RecordingReader::State {
   McapReader file_;
   RecordingInterpreter interpreter_;
   std::vector<CollectedChannel> channels_;
+  std::size_t most_memory_;
+  std::size_t taken_ = 0;  // bytes of all frames so far
   bool done_ = false;
 };
 
@@ -113,10 +130,10 @@ RecordingReader::RecordingReader(RecordingReader&& other) noexcept = default;
 RecordingReader& RecordingReader::operator=(RecordingReader&& other) noexcept = default;
 RecordingReader::~RecordingReader() = default;
 
-Result<RecordingReader> RecordingReader::open(const std::string& path) {
+Result<RecordingReader> RecordingReader::open(const std::string& path, std::size_t most_memory) {
   Result<McapReader> file = McapReader::open(operating_system(), path);
   if (!file) return fail(std::move(file.error()));
-  return RecordingReader(std::make_unique<State>(std::move(*file)));
+  return RecordingReader(std::make_unique<State>(std::move(*file), most_memory));
 }
 
 Result<std::optional<Exploration>> RecordingReader::next() {

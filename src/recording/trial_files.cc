@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <system_error>
 #include <utility>
 
 #include "files/text.h"
@@ -46,20 +47,27 @@ tl::unexpected<Error> misfit(const std::filesystem::path& file, const NamePatter
 
 }  // namespace
 
+bool is_one_file(const std::filesystem::path& path) {
+  std::error_code missing;
+  return std::filesystem::is_regular_file(path, missing);
+}
+
 Result<std::vector<TrialFile>> find_trial_files(const std::filesystem::path& folder,
                                                 const NamePattern& pattern, bool pass_over_others) {
-  const auto files = files_below(folder, pattern.extension());
+  const bool one_file = is_one_file(folder);
+  const auto files = one_file ? Result<std::vector<std::string>>({folder.filename().string()})
+                              : files_below(folder, pattern.extension());
   if (!files) return fail(files.error());
   std::vector<TrialFile> trials;
   for (const std::string& file : *files) {
-    const std::filesystem::path path = folder / file;
-    auto labels = pattern.match(file);
+    const std::filesystem::path path = one_file ? folder : folder / file;
+    auto labels = pattern.match(one_file ? folder.generic_string() : file);
     if (!labels) {
       labels.error().where = path.string();
       return fail(std::move(labels.error()));
     }
     if (!*labels && !pass_over_others) return misfit(path, pattern);
-    if (*labels) trials.push_back({path.string(), std::move(**labels)});
+    if (*labels) trials.push_back({path.string(), file, std::move(**labels)});
   }
   auto checked = refuse_no_text(trials).and_then([&] { return refuse_twins(trials); });
   if (!checked) return fail(std::move(checked.error()));

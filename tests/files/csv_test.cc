@@ -93,6 +93,16 @@ TEST(Csv, RefusesALabelColumnThatIsNotThere) {
   EXPECT_FALSE(parse_csv("kind\ncup\n", "f", label("kind"))) << "no numbers are left";
 }
 
+TEST(Csv, RefusesALabelColumnThatCouldBeEither) {
+  const char* const text = "kind,a,kind\ncup,1,red\nball,2,blue\n";
+  const Error error = parse_csv(text, "f", label("kind")).error();
+  EXPECT_EQ(error.kind, ErrorKind::kUsage);
+  EXPECT_EQ(error.what, "two columns are named 'kind'");
+  CsvOptions options = label("3");
+  options.columns.use = {"a"};
+  EXPECT_EQ(parse_csv(text, "f", options)->labels, (Names{"red", "blue"}));
+}
+
 TEST(Csv, ReadsQuotedFields) {
   const NumberTable table =
       parse_csv("a,\"b, \"\"c\"\"\",d\n1,2,\"two\r\nlines\"\n\"3\" , 4,\" x \"\n", "f", label("d"))
@@ -136,8 +146,98 @@ TEST(Csv, SaysWhereAndWhatIsWrong) {
   expect_refused("\"a\nb\",c\n1,x\n", "f:3:3", "'x' is not a number");
 }
 
-TEST(Csv, AdvisesADecimalPoint) {
-  EXPECT_EQ(parse_csv("1;2\n1,5;2\n", "f").error().advice, "write decimals with a point");
+CsvOptions decimal_comma() {
+  CsvOptions options;
+  options.decimal = ',';
+  return options;
+}
+
+TEST(Csv, NeverGuessesWhatACommaInANumberMarks) {
+  for (const char* text :
+       {"1;2\n1,5;2\n", "1,5;2\n3;4\n", "a;b\n1,5;2\n", "a,b\n\"1,000\",2\n", "1;2\n-1,5e3;2\n"}) {
+    const Result<NumberTable> table = parse_csv(text, "f");
+    ASSERT_FALSE(table) << text;
+    EXPECT_NE(table.error().what.find("is not a number"), std::string::npos) << text;
+    EXPECT_NE(table.error().advice.find("--decimal comma"), std::string::npos) << text;
+  }
+  for (const char* text : {"a;b\n1,5,2;2\n", "a;b\n1.000,5;2\n", "a;b\n1,;x\n", "a;b\nx,1;2\n"}) {
+    const Result<NumberTable> table = parse_csv(text, "f");
+    ASSERT_FALSE(table) << text;
+    EXPECT_EQ(table.error().advice.find("pass --decimal comma") != std::string::npos,
+              std::string(text) == "a;b\n1,;x\n")
+        << text << table.error().advice;
+  }
+}
+
+TEST(Csv, ReadsDecimalCommas) {
+  const auto read = [](const char* text) { return parse_csv(text, "f", decimal_comma()); };
+  const Matrix<float> expected = matrix(2, {1.5f, -2, 0.25f, 3000});
+  for (const char* text : {"1,5;-2\n,25;3e3\n", "1,5\t-2,0\n+0,25\t3,0e3\n", "1,5 -2\n0,25 3000\n",
+                           "1,5;-2,\n\"0,25\";3000\n", "1,50000000;-2\n0,250000000;3000\n"}) {
+    ASSERT_TRUE(read(text)) << text << to_string(read(text).error());
+    EXPECT_EQ(read(text)->values, expected) << text;
+    EXPECT_TRUE(read(text)->names.empty()) << "the first row was taken for names: " << text;
+  }
+  EXPECT_EQ(read("x\n1,5\n2\n")->values, matrix(2, {1.5f, 2})) << "a single column";
+  EXPECT_EQ(read("a;b\n1,5;2\n")->names, (Names{"a", "b"}));
+}
+
+TEST(Csv, RefusesWhatADecimalCommaMakesUnclear) {
+  for (const char* text : {"a,b\n1,2\n", "1,5\n2,5\n", "\"1,5\",2\n"}) {
+    const Result<NumberTable> table = parse_csv(text, "f", decimal_comma());
+    ASSERT_FALSE(table) << text;
+    EXPECT_EQ(table.error().kind, ErrorKind::kUsage);
+    EXPECT_NE(table.error().what.find("commas separate the fields"), std::string::npos);
+  }
+  for (const char* text : {"a;b\n1.5;2\n", "a;b\n1.000,5;2\n", "a;b\n1,000,5;2\n"}) {
+    const Result<NumberTable> table = parse_csv(text, "f", decimal_comma());
+    ASSERT_FALSE(table) << text;
+    EXPECT_EQ(table.error().where, "f:2:1");
+    EXPECT_NE(table.error().what.find("is not a number"), std::string::npos);
+  }
+  CsvOptions options = decimal_comma();
+  options.decimal = '\'';
+  EXPECT_THROW((void)parse_csv("1", "f", options), InvalidArgument);
+}
+
+TEST(Csv, ReadsTheColumnsThatAreChosen) {
+  CsvOptions options = label("kind");
+  options.columns.skip = {"note", "n*2"};
+  const NumberTable table =
+      parse_csv("n1,note,kind,n2,n3\n1,red,cup,inf,2\n3,,ball,?,4\n", "f", options).value();
+  EXPECT_EQ(table, (NumberTable{{"n1", "n3"}, matrix(2, {1, 2, 3, 4}), {"cup", "ball"}}));
+  options = {};
+  options.columns.features = {"c", "a"};
+  EXPECT_EQ(parse_csv("a,b,c\n1,x,2\n3,y,4\n", "f", options)->values, matrix(2, {2, 1, 4, 3}))
+      << "in the order that is wanted";
+  options = {};
+  options.columns.skip = {"2"};
+  EXPECT_EQ(parse_csv("1,red,2\n3,green,4\n", "f", options)->values, matrix(2, {1, 2, 3, 4}))
+      << "text that is left out makes no header";
+  EXPECT_EQ(parse_csv("a,b\n1,2\n", "f", options).error().advice,
+            "its columns have names: choose them by name");
+}
+
+TEST(Csv, NamesAllColumnsOfTextInTheFirstRow) {
+  const std::string advice = parse_csv("a,b,c,d\n1,x,2,y\n", "f").error().advice;
+  EXPECT_NE(advice.find("--label-column"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("--skip 'b,d'"), std::string::npos) << advice;
+  EXPECT_EQ(parse_csv("a,b\n1,2\n1,x\n", "f").error().advice.find("hold text"), std::string::npos)
+      << "later it is a mistake";
+}
+
+TEST(Csv, KeepsMissingNumbersAsNaN) {
+  CsvOptions options;
+  options.keeps_missing = true;
+  const NumberTable table = parse_csv("a,b\n1,\nNA,2\n nan ,-\n", "f", options).value();
+  const std::vector<bool> missing{false, true, true, false, true, true};
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    EXPECT_EQ(std::isnan(table.values.values()[i]), missing[i]) << i;
+  }
+  EXPECT_EQ(table.values(1, 1), 2.0f);
+  for (const char* text : {"1,inf\n", "a,b\n1,x\n", "1,1e39\n"}) {
+    EXPECT_FALSE(parse_csv(text, "f", options)) << text;
+  }
 }
 
 TEST(Csv, RefusesWhatHasNoRows) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -67,9 +68,9 @@ void expect_as_whole(const std::string& path, const CsvOptions& options = {}) {
     EXPECT_EQ(parts->values, std::vector<float>(values.begin(), values.end()));
     EXPECT_EQ(parts->labels, whole->labels);
     const auto source = open_numbers(path, options, bytes);
-    EXPECT_EQ((*source)->names(), whole->names);
+    EXPECT_EQ((*source)->columns().feature_names(), whole->names);
     EXPECT_EQ((*source)->size(), whole->values.columns());
-    EXPECT_EQ((*source)->has_labels(), !whole->labels.empty());
+    EXPECT_EQ((*source)->columns().label.has_value(), !whole->labels.empty());
   }
 }
 
@@ -89,6 +90,111 @@ TEST(NumberSource, PartsHoldAsManyRowsAsAreAllowed) {
     EXPECT_EQ(read_parts(folder.file(name), 1)->counts, std::vector<std::size_t>(10, 1));
     EXPECT_EQ(read_parts(folder.file(name), 120)->counts, (std::vector<std::size_t>{10}));
   }
+}
+
+// Three columns of which the second is chosen away: numbers beside it may be anything.
+TEST(NumberSource, ReadsTheChosenColumnsOfNpyInPartsAsAtOnce) {
+  const TemporaryFolder folder;
+  Matrix<float> matrix(3, 3, {1, 2, 3, 4, std::numeric_limits<float>::infinity(), 6, 7, 8, 9});
+  std::string rows_first = encode_npy(matrix);
+  std::string columns_first = encode_npy(
+      Matrix<float>(3, 3, {1, 4, 7, 2, std::numeric_limits<float>::infinity(), 8, 3, 6, 9}));
+  const std::size_t order = columns_first.find("False");
+  columns_first.replace(order, 5, "True ");
+  CsvOptions options;
+  options.columns.skip = {"2"};
+  for (const std::string& bytes : {rows_first, columns_first}) {
+    const std::string path = folder.with("x", bytes);
+    EXPECT_EQ(read_numbers(path, options)->values, Matrix<float>(3, 2, {1, 3, 4, 6, 7, 9}));
+    expect_as_whole(path, options);
+    EXPECT_FALSE(read_numbers(path));
+  }
+  options.columns.skip = {"2", "4"};
+  expect_as_whole(folder.file("x"), options);
+  options.columns.skip = {"a"};
+  expect_as_whole(folder.file("x"), options);
+}
+
+TEST(NumberSource, KeepsMissingNumbersOfNpyButNoInfiniteOnes) {
+  const TemporaryFolder folder;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CsvOptions options;
+  options.keeps_missing = true;
+  const auto path = folder.with("x", encode_npy(Matrix<float>(2, 2, {1, nan, 3, 4})));
+  const auto parts = read_parts(path, 1, {.columns = {{"1"}, {}, {}}, .keeps_missing = true});
+  EXPECT_EQ(parts->values, (std::vector<float>{1, 3}));
+  const NumberTable table = read_numbers(path, options).value();
+  EXPECT_TRUE(std::isnan(table.values(0, 1)));
+  EXPECT_EQ(table.values(1, 1), 4.0F);
+  const Error refused = read_numbers(path).error();
+  EXPECT_NE(to_string(refused).find("row 1, column 2"), std::string::npos) << to_string(refused);
+  EXPECT_NE(refused.advice.find("--missing"), std::string::npos);
+  folder.with("x", encode_npy(Matrix<float>(2, 2, {1, -1.0F / 0.0F, 3, 4})));
+  EXPECT_FALSE(read_numbers(path, options));
+  expect_as_whole(path, options);
+}
+
+// A boolean that is neither 0 nor 1 is damage, not a missing value.
+TEST(NumberSource, TakesADamagedBooleanForNoMissingNumber) {
+  const TemporaryFolder folder;
+  std::string bytes = encode_npy(Matrix<float>(1, 1, 1.0F));
+  bytes.replace(bytes.find("<f4"), 3, "|b1").resize(bytes.size() - 3);
+  bytes.back() = 2;
+  CsvOptions options;
+  options.keeps_missing = true;
+  EXPECT_FALSE(read_numbers(folder.with("x", bytes), options));
+  bytes.back() = 1;
+  EXPECT_EQ(read_numbers(folder.with("x", bytes), options)->values(0, 0), 1.0F);
+}
+
+TEST(NumberSource, ReadsChosenColumnsOfTextInPartsAsAtOnce) {
+  const TemporaryFolder folder;
+  CsvOptions options;
+  options.columns.skip = {"note", "*c"};
+  options.label_column = "kind";
+  options.decimal = ',';
+  expect_as_whole(folder.with("x", "note;a;kind;b;cc\nx;1,5;cup;2;?\ny;3;ball;4,25;z\n"), options);
+  EXPECT_EQ(read_numbers(folder.file("x"), options)->values,
+            Matrix<float>(2, 2, {1.5F, 2, 3, 4.25F}));
+  options.columns.features = {"b", "a"};
+  expect_as_whole(folder.file("x"), options);
+  EXPECT_EQ(read_numbers(folder.file("x"), options)->values,
+            Matrix<float>(2, 2, {2, 1.5F, 4.25F, 3}));
+  options.columns.features = {"b", "d"};
+  expect_as_whole(folder.file("x"), options);
+}
+
+TEST(NumberSource, OfBytesIsOnePartAgainAndAgain) {
+  for (const std::string& bytes :
+       {std::string("1,2\n3,4\n"), encode_npy(Matrix<float>(2, 2, {1, 2, 3, 4}))}) {
+    auto source = numbers_in(bytes, "f", {.columns = {{"2"}, {}, {}}}).value();
+    for (int i = 0; i < 2; ++i) {
+      ASSERT_TRUE(source->rewind());
+      const auto part = source->next_part().value();
+      ASSERT_TRUE(part);
+      EXPECT_EQ(part->samples.count(), 2U);
+      EXPECT_EQ(part->samples[1].values[0], 4.0F);
+      EXPECT_FALSE(source->next_part().value());
+    }
+    EXPECT_EQ(source->columns().left_out(), (std::vector<std::size_t>{0}));
+  }
+  EXPECT_EQ(to_string(numbers_in("1,x\n", "f", {.header = false}).error()).substr(0, 6), "f:1:3:");
+}
+
+// By hand: twelve numbers of four bytes, three times; the shortest rows that there can be.
+TEST(NumberSource, KnowsHowMuchMemoryItsRowsTakeAtMost) {
+  const TemporaryFolder folder;
+  const std::string npy = folder.with("x.npy", encode_npy(numbered(4, 3)));
+  const std::string csv = folder.with("x.csv", "1,2,3\n4,5,6\n7,8,9\n1,2,3\n");  // 24 bytes
+  CsvOptions options;
+  EXPECT_EQ(open_numbers(npy, options, 8).value()->memory_of_all(), 3 * 48);
+  EXPECT_EQ(open_numbers(csv, options, 8).value()->memory_of_all(), 4 * 48);
+  options.keeps_missing = true;
+  EXPECT_EQ(open_numbers(csv, options, 8).value()->memory_of_all(), 4 * 96);
+  options.keeps_missing = false;
+  options.columns.skip = {"2"};
+  EXPECT_EQ(open_numbers(npy, options, 8).value()->memory_of_all(), 3 * 32);
+  EXPECT_DOUBLE_EQ(open_numbers(csv, options, 8).value()->memory_of_all(), 4 * 24 / 5.0 * 2 * 4);
 }
 
 // Every seed input of the fuzzers, wrong ones too, and each cut off anywhere.

@@ -47,7 +47,7 @@ NeuronLabels some_labels(std::size_t neurons, std::size_t classes) {
 
 // A model with those of its parts that the bits of `which` choose.
 SomModel model_of(const Som& som, unsigned which, Random& random) {
-  SomModel model{som, {}, {}, {}, {}};
+  SomModel model{som, {}, {}, {}, {}, {}};
   const std::size_t size = som.input_size();
   if (which & 1U) model.features = hostile_names(size, random.below(10));
   if (which & 2U) {
@@ -56,6 +56,9 @@ SomModel model_of(const Som& som, unsigned which, Random& random) {
       model.standardization->means.push_back(random.normal() * 1e10);
       model.standardization->deviations.push_back(d == 0 ? 0.0 : random.uniform());
     }
+  }
+  if (which & 8U) {
+    for (std::size_t d = 0; d < size; ++d) model.means.push_back(random.normal() * 1e10);
   }
   if (which & 4U) {
     model.classes = hostile_names(1 + random.below(6), random.below(10));
@@ -76,13 +79,14 @@ void expect_same(const SomModel& loaded, const SomModel& model) {
   }
   EXPECT_EQ(loaded.classes, model.classes);
   EXPECT_EQ(loaded.labels, model.labels);
+  EXPECT_EQ(loaded.means, model.means);
 }
 
 TEST(SomModel, IsTheSameWhenLoaded) {
   const TemporaryFolder folder;
   Random random(3);
   for (const testing::Variant& variant : testing::all_variants()) {
-    for (unsigned which = 0; which < 8; ++which) {
+    for (unsigned which = 0; which < 16; ++which) {
       const Som som = testing::trained_som(variant, 1 + random.below(5), random);
       const SomModel model = model_of(som, which, random);
       ASSERT_TRUE(save_som_model(folder.file("a"), model));
@@ -119,6 +123,17 @@ TEST(SomModel, PreparesSamplesAsItWasTrained) {
   EXPECT_THROW((void)small_model().prepare(Samples(Matrix<float>(1, 2))), InvalidArgument);
 }
 
+TEST(SomModel, FillsWithItsMeansOrThoseOfItsStandardization) {
+  SomModel model = small_model();
+  EXPECT_EQ(model.fill_values(), (std::vector<double>{1, 2, 3}));
+  model.means = {4, 5, 6};
+  EXPECT_EQ(model.fill_values(), (std::vector<double>{4, 5, 6}));
+  model.standardization.reset();
+  EXPECT_EQ(model.fill_values(), (std::vector<double>{4, 5, 6}));
+  model.means.clear();
+  EXPECT_TRUE(model.fill_values().empty());
+}
+
 TEST(SomModel, RefusesToSaveWhatCouldNotBeLoaded) {
   const TemporaryFolder folder;
   const auto refused = [&](const auto& spoil) {
@@ -134,6 +149,7 @@ TEST(SomModel, RefusesToSaveWhatCouldNotBeLoaded) {
   refused([](SomModel& m) { m.labels = NeuronLabels({2, 1}); });
   refused([](SomModel& m) { m.labels = NeuronLabels({{}, {}}); });
   refused([](SomModel& m) { m.classes.clear(); });
+  refused([](SomModel& m) { m.means = {1, 2}; });
   EXPECT_EQ(folder.count(), 0);
 }
 
@@ -207,6 +223,13 @@ TEST(SomModel, RefusesNamesThatCannotBe) {
     expect_part_refused(part, Array<float>{{1}, {0}}, "another type");
   }
   expect_part_refused("features", std::string("names = [\"x\", \"y\"]\n"), "do not fit the map");
+}
+
+TEST(SomModel, RefusesMeansThatCannotBe) {
+  expect_part_refused("means", Array<double>{{2}, {1, 2}}, "the means do not fit");
+  expect_part_refused("means", Array<double>{{1, 3}, {1, 2, 3}}, "the means do not fit");
+  expect_part_refused("means", Array<double>{{3}, {1, 2, std::nan("")}}, "an impossible number");
+  expect_part_refused("means", Array<float>{{3}, {1, 2, 3}}, "another type");
 }
 
 TEST(SomModel, RefusesAStandardizationThatCannotBe) {

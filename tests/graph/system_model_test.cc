@@ -19,6 +19,7 @@ using testing::dense;
 using testing::hand_recording;
 using testing::output_of;
 using testing::trained;
+using testing::try_build;
 using testing::with_part;
 using testing::without_part;
 
@@ -257,6 +258,59 @@ TEST(SystemModel, SaysWhyAFileCannotBeRead) {
   const auto model = load_system(folder.file("missing.somato"));
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().kind, ErrorKind::kSystem);
+}
+
+const std::string kJoints = "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n";
+const std::string kLast = "[module.closed]\ntype = \"last\"\ninput = \"joints\"\n";
+
+std::string automatic_map_of(const std::string& input, const std::string& more = "") {
+  return "[module.map]\ntype = \"som\"\ninput = \"" + input +
+         "\"\nrows = \"automatic\"\ncolumns = \"automatic\"\n" + more;
+}
+
+std::vector<std::size_t> shape_of_map(const System& system) {
+  return system.modules().back().output.shape;
+}
+
+// 5 sqrt(16) = 20 neurons: 4 x 5.
+TEST(AutomaticSize, FollowsTheExplorationsOrTheFrames) {
+  const Recording recording = hand_recording(16, 1);
+  const System of_explorations = build(kJoints + kLast + automatic_map_of("closed"), recording);
+  EXPECT_EQ(shape_of_map(of_explorations), (std::vector<std::size_t>{4, 5}));
+  const System of_frames = build(kJoints + automatic_map_of("joints"), recording);
+  const std::size_t frames = layout_of(recording).frames;  // of sound, 16 to 20 an exploration
+  SomParameters expected;
+  expected.rows.reset();
+  expected.columns.reset();
+  decide_size(expected, frames);
+  EXPECT_EQ(shape_of_map(of_frames), (std::vector<std::size_t>{*expected.rows, *expected.columns}));
+  EXPECT_GT(*expected.rows * *expected.columns, 60U) << "5 sqrt(16 x 16) = 80";
+}
+
+TEST(AutomaticSize, IsKeptByWhatHasLearned) {
+  const TemporaryFolder folder;
+  const Recording recording = hand_recording(16, 1);
+  for (const std::string& training : {std::string(), std::string("training = \"batch\"\n")}) {
+    const System system = trained(
+        build(kJoints + kLast + automatic_map_of("closed", training), recording), recording, 16);
+    ASSERT_TRUE(save_system(folder.file("s"), system, std::nullopt));
+    const auto loaded = load_system(folder.file("s"));
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    const auto elsewhere =
+        System::build(loaded->system.description(), layout_of(hand_recording(3, 2)));
+    ASSERT_TRUE(elsewhere) << to_string(elsewhere.error());
+    EXPECT_EQ(shape_of_map(*elsewhere), (std::vector<std::size_t>{4, 5}));
+  }
+}
+
+TEST(AutomaticSize, TakesARecording) {
+  const auto built =
+      try_build(kJoints + "shape = [3]\n" + kLast + automatic_map_of("closed"), Recording{});
+  ASSERT_FALSE(built);
+  EXPECT_EQ(built.error().kind, ErrorKind::kUsage);
+  EXPECT_NE(to_string(built.error()).find("the map's size is automatic, which takes a recording"),
+            std::string::npos)
+      << to_string(built.error());
 }
 
 }  // namespace

@@ -46,6 +46,15 @@ shared_files_are_there(objects)
 
 if(SIMULATION)
   run(${prefix}/bin/somato --version)
+  run(${CMAKE_COMMAND} -E chdir ${WORK} ${prefix}/bin/somato run systems/texture.toml --explain)
+  foreach(printed man/man1/somato.1 bash-completion/completions/somato zsh/site-functions/_somato
+          fish/vendor_completions.d/somato.fish somato/systems/texture.toml
+          somato/studies/fabricslide.toml somato/examples/synthetic_grasps/README.md)
+    file(SIZE ${prefix}/share/${printed} size)
+    if(size EQUAL 0)
+      message(FATAL_ERROR "${printed} was installed empty")
+    endif()
+  endforeach()
   build_and_run(simulation)
   # Without the engine that came along, if one did, only who wants simulated bodies is refused.
   file(GLOB_RECURSE engine ${prefix}/lib*/libmujoco*)

@@ -180,6 +180,7 @@ TEST_F(SessionThread, TrainsASystemAndReadsWithIt) {
   EXPECT_NE(state_of(session)["system_problem"], nullptr);
   EXPECT_EQ(state_of(session)["systems"][0]["learns"], true);
   EXPECT_EQ(state_of(session)["graph"]["map"], "map");
+  EXPECT_EQ(state_of(session)["label"], "object");
   EXPECT_FALSE(session.neuron("map", 0));
   command(session, R"({"command":"train"})");
   ASSERT_TRUE(eventually([&] { return state_of(session)["training"] == false; }));
@@ -359,6 +360,17 @@ TEST_F(SessionThread, ExploresWhatIsChosen) {
   // What was explored before can still be looked at, as it was seen.
   command(session, R"({"command":"seek","exploration":0,"frame":1})");
   EXPECT_EQ(frame_of(session)["poses"][0], 3.0);
+}
+
+TEST_F(SessionThread, DoesNotExploreAgainForTheFirstViewerAfterItsCommand) {
+  ViewSession session(body_source(), {true, 100.0, 0.0});
+  session.start();
+  command(session, R"({"command":"explore"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
+  const auto seat = session.hub().take_seat(1);
+  command(session, R"({"command":"speed","speed":1})");  // done after the viewer is welcomed
+  EXPECT_EQ(state_of(session)["live"], false);
+  EXPECT_EQ(state_of(session)["explorations"].size(), 1U);
 }
 
 TEST_F(SessionThread, EndsWhileABodyExplores) {

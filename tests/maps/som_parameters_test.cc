@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "somato/maps/som_training.h"
+
 namespace somato {
 namespace {
 
@@ -85,6 +87,63 @@ TEST(SomParameters, EveryDeclaredParameterCanBeSetAndReadBack) {
   EXPECT_EQ(p.rows, 7U);
   EXPECT_EQ(p.activity_norm, ActivityNorm::kMaximum);
   EXPECT_EQ(p.learning_rate_end, 0.25);
+}
+
+SomParameters automatic() {
+  SomParameters parameters;
+  parameters.rows.reset();
+  parameters.columns.reset();
+  return parameters;
+}
+
+SomParameters decided(SomParameters parameters, std::size_t samples) {
+  decide_size(parameters, samples);
+  return parameters;
+}
+
+// 5 sqrt(n) by hand: 316 samples 88.9 neurons, 10000 samples 500.
+TEST(MapSize, FollowsTheNumberOfSamples) {
+  const SomParameters few = decided(automatic(), 316);
+  EXPECT_EQ(few.rows, 9U);
+  EXPECT_EQ(few.columns, 10U);
+  EXPECT_EQ(few.iterations, 45000U);
+  const SomParameters many = decided(automatic(), 10000);
+  EXPECT_EQ(many.rows, 22U);
+  EXPECT_EQ(many.columns, 23U);
+  const SomParameters one = decided(automatic(), 1);
+  EXPECT_EQ(one.rows, 2U);
+  EXPECT_EQ(one.columns, 3U);
+}
+
+TEST(MapSize, LeavesWhatIsGiven) {
+  SomParameters parameters = automatic();
+  parameters.columns = 30;
+  parameters.iterations = 7;
+  const SomParameters wide = decided(parameters, 316);
+  EXPECT_EQ(wide.rows, 3U);
+  EXPECT_EQ(wide.columns, 30U);
+  EXPECT_EQ(wide.iterations, 7U);
+  const SomParameters fixed = decided(SomParameters{}, 316);
+  EXPECT_EQ(fixed.rows, 15U);
+  EXPECT_FALSE(fixed.iterations.has_value()) << "2000, as in P11, is decided later";
+}
+
+TEST(MapSize, HasEvenRowsOnAHexagonalTorus) {
+  SomParameters parameters = automatic();
+  parameters.lattice = Lattice::kHexagonal;
+  parameters.topology = Topology::kTorus;
+  EXPECT_EQ(decided(parameters, 316).rows, 10U);
+  EXPECT_TRUE(resolve(parameters, 316, 3));
+}
+
+TEST(MapSize, IsThatOfTheTrainedMap) {
+  SomParameters parameters = automatic();
+  parameters.iterations = 10;
+  const auto som = train_som(parameters, Samples(Matrix<float>(4, 1, {1, 2, 3, 4})));
+  ASSERT_TRUE(som);
+  EXPECT_EQ(som->grid().rows(), 3U);
+  EXPECT_EQ(som->grid().columns(), 3U);
+  EXPECT_EQ(som->parameters().rows, 3U);
 }
 
 }  // namespace

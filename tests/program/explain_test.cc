@@ -52,6 +52,24 @@ TEST_F(Explain, TakesShapesFromTheData) {
   }
 }
 
+// 4 x 4 neurons of as many elements of 4 bytes.
+TEST_F(Explain, TellsMemoryInBytesBelowAKibibyte) {
+  for (const auto& [elements, memory] :
+       {std::pair{"9", "576 B"}, {"15", "960 B"}, {"16", "1.0 KiB"}}) {
+    write("study.toml", std::string("[study]\nname = 'n'\n") +
+                            "[module.hand]\ntype = 'channel'\nchannel = 'joints'\nshape = [" +
+                            elements + "]\n[module.closed]\ntype = 'last'\ninput = 'hand'\n" +
+                            "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 4\n" +
+                            "columns = 4\n");
+    const std::string shown = single_blanks(output_of({"run", "study.toml", "--explain"}));
+    EXPECT_NE(shown.find(std::string("map som closed 4 x 4 16 exploration ") + memory + "\n"),
+              std::string::npos)
+        << shown;
+    EXPECT_NE(shown.find(std::string("\nlearned memory ") + memory + "\n"), std::string::npos)
+        << shown;
+  }
+}
+
 TEST_F(Explain, NamesPhasesAsTheyAreDescribed) {
   write("study.toml", kSystem +
                           "[[phase]]\nlearn = ['code']\n[[phase]]\nlearn = ['map']\n"

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include "program/program_test.h"
 
 namespace somato {
@@ -97,6 +99,84 @@ TEST_F(Import, RefusesBadDataAndWritesNothing) {
 TEST_F(Import, FailsWhereTheDescriptionIsWrongAtItsPlace) {
   write("d.toml", "[import]\nfiles = \"{a}.csv\"\nfactor = 3\n");
   expect_refused(2, csv({"--description", "d.toml"}), {"d.toml:3: unknown key 'factor'"});
+}
+
+TEST_F(Import, CutsWindowsAndTellsWhatIsLeft) {
+  write("trials/a_3.csv", "t,x,y\n0,1,2\n1,1,2\n2,1,2\n3,1,2\n4,1,2\n");
+  EXPECT_EQ(output_of(csv({"--files", "{object}_{trial}.csv", "--time", "t", "--channels",
+                           "touch=*", "--window", "2"})),
+            "out.mcap: 3 explorations; labels: object, trial, file, window; channels: touch (2)\n"
+            "left out, as they fill no window: 2 rows, with 1 file that no window fits into\n");
+  EXPECT_EQ(output_of(csv({"--files", "{object}_{trial}.csv", "--time", "t", "--channels",
+                           "touch=*", "--window", "1"})),
+            "out.mcap: 8 explorations; labels: object, trial, file, window; channels: touch (2)\n");
+}
+
+TEST_F(Import, MakesExplorationsOfTheRowsOfOneTable) {
+  write("table.csv", "object,x,grasp,y\ncup,1,1,2\nmug,3,2,4\n");
+  EXPECT_EQ(output_of({"import", "csv", "table.csv", "-o", "t.mcap", "--rows", "explorations",
+                       "--labels", "object,grasp", "--channels", "touch=*"}),
+            "t.mcap: 2 explorations; labels: object, grasp, file, row; channels: touch (2)\n");
+  EXPECT_NE(output_of({"inspect", "t.mcap"}).find("mug"), std::string::npos);
+}
+
+TEST_F(Import, JoinsRecordingsWithTheLabelsOfTheirNames) {
+  std::filesystem::create_directory(path("runs"));
+  for (const char* run : {"a_1", "b_2"}) {
+    output_of({"import", "csv", "trials", "-o", std::string("runs/") + run + ".mcap", "--files",
+               "{object}_{trial}.csv", "--time", "t", "--channels", "touch=x+y"});
+  }
+  EXPECT_EQ(output_of({"import", "mcap", "runs", "-o", "out.mcap", "--files",
+                       "{hand}_{day:number}.mcap"}),
+            "out.mcap: 4 explorations; labels: object, trial, hand, day; channels: touch (2)\n");
+  expect_refused(
+      1, {"import", "mcap", "runs", "-o", "x", "--files", "{object}_{trial}.mcap"},
+      {"runs/a_1.mcap: label 'trial' is '2' in the recording, but '1' in the file name"});
+  expect_refused(1, {"import", "mcap", "trials", "-o", "x", "--files", "{hand}.mcap"},
+                 {"trials: there are no files \"{hand}.mcap\""});
+  const Words mcap{"import", "mcap", "runs", "-o"};
+  const auto with = [&](const Words& more) {
+    Words all = mcap;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  expect_refused(2, {{with({"x"}), {"'files': the pattern has no labels"}},
+                     {with({"x", "--files", "{a}.mcap", "--window", "5"}),
+                      {"--window: recordings tell their channels themselves"}},
+                     {with({"x", "--description", "d.toml"}), {"--description: recordings tell"}},
+                     {with({"x", "--channels", "touch=x"}), {"--channels: recordings tell"}},
+                     {with({"runs/a_1.mcap", "--files", "{h}_{d}.mcap"}),
+                      {"runs/a_1.mcap: saving would write over a file of the folder DIR"}}});
+  ASSERT_EQ(::mkfifo(path("runs/c_3.mcap").c_str(), 0600), 0);
+  expect_refused(1, with({"x", "--files", "{h}_{d}.mcap"}),
+                 {"runs/c_3.mcap: it is not a regular file"});
+}
+
+TEST_F(Import, RefusesWrongWindowsAndTables) {
+  const auto with = [&](const Words& more) {
+    Words all = csv({"--files", "{object}_{trial}.csv"});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  expect_refused(2, {{with({"--channels", "touch=x", "--window", "0"}), {"--window", "at least 1"}},
+                     {with({"--channels", "touch=x", "--window", "5", "--overlap", "5"}),
+                      {"[import]: 'overlap' is 5, which is not below 'window', 5"}},
+                     {with({"--channels", "touch=x", "--rows", "explorations", "--window", "5"}),
+                      {"'window' has no effect where rows = \"explorations\""}},
+                     {with({"--channels", "touch=x", "--rows", "exploration"}),
+                      {"did you mean 'explorations'?"}},
+                     {csv({"--channels", "touch=x", "--window", "5"}), {"'files' is missing"}},
+                     {{"import", "csv", "trials/a_1.csv", "-o", "trials/a_1.csv", "--window", "1",
+                       "--channels", "touch=x"},
+                      {"the file is given twice"}}});
+  expect_refused(1, with({"--channels", "touch=*", "--window", "3"}),
+                 {"trials: no file has 3 rows; the most are 2"});
+  expect_refused(1, with({"--channels", "touch=z*", "--other-columns", "ignore"}),
+                 {"trials/a_1.csv:1: no column fits 'z*'"});
+  expect_refused(1, with({"--channels", "touch=*", "--ignore", "aux*"}),
+                 {"trials: 'ignore': no column fits 'aux*'"});
+  expect_refused(1, with({"--channels", "touch=*", "--labels", "what"}),
+                 {"trials/a_1.csv:1: there is no column 'what'"});
 }
 
 }  // namespace

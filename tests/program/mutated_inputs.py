@@ -20,30 +20,16 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from small_inputs import ROWS, STUDY
+
 LONGEST = 20  # seconds
 ROOM = 100 * 2**20  # bytes beyond four times the input and what the whole input takes
+MODELS = ("a.map", "out/system.somato")
 NUMBER = re.compile(r"(?<![\w.\"'])-?\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.\"'])")
 NOT_FINITE = re.compile(rb"(?<![\w.])[-+]?(?:inf|nan)(?![\w.])", re.IGNORECASE)
 OTHERS = ["0", "1", "2", "0.5", "7.25", "100", "-1", "1e300", "1e-300", "1e18", "nan", "inf", "-inf", '"x"', "true", "[]", "{}", "",
           "9" * 400, "[" * 300]
 
-STUDY = """[study]
-name = "small"
-label = "object"
-seeds = 1
-[module.joints]
-type = "channel"
-channel = "joints"
-[module.closed]
-type = "last"
-input = "joints"
-[module.map]
-type = "som"
-input = "closed"
-rows = 3
-columns = 3
-iterations = 100
-"""
 OBJECTS = """[object]
 tube = { shape = "cylinder", diameter = 60.0, height = 130.0, material = "wood" }
 [material.wax]
@@ -101,6 +87,37 @@ def damaged(content, draw):
     return content
 
 
+def crc_32c(content):
+    """The checksum of model files, bit by bit from its polynomial."""
+    crc = 0xFFFFFFFF
+    for byte in content:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0x82F63B78 if crc & 1 else 0)
+    return crc ^ 0xFFFFFFFF
+
+
+def with_right_checksum(model):
+    """A model file whose length and checksum fit again, so that what lies behind them is read."""
+    if len(model) < 28:
+        return model
+    whole = model[:16] + len(model).to_bytes(8, "little") + model[24:-4]
+    return whole + crc_32c(whole).to_bytes(4, "little")
+
+
+def without_checksums(recording):
+    """An MCAP file whose checksums are 0, which means that there are none."""
+    places = {0x06: 24, 0x0F: 0, 0x02: 16}  # in a chunk, the end of the data, the footer
+    open_file = bytearray(recording)
+    at = 8
+    while at + 9 <= len(recording) - 8:
+        if recording[at] in places:
+            place = at + 9 + places[recording[at]]
+            open_file[place:place + 4] = bytes(4)
+        at += 9 + int.from_bytes(recording[at + 1:at + 9], "little")
+    return bytes(open_file)
+
+
 def run(words, folder):
     """(exit code, negative for a signal; seconds; bytes of memory; what was printed)."""
     started = time.monotonic()
@@ -140,25 +157,39 @@ class Inputs:
             "a.map": [["som", "map", "INPUT", "data.csv"], ["som", "quality", "INPUT", "data.csv"],
                       ["som", "plot", "INPUT", "data.csv", "-o", "OUT"]],
             "data.csv": [["som", "train", "INPUT", "-o", "OUT", "--rows", "3", "--columns", "3"],
+                         ["som", "train", "INPUT", "-o", "OUT", "--rows", "3", "--columns", "3",
+                          "--skip", "2", "--missing", "mean", "--memory", "200B",
+                          "--training", "batch"],
+                         ["som", "train", "INPUT", "-o", "OUT", "--rows", "3", "--columns", "3",
+                          "--missing", "nearest", "--keep-constant-columns"],
+                         ["som", "map", "a.map", "INPUT", "--missing", "nearest"],
                          ["som", "map", "a.map", "INPUT"]],
             "rec.mcap": [["inspect", "INPUT"], ["recover", "INPUT", "-o", "OUT"],
                          ["run", "study.toml", "--data", "INPUT", "--out", "OUT"],
                          ["apply", "out/system.somato", "INPUT"]]}
+        self.commands["open.mcap"] = self.commands["rec.mcap"]
         self.usual = {tuple(words): self.measure(words, name)
                       for name, all_words in self.commands.items() for words in all_words}
 
     def prepare(self, source):
         texts = {"study.toml": STUDY, "objects.toml": OBJECTS, "settings.toml": SETTINGS,
-                 "data.csv": "".join(f"{i % 3}.5,{i * i % 7},{i}\n" for i in range(24))}
+                 "data.csv": ROWS}
         for name, text in texts.items():
             (self.folder / name).write_text(text, encoding="utf-8")
         for words in (["import", "icub_grasp", str(source / "examples/synthetic_grasps/trials"),
                        "-o", "rec.mcap"],
                       ["run", "study.toml", "--data", "rec.mcap", "--out", "out"],
                       ["som", "train", "data.csv", "-o", "a.map", "--rows", "4", "--columns", "4",
-                       "--standardize"]):
+                       "--standardize"],
+                      ["recover", "rec.mcap", "-o", "open.mcap", "--compression", "none"]):
             subprocess.run([self.program, *words], cwd=self.folder, check=True,
                            stdout=subprocess.DEVNULL)
+        for model in MODELS:
+            content = (self.folder / model).read_bytes()
+            if with_right_checksum(content) != content:
+                sys.exit(f"{model} has another checksum than docs/formats/model-file.md says")
+        recording = self.folder / "open.mcap"
+        recording.write_bytes(without_checksums(recording.read_bytes()))
 
     def words_for(self, words, given, out):
         return [self.program, *[{"INPUT": given, "OUT": out}.get(word, word) for word in words]]
@@ -175,6 +206,8 @@ class Inputs:
     def judge(self, name, words, number, draw):
         """What is wrong with a damaged input's run, or None."""
         content = damaged((self.folder / name).read_bytes(), draw)
+        if name in MODELS and draw.random() < 0.75:
+            content = with_right_checksum(content)
         with tempfile.TemporaryDirectory(dir=self.folder) as place:
             given = Path(place) / f"input{Path(name).suffix}"
             given.write_bytes(content)

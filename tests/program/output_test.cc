@@ -2,6 +2,7 @@
 
 #include "program/program_test.h"
 #include "somato/core/memory.h"
+#include "somato/recording/recording_file.h"
 #include "support/sanitized.h"
 
 namespace somato {
@@ -131,9 +132,41 @@ TEST_F(Output, ShortMemoryIsAnErrorLikeOthers) {
   const Words words{"som", "train",  "data.csv", "-o",        "x",   "--iterations",
                     "1",   "--rows", "4096",     "--columns", "4096"};
   world.memory = std::size_t{100} << 20;
-  expect_refused(1, words, {"need 192 MiB of memory", "limits leave this process"}, world);
+  expect_refused(1, words, {"need 192.0 MiB of memory", "limits leave this process"}, world);
   world.memory = std::size_t{400} << 20;
   expect_refused(1, words, {"not enough memory", "smaller map"}, world);
+}
+
+// A small file that unpacks to 64 MiB of zeros.
+TEST_F(Output, RecordingsThatUnpackToMoreThanThereIsAreRefused) {
+#ifdef SOMATO_TESTS_SANITIZED
+  GTEST_SKIP() << "sanitizers need all the address space";
+#endif
+  Channel zeros{"joints", "deg", {}, Matrix<float>(16, 1 << 20), {}, 10.0};
+  const Recording recording{{{{{"object", "ball"}}, {}, {std::move(zeros)}}}};
+  ASSERT_TRUE(write_recording(path("zeros.mcap"), recording));
+  write_study();
+  ProgramWorld world;
+  world.memory = std::size_t{180} << 20;
+  expect_refused(1, {"run", "study.toml", "--data", "zeros.mcap", "--out", "out"},
+                 {"zeros.mcap: its frames take more than the", "shorter recording"}, world);
+  EXPECT_EQ(run({"inspect", "zeros.mcap"}, world).exit_code, 0);
+}
+
+// 30 explorations of 9 joints at 500,000 points are 540 MB.
+TEST_F(Output, ModulesThatTakeMoreMemoryThanThereIsAreNamed) {
+#ifdef SOMATO_TESTS_SANITIZED
+  GTEST_SKIP() << "sanitizers need all the address space";
+#endif
+  write("study.toml",
+        "[study]\nname = 'long'\nlabel = 'object'\nseeds = 1\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.curve]\ntype = 'resampling'\ninput = 'joints'\npoints = 500000\n"
+        "[module.map]\ntype = 'som'\ninput = 'curve'\nrows = 1\ncolumns = 1\niterations = 1\n");
+  ProgramWorld world;
+  world.memory = std::size_t{400} << 20;
+  expect_refused(1, {"run", "study.toml", "--data", kTrials, "--out", "out"},
+                 {"study.toml:8, module 'curve': ", "memory", "give it fewer elements"}, world);
 }
 
 }  // namespace

@@ -43,6 +43,15 @@ class ProgramTest : public ::testing::Test {
     return run;
   }
 
+  /// Another program, in the same folder.
+  ProgramRun run_other(const Words& arguments) const {
+    ProgramWorld world;
+    world.folder = folder_.path();
+    Words found_on_the_path{"/usr/bin/env"};
+    found_on_the_path.insert(found_on_the_path.end(), arguments.begin(), arguments.end());
+    return run_program(found_on_the_path, world);
+  }
+
   /// A run that must succeed, and say nothing on standard error; its standard output.
   std::string output_of(const Words& arguments) const {
     const ProgramRun done = run(arguments);

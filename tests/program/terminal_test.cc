@@ -1,4 +1,6 @@
 #include "program/program_test.h"
+#include "somato/core/matrix.h"
+#include "somato/files/npy.h"
 
 namespace somato {
 namespace {
@@ -19,10 +21,24 @@ TEST_F(Terminal, ShowsTheShareDoneAndTheTimeLeft) {
   const ProgramRun done =
       run({"som", "train", "data.csv", "-o", "x", "--iterations", "2000"}, terminal());
   EXPECT_EQ(done.exit_code, 0);
+  EXPECT_NE(done.err.find("reading: 100 %, took "), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("training:   3 %, "), std::string::npos) << done.err;
   EXPECT_NE(done.err.find(" left\x1b[K"), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("training: 100 %, took "), std::string::npos) << done.err;
   EXPECT_TRUE(done.err.ends_with("\n"));
+}
+
+// Parts of some of the rows, as large files have them, but all kept.
+TEST_F(Terminal, ShowsHowFarAFileIsReadThatFitsIntoMemory) {
+  write("rows.npy", encode_npy(Matrix<float>(30000, 10, 0.5F)));
+  const ProgramRun done =
+      run({"som", "train", "rows.npy", "--keep-constant-columns", "--iterations", "10", "-o", "x",
+           "--rows", "2", "--columns", "2", "--memory", "4MB"},
+          terminal());
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const std::size_t first = done.err.find("reading:  ");
+  ASSERT_NE(first, std::string::npos) << done.err;
+  EXPECT_LT(done.err.find(" left", first), done.err.find("reading: 100 %, took ")) << done.err;
 }
 
 TEST_F(Terminal, APipeStaysQuiet) {
@@ -42,13 +58,25 @@ TEST_F(Terminal, AnInterruptStopsTrainingAndKeepsTheOldFile) {
     Words arguments{"som", "train", "data.csv", "-o", "good.map"};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
     const auto before = contents();
-    const ProgramRun done = run(arguments, terminal(" left"));
+    const ProgramRun done = run(arguments, terminal("training: "));
     EXPECT_EQ(done.exit_code, 130);
     EXPECT_EQ(done.out, "");
     EXPECT_NE(done.err.find("somato: training was stopped before its end"), std::string::npos)
         << done.err;
     EXPECT_TRUE(contents() == before);
   }
+}
+
+// As service managers ask for an end.
+TEST_F(Terminal, ARequestToTerminateHasAnExitCodeOfItsOwn) {
+  train();
+  ProgramWorld world = terminal("training: ");
+  world.interrupt_with = SIGTERM;
+  const auto before = contents();
+  EXPECT_EQ(run({"som", "train", "data.csv", "-o", "good.map", "--iterations", "1000000000"}, world)
+                .exit_code,
+            143);
+  EXPECT_TRUE(contents() == before);
 }
 
 // Ctrl-C while a study of `seeds` runs; what was done is kept.

@@ -137,6 +137,10 @@ TEST_F(Usage, ADashIsAStandardStream) {
   EXPECT_EQ(output_of({"som", "map", "good.map", "data.csv", "-o", "-"}),
             output_of({"som", "map", "good.map", "data.csv"}));
   EXPECT_NE(output_of({"som", "plot", "good.map", "-o", "-"}).find("<svg"), std::string::npos);
+  ProgramWorld world;
+  world.input_from = path("data.csv");
+  EXPECT_EQ(run({"som", "map", "good.map", "-"}, world).out,
+            output_of({"som", "map", "good.map", "data.csv"}));
 }
 
 TEST_F(Usage, SystemsAreListedAndRunByName) {

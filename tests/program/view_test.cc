@@ -1,4 +1,10 @@
 #include "program/program_test.h"
+#include "support/http_client.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace somato {
 namespace {
@@ -26,9 +32,32 @@ TEST_F(View, RefusesWhatItCannotShow) {
                      {{"view", "nothing.mcap"}, {"nothing.mcap"}}});
 }
 
-TEST_F(View, PrintsWhereItIsAndEndsPolitely) {
+// Of the address that is printed, such as http://127.0.0.1:8080/?token=...
+std::uint16_t port_in(const std::string& out) {
+  const std::string host = "http://127.0.0.1:";
+  return static_cast<std::uint16_t>(std::stoi(out.substr(out.find(host) + host.size())));
+}
+
+void expect_pages(const std::string& out) {
+  const std::uint16_t port = port_in(out);
+  for (const auto& [path, type, part] :
+       std::vector<std::array<std::string, 3>>{{"/", "text/html", "<!doctype html>"},
+                                               {"/view.js", "text/javascript", "EventSource"},
+                                               {"/view.css", "text/css", "{"}}) {
+    SCOPED_TRACE(path);
+    const std::string page = testing::ask(port, testing::get_request(port, path));
+    EXPECT_EQ(testing::status_of(page), 200);
+    EXPECT_NE(page.find("Content-Type: " + type + "; charset=utf-8\r\n"), std::string::npos);
+    EXPECT_NE(testing::body_of(page).find(part), std::string::npos);
+  }
+  const std::string other = testing::ask(port, testing::get_request(port, "/report.html"));
+  EXPECT_NE(testing::status_of(other), 200);
+}
+
+TEST_F(View, PrintsWhereItIsServesItsPagesAndEndsPolitely) {
   record();
   ProgramWorld world;
+  world.before_interrupt = expect_pages;
   world.interrupt_at = "Ctrl-C ends the view.";
   for (const Words& words : {Words{"view", "pressed.mcap"}, Words{"view", "--body", "texture"}}) {
     const ProgramRun done = run(words, world);

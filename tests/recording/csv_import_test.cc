@@ -32,6 +32,9 @@ TEST(ReadCsvImport, ReadsEveryKey) {
   const CsvImport all = read(R"([import]
 files = "{fabric}_{velocity:number}.csv"
 header = false
+labels = ["10"]
+window = 500
+overlap = 250
 time = "1"
 time_unit = "us"
 missing = "mask"
@@ -52,6 +55,10 @@ absolute = true
                             .value();
   EXPECT_EQ(all.trials.files, "{fabric}_{velocity:number}.csv");
   EXPECT_FALSE(all.trials.header);
+  EXPECT_EQ(all.trials.rows, CsvRows::kFrames);
+  EXPECT_EQ(all.trials.labels, Names{"10"});
+  EXPECT_EQ(all.trials.window, 500U);
+  EXPECT_EQ(all.trials.overlap, 250U);
   EXPECT_EQ(all.trials.time, "1");
   EXPECT_EQ(all.trials.time_unit, TimeUnit::kMicroseconds);
   EXPECT_EQ(all.trials.missing, MissingValues::kMask);
@@ -72,6 +79,9 @@ absolute = true
 TEST(ReadCsvImport, NeedsFilesAndAChannelOnly) {
   const CsvImport least = read(kImport + kTouch).value();
   EXPECT_TRUE(least.trials.header);
+  EXPECT_EQ(least.trials.rows, CsvRows::kFrames);
+  EXPECT_EQ(least.trials.labels, Names{});
+  EXPECT_FALSE(least.trials.window);
   EXPECT_EQ(least.trials.time, "");
   EXPECT_EQ(least.trials.rate, 0.0);
   EXPECT_EQ(least.trials.missing, MissingValues::kRefuse);
@@ -140,6 +150,70 @@ TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
             "\"taxel1..taxel16\"");
 }
 
+TEST(ReadCsvImport, RefusesWindowsThatAreNone) {
+  EXPECT_EQ(refusal(kImport + "window = 0\n" + kTouch),
+            "import.toml:3: 'window' must be a whole number, at least 1, not 0; \"automatic\" is "
+            "possible too");
+  EXPECT_EQ(refusal(kImport + "window = 500.5\n" + kTouch),
+            "import.toml:3: 'window' must be a whole number, at least 1, not 500.5; \"automatic\" "
+            "is possible too");
+  for (const char* overlap : {"3", "4"}) {
+    EXPECT_EQ(refusal(kImport + "window = 3\noverlap = " + overlap + "\n" + kTouch),
+              std::string("import.toml:1: 'overlap' is ") + overlap +
+                  ", which is not below 'window', 3; windows must begin at least a row apart");
+  }
+  EXPECT_EQ(refusal(kImport + "overlap = 2\n" + kTouch),
+            "import.toml:1: there is 'overlap', but no 'window'; write window = 500 or the like");
+  EXPECT_EQ(refusal(kImport + "window = 3\noverlap = -1\n" + kTouch),
+            "import.toml:4: 'overlap' must be a whole number, at least 0, not -1");
+}
+
+TEST(ReadCsvImport, RefusesWhatHasNoEffectOnExplorationsOfOneRow) {
+  for (const char* key : {"window = 3", "time = \"t\"", "rate = 100"}) {
+    const std::string name(key, std::string(key).find(' '));
+    EXPECT_EQ(refusal(kImport + "rows = \"explorations\"\n" + key + "\n" + kTouch),
+              "import.toml:1: '" + name +
+                  "' has no effect where rows = \"explorations\"; leave one of them out");
+  }
+}
+
+TEST(ReadCsvImport, RefusesTwoLabelsOfOneName) {
+  EXPECT_EQ(refusal(kImport + "labels = \"b\"\n" + kTouch),
+            "import.toml:1: there are two labels 'b'; rename or remove one of them");
+  EXPECT_EQ(refusal(kImport + "labels = [\"c\", \"c\"]\n" + kTouch),
+            "import.toml:1: there are two labels 'c'; rename or remove one of them");
+  EXPECT_EQ(refusal(kImport + "labels = \"window\"\nwindow = 3\n" + kTouch),
+            "import.toml:1: the label 'window' is made of the windows or rows; rename yours");
+  EXPECT_EQ(refusal("[import]\nfiles = \"{file}.csv\"\nrows = \"explorations\"\n" + kTouch),
+            "import.toml:1: the label 'file' is made of the windows or rows; rename yours");
+  EXPECT_TRUE(read(kImport + "labels = \"window\"\n" + kTouch));
+}
+
+TEST(ReadCsvImport, RefusesALabelWithoutColumnAndOneThatIsAChannel) {
+  EXPECT_EQ(refusal(kImport + "labels = \"\"\n" + kTouch),
+            "import.toml:1: 'labels': a column has no name; name it, or leave it out");
+  EXPECT_EQ(refusal(kImport + "labels = \"t3\"\n" + kTouch),
+            "import.toml:4: column 't3' is used twice; make the channel of the label: from_label = "
+            "\"t3\"");
+  EXPECT_EQ(refusal(kImport + "labels = \"t\"\ntime = \"t\"\n" + kTouch),
+            "import.toml:1: column 't' is used twice; name each column once");
+  EXPECT_EQ(refusal(kImport + "labels = \"t\"\nignore = \"t\"\n" + kTouch),
+            "import.toml:1: column 't' is both used and ignored; decide");
+}
+
+TEST(ReadCsvImport, NeedsNoPatternWhereLabelsComeFromElsewhere) {
+  for (const char* keys : {"labels = \"a\"\n", "window = 3\n", "rows = \"explorations\"\n"}) {
+    EXPECT_TRUE(read(std::string("[import]\n") + keys + kTouch)) << keys;
+    EXPECT_TRUE(read(std::string("[import]\nfiles = \"all.csv\"\n") + keys + kTouch)) << keys;
+  }
+}
+
+TEST(ReadCsvImport, LeavesTheShapeOfAPatternToTheFiles) {
+  EXPECT_TRUE(read(kImport + "[[channel]]\nname = \"x\"\ncolumns = \"x*\"\nshape = [4, 4]\n"));
+  EXPECT_EQ(refusal(kImport + "[[channel]]\nname = \"x\"\ncolumns = [\"x*\", \"x*\"]\n"),
+            "import.toml:3: column 'x*' is used twice; name each column once");
+}
+
 TEST(ReadCsvImport, RefusesAColumnThatIsUsedAndIgnored) {
   EXPECT_EQ(refusal(kImport + "ignore = \"t4..t5\"\n" + kTouch),
             "import.toml:1: column 't4' is both used and ignored; decide");
@@ -176,6 +250,7 @@ TEST(ExpandColumns, CountsRangesUp) {
   EXPECT_EQ(expand_columns({"b08..b11"}), (Names{"b08", "b09", "b10", "b11"}));
   EXPECT_EQ(expand_columns({"2..4"}), (Names{"2", "3", "4"}));
   EXPECT_EQ(expand_columns({"x1y7..x1y7"}), (Names{"x1y7"}));
+  EXPECT_EQ(expand_columns({"a*", "*..*"}), (Names{"a*", "*..*"}));
   EXPECT_EQ(expand_columns({}), Names{});
 }
 

@@ -8,19 +8,13 @@
 #include <filesystem>
 
 #include "somato/core/random.h"
+#include "support/csv_channel.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
 
 using Names = std::vector<std::string>;
-
-CsvChannel channel_of(std::string name, Names columns) {
-  CsvChannel channel;
-  channel.name = std::move(name);
-  channel.columns = std::move(columns);
-  return channel;
-}
 
 class ImportCsvTrials : public testing::Test {
  protected:

@@ -85,6 +85,17 @@ TEST(NamePattern, RefusesAWrongPattern) {
   }
 }
 
+TEST(NamePattern, MayBeWithoutLabels) {
+  const NamePattern pattern = NamePattern::parse("day.1/all.csv", false).value();
+  EXPECT_EQ(pattern.labels(), std::vector<std::string>{});
+  EXPECT_EQ(pattern.extension(), ".csv");
+  EXPECT_EQ(pattern.match("here/day.1/all.csv").value(), std::vector<Label>{});
+  EXPECT_EQ(pattern.match("day.1/all.csv2").value(), std::nullopt);
+  EXPECT_EQ(pattern.match("all.csv").value(), std::nullopt);
+  EXPECT_EQ(NamePattern::parse("a}", false).error().what,
+            "a brace of the pattern has no counterpart");
+}
+
 TEST(NamePattern, KnowsItsLabelsAndExtension) {
   const NamePattern pattern = NamePattern::parse("a.b/{x}_{y}.raw.csv").value();
   EXPECT_EQ(pattern.labels(), (std::vector<std::string>{"x", "y"}));

@@ -33,9 +33,24 @@ TEST_F(FindTrialFiles, ComeInNaturalOrderWithTheirLabels) {
   const auto trials = find("{object}_{trial}.csv").value();
   ASSERT_EQ(trials.size(), 3U);
   EXPECT_EQ(trials[0].path, folder_.file("a_2.csv"));
+  EXPECT_EQ(trials[0].name, "a_2.csv");
   EXPECT_EQ(trials[0].labels, (std::vector<Label>{{"object", "a"}, {"trial", "2"}}));
   EXPECT_EQ(trials[1].path, folder_.file("a_10.csv"));
   EXPECT_EQ(trials[2].path, folder_.file("b_1.csv"));
+}
+
+TEST_F(FindTrialFiles, MayBeOneFile) {
+  std::filesystem::create_directory(folder_.file("day 2"));
+  const std::string file = folder_.with("day 2/a_1.csv", "");
+  const auto in = [&](const char* pattern) {
+    return find_trial_files(file, NamePattern::parse(pattern).value(), false);
+  };
+  EXPECT_EQ(in("{day}/{object}_1.csv")->at(0).labels,
+            (std::vector<Label>{{"day", "day 2"}, {"object", "a"}}));
+  EXPECT_EQ(in("{object}_1.csv")->at(0).name, "a_1.csv");
+  EXPECT_EQ(in("{object}_1.csv")->at(0).path, file);
+  EXPECT_EQ(in("b_{trial}.csv").error().what,
+            "the file name does not fit the pattern \"b_{trial}.csv\"");
 }
 
 TEST_F(FindTrialFiles, RefuseOthersUnlessTheyMayBePassedOver) {

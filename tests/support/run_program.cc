@@ -44,6 +44,12 @@ void limit(int resource, std::size_t most) {
   if (::setrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limits) != 0) ::_exit(127);
 }
 
+void set_input(const std::string& input_from) {
+  const char* file = input_from.empty() ? "/dev/null" : input_from.c_str();
+  const int in = ::open(file, O_RDONLY | O_CLOEXEC);
+  if (in < 0 || ::dup2(in, STDIN_FILENO) < 0) ::_exit(127);
+}
+
 void set_output(const std::string& output_to, int pipe) {
   if (output_to == "closed") {
     ::close(STDOUT_FILENO);
@@ -72,9 +78,8 @@ void set_environment(const ProgramWorld& world) {
   set_environment(world);
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGINT, SIG_DFL);
-  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (::chdir(world.folder.c_str()) != 0 || ::dup2(nothing, STDIN_FILENO) < 0) ::_exit(127);
-  if (::dup2(err, STDERR_FILENO) < 0) ::_exit(127);
+  if (::chdir(world.folder.c_str()) != 0 || ::dup2(err, STDERR_FILENO) < 0) ::_exit(127);
+  set_input(world.input_from);
   set_output(world.output_to, out);
   limit(RLIMIT_FSIZE, world.largest_file);
   limit(RLIMIT_AS, world.memory);
@@ -103,7 +108,9 @@ class Watch {
         run_.timed_out = true;
         ::kill(process_, SIGKILL);
       }
-      if (::poll(streams_, 2, 100) > 0) read_streams();
+      const bool wants_interrupt = says_to_interrupt();
+      if (::poll(streams_, 2, wants_interrupt ? 0 : 100) > 0) read_streams();
+      if (wants_interrupt) interrupt();
     }
     int status = 0;
     rusage used{};
@@ -121,11 +128,18 @@ class Watch {
       if (!take(streams_[0].fd, run_.out, most) || world_.closes_output) close(streams_[0]);
     }
     if (streams_[1].revents != 0 && !take(streams_[1].fd, run_.err, 65536)) close(streams_[1]);
-    if (!interrupted_ && !world_.interrupt_at.empty() &&
-        run_.err.find(world_.interrupt_at) != std::string::npos) {
-      interrupted_ = true;
-      ::kill(process_, SIGINT);
-    }
+  }
+
+  bool says_to_interrupt() const {
+    return !interrupted_ && !world_.interrupt_at.empty() &&
+           run_.err.find(world_.interrupt_at) != std::string::npos;
+  }
+
+  // After both streams were looked at once more: what it wrote before is read by then.
+  void interrupt() {
+    interrupted_ = true;
+    if (world_.before_interrupt) world_.before_interrupt(run_.out);
+    ::kill(process_, world_.interrupt_with);
   }
 
   static void close(pollfd& stream) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <csignal>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,9 +13,12 @@ namespace somato {
 struct ProgramWorld {
   std::string folder = ".";                                      ///< Where it is run.
   std::vector<std::pair<std::string, std::string>> environment;  ///< Beside the test's own.
-  std::string output_to;         ///< File or device for its standard output; "closed": none.
-  bool terminal = false;         ///< Standard error is a terminal.
-  std::string interrupt_at;      ///< Once standard error says this, Ctrl-C is pressed.
+  std::string input_from;       ///< File for its standard input; empty: nothing.
+  std::string output_to;        ///< File or device for its standard output; "closed": none.
+  bool terminal = false;        ///< Standard error is a terminal.
+  std::string interrupt_at;     ///< Once standard error says this, Ctrl-C is pressed.
+  int interrupt_with = SIGINT;  ///< The signal that is sent then.
+  std::function<void(const std::string& out)> before_interrupt;  ///< With its output so far.
   std::size_t largest_file = 0;  ///< Bytes it may write to a file; 0: no limit.
   std::size_t memory = 0;        ///< Bytes of address space; 0: no limit.
   bool closes_output = false;    ///< Whoever reads its standard output leaves after one byte.

@@ -17,6 +17,9 @@ std::size_t memory_limit();
 /// only serves as a cache of files, within the same limits.
 std::size_t free_memory();
 
+/// An amount of memory for a person: "12 B", "1.5 GiB".
+std::string memory_text(double bytes);
+
 namespace detail {
 
 /// Of a process whose control groups /proc/self/cgroup lists as `groups`, below `root`: the least

@@ -153,6 +153,18 @@ struct Field<std::vector<T>> {
   }
 };
 
+/// Any value, as it stands.
+template <>
+struct Field<Value> {
+  static std::string type() { return "value"; }
+  static std::vector<std::string> choices() { return {}; }
+  static Result<void> read(const ParameterInfo& /*info*/, const Value& value, Value& field) {
+    field = value;
+    return {};
+  }
+  static Value write(const Value& field) { return field; }
+};
+
 /// A Field<T> whose T is forgotten, so that what works with fields is compiled once.
 struct FieldType {
   std::size_t size;

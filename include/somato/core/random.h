@@ -19,6 +19,7 @@ enum class Stream : std::uint32_t {
   kGroupings = 2,
   kNoise = 3,
   kSizeOrder = 4,
+  kDesign = 5,
   kTextureProbe = 20,
   kHardnessProbe = 21,
   kServoPlay = 103,

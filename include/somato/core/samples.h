@@ -24,6 +24,9 @@ class Samples {
   std::size_t size() const { return size_; }
   bool is_sparse() const { return sparse_; }
 
+  /// Bytes that the elements take, with their positions where they are sparse.
+  std::size_t bytes() const;
+
   /// Sample `index`, flat, valid as long as this object.
   SignalView operator[](std::size_t index) const;
 

@@ -11,12 +11,9 @@
 namespace somato {
 
 /// The table in the file at `path`: NPY when it begins as NPY does, otherwise CSV.
-/// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column of an NPY
-/// file; kData for more than `limit` bytes.
+/// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column or a decimal
+/// comma of an NPY file; kData for more than `limit` bytes.
 Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {},
                                  std::size_t limit = kLargestFile);
-
-/// The failure (kUsage) for a label column of an NPY file.
-Error no_label_column_in_npy(const std::string& path);
 
 }  // namespace somato

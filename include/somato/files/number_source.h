@@ -26,12 +26,13 @@ struct NumberPart {
 /// The file has to stay as it is: one that has got another length or date fails (kData).
 class NumberSource : public SampleSource {
  public:
-  /// Names of the columns; empty when there are none.
-  virtual const std::vector<std::string>& names() const = 0;
+  /// What the columns of the file are for.
+  virtual const TableColumns& columns() const = 0;
 
-  virtual bool has_labels() const = 0;
+  std::size_t size() const final { return columns().features.size(); }
 
-  /// The bytes that reading all samples at once, and changing them once, takes at most.
+  /// The bytes that gathering all samples in a list that grows, and changing them once, takes at
+  /// most.
   virtual double memory_of_all() const = 0;
 
   /// How much of the file has been read since rewind(), 0 to 1.
@@ -49,6 +50,10 @@ class NumberSource : public SampleSource {
 Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
                                                    const CsvOptions& options,
                                                    std::size_t part_bytes);
+
+/// The same for a file that has been read into `bytes`, which are `where`: all rows are one part.
+Result<std::unique_ptr<NumberSource>> numbers_in(const std::string& bytes, const std::string& where,
+                                                 const CsvOptions& options);
 
 namespace detail {
 

@@ -91,8 +91,8 @@ struct Choices<ActivityNorm> {
 /// Everything that decides what a SOM becomes, besides its samples. Declared in declarations(),
 /// where the meaning, unit and range of each stands.
 struct SomParameters {
-  std::size_t rows = 15;
-  std::size_t columns = 15;
+  std::optional<std::size_t> rows = 15;
+  std::optional<std::size_t> columns = 15;
   Lattice lattice = Lattice::kRectangular;
   Topology topology = Topology::kPlane;
   Similarity similarity = Similarity::kEuclidean;
@@ -119,7 +119,11 @@ struct SomParameters {
 
   static const Declarations<SomParameters>& declarations();
 
-  Grid grid() const { return {rows, columns, lattice, topology}; }
+  /// Whether the number of samples decides a side of the map.
+  bool is_size_automatic() const { return !rows || !columns; }
+
+  /// The neurons; only after decide_size() where a side is automatic.
+  Grid grid() const { return {*rows, *columns, lattice, topology}; }
 
   /// Iterations or epochs, whichever the training counts in; only after resolve().
   std::uint64_t steps() const { return training == Training::kBatch ? epochs : *iterations; }
@@ -133,6 +137,12 @@ struct SomParameters {
             *learning_rate_reached_at};
   }
 };
+
+/// Decides the sides that are automatic: 5 sqrt(samples) neurons, as near to a square as they can
+/// be laid out (Vesanto, Himberg, Alhoniemi and Parhankangas, SOM Toolbox for Matlab 5, 2000), and
+/// for such a map the automatic `iterations`: 500 a neuron (Kohonen, The Self-Organizing Map,
+/// Proceedings of the IEEE 78, 1990). Other parameters stay as they are.
+void decide_size(SomParameters& parameters, std::size_t samples);
 
 /// The parameters with every automatic one decided for `samples` samples of `features` elements, as
 /// a model file keeps them. Fails (kUsage) when parameters contradict each other.

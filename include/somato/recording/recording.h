@@ -70,6 +70,10 @@ Result<std::string> find_label(const Exploration& exploration, std::string_view 
 /// The distinct values of a label, in the order in which they first appear; errors as find_label.
 Result<std::vector<std::string>> label_values(const Recording& recording, std::string_view name);
 
+/// Checks that `exploration` has the channels (name, unit, elements, shape) and names of labels of
+/// `first`, the first one of the recording. Errors (kData, without a place) name the channel.
+Result<void> check_alike(const Exploration& exploration, const Exploration& first);
+
 /// Checks that there is an exploration and that each has channels with frames of finite values,
 /// names, times, rates, shapes and masks that fit, and the same channels (name, unit, elements,
 /// shape) and names of labels as the first one. Errors (kData) name exploration and channel.

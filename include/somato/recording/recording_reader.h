@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,9 +20,11 @@ namespace somato {
 /// A channel whose marks of validity are all 1 has none.
 class RecordingReader {
  public:
+  /// Explorations whose frames take more than `most_memory` bytes in all are refused by next().
   /// Errors: kSystem with the system's reason; kUsage for what is no regular file; kData for what
   /// is no MCAP file.
-  static Result<RecordingReader> open(const std::string& path);
+  static Result<RecordingReader> open(
+      const std::string& path, std::size_t most_memory = std::numeric_limits<std::size_t>::max());
 
   RecordingReader(const RecordingReader&) = delete;
   RecordingReader(RecordingReader&& other) noexcept;
@@ -29,9 +33,10 @@ class RecordingReader {
   ~RecordingReader();
 
   /// The next exploration; nothing after the last one of a whole file. Errors: kSystem with the
-  /// system's reason; kData with file and byte for damage, for what no recording may hold (frames
-  /// outside explorations, of channels they do not have, with another number of elements, or with
-  /// times that run backwards) and for an end that is missing. Nothing comes after an error.
+  /// system's reason and for too much memory; kData with file and byte for damage, for what no
+  /// recording may hold (frames outside explorations, of channels they do not have, with another
+  /// number of elements, or with times that run backwards) and for an end that is missing. Nothing
+  /// comes after an error.
   Result<std::optional<Exploration>> next();
 
  private:

@@ -27,6 +27,7 @@ class SomModule : public SteppedModule, public Learner {
   /// A map that was trained elsewhere. Throws InvalidArgument when it is of another size.
   void set_som(Som som);
 
+  Table decide(const std::vector<Connection>& inputs, const RecordingLayout& layout) override;
   Result<PortType> connect(const std::vector<Connection>& inputs) override;
   Learner* learner() override { return this; }
   std::unique_ptr<Stepper> start() const override;

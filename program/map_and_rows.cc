@@ -1,0 +1,98 @@
+#include "map_and_rows.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "data.h"
+#include "somato/maps/fill_from_winner.h"
+#include "somato/maps/sample_range.h"
+#include "stoppable_rows.h"
+#include "terminal.h"
+
+namespace somato::program {
+namespace {
+
+Result<void> check_fills(const SomModel& model, MissingFill missing, const std::string& path) {
+  if (missing == MissingFill::kNearest) {
+    Result<void> takes = check_takes_incomplete(model.som);
+    if (!takes) takes.error().where = path;
+    return takes;
+  }
+  if (missing == MissingFill::kRefuse || !model.fill_values().empty()) return {};
+  return fail(ErrorKind::kUsage, "the map does not know the means of its training data", path,
+              "pass --missing nearest, or train with --missing mean or --standardize");
+}
+
+Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Samples& part) {
+  if (!rows.holds_missing) return model.prepare(part);
+  return rows.missing == MissingFill::kMean ? model.prepare(filled_with(model.fill_values(), part))
+                                            : filled_from_winners(model.som, model.prepare(part));
+}
+
+}  // namespace
+
+Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
+  const std::string path = arguments.text("MAP");
+  auto model = load_som_model(path);
+  if (!model) return fail(std::move(model.error()));
+  const auto missing = read_missing(arguments);
+  if (!missing) return fail(missing.error());
+  if (auto able = check_fills(*model, *missing, path); !able) return fail(std::move(able.error()));
+  auto rows = read_rows(arguments, model->features);
+  if (!rows) return fail(std::move(rows.error()));
+  if (rows->size() != model->som.input_size()) {
+    return fail(ErrorKind::kData,
+                fmt::format("the rows have {} numbers, but the map takes {}", rows->size(),
+                            model->som.input_size()),
+                rows->path,
+                "give data with the columns that the map was trained on, or choose them with "
+                "--columns-to-use or --skip");
+  }
+  return MapAndRows{std::move(*model), std::move(*rows)};
+}
+
+Result<SamplePart> SamplesInRange::next() {
+  auto part = source_.next();
+  if (!part || !*part) return part;
+  for (std::size_t i = 0; i < (*part)->count(); ++i) {
+    if (is_in_range((**part)[i])) continue;
+    return fail(
+        ErrorKind::kData,
+        fmt::format("row {} is too large for the map: as the map takes it, it has to be told "
+                    "apart from others in single precision",
+                    done_ + i + 1),
+        path_, "leave the row out, or write what stands for a missing number as one");
+  }
+  done_ += (*part)->count();
+  return part;
+}
+
+PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
+    : prepared_(rows.samples(),
+                [&](const Samples& part) { return as_the_map_takes(model, rows, part); }),
+      in_range_(model.standardization || rows.holds_missing ? static_cast<SampleSource&>(prepared_)
+                                                            : rows.samples(),
+                rows.path),
+      ahead_(in_range_) {}
+
+Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads) {
+  const Progress progress = rows.in_memory() ? Progress() : terminal_progress("measuring");
+  PreparedRows prepared(model, rows);
+  SomQualityMeasurement measurement(model.som, threads);
+  std::vector<std::size_t> winners;
+  std::size_t done = 0;
+  auto measured = for_each_part(prepared.samples(), [&](const Samples& part) -> Result<void> {
+    const std::vector<std::size_t> of_part = measurement.add(part);
+    if (rows.labelled()) winners.insert(winners.end(), of_part.begin(), of_part.end());
+    done += part.count();
+    if (progress && !progress(done, rows.count)) return reading_stopped();
+    return {};
+  });
+  if (!measured) return fail(std::move(measured.error()));
+  SomQuality quality = measurement.quality();
+  quality.winners = std::move(winners);
+  return quality;
+}
+
+}  // namespace somato::program

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "command_line.h"
+
+namespace somato::program {
+
+/// What `--quiet` does, which every command takes.
+inline constexpr std::string_view kQuietText =
+    "No progress and no summary, only results and errors";
+
+/// "somato som train DATA -o ... [FLAGS]".
+std::string usage_of(const Command& command);
+
+/// The text of a parameter with its unit, range, choices and default.
+std::string parameter_description(const ParameterInfo& info);
+
+}  // namespace somato::program

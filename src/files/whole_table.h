@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "somato/core/result.h"
+#include "somato/files/csv.h"
+#include "somato/files/number_table.h"
+
+namespace somato {
+
+/// A table and what the columns of its file are for.
+struct WholeTable {
+  NumberTable table;
+  TableColumns columns;
+};
+
+/// The table in the text of a CSV file; see parse_csv().
+Result<WholeTable> csv_table(std::string_view text, std::string_view where,
+                             const CsvOptions& options);
+
+/// The table in the bytes of a file; see read_numbers().
+Result<WholeTable> whole_table(const std::string& bytes, const std::string& where,
+                               const CsvOptions& options);
+
+}  // namespace somato
