@@ -33,14 +33,16 @@ Table::Entry entry(std::string name, std::string text) {
 Table::Entry entry(std::string name, const std::vector<std::string>& texts) {
   Value::List list;
   list.reserve(texts.size());
-  for (const std::string& text : texts) list.push_back({text});
+  for (const std::string& text : texts) list.emplace_back().content = text;
   return {std::move(name), {}, Value{std::move(list)}};
 }
 
 Table::Entry entry(std::string name, const std::vector<std::size_t>& numbers) {
   Value::List list;
   list.reserve(numbers.size());
-  for (const std::size_t number : numbers) list.push_back({static_cast<std::int64_t>(number)});
+  for (const std::size_t number : numbers) {
+    list.emplace_back().content = static_cast<std::int64_t>(number);
+  }
   return {std::move(name), {}, Value{std::move(list)}};
 }
 
