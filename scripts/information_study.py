@@ -13,6 +13,7 @@ gets the tables of docs/studies/simulated-hands.md, mean and standard deviation 
 
 import argparse
 import json
+import re
 import statistics
 import subprocess
 import sys
@@ -45,6 +46,11 @@ class Condition:
         return "free" if self.free else "held"
 
 
+CHANNEL_OF_TOUCH = r'(\[module\.touch\][^[]*?\nchannel = )"\w+"'
+EVERY_READING = """[simulation]
+touch_threshold = 0.0
+piezo_converter = "bipolar"
+"""
 HAND_2 = Hand(
     "lucs2",
     {"chain, force": ("tensor_chain.toml", "touch"),
@@ -94,10 +100,10 @@ def write_studies(options, hand):
     files = {}
     for name, (file, channel) in hand.studies.items():
         text = (options.studies / file).read_text(encoding="utf-8")
-        if channel and 'channel = "touch"\n' not in text:
-            sys.exit(f"{file} has no channel \"touch\"")
         if channel:
-            text = text.replace('channel = "touch"\n', f'channel = "{channel}"\n')
+            text, found = re.subn(CHANNEL_OF_TOUCH, rf'\1"{channel}"', text)
+            if found != 1:
+                sys.exit(f"{file} has no module \"touch\" with a channel")
         files[name] = folder / f"{Path(file).stem}_{channel or 'all'}.toml"
         files[name].write_text(text, encoding="utf-8")
     return files
@@ -108,11 +114,13 @@ def figures_of(options, condition, study_file, seed):
 
 
 def explore(options, condition, seed):
-    """Records a condition once; returns the recording's file."""
+    """Records a condition once, every reading of the sensors; returns the recording's file."""
+    settings = options.out / "settings.toml"
+    settings.write_text(EVERY_READING, encoding="utf-8")
     recording = options.out / f"{condition.name}_{seed}.mcap"
     somato(options, "explore", "--body", condition.hand.body, "--seed", seed,
-           "--placement-noise", condition.noise, "--free", str(condition.free).lower(),
-           "--threads", options.threads, "-o", recording, may_lose=True)
+           "--settings", settings, "--placement-noise", condition.noise,
+           "--free", str(condition.free).lower(), "--threads", options.threads, "-o", recording, may_lose=True)
     return recording
 
 

@@ -274,7 +274,7 @@ TEST_F(Sweep, RefusesBeforeAnythingRuns) {
                      {sweep("out", {"--part", "8/7"}), {"--part", "is no part"}},
                      {sweep("out", {"--part", "3"}), {"--part", "is no part"}},
                      {sweep("out", {"--part", "a/b"}), {"--part", "is no part"}},
-                     {{"sweep", "sensitivity", "--over", "over.toml"}, {"not of a question"}}});
+                     {{"sweep", "choices", "--over", "over.toml"}, {"not of a question"}}});
 }
 
 TEST_F(Sweep, TheSamePartTwiceAtOnceIsRefused) {

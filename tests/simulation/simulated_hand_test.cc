@@ -17,6 +17,8 @@ SimulationParameters quiet() {
   SimulationParameters parameters;
   parameters.sensor_noise = 0.0;
   parameters.servo_play = 0.0;
+  parameters.touch_threshold = 0.0;
+  parameters.piezo_converter = PiezoConverter::kBipolar;
   return parameters;
 }
 

@@ -30,9 +30,9 @@ struct SimulationParameters {
   double sensor_noise = 0.02;
   double joint_noise = 0.2;
   double servo_play = 1.0;
-  double touch_threshold = 0.0;
+  double touch_threshold = 0.1;
   double piezo_time = 0.1;
-  PiezoConverter piezo_converter = PiezoConverter::kBipolar;
+  PiezoConverter piezo_converter = PiezoConverter::kUnipolar;
   std::optional<double> friction;
 
   static const Declarations<SimulationParameters>& declarations();
