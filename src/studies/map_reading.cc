@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include "somato/maps/labels.h"
 #include "somato/maps/size_order.h"
@@ -10,6 +11,7 @@
 #include "somato/studies/most_similar.h"
 #include "somato/studies/wrong_groupings.h"
 #include "studies/metrics.h"
+#include "studies/paper_measures.h"
 
 namespace somato {
 namespace {
@@ -72,6 +74,12 @@ void read_label(const std::string& prefix, const Groupings& groupings, const Gri
         return own;
       },
       values);
+  add_measure(
+      prefix + "winner_shared_with_own", groupings,
+      [&](const Numbers& classes) {
+        return static_cast<double>(samples_sharing_with_own(winners, classes));
+      },
+      values);
 }
 
 // The number of a class, or none that a sample could have.
@@ -106,6 +114,9 @@ void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winner
   values.emplace_back("order_around_by_luck", luck.around);
   values.emplace_back("order_within", found.within);
   values.emplace_back("order_within_by_luck", luck.within);
+  const RankOrder along = order_along(mapped, kShuffles, seed);
+  values.emplace_back("order_along", along.correlation);
+  values.emplace_back("order_along_by_luck", along.shuffled);
 }
 
 std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individuals) {
@@ -115,6 +126,29 @@ std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individua
     things.push_back({order.numbers[individual], order.groups[individual]});
   }
   return things;
+}
+
+Numbers each_its_own(std::size_t count) {
+  Numbers numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+// The individuals that were learned from, as those that their samples' surroundings stand for.
+void read_outliers(const StudyParameters& study, const Question& question, const Numbers& winners,
+                   std::uint64_t seed, NamedValues& values) {
+  const Numbers individuals = first_of(question.order->individuals, winners.size());
+  const std::size_t known = *std::max_element(individuals.begin(), individuals.end()) + 1;
+  const std::vector<SizedThing> sized = things(*question.order, each_its_own(known));
+  const Groupings groupings{individuals, wrong_groupings(individuals, each_its_own(winners.size()),
+                                                         study.wrong_groupings, seed)};
+  add_measure(
+      "right_size_wrong_group", groupings,
+      [&](const Numbers& dealt) {
+        return static_cast<double>(
+            samples_with_size_in_other_group(question.grid, winners, dealt, sized));
+      },
+      values);
 }
 
 // The share of samples that stand with one of those they are most similar to.
@@ -147,13 +181,22 @@ NamedValues read_map(const StudyParameters& study, const Question& question, con
     read_pairs(study, label.classes, groupings.right,
                classes_of_surroundings(grid, winners, groupings.right), values);
   }
-  if (question.order) read_order(*question.order, grid, winners, seed, values);
+  if (question.order) {
+    read_order(*question.order, grid, winners, seed, values);
+    read_outliers(study, question, winners, seed, values);
+  }
   values.emplace_back("on_border", share_on_border(grid, winners));
   values.emplace_back("on_border_by_luck", border_of(grid));
+  if (question.fixed_vectors) {
+    values.emplace_back(
+        "cosine_between_classes",
+        cosine_between_classes(question.fixed_vectors->samples.samples(),
+                               first_of(question.classes().of_sample, winners.size())));
+  }
   return values;
 }
 
-NamedValues read_placed(const Question& question, const FoldOutcome& outcome) {
+NamedValues read_placed(const Question& question, const FoldOutcome& outcome, std::uint64_t seed) {
   if (!question.order) return {};
   const AskedOrder& order = *question.order;
   const std::size_t learned = question.samples.samples;
@@ -161,9 +204,7 @@ NamedValues read_placed(const Question& question, const FoldOutcome& outcome) {
                       order.individuals.end());
   const Numbers known_samples = first_of(order.individuals, learned);
   const std::size_t known = *std::max_element(known_samples.begin(), known_samples.end()) + 1;
-  Numbers known_individuals(known);
-  for (std::size_t i = 0; i < known; ++i) known_individuals[i] = i;
-  const auto similar = most_similar(things(order, known_individuals), things(order, asked));
+  const auto similar = most_similar(things(order, each_its_own(known)), things(order, asked));
   const Classes individuals{std::vector<std::string>(known), order.individuals};
   Fold fold;
   for (std::size_t i = 0; i < learned; ++i) fold.training.push_back(i);
@@ -173,11 +214,15 @@ NamedValues read_placed(const Question& question, const FoldOutcome& outcome) {
       individuals_of_nearest.push_back(order.individuals[sample]);
     return individuals_of_nearest;
   };
-  return {
+  NamedValues values{
       {"placed_with_most_similar", share_with(similar, predictions(individuals, fold, outcome))},
       {"baseline_placed_with_most_similar",
        std::max(share_with(similar, neighbours(outcome.nearest.raw)),
                 share_with(similar, neighbours(outcome.nearest.standardized)))}};
+  Numbers winners = outcome.training_winners;
+  winners.insert(winners.end(), outcome.winners.begin(), outcome.winners.end());
+  read_order(order, question.grid, winners, seed, values);
+  return values;
 }
 
 }  // namespace somato

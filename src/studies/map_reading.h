@@ -25,7 +25,9 @@ NamedValues read_map(const StudyParameters& study, const Question& question,
                      const std::vector<std::size_t>& winners, std::uint64_t seed);
 
 /// What is read where new individuals were put on a map: the share that is placed with the known
-/// individual most similar to it, and the same of the nearest neighbour. Nothing without an order.
-NamedValues read_placed(const Question& question, const FoldOutcome& outcome);
+/// individual most similar to it, and the same of the nearest neighbour; and the order of all
+/// individuals, new and known, each beside that of numbers shuffled with `seed`. Nothing without an
+/// order.
+NamedValues read_placed(const Question& question, const FoldOutcome& outcome, std::uint64_t seed);
 
 }  // namespace somato

@@ -24,9 +24,13 @@ const std::vector<std::string>& plain_names() {
                                               "told_exactly",
                                               "undetermined",
                                               "with_own",
+                                              "winner_shared_with_own",
                                               "order_around",
                                               "order_within",
+                                              "order_along",
+                                              "right_size_wrong_group",
                                               "on_border",
+                                              "cosine_between_classes",
                                               "placed_with_most_similar",
                                               "baseline_placed_with_most_similar"};
   return names;

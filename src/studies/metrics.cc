@@ -187,7 +187,7 @@ class MetricsMaker {
       const FoldOutcome& outcome = *seed.folds.front();
       readings.push_back(one_map
                              ? read_map(asked_.study, asked_.question, outcome.winners, seed.seed)
-                             : read_placed(asked_.question, outcome));
+                             : read_placed(asked_.question, outcome, seed.seed));
     }
     for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
       Metric metric{readings.front()[reading].first, {}};

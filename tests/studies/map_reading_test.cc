@@ -61,6 +61,7 @@ TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
   EXPECT_EQ(values.at("told_exactly"), 1.0);
   EXPECT_EQ(values.at("undetermined"), 2.0);
   EXPECT_EQ(values.at("with_own"), 2.0);
+  EXPECT_EQ(values.at("winner_shared_with_own"), 2.0);
   EXPECT_EQ(values.at("mapped_with A B"), 2.0);
   EXPECT_EQ(values.at("mapped_with B A"), 2.0);
   EXPECT_EQ(values.at("mapped_with A C"), 0.0);
@@ -85,6 +86,8 @@ TEST(ReadMap, SaysWhatLuckWouldGive) {
   EXPECT_EQ(together.at("undetermined_by_luck"), 4.0);
   EXPECT_EQ(together.at("with_own"), 4.0);
   EXPECT_EQ(together.at("with_own_by_luck"), 0.0);
+  EXPECT_EQ(together.at("winner_shared_with_own"), 4.0);
+  EXPECT_EQ(together.at("winner_shared_with_own_by_luck"), 0.0);
   // At neurons of their own all are told, however they are dealt.
   const ByName apart = read(study_reading({}), question, {0, 2, 4, 6});
   EXPECT_EQ(apart.at("told_exactly_by_luck"), 2.0);
@@ -107,6 +110,8 @@ TEST(ReadMap, AsksEveryLabel) {
   EXPECT_EQ(values.at("shape.told_exactly"), 2.0);
   EXPECT_EQ(values.at("undetermined"), 2.0);
   EXPECT_EQ(values.at("shape.undetermined"), 0.0);
+  EXPECT_EQ(values.at("winner_shared_with_own"), 0.0);
+  EXPECT_EQ(values.at("shape.winner_shared_with_own"), 2.0);
   EXPECT_FALSE(values.contains("shape.mapped_with A B"));
   EXPECT_FALSE(values.contains("order_around"));
 }
@@ -118,6 +123,16 @@ TEST(ReadMap, SeesTheBorder) {
   const ByName values = read(study_reading({}), question, {0, 5, 7, 10, 14});
   EXPECT_EQ(values.at("on_border"), 0.6);
   EXPECT_EQ(values.at("on_border_by_luck"), 0.75);
+}
+
+// (3, 4) and (4, 3) of different classes have the cosine 24/25; the last one was not learned from.
+TEST(ReadMap, ComparesTheVectorsWhereNothingBeforeTheMapLearns) {
+  Question question = question_on(kRow, {label("object", "ABA")});
+  question.samples.samples = 2;
+  EXPECT_FALSE(read(study_reading({}), question, {0, 8}).contains("cosine_between_classes"));
+  question.fixed_vectors =
+      ExplorationValues{{0, 1, 2}, KnownSamples(Samples(Matrix<float>(3, 2, {3, 4, 4, 3, -5, 1})))};
+  EXPECT_DOUBLE_EQ(read(study_reading({}), question, {0, 8}).at("cosine_between_classes"), 0.96);
 }
 
 // Explorations of what is tested with stand after those that were learned from.
@@ -168,6 +183,29 @@ TEST_F(ReadOrder, ByLuckLiesBetweenTheWorstAndTheBest) {
   EXPECT_GT(values.at("order_within_by_luck"), 0.8);
 }
 
+// From left to right 4 2 3 1: the squared differences from 1 to 4 are 9 + 9, and 1 - 6 * 18 / 60 is
+// -0.8. Of the 24 orders of four numbers the absolute correlation is 1 in 2, 0.8 in 6, 0.6 in 2,
+// 0.4 in 8, 0.2 in 4 and 0 in 2.
+TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndBesideLuck) {
+  Question question = question_on(kRow, {label("object", "ABCD")});
+  question.order = AskedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
+  const ByName values = read(study_reading({}), question, {0, 3, 4, 8});
+  EXPECT_DOUBLE_EQ(values.at("order_along"), 0.8);
+  EXPECT_NEAR(values.at("order_along_by_luck"), 12.0 / 24, 0.1);
+}
+
+// A and B are of one group, C and D of the other; A and C are the small ones. The C at 1 lies with
+// A; the C at 5 and the D at 6 lie with each other.
+//   neuron  0 0 1 5 6 8 8
+//   sample  A A C C D B B
+TEST_F(ReadOrder, FindsOutliersOfTheRightSize) {
+  Question question = question_on(kRow, {label("object", "AACCDBB")});
+  question.order = AskedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
+  const ByName values = read(study_reading({}), question, {0, 0, 1, 5, 6, 8, 8});
+  EXPECT_EQ(values.at("right_size_wrong_group"), 1.0);
+  EXPECT_GT(values.at("right_size_wrong_group_by_luck"), 0.0);
+}
+
 // Two of a group are always in order, so they count for nothing.
 TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
   EXPECT_EQ(read_numbers({1, 2, 3, 4}, {0, 0, 1, 1}).at("order_within"), 0.0);
@@ -179,6 +217,7 @@ TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
 class ReadPlaced : public ::testing::Test {
  protected:
   ReadPlaced() {
+    question_.grid = kRow;
     question_.samples.samples = 4;
     question_.samples.test_samples = 4;
     question_.order = AskedOrder{
@@ -190,7 +229,7 @@ class ReadPlaced : public ::testing::Test {
   ByName placed(const Numbers& named_by, const Neighbours& nearest) {
     outcome_.named_by = named_by;
     outcome_.nearest = nearest;
-    const NamedValues values = read_placed(question_, outcome_);
+    const NamedValues values = read_placed(question_, outcome_, kReadingSeed);
     return {values.begin(), values.end()};
   }
 

@@ -6,8 +6,10 @@ namespace somato {
 namespace {
 
 TEST(MetricNames, HoldThoseOfOtherLabelsAndOfWrongGroupings) {
-  for (const char* name : {"accuracy", "shape.accuracy", "accuracy_by_luck",
-                           "a.b.order_around_by_luck", "mapped_with boccia boule"}) {
+  for (const char* name :
+       {"accuracy", "shape.accuracy", "accuracy_by_luck", "a.b.order_around_by_luck",
+        "mapped_with boccia boule", "winner_shared_with_own", "order_along_by_luck",
+        "right_size_wrong_group", "cosine_between_classes"}) {
     EXPECT_TRUE(check_metric_name(name, "a.toml:3")) << name;
   }
 }
