@@ -43,7 +43,7 @@ Recording made_touch(std::size_t joints) {
             {"trial", std::to_string(trial + 1)}},
            "",
            {made("height", 1, 6, 101, 249, random), made("wrist", 1, 6, -89, 89, random),
-            made("joints", joints, 6, 1, 29, random), made("touch", 45, 6, 0, 1, random),
+            made("joints", joints, 6, 1, 29, random), made("touch_change", 45, 6, 0, 1, random),
             made("sound", 1, 8192, -1, 1, random),
             made("potentiometer", 1, 6, 1, 262143, random)}});
     }
