@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace somato::program {
 namespace {
 
@@ -41,14 +45,43 @@ std::string published(const ClaimOutcome& outcome) {
   return outcome.claim.published ? fmt::format("{:g}", *outcome.claim.published) : "-";
 }
 
-std::string claim_line(const ClaimOutcome& outcome) {
-  const Metric values{outcome.claim.metric, outcome.values};
-  const std::string subject = outcome.claim.variation.empty()
-                                  ? outcome.claim.system
-                                  : outcome.claim.system + ", " + outcome.claim.variation;
-  return fmt::format("  {:>4.0f} %  {:>9}  {:>8.3f} +- {:<7.3f} {}: {}\n", 100.0 * outcome.share(),
-                     published(outcome), values.mean(), values.standard_deviation(), subject,
-                     outcome.claim.text);
+std::string claim_lines(const ClaimOutcome& outcome) {
+  const Claim& claim = outcome.claim;
+  const Metric values{claim.metric, outcome.values};
+  const std::string subject =
+      claim.variation.empty() ? claim.system : claim.system + ", " + claim.variation;
+  std::string text = fmt::format(
+      "  {:<25} {:>4.0f} %  {:>9}  {:>8.3f} +- {:<7.3f} {}: {} ({} {})\n",
+      choice_name(outcome.verdict()), 100.0 * outcome.share(), published(outcome), values.mean(),
+      values.standard_deviation(), subject, claim.text, claim.metric, claim.bounds());
+  if (!outcome.reason().empty()) text += fmt::format("{:4}{}\n", "", outcome.reason());
+  return text;
+}
+
+// Those of papers, or those of our own; nothing where there is none.
+std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
+                        const std::string& title) {
+  std::string text;
+  for (const ClaimOutcome& outcome : claims) {
+    if (outcome.claim.is_of_paper() == of_papers) text += claim_lines(outcome);
+  }
+  if (text.empty()) return text;
+  return fmt::format(
+      "\n{}: the verdict, in how many of the pairs each holds, as published, as measured\n{}",
+      title, text);
+}
+
+// How many claims of papers have each verdict.
+std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
+  std::string text;
+  for (const auto& [verdict, name] : Choices<ClaimVerdict>::all()) {
+    const auto count =
+        std::count_if(claims.begin(), claims.end(), [&](const ClaimOutcome& outcome) {
+          return outcome.claim.is_of_paper() && outcome.verdict() == verdict;
+        });
+    if (count > 0) text += fmt::format("  {:<25} {:>4}\n", name, count);
+  }
+  return text.empty() ? text : "\nVerdicts on the claims of papers\n" + text;
 }
 
 }  // namespace
@@ -65,10 +98,9 @@ std::string reproduction_table(const ReproductionResults& results) {
     }
     for (const SystemResults& protocol : part.protocols) text += line_of(part, protocol);
   }
-  if (!results.claims.empty()) {
-    text += "\nClaims: in how many of the pairs each holds, as published, as measured\n";
-    for (const ClaimOutcome& outcome : results.claims) text += claim_line(outcome);
-  }
+  text += claims_text(results.claims, true, "Claims of papers");
+  text += verdicts_text(results.claims);
+  text += claims_text(results.claims, false, "Comparisons of our own");
   for (const NotApplicable& one : results.not_applicable) {
     text += fmt::format("\nNot applicable: {}: {}", one.system, one.reason);
   }

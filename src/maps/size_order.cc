@@ -150,9 +150,12 @@ CircularOrderByLuck circular_order_by_luck(const std::vector<MappedIndividual>& 
   Random random(seed, Stream::kSizeOrder);
   CircularOrder sum;
   CircularOrder as_high{1.0, 1.0};  // the true order is one of them
+  std::vector<CircularOrder> of_each;
+  of_each.reserve(shuffles);
   for (std::size_t i = 0; i < shuffles; ++i) {
     shuffle(rankings, random);
     const CircularOrder order = order_of(rankings);
+    of_each.push_back(order);
     sum.around += order.around;
     sum.within += order.within;
     as_high.around += order.around >= right.around - kRounding ? 1.0 : 0.0;
@@ -160,7 +163,9 @@ CircularOrderByLuck circular_order_by_luck(const std::vector<MappedIndividual>& 
   }
   const double many = std::max(static_cast<double>(shuffles), 1.0);
   const double all = static_cast<double>(shuffles) + 1.0;
-  return {{sum.around / many, sum.within / many}, {as_high.around / all, as_high.within / all}};
+  return {{sum.around / many, sum.within / many},
+          {as_high.around / all, as_high.within / all},
+          std::move(of_each)};
 }
 
 }  // namespace somato

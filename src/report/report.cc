@@ -32,12 +32,13 @@ Json settings_json(const std::vector<Settings>& parts) {
   return json;
 }
 
-// As in results.json, each run with its recording.
+// As in results.json, each run with its recording, without what only verdicts are made of.
 Json protocols_json(const PartResults& part) {
   Json json = Json::array();
   for (const SystemResults& protocol : part.protocols) {
     Json one = detail::system_json(protocol);
     one.erase("name");
+    for (Json& metric : one["metrics"]) metric.erase("of_each");
     for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
       one["runs"][i]["recording"] = part.pairs[i].recording;
     }
@@ -158,16 +159,11 @@ class ReportWriter {
     return {};
   }
 
-  // What a study says of claims stands with its system, the last one.
   void add_claims(const ResultsFile& file, const RecordingLayout& layout) {
-    detail::ClaimsOfFile of_file = detail::claims_of(file, layout, plans_);
-    for (JudgedClaim& judged : of_file.claims) {
+    for (JudgedClaim& judged : detail::claims_of(file, layout, plans_)) {
       claims_.push_back(detail::claim_json(judged, file.path));
       judged_.push_back(std::move(judged));
     }
-    for (const std::string& sentence : of_file.missing)
-      systems_.back()["missing"].push_back(sentence);
-    remember(of_file.missing);
   }
 
   // Results from before exploring stood among the settings: the library's own files say it, unless

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,6 +17,7 @@ using detail::CheckedJson;
 constexpr std::uint64_t kStudyVersion = 3;
 constexpr std::uint64_t kReproductionVersion = 1;
 constexpr std::uint64_t kMostNeurons = (1U << 24U) - 1;
+constexpr double kMostGroupings = 1e9;
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
 
 std::vector<std::string> texts(const CheckedJson& json) {
@@ -33,6 +35,24 @@ void expect_length(const CheckedJson& json, std::size_t length) {
   json.refuse(fmt::format("has {} entries, where {} are needed", json.size(), length));
 }
 
+// Values with how often they occurred: lists of two.
+Distribution distribution_of(const CheckedJson& json) {
+  Distribution distribution;
+  json.each([&](const CheckedJson& entry) {
+    std::vector<double> numbers;
+    entry.each([&](const CheckedJson& number) { numbers.push_back(number.number()); });
+    if (entry.ok()) expect_length(entry, 2);
+    if (!entry.ok()) return;
+    if (numbers[1] < 1.0 || numbers[1] > kMostGroupings || numbers[1] != std::floor(numbers[1])) {
+      entry.refuse("does not say how often the value occurred");
+      return;
+    }
+    distribution[numbers[0]] = static_cast<std::size_t>(numbers[1]);
+  });
+  if (json.ok() && distribution.empty()) json.refuse("has no value");
+  return distribution;
+}
+
 Metric metric_of(const std::string& name, const CheckedJson& json, std::size_t runs) {
   Metric metric{name, {}};
   static_cast<void>(json.at("mean").number_or_nan());
@@ -40,6 +60,11 @@ Metric metric_of(const std::string& name, const CheckedJson& json, std::size_t r
   const CheckedJson values = json.at("values");
   values.each([&](const CheckedJson& value) { metric.values.push_back(value.number_or_nan()); });
   if (json.ok()) expect_length(values, runs);
+  if (!json.has("of_each")) return metric;
+  const CheckedJson of_each = json.at("of_each");
+  of_each.each(
+      [&](const CheckedJson& of_run) { metric.of_each.push_back(distribution_of(of_run)); });
+  if (json.ok()) expect_length(of_each, runs);
   return metric;
 }
 
@@ -189,17 +214,18 @@ Claim claim_of(const CheckedJson& json) {
   return claim;
 }
 
-// The file has the figures; the values that they are made of stand with the systems.
+// The values that the figures are made of stand with the systems: the claim is judged by them anew,
+// so that files from before the verdicts have them too.
 void read_claim(const CheckedJson& json, ResultsFile& file) {
   JudgedClaim judged;
-  judged.outcome.claim = claim_of(json);
+  const Claim claim = claim_of(json);
   judged.share = json.at("share").number();
-  judged.outcome.by_luck = json.at("by_luck").number_or_nothing();
+  static_cast<void>(json.at("by_luck").number_or_nothing());
   if (!json.ok()) return;
   if (judged.share < 0.0 || judged.share > 1.0) json.at("share").refuse("is no share");
-  const auto outcomes = judge({judged.outcome.claim}, file.parts);
+  const auto outcomes = judge({claim}, file.parts);
   if (outcomes.empty()) json.refuse("is about something that is not in the file");
-  if (!outcomes.empty()) judged.outcome.values = outcomes.front().values;
+  if (!outcomes.empty()) judged.outcome = outcomes.front();
   file.claims.push_back(std::move(judged));
 }
 

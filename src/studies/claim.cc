@@ -1,8 +1,13 @@
 #include "somato/studies/claim.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "core/contains.h"
 #include "somato/studies/protocol.h"
 #include "studies/metric_names.h"
 
@@ -12,9 +17,33 @@ namespace {
 // Differences of rounded values must not fail a bound that they meet.
 constexpr double kClaimRounding = 1e-9;
 
-bool holds(const Claim& claim, double value) {
-  return (!claim.at_least || value >= *claim.at_least - kClaimRounding) &&
-         (!claim.at_most || value <= *claim.at_most + kClaimRounding);
+constexpr std::string_view kMappedThings = "mapped_with ";
+
+bool counts_explorations(const std::string& metric) {
+  static const std::vector<std::string> names{"told_exactly", "undetermined", "with_own"};
+  return metric.starts_with(kMappedThings) ||
+         contains(names, metric.substr(metric.rfind('.') + 1));  // npos + 1 is 0
+}
+
+bool has_class(const SystemResults& system, const std::string& name) {
+  return std::any_of(system.runs.begin(), system.runs.end(),
+                     [&](const Run& run) { return contains(run.labels, name); });
+}
+
+// Share of the values of one map's wrong groupings that meet the bounds.
+double share_meeting(const Claim& claim, const Distribution& values) {
+  double meeting = 0.0;
+  double all = 0.0;
+  for (const auto& [value, times] : values) {
+    all += static_cast<double>(times);
+    if (claim.is_met_by(value)) meeting += static_cast<double>(times);
+  }
+  return all > 0.0 ? meeting / all : 0.0;
+}
+
+std::size_t pairs_with_a_value(const std::vector<double>& values) {
+  return static_cast<std::size_t>(std::count_if(values.begin(), values.end(),
+                                                [](double value) { return std::isfinite(value); }));
 }
 
 Result<Claim> read_claim(const Table& table) {
@@ -39,6 +68,27 @@ Result<Claim> read_claim(const Table& table) {
 }
 
 }  // namespace
+
+const std::vector<std::pair<ClaimVerdict, std::string>>& Choices<ClaimVerdict>::all() {
+  static const std::vector<std::pair<ClaimVerdict, std::string>> names{
+      {ClaimVerdict::kHolds, "holds"},
+      {ClaimVerdict::kHoldsByChanceToo, "holds, but so does chance"},
+      {ClaimVerdict::kMostly, "mostly"},
+      {ClaimVerdict::kFails, "fails"},
+      {ClaimVerdict::kUndecided, "cannot be decided here"}};
+  return names;
+}
+
+bool Claim::is_met_by(double value) const {
+  return std::isfinite(value) && (!at_least || value >= *at_least - kClaimRounding) &&
+         (!at_most || value <= *at_most + kClaimRounding);
+}
+
+std::string Claim::bounds() const {
+  if (at_least && at_most) return fmt::format("between {:g} and {:g}", *at_least, *at_most);
+  return at_least ? fmt::format("at least {:g}", *at_least)
+                  : fmt::format("at most {:g}", at_most.value_or(0.0));
+}
 
 const Declarations<Claim>& Claim::declarations() {
   using P = Claim;
@@ -87,8 +137,49 @@ Result<std::vector<Claim>> read_claims(const Table& file) {
 double ClaimOutcome::share() const {
   if (values.empty()) return 0.0;
   const auto holding = std::count_if(values.begin(), values.end(),
-                                     [&](double value) { return holds(claim, value); });
+                                     [&](double value) { return claim.is_met_by(value); });
   return static_cast<double>(holding) / static_cast<double>(values.size());
+}
+
+std::string ClaimOutcome::reason() const {
+  if (!undecidable.empty()) return undecidable;
+  const std::size_t pairs = pairs_with_a_value(values);
+  if (pairs >= kLeastPairs) return {};
+  return fmt::format("{} pair{}; {} are needed", pairs, pairs == 1 ? "" : "s", kLeastPairs);
+}
+
+ClaimVerdict ClaimOutcome::verdict() const {
+  if (!reason().empty()) return ClaimVerdict::kUndecided;
+  if (!reaches(share(), kHoldsFrom)) {
+    return reaches(share(), kMostlyFrom) ? ClaimVerdict::kMostly : ClaimVerdict::kFails;
+  }
+  const bool chance = chance_share && reaches(*chance_share, kChanceFrom);
+  return chance ? ClaimVerdict::kHoldsByChanceToo : ClaimVerdict::kHolds;
+}
+
+bool reaches(double share, double limit) {
+  return share >= limit - kClaimRounding;
+}
+
+std::string reason_undecidable(const Claim& claim, const SystemResults& system) {
+  const bool counts = counts_explorations(claim.metric);
+  if (counts && claim.at_least && *claim.at_least > static_cast<double>(system.samples)) {
+    return fmt::format("{} explorations; {:g} are needed", system.samples, *claim.at_least);
+  }
+  if (!claim.metric.starts_with(kMappedThings) || system.runs.empty()) return {};
+  const std::string things = claim.metric.substr(kMappedThings.size());
+  const std::size_t gap = things.find(' ');
+  for (const std::string& name : {things.substr(0, gap), things.substr(gap + 1)}) {
+    if (!has_class(system, name)) return fmt::format("no exploration of '{}'", name);
+  }
+  return {};
+}
+
+std::optional<double> chance_share_of(const Claim& claim, const Metric& luck) {
+  if (luck.of_each.empty()) return {};
+  double sum = 0.0;
+  for (const Distribution& of_pair : luck.of_each) sum += share_meeting(claim, of_pair);
+  return sum / static_cast<double>(luck.of_each.size());
 }
 
 }  // namespace somato

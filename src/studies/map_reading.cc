@@ -17,6 +17,7 @@ namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
+using Readings = std::vector<Reading>;
 using MapMeasure = std::function<double(const Numbers& classes)>;
 
 Numbers first_of(const Numbers& values, std::size_t count) {
@@ -30,12 +31,18 @@ struct Groupings {
 };
 
 void add_measure(const std::string& name, const Groupings& groupings, const MapMeasure& measure,
-                 NamedValues& values) {
-  values.emplace_back(name, measure(groupings.right));
+                 Readings& values) {
+  values.push_back({name, measure(groupings.right)});
   if (groupings.wrong.empty()) return;  // 0 would say that luck never does it.
+  Reading luck{name + "_by_luck"};
   double sum = 0.0;
-  for (const Numbers& wrong : groupings.wrong) sum += measure(wrong);
-  values.emplace_back(name + "_by_luck", sum / static_cast<double>(groupings.wrong.size()));
+  for (const Numbers& wrong : groupings.wrong) {
+    const double value = measure(wrong);
+    sum += value;
+    ++luck.of_each[value];
+  }
+  luck.value = sum / static_cast<double>(groupings.wrong.size());
+  values.push_back(std::move(luck));
 }
 
 double count_true(const std::vector<bool>& flags) {
@@ -53,7 +60,7 @@ std::size_t mapped_with(const Numbers& classes, const Numbers& surroundings, std
 }
 
 void read_label(const std::string& prefix, const Groupings& groupings, const Grid& grid,
-                const Numbers& winners, NamedValues& values) {
+                const Numbers& winners, Readings& values) {
   add_measure(
       prefix + "told_exactly", groupings,
       [&](const Numbers& classes) { return count_true(classes_told_exactly(winners, classes)); },
@@ -89,18 +96,18 @@ std::size_t class_named(const Classes& classes, const std::string& name) {
 }
 
 void read_pairs(const StudyParameters& study, const Classes& classes, const Numbers& right,
-                const Numbers& surroundings, NamedValues& values) {
+                const Numbers& surroundings, Readings& values) {
   for (const std::string& pair : study.mapped_with) {
     const std::size_t gap = pair.find(' ');
     const std::size_t a = class_named(classes, pair.substr(0, gap));
     const std::size_t b = class_named(classes, pair.substr(gap + 1));
-    values.emplace_back("mapped_with " + pair,
-                        static_cast<double>(mapped_with(right, surroundings, a, b)));
+    values.push_back(
+        {"mapped_with " + pair, static_cast<double>(mapped_with(right, surroundings, a, b))});
   }
 }
 
 void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winners,
-                std::uint64_t seed, NamedValues& values) {
+                std::uint64_t seed, Readings& values) {
   constexpr std::size_t kShuffles = 100;
   const Numbers individuals = first_of(order.individuals, winners.size());
   const std::size_t learned = *std::max_element(individuals.begin(), individuals.end()) + 1;
@@ -109,14 +116,20 @@ void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winner
   const auto mapped =
       mapped_individuals(grid, winners, individuals, numbers, first_of(order.groups, learned));
   const CircularOrder found = circular_order(mapped);
-  const CircularOrder luck = circular_order_by_luck(mapped, kShuffles, seed).mean;
-  values.emplace_back("order_around", found.around);
-  values.emplace_back("order_around_by_luck", luck.around);
-  values.emplace_back("order_within", found.within);
-  values.emplace_back("order_within_by_luck", luck.within);
+  const CircularOrderByLuck luck = circular_order_by_luck(mapped, kShuffles, seed);
+  Reading around{"order_around_by_luck", luck.mean.around};
+  Reading within{"order_within_by_luck", luck.mean.within};
+  for (const CircularOrder& shuffled : luck.of_each) {
+    ++around.of_each[shuffled.around];
+    ++within.of_each[shuffled.within];
+  }
+  values.push_back({"order_around", found.around});
+  values.push_back(std::move(around));
+  values.push_back({"order_within", found.within});
+  values.push_back(std::move(within));
   const RankOrder along = order_along(mapped, kShuffles, seed);
-  values.emplace_back("order_along", along.correlation);
-  values.emplace_back("order_along_by_luck", along.shuffled);
+  values.push_back({"order_along", along.correlation});
+  values.push_back({"order_along_by_luck", along.shuffled});
 }
 
 std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individuals) {
@@ -136,7 +149,7 @@ Numbers each_its_own(std::size_t count) {
 
 // The individuals that were learned from, as those that their samples' surroundings stand for.
 void read_outliers(const StudyParameters& study, const Question& question, const Numbers& winners,
-                   std::uint64_t seed, NamedValues& values) {
+                   std::uint64_t seed, Readings& values) {
   const Numbers individuals = first_of(question.order->individuals, winners.size());
   const std::size_t known = *std::max_element(individuals.begin(), individuals.end()) + 1;
   const std::vector<SizedThing> sized = things(*question.order, each_its_own(known));
@@ -168,9 +181,9 @@ std::vector<Numbers> wrong_classes(const AskedLabel& label, std::size_t explorat
                          first_of(label.individuals, explorations), count, seed);
 }
 
-NamedValues read_map(const StudyParameters& study, const Question& question, const Numbers& winners,
-                     std::uint64_t seed) {
-  NamedValues values;
+std::vector<Reading> read_map(const StudyParameters& study, const Question& question,
+                              const Numbers& winners, std::uint64_t seed) {
+  Readings values;
   const Grid& grid = question.grid;
   for (const AskedLabel& label : question.labels) {
     const bool own = &label == &question.labels.front();
@@ -185,18 +198,20 @@ NamedValues read_map(const StudyParameters& study, const Question& question, con
     read_order(*question.order, grid, winners, seed, values);
     read_outliers(study, question, winners, seed, values);
   }
-  values.emplace_back("on_border", share_on_border(grid, winners));
-  values.emplace_back("on_border_by_luck", border_of(grid));
+  values.push_back({"on_border", share_on_border(grid, winners)});
+  const double evenly_spread = border_of(grid);  // an expectation: it stands for all groupings
+  values.push_back({"on_border_by_luck", evenly_spread, {{evenly_spread, 1}}});
   if (question.fixed_vectors) {
-    values.emplace_back(
-        "cosine_between_classes",
-        cosine_between_classes(question.fixed_vectors->samples.samples(),
-                               first_of(question.classes().of_sample, winners.size())));
+    values.push_back(
+        {"cosine_between_classes",
+         cosine_between_classes(question.fixed_vectors->samples.samples(),
+                                first_of(question.classes().of_sample, winners.size()))});
   }
   return values;
 }
 
-NamedValues read_placed(const Question& question, const FoldOutcome& outcome, std::uint64_t seed) {
+std::vector<Reading> read_placed(const Question& question, const FoldOutcome& outcome,
+                                 std::uint64_t seed) {
   if (!question.order) return {};
   const AskedOrder& order = *question.order;
   const std::size_t learned = question.samples.samples;
@@ -214,7 +229,7 @@ NamedValues read_placed(const Question& question, const FoldOutcome& outcome, st
       individuals_of_nearest.push_back(order.individuals[sample]);
     return individuals_of_nearest;
   };
-  NamedValues values{
+  Readings values{
       {"placed_with_most_similar", share_with(similar, predictions(individuals, fold, outcome))},
       {"baseline_placed_with_most_similar",
        std::max(share_with(similar, neighbours(outcome.nearest.raw)),

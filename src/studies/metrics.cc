@@ -140,24 +140,36 @@ class MetricsMaker {
   using AreaMeasure = std::function<double(const Numbers& classes)>;
   using MakeMeasure = std::function<AreaMeasure(const Numbers& winners)>;
 
+  // Sums over the folds, one for each wrong grouping.
+  static void add_luck(const std::vector<double>& sums, double folds, Metric& luck) {
+    double sum = 0.0;
+    Distribution of_each;
+    for (const double of_grouping : sums) {
+      sum += of_grouping;
+      ++of_each[of_grouping / folds];
+    }
+    luck.values.push_back(sum / (folds * static_cast<double>(sums.size())));
+    luck.of_each.push_back(std::move(of_each));
+  }
+
   void add_area_measure(const std::string& name, const AskedLabel& label, const MakeMeasure& make) {
     Metric right{prefix_ + name, {}};
     Metric luck{prefix_ + name + "_by_luck", {}};
     for (const SeedOutcome& seed : seeds_) {
       const std::vector<Numbers> groupings = wrong(label, seed.seed);
       double of_right = 0.0;
-      double of_wrong = 0.0;
+      std::vector<double> of_wrong(groupings.size(), 0.0);
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
         const FoldWinners all = fold_winners(seed, f);
         const AreaMeasure measure = make(all.winners);
         of_right += measure(at(label.classes.of_sample, all.samples));
-        for (const Numbers& grouping : groupings) of_wrong += measure(at(grouping, all.samples));
+        for (std::size_t g = 0; g < groupings.size(); ++g) {
+          of_wrong[g] += measure(at(groupings[g], all.samples));
+        }
       }
       const auto folds = static_cast<double>(seed.folds.size());
       right.values.push_back(of_right / folds);
-      if (!groupings.empty()) {
-        luck.values.push_back(of_wrong / (folds * static_cast<double>(groupings.size())));
-      }
+      if (!groupings.empty()) add_luck(of_wrong, folds, luck);
     }
     metrics_.push_back(std::move(right));
     // Where nothing was compared, 0 would say that luck never does it.
@@ -181,7 +193,7 @@ class MetricsMaker {
   void read_maps() {
     const bool one_map = asked_.protocol == Protocol::kTrainIsTest;
     if (!one_map && asked_.protocol != Protocol::kTestData) return;
-    std::vector<NamedValues> readings;
+    std::vector<std::vector<Reading>> readings;
     readings.reserve(seeds_.size());
     for (const SeedOutcome& seed : seeds_) {
       const FoldOutcome& outcome = *seed.folds.front();
@@ -190,8 +202,11 @@ class MetricsMaker {
                              : read_placed(asked_.question, outcome, seed.seed));
     }
     for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
-      Metric metric{readings.front()[reading].first, {}};
-      for (const NamedValues& values : readings) metric.values.push_back(values[reading].second);
+      Metric metric{readings.front()[reading].name, {}};
+      for (const std::vector<Reading>& values : readings) {
+        metric.values.push_back(values[reading].value);
+        if (!values[reading].of_each.empty()) metric.of_each.push_back(values[reading].of_each);
+      }
       metrics_.push_back(std::move(metric));
     }
   }

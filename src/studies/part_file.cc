@@ -11,11 +11,13 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kPartVersion = 1;
+constexpr int kPartVersion = 2;
 
 SortedJson protocol_json(const SystemResults& protocol) {
   SortedJson metrics = SortedJson::array();
-  for (const Metric& metric : protocol.metrics) metrics.push_back({metric.name, metric.values});
+  for (const Metric& metric : protocol.metrics) {
+    metrics.push_back({metric.name, metric.values, metric.of_each});
+  }
   return {{"name", protocol.name},   {"protocol", protocol.protocol}, {"group", protocol.group},
           {"label", protocol.label}, {"samples", protocol.samples},   {"metrics", metrics}};
 }
@@ -38,7 +40,7 @@ SystemResults protocol_of(const SortedJson& kept) {
   kept.at("label").get_to(protocol.label);
   kept.at("samples").get_to(protocol.samples);
   for (const SortedJson& metric : kept.at("metrics")) {
-    protocol.metrics.push_back({metric.at(0), kept_values(metric.at(1))});
+    protocol.metrics.push_back({metric.at(0), kept_values(metric.at(1)), metric.at(2)});
   }
   return protocol;
 }

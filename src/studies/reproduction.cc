@@ -29,16 +29,20 @@ void append(const SystemResults& found, SystemResults& all) {
   for (std::size_t i = 0; i < all.metrics.size(); ++i) {
     const std::vector<double>& values = found.metrics[i].values;
     all.metrics[i].values.insert(all.metrics[i].values.end(), values.begin(), values.end());
+    const std::vector<Distribution>& of_each = found.metrics[i].of_each;
+    all.metrics[i].of_each.insert(all.metrics[i].of_each.end(), of_each.begin(), of_each.end());
   }
   all.runs.insert(all.runs.end(), found.runs.begin(), found.runs.end());
 }
 
-const Metric* find_metric(const PartResults& part, const Claim& claim, const std::string& name) {
-  for (const SystemResults& protocol : part.protocols) {
-    if (protocol.protocol != claim.protocol || protocol.group != claim.group) continue;
-    if (const Metric* metric = protocol.find_metric(name)) return metric;
-  }
-  return nullptr;
+// The part under the claim's protocol.
+const SystemResults* find_protocol(const PartResults* part, const Claim& claim) {
+  if (!part) return nullptr;
+  const auto found = std::find_if(
+      part->protocols.begin(), part->protocols.end(), [&](const SystemResults& protocol) {
+        return protocol.protocol == claim.protocol && protocol.group == claim.group;
+      });
+  return found == part->protocols.end() ? nullptr : &*found;
 }
 
 // Compared with a system of another file, a claim looks at that one as it was run for itself.
@@ -51,18 +55,21 @@ const PartResults* find_part(const std::vector<PartResults>& parts, const std::s
 }
 
 std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResults>& parts) {
-  const PartResults* part = find_part(parts, claim.question, claim.system, claim.variation);
-  const Metric* metric = part ? find_metric(*part, claim, claim.metric) : nullptr;
+  const SystemResults* system =
+      find_protocol(find_part(parts, claim.question, claim.system, claim.variation), claim);
+  const Metric* metric = system ? system->find_metric(claim.metric) : nullptr;
   if (!metric) return {};
-  ClaimOutcome outcome{claim, metric->values, {}};
+  ClaimOutcome outcome{claim, metric->values, {}, {}, reason_undecidable(claim, *system)};
   if (!claim.compares()) {
-    const Metric* luck = find_metric(*part, claim, claim.metric + "_by_luck");
-    if (luck) outcome.by_luck = luck->mean();
+    const Metric* luck = system->find_metric(claim.metric + "_by_luck");
+    if (!luck) return outcome;
+    outcome.by_luck = luck->mean();
+    outcome.chance_share = chance_share_of(claim, *luck);
     return outcome;
   }
-  const PartResults* than =
-      find_part(parts, claim.question, claim.than_system, claim.than_variation);
-  const Metric* other = than ? find_metric(*than, claim, claim.metric) : nullptr;
+  const SystemResults* than = find_protocol(
+      find_part(parts, claim.question, claim.than_system, claim.than_variation), claim);
+  const Metric* other = than ? than->find_metric(claim.metric) : nullptr;
   if (!other || other->values.size() != metric->values.size()) return {};
   for (std::size_t i = 0; i < outcome.values.size(); ++i) outcome.values[i] -= other->values[i];
   return outcome;
@@ -111,10 +118,13 @@ Json optional_json(const std::optional<double>& value) {
 Json claim_json(const ClaimOutcome& outcome) {
   const Metric values{outcome.claim.metric, outcome.values};
   Json json = detail::claim_json(outcome.claim);
+  json["verdict"] = choice_name(outcome.verdict());
+  json["reason"] = outcome.reason();
   json["share"] = outcome.share();
   json["mean"] = values.mean();
   json["sd"] = values.standard_deviation();
   json["by_luck"] = optional_json(outcome.by_luck);
+  json["chance_share"] = optional_json(outcome.chance_share);
   json["pairs"] = outcome.values.size();
   return json;
 }

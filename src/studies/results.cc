@@ -17,6 +17,7 @@ Json metrics_json(const std::vector<Metric>& metrics) {
   for (const Metric& metric : metrics) {
     json[metric.name] = {
         {"mean", metric.mean()}, {"sd", metric.standard_deviation()}, {"values", metric.values}};
+    if (!metric.of_each.empty()) json[metric.name]["of_each"] = metric.of_each;
   }
   return json;
 }

@@ -14,7 +14,6 @@ namespace {
 using SweepJson = nlohmann::ordered_json;
 
 constexpr int kSweepVersion = 1;
-constexpr double kShareRounding = 1e-9;
 
 // The points at which a claim can be judged.
 struct JudgedPoints {
@@ -148,6 +147,13 @@ SweepJson sweep_claim_json(const SweepResults& results, std::size_t number) {
   return json;
 }
 
+SweepJson outcome_json(const ClaimOutcome& outcome) {
+  const auto& chance = outcome.chance_share;
+  return {{"share", outcome.share()},
+          {"chance_share", chance ? SweepJson(*chance) : SweepJson(nullptr)},
+          {"values", outcome.values}};
+}
+
 SweepJson point_json(const SweepDescription& sweep, const SweepPointResults& point) {
   SweepJson values = SweepJson::object();
   for (std::size_t i = 0; i < point.point.size(); ++i) {
@@ -156,8 +162,7 @@ SweepJson point_json(const SweepDescription& sweep, const SweepPointResults& poi
   }
   SweepJson claims = SweepJson::array();
   for (const auto& outcome : point.claims) {
-    claims.push_back(outcome ? SweepJson{{"share", outcome->share()}, {"values", outcome->values}}
-                             : SweepJson(nullptr));
+    claims.push_back(outcome ? outcome_json(*outcome) : SweepJson(nullptr));
   }
   return {{"values", std::move(values)},
           {"recordings", point.recordings},
@@ -177,7 +182,8 @@ SweepPointResults judge_point(const SystemSweep& sweep, const SweepPoint& point,
   for (const Claim& claim : sweep.claims) {
     std::vector<ClaimOutcome> outcome = judge({claim}, parts);
     results.claims.emplace_back();
-    if (!outcome.empty()) results.claims.back() = std::move(outcome.front());
+    if (outcome.empty() || !outcome.front().undecidable.empty()) continue;
+    results.claims.back() = std::move(outcome.front());
   }
   return results;
 }
@@ -196,9 +202,8 @@ std::vector<std::size_t> ClaimEffects::by_effect() const {
 
 ClaimEffects effects_on(const SweepResults& results, std::size_t claim) {
   const JudgedPoints judged = judged_points(results, claim);
-  const auto holding = std::count_if(judged.shares.begin(), judged.shares.end(), [](double share) {
-    return share >= kHoldsFrom - kShareRounding;
-  });
+  const auto holding = std::count_if(judged.shares.begin(), judged.shares.end(),
+                                     [](double share) { return reaches(share, kHoldsFrom); });
   ClaimEffects over;
   over.points = judged.shares.size();
   if (over.points > 0) over.holds = static_cast<double>(holding) / static_cast<double>(over.points);

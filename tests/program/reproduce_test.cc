@@ -107,12 +107,13 @@ TEST_F(Reproduce, TheSameBytesForEveryNumberOfThreads) {
 
 // A variation and a claim of the file: how it came out is told and written.
 TEST_F(Reproduce, JudgesClaims) {
-  write("press.toml", press() +
-                          "[variation.single]\nmodule.map.rows = 1\nmodule.map.columns = 1\n"
-                          "[[claim]]\ntext = 'One neuron tells nothing exactly.'\n"
-                          "variation = 'single'\nmetric = 'told_exactly'\nat_most = 0\n"
-                          "[[claim]]\ntext = 'Nine neurons tell more.'\nthan_variation = 'single'\n"
-                          "metric = 'told_exactly'\nat_least = 1\n");
+  write("press.toml",
+        press() +
+            "[variation.single]\nmodule.map.rows = 1\nmodule.map.columns = 1\n"
+            "[[claim]]\ntext = 'One neuron tells nothing exactly.'\n"
+            "paper = 'P11'\nvariation = 'single'\nmetric = 'told_exactly'\nat_most = 0\n"
+            "[[claim]]\ntext = 'Nine neurons tell more.'\nthan_variation = 'single'\n"
+            "metric = 'told_exactly'\nat_least = 1\nat_most = 8\n");
   const std::string shown = output_of(reproduce("press.toml", "out"));
   EXPECT_NE(shown.find("press, single: One neuron tells nothing exactly."), std::string::npos);
   const Json json = results("out");
@@ -122,6 +123,16 @@ TEST_F(Reproduce, JudgesClaims) {
   EXPECT_EQ(json["claims"][0]["share"], 1.0);
   EXPECT_EQ(json["claims"][0]["mean"], 0.0);
   EXPECT_EQ(json["claims"][0]["pairs"], 3);
+  EXPECT_EQ(json["claims"][0]["verdict"], "cannot be decided here");
+  EXPECT_EQ(json["claims"][0]["reason"], "3 pairs; 20 are needed");
+  // Dealt otherwise, one neuron tells nothing either.
+  EXPECT_EQ(json["claims"][0]["chance_share"], 1.0);
+  EXPECT_TRUE(json["claims"][1]["chance_share"].is_null());
+  EXPECT_NE(shown.find("Claims of papers"), std::string::npos);
+  EXPECT_LT(shown.find("One neuron tells"), shown.find("Comparisons of our own"));
+  EXPECT_GT(shown.find("Nine neurons tell more. (told_exactly between 1 and 8)"),
+            shown.find("Comparisons of our own"));
+  EXPECT_NE(shown.find("cannot be decided here       1\n"), std::string::npos);
   // With all samples at one neuron nothing is told, so the difference is the metric itself.
   const Json& nine = json["systems"][0]["protocols"][0]["metrics"]["told_exactly"];
   EXPECT_EQ(json["claims"][1]["mean"], nine["mean"]);

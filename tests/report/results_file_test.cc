@@ -47,13 +47,18 @@ ReproductionResults made_reproduction() {
   claim.metric = "accuracy";
   claim.at_least = 0.0;
   claim.published = 0.25;
-  all.claims = judge({claim}, all.parts);
+  Claim told = claim;
+  told.metric = "told_exactly";
+  told.than_system.clear();
+  told.than_variation.clear();
+  all.claims = judge({claim, told}, all.parts);
   return all;
 }
 
 void expect_same(const Metric& a, const Metric& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(a.of_each, b.of_each);
 }
 
 void expect_same(const Run& a, const Run& b) {
@@ -117,7 +122,11 @@ TEST(ResultsFile, AReproductionReadsBackAsItWas) {
   EXPECT_EQ(file->parts[0].pairs[1].recording, 1U);
   EXPECT_EQ(file->find_recording("b.mcap")->data_hash, "fnv1a64:1");
   EXPECT_EQ(file->find_recording("c.mcap"), nullptr);
-  ASSERT_EQ(file->claims.size(), 1U);
+  ASSERT_FALSE(all.parts[0].protocols[0].find_metric("told_exactly_by_luck")->of_each.empty());
+  ASSERT_EQ(file->claims.size(), 2U);
+  EXPECT_TRUE(file->claims[1].outcome.chance_share);
+  EXPECT_EQ(file->claims[1].outcome.chance_share, all.claims[1].chance_share);
+  EXPECT_EQ(file->claims[1].outcome.reason(), "2 pairs; 20 are needed");
   EXPECT_EQ(file->claims[0].outcome.values, all.claims[0].values);
   EXPECT_EQ(file->claims[0].outcome.claim.published, 0.25);
   EXPECT_EQ(file->claims[0].share, all.claims[0].share());
@@ -130,6 +139,10 @@ TEST(ResultsFile, AMetricThatIsNoNumberStaysNone) {
   const auto file = parse_results(to_json(results), "results.json");
   ASSERT_TRUE(file) << to_string(file.error());
   EXPECT_TRUE(std::isnan(file->parts[0].protocols[0].metrics[0].values[1]));
+}
+
+Json& luck_of(Json& json) {
+  return json["systems"][0]["protocols"][0]["metrics"]["told_exactly_by_luck"]["of_each"];
 }
 
 struct Damage {
@@ -233,6 +246,10 @@ INSTANTIATE_TEST_SUITE_P(
                "'systems[0].pairs' are not as many"},
         Damage{"recording_unknown", [](Json& j) { j["systems"][1]["recordings"][0] = "c.mcap"; },
                "'systems[1].recordings' names one"},
+        Damage{"of_each_length", [](Json& j) { luck_of(j).erase(0); }, "of_each' has 1 entries"},
+        Damage{"of_each_empty", [](Json& j) { luck_of(j)[0] = Json::array(); }, "has no value"},
+        Damage{"of_each_times", [](Json& j) { luck_of(j)[0][0][1] = 0.5; }, "does not say how"},
+        Damage{"of_each_pair", [](Json& j) { luck_of(j)[0][0].push_back(1); }, "has 3 entries"},
         Damage{"share", [](Json& j) { j["claims"][0]["share"] = 1.5; }, "'claims[0].share'"},
         Damage{"published", [](Json& j) { j["claims"][0]["published"] = "all"; },
                "'claims[0].published' is string"},

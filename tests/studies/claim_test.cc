@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "somato/files/toml_file.h"
 
 namespace somato {
@@ -121,6 +123,113 @@ TEST(Claim, IsNotFailedByRounding) {
 
 TEST(Claim, OfNoPairsHoldsInNone) {
   EXPECT_EQ(share(0.0, {}, {}), 0.0);
+}
+
+// `holding` pairs of 1, then others of 0, for a claim of at least 1.
+ClaimOutcome pairs(std::size_t holding, std::size_t others) {
+  ClaimOutcome outcome;
+  outcome.claim.metric = "told_exactly";
+  outcome.claim.at_least = 1.0;
+  outcome.values.assign(holding, 1.0);
+  outcome.values.resize(holding + others, 0.0);
+  return outcome;
+}
+
+TEST(ClaimVerdict, HoldsFrom95PercentOfThePairs) {
+  EXPECT_EQ(pairs(19, 1).verdict(), ClaimVerdict::kHolds);
+  EXPECT_EQ(pairs(95, 5).verdict(), ClaimVerdict::kHolds);
+  EXPECT_EQ(pairs(94, 6).verdict(), ClaimVerdict::kMostly);
+}
+
+TEST(ClaimVerdict, IsMostlyFromHalfOfThePairs) {
+  EXPECT_EQ(pairs(10, 10).verdict(), ClaimVerdict::kMostly);
+  EXPECT_EQ(pairs(49, 51).verdict(), ClaimVerdict::kFails);
+  EXPECT_EQ(pairs(0, 20).verdict(), ClaimVerdict::kFails);
+}
+
+TEST(ClaimVerdict, NeedsTwentyPairsWithAValue) {
+  EXPECT_EQ(pairs(19, 0).verdict(), ClaimVerdict::kUndecided);
+  EXPECT_EQ(pairs(19, 0).reason(), "19 pairs; 20 are needed");
+  EXPECT_EQ(pairs(0, 1).reason(), "1 pair; 20 are needed");
+  EXPECT_EQ(pairs(20, 0).verdict(), ClaimVerdict::kHolds);
+  EXPECT_EQ(pairs(20, 0).reason(), "");
+  ClaimOutcome without = pairs(20, 0);
+  without.values.back() = std::nan("");
+  EXPECT_EQ(without.reason(), "19 pairs; 20 are needed");
+  without.values.push_back(1.0);  // 20 of 21 pairs
+  EXPECT_EQ(without.verdict(), ClaimVerdict::kHolds);
+}
+
+TEST(ClaimVerdict, SaysWhereChanceHoldsToo) {
+  ClaimOutcome outcome = pairs(20, 0);
+  outcome.chance_share = 0.5;
+  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kHoldsByChanceToo);
+  outcome.chance_share = 0.499;
+  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kHolds);
+  outcome = pairs(10, 10);
+  outcome.chance_share = 1.0;
+  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kMostly);
+}
+
+TEST(ClaimVerdict, IsUndecidedWhateverTheShareWhereTheExplorationsCannotDecide) {
+  ClaimOutcome outcome = pairs(100, 0);
+  outcome.undecidable = "no exploration of 'boccia'";
+  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kUndecided);
+  EXPECT_EQ(outcome.reason(), "no exploration of 'boccia'");
+}
+
+TEST(ClaimVerdict, HasItsNames) {
+  EXPECT_EQ(choice_name(ClaimVerdict::kHolds), "holds");
+  EXPECT_EQ(choice_name(ClaimVerdict::kHoldsByChanceToo), "holds, but so does chance");
+  EXPECT_EQ(choice_name(ClaimVerdict::kMostly), "mostly");
+  EXPECT_EQ(choice_name(ClaimVerdict::kFails), "fails");
+  EXPECT_EQ(choice_name(ClaimVerdict::kUndecided), "cannot be decided here");
+}
+
+// Of the first pair 3 of 4 wrong groupings lie within 4 to 6, of the second 1 of 4.
+TEST(Claim, ChanceIsTheMeanShareOfWrongGroupingsWithinTheBounds) {
+  Claim claim;
+  claim.at_least = 4.0;
+  claim.at_most = 6.0;
+  Metric luck{"told_exactly_by_luck",
+              {5.0, 6.0},
+              {{{4.0, 2}, {5.0, 1}, {7.0, 1}}, {{3.0, 1}, {6.0, 1}, {8.0, 2}}}};
+  EXPECT_EQ(chance_share_of(claim, luck), 0.5);
+  luck.of_each.clear();
+  EXPECT_FALSE(chance_share_of(claim, luck));
+}
+
+TEST(Claim, SaysItsBounds) {
+  Claim claim;
+  claim.at_least = 4.0;
+  EXPECT_EQ(claim.bounds(), "at least 4");
+  claim.at_most = 6.5;
+  EXPECT_EQ(claim.bounds(), "between 4 and 6.5");
+  claim.at_least.reset();
+  EXPECT_EQ(claim.bounds(), "at most 6.5");
+}
+
+TEST(ReasonUndecidable, IsABoundAboveTheExplorationsOrAThingThatIsNotThere) {
+  SystemResults system;
+  system.samples = 8;
+  system.runs = {{1, {}, {"boule", "cube"}, {}, {}}};
+  Claim claim;
+  claim.metric = "shape.with_own";
+  claim.at_least = 8.0;
+  EXPECT_EQ(reason_undecidable(claim, system), "");
+  claim.at_least = 29.0;
+  EXPECT_EQ(reason_undecidable(claim, system), "8 explorations; 29 are needed");
+  claim.metric = "quantization_error";  // counts no explorations
+  EXPECT_EQ(reason_undecidable(claim, system), "");
+  claim.at_least = 1.0;
+  claim.metric = "mapped_with boule cube";
+  EXPECT_EQ(reason_undecidable(claim, system), "");
+  claim.metric = "mapped_with boccia cube";
+  EXPECT_EQ(reason_undecidable(claim, system), "no exploration of 'boccia'");
+  claim.metric = "mapped_with cube boccia";
+  EXPECT_EQ(reason_undecidable(claim, system), "no exploration of 'boccia'");
+  system.runs.clear();
+  EXPECT_EQ(reason_undecidable(claim, system), "");
 }
 
 }  // namespace

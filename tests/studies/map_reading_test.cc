@@ -44,9 +44,14 @@ StudyParameters study_reading(const std::vector<std::string>& mapped_with,
   return study;
 }
 
+ByName by_name(const std::vector<Reading>& readings) {
+  ByName values;
+  for (const Reading& reading : readings) values[reading.name] = reading.value;
+  return values;
+}
+
 ByName read(const StudyParameters& study, const Question& question, const Numbers& winners) {
-  const NamedValues values = read_map(study, question, winners, kReadingSeed);
-  return {values.begin(), values.end()};
+  return by_name(read_map(study, question, winners, kReadingSeed));
 }
 
 const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
@@ -92,6 +97,23 @@ TEST(ReadMap, SaysWhatLuckWouldGive) {
   const ByName apart = read(study_reading({}), question, {0, 2, 4, 6});
   EXPECT_EQ(apart.at("told_exactly_by_luck"), 2.0);
   EXPECT_EQ(apart.at("undetermined_by_luck"), 0.0);
+}
+
+// The first two samples share a neuron. There are two wrong groupings of A B B A: A A B B, of which
+// the map tells both classes, and A B A B, of which it tells none.
+TEST(ReadMap, KeepsTheValueOfEachWrongGrouping) {
+  const Question question = question_on(kRow, {label("object", "ABBA")});
+  for (const Reading& reading : read_map(study_reading({}), question, {0, 0, 4, 8}, kReadingSeed)) {
+    if (reading.name == "told_exactly_by_luck") {
+      ASSERT_EQ(reading.of_each.size(), 2U);
+      EXPECT_EQ(reading.of_each.at(0.0) + reading.of_each.at(2.0), 50U);
+      EXPECT_EQ(reading.value, 2.0 * static_cast<double>(reading.of_each.at(2.0)) / 50.0);
+    } else if (reading.name == "on_border_by_luck") {
+      EXPECT_EQ(reading.of_each, (Distribution{{1.0, 1}}));  // a row is all border
+    } else if (!reading.name.ends_with("_by_luck")) {
+      EXPECT_TRUE(reading.of_each.empty()) << reading.name;
+    }
+  }
 }
 
 TEST(ReadMap, SaysNothingOfLuckWithoutWrongGroupings) {
@@ -229,8 +251,7 @@ class ReadPlaced : public ::testing::Test {
   ByName placed(const Numbers& named_by, const Neighbours& nearest) {
     outcome_.named_by = named_by;
     outcome_.nearest = nearest;
-    const NamedValues values = read_placed(question_, outcome_, kReadingSeed);
-    return {values.begin(), values.end()};
+    return by_name(read_placed(question_, outcome_, kReadingSeed));
   }
 
   Question question_;

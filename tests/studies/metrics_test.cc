@@ -52,6 +52,11 @@ class Metrics : public ::testing::Test {
                                     [&](const Metric& metric) { return metric.name == name; });
     return found == metrics_.end() ? throw std::out_of_range(name) : found->values;
   }
+  std::vector<Distribution> of_each(const std::string& name) const {
+    const auto found = std::find_if(metrics_.begin(), metrics_.end(),
+                                    [&](const Metric& metric) { return metric.name == name; });
+    return found == metrics_.end() ? throw std::out_of_range(name) : found->of_each;
+  }
   bool has(const std::string& name) const {
     return std::any_of(metrics_.begin(), metrics_.end(),
                        [&](const Metric& metric) { return metric.name == name; });
@@ -88,6 +93,9 @@ TEST_F(Metrics, OfAreasStandBesideWhatLuckGives) {
   EXPECT_EQ(values("individuals_apart_by_luck"), (Values{1, 0, 0}));
   EXPECT_EQ(values("areas_connected"), (Values{0, 0, 1}));
   EXPECT_EQ(values("areas_connected_by_luck"), (Values{1, 0, 0}));
+  EXPECT_EQ(of_each("areas_connected_by_luck"),
+            (std::vector<Distribution>{{{1, 50}}, {{0, 50}}, {{0, 50}}}));
+  EXPECT_TRUE(of_each("areas_connected").empty());
 }
 
 TEST_F(Metrics, OfAreasAreMeansOverFolds) {
@@ -106,6 +114,7 @@ TEST_F(Metrics, OfAreasAreMeansOverFolds) {
   EXPECT_EQ(values("individuals_apart_by_luck"), (Values{0.5}));
   EXPECT_EQ(values("areas_connected"), (Values{0}));
   EXPECT_EQ(values("areas_connected_by_luck"), (Values{0.5}));
+  EXPECT_EQ(of_each("areas_connected_by_luck"), (std::vector<Distribution>{{{0.5, 50}}}));
 }
 
 TEST_F(Metrics, AreOfBothRecordingsUnderTestDataAlone) {

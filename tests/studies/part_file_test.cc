@@ -13,7 +13,8 @@ PartResults part() {
   part.pairs = {{0, 2011}, {1, 2012}};
   SystemResults protocol{"press", "leave_group_out", "trial", "material", 24, {}, {}};
   protocol.metrics = {{"zeal", {1.0 / 3.0, 1e-300}},
-                      {"accuracy", {std::numeric_limits<double>::quiet_NaN(), 1.0}}};
+                      {"accuracy", {std::numeric_limits<double>::quiet_NaN(), 1.0}},
+                      {"zeal_by_luck", {0.5, 1.0}, {{{0.0, 3}, {1.0 / 3.0, 1}}, {{1.0, 4}}}}};
   part.protocols = {protocol, {"press", "train_is_test", {}, "material", 24, {}, {}}};
   return part;
 }
@@ -34,9 +35,11 @@ TEST(PartFile, GivesBackWhatWasKept) {
   EXPECT_EQ(protocol.group, "trial");
   EXPECT_EQ(protocol.label, "material");
   EXPECT_EQ(protocol.samples, 24U);
-  ASSERT_EQ(protocol.metrics.size(), 2U);
+  ASSERT_EQ(protocol.metrics.size(), 3U);
   EXPECT_EQ(protocol.metrics[0].name, "zeal");
   EXPECT_EQ(protocol.metrics[0].values, part().protocols[0].metrics[0].values);
+  EXPECT_TRUE(protocol.metrics[0].of_each.empty());
+  EXPECT_EQ(protocol.metrics[2].of_each, part().protocols[0].metrics[2].of_each);
   EXPECT_TRUE(std::isnan(protocol.metrics[1].values[0]));
   EXPECT_EQ(protocol.metrics[1].values[1], 1.0);
 }

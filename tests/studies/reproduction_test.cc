@@ -153,6 +153,39 @@ TEST(Judge, SetsWhatLuckGivesBesideIt) {
   EXPECT_EQ(outcomes[0].share(), 0.75);
 }
 
+// Bounds from 1 to 10 on pairs of 10, 12, 1010 and 1012. Three of four wrong groupings have 2 and
+// one has 98: their mean of 26 is beyond the bounds, and most of them are within.
+TEST(Judge, CountsTheWrongGroupingsWithinTheBounds) {
+  PartResults results = part("", "small", "", 1);
+  Metric& luck = results.protocols[0].metrics[2];
+  luck.values.assign(4, 26.0);
+  luck.of_each.assign(4, {{2.0, 3}, {98.0, 1}});
+  Claim within = claim("small", "told_exactly", 1);
+  within.at_most = 10.0;
+  EXPECT_EQ(judge({within}, {results}).at(0).chance_share, 0.75);
+  Claim compared = within;
+  compared.than_system = "small";
+  EXPECT_FALSE(judge({compared}, {results}).at(0).chance_share);
+}
+
+TEST(AddResults, PutsWrongGroupingsOneAfterTheOther) {
+  StudyResults first = found(1);
+  first.systems[0].metrics[2].of_each = {{{1.0, 2}}, {{4.0, 2}}};
+  StudyResults second = found(2);
+  second.systems[0].metrics[2].of_each = {{{2.0, 2}}, {{5.0, 2}}};
+  PartResults results{"", "small", "", {}, {}, {}, {}};
+  ASSERT_TRUE(add_results(first, 0, results));
+  ASSERT_TRUE(add_results(second, 1, results));
+  EXPECT_EQ(results.protocols[0].metrics[2].of_each,
+            (std::vector<Distribution>{{{1.0, 2}}, {{4.0, 2}}, {{2.0, 2}}, {{5.0, 2}}}));
+}
+
+TEST(Judge, ListsWhatTheExplorationsCannotDecide) {
+  const auto outcomes = judge({claim("small", "told_exactly", 3)}, {part("", "small", "", 1)});
+  ASSERT_EQ(outcomes.size(), 1U);
+  EXPECT_EQ(outcomes[0].reason(), "2 explorations; 3 are needed");
+}
+
 TEST(Judge, ComparesPairByPair) {
   PartResults other = part("", "other", "", 1);
   other.protocols[0].metrics[0].values = {0, 2, 100.5, 110};
@@ -211,7 +244,7 @@ class ReproductionJson : public ::testing::Test {
     compared.published = 1.25;
     compared.at_most = 3.0;
     compared.than_system = "small";
-    results_.claims = {{claim("small", "told_exactly", 11), {10, 12, 14, 16}, 52.5},
+    results_.claims = {{claim("small", "told_exactly", 11), {10, 12, 14, 16}, 52.5, 0.25},
                        {compared, {0.25, 0.75}, {}}};
     results_.not_applicable = {{"texture", "no channel 'sound'"}};
   }
@@ -263,7 +296,8 @@ TEST_F(ReproductionJson, HasTheClaimsAndWhatTheyRestOn) {
   EXPECT_EQ(plain, Json::parse(R"({"text": "text", "paper": "", "question": "", "system": "small",
       "variation": "", "metric": "told_exactly", "protocol": "train_is_test", "group": "",
       "published": null, "at_least": 11.0, "at_most": null, "share": 0.75, "mean": 13.0,
-      "by_luck": 52.5, "pairs": 4})"));
+      "verdict": "cannot be decided here", "reason": "4 pairs; 20 are needed",
+      "by_luck": 52.5, "chance_share": 0.25, "pairs": 4})"));
   const Json& compared = json["claims"][1];
   EXPECT_EQ(compared["than_system"], "small");
   EXPECT_EQ(compared["than_variation"], "");
@@ -271,6 +305,7 @@ TEST_F(ReproductionJson, HasTheClaimsAndWhatTheyRestOn) {
   EXPECT_EQ(compared["at_most"], 3.0);
   EXPECT_EQ(compared["share"], 0.5);
   EXPECT_TRUE(compared["by_luck"].is_null());
+  EXPECT_TRUE(compared["chance_share"].is_null());
 }
 
 TEST_F(ReproductionJson, NamesRecordingsAndWhatDoesNotApply) {

@@ -73,6 +73,15 @@ TEST(Results, NameTheLabelOfTheGroupsAndFurtherPredictions) {
   EXPECT_EQ(Json::parse(to_json(results)), expected);
 }
 
+TEST(Results, HaveTheValuesOfEachWrongGrouping) {
+  StudyResults results = small_results();
+  results.systems[0].metrics[1].of_each = {{{0.0, 3}, {1.0, 1}}, {{0.25, 4}}};
+  Json expected = Json::parse(kExpected);
+  expected["systems"][0]["metrics"]["areas_connected"]["of_each"] =
+      Json::parse("[[[0, 3], [1, 1]], [[0.25, 4]]]");
+  EXPECT_EQ(Json::parse(to_json(results)), expected);
+}
+
 TEST(Results, NameTheTestDataWhereThereAreSome) {
   StudyResults results = small_results();
   results.test_data_hash = "fnv1a64:01";

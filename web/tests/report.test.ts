@@ -30,6 +30,25 @@ describe("what it shows", () => {
     await page.close();
   });
 
+  test("shows the verdicts, and comparisons of our own apart", async () => {
+    const [one, other, ...rest] = data.claims;
+    const chance = "holds, but so does chance";
+    const own = { ...other!, paper: "", verdict: "cannot be decided here", reason: "12 pairs; 20 are needed" };
+    const claims = [own, { ...one!, verdict: chance, at_least: 4, at_most: 6 }];
+    expect(rest.length).toBeGreaterThan(0);
+    const { page } = await report.open({ ...data, claims });
+    const rows = page.locator("#claims tbody tr");
+    const texts = await rows.allTextContents();
+    expect(texts.findIndex((text) => text.includes(one!.text))).toBe(1);
+    expect(texts[1]).toContain("between 4 and 6");
+    expect(texts[2]).toBe("Comparisons of our own");
+    expect(texts[4]).toContain("cannot be decided here, 12 pairs; 20 are needed");
+    expect(await page.locator("#claims .share").first().getAttribute("class")).toBe("share neutral");
+    expect(await page.locator(".tiles").getAttribute("aria-label")).toBe("Of 1 claim of the papers");
+    expect(await page.locator(".tile").allTextContents()).toContain(`1${chance}`);
+    await page.close();
+  });
+
   test("tells at a neuron how many samples of which class it won", async () => {
     const { page } = await report.open(data);
     const figure = figureOf(await goTo(page, 1), "Winners");

@@ -137,6 +137,9 @@ export function claim(
     at_most: null,
     values,
     by_luck: luck,
+    chance_share: null,
+    verdict: values.every((value) => value >= least) ? "holds" : "mostly",
+    reason: "",
     share: values.filter((value) => value >= least).length / Math.max(1, values.length),
   };
 }

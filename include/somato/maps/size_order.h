@@ -49,6 +49,7 @@ CircularOrder circular_order(const std::vector<MappedIndividual>& individuals);
 struct CircularOrderByLuck {
   CircularOrder mean;
   CircularOrder share_as_high;
+  std::vector<CircularOrder> of_each;  ///< One for each shuffling.
 };
 
 CircularOrderByLuck circular_order_by_luck(const std::vector<MappedIndividual>& individuals,

@@ -12,7 +12,7 @@ namespace somato {
 
 /// A claim as a reproduction's results.json has it.
 struct JudgedClaim {
-  ClaimOutcome outcome;  ///< Its `values` are those of the systems in the same file.
+  ClaimOutcome outcome;  ///< Judged by the systems in the same file.
   double share = 0.0;    ///< As the file says.
 };
 

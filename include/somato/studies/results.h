@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,11 +10,17 @@
 
 namespace somato {
 
+/// Values, each with how often it occurred.
+using Distribution = std::map<double, std::size_t>;
+
 /// A figure over seeds: one value a seed, in the order of the seeds. docs/reference/results.md
 /// defines each metric.
 struct Metric {
   std::string name;
   std::vector<double> values;
+  /// Of a metric `_by_luck`: for each seed the values of which `values` has the mean, one for each
+  /// wrong grouping or shuffling. Empty for other metrics, and where a file does not have them.
+  std::vector<Distribution> of_each = {};
 
   double mean() const;
   /// The sample standard deviation (divided by the count less one); 0 for a single value.

@@ -12,9 +12,6 @@
 
 namespace somato {
 
-/// The share of pairs from which on a claim holds at a point.
-inline constexpr double kHoldsFrom = 0.95;
-
 /// What came of a point.
 struct SweepPointResults {
   SweepPoint point;

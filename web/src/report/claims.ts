@@ -5,7 +5,7 @@ import { breakable, element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { percent, readable } from "../parts/numbers";
 import type { ClaimReport, ReportData } from "./data";
-import { holds } from "./words";
+import { kindOf } from "./words";
 
 export function claimsSection(data: ReportData): HTMLElement {
   return element("section", { id: "claims", "aria-labelledby": "claims-title" }, [
@@ -23,7 +23,8 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
   );
   const table = element("table", { class: "wide-table" }, [
     element("thead", {}, [element("tr", {}, head)]),
-    ...(hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))]),
+    ...bodies(claims.filter(isOfPaper), hasSystem),
+    ...ownBodies(claims.filter((claim) => !isOfPaper(claim)), hasSystem),
   ]);
   return figure({
     title: "How the claims hold",
@@ -35,6 +36,23 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
     note: "Here: the median over the runs, with the least and the greatest. By luck: the same on wrong groupings.",
     wide: true,
   });
+}
+
+export function isOfPaper(claim: ClaimReport): boolean {
+  return claim.paper !== "";
+}
+
+function bodies(claims: ClaimReport[], hasSystem: boolean): HTMLElement[] {
+  return hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))];
+}
+
+/** The claims that no paper makes, apart from the others. */
+function ownBodies(claims: ClaimReport[], hasSystem: boolean): HTMLElement[] {
+  if (claims.length === 0) return [];
+  const title = element("th", { scope: "rowgroup", colspan: kColumns.length, class: "own" }, [
+    "Comparisons of our own",
+  ]);
+  return [element("tbody", {}, [element("tr", {}, [title])]), ...bodies(claims, hasSystem)];
 }
 
 /** The claims of each system below its name. */
@@ -73,15 +91,18 @@ function claimRow(claim: ClaimReport): HTMLElement {
     element("td", { class: "number" }, [readable(claim.published)]),
     element("td", { class: "number" }, hereWords(claim.values)),
     element("td", { class: "number" }, [readable(claim.by_luck)]),
-    element("td", {}, [shareBar(claim.share)]),
+    element("td", {}, [shareBar(claim)]),
   ]);
 }
 
 function bound(claim: ClaimReport): string {
   const less = claim.than === "" ? "" : `less that of ${claim.than} `;
+  if (claim.at_least !== null && claim.at_most !== null) {
+    return `${less}between ${readable(claim.at_least)} and ${readable(claim.at_most)}`;
+  }
   const least = claim.at_least === null ? "" : `≥ ${readable(claim.at_least)}`;
   const most = claim.at_most === null ? "" : `≤ ${readable(claim.at_most)}`;
-  return less + [least, most].filter((words) => words !== "").join(" and ");
+  return less + least + most;
 }
 
 function hereWords(values: (number | null)[]): Child[] {
@@ -102,12 +123,12 @@ export function median(sorted: readonly number[]): number | null {
 }
 
 /** A bar and words: the colour is never the only sign. */
-function shareBar(share: number): HTMLElement {
-  const { words, kind } = holds(share);
+function shareBar({ share, verdict, reason }: ClaimReport): HTMLElement {
   const filled = element("span", { class: "filled", style: `width:${Math.round(100 * (share || 0))}%` });
-  return element("span", { class: `share ${kind}` }, [
+  const words = [percent(share), verdict, reason].filter((part) => (part ?? "") !== "");
+  return element("span", { class: `share ${kindOf(verdict)}` }, [
     element("span", { class: "bar", "aria-hidden": "true" }, [filled]),
-    element("span", { class: "words" }, [`${percent(share)}, ${words}`]),
+    element("span", { class: "words" }, [words.join(", ")]),
   ]);
 }
 
@@ -127,6 +148,9 @@ function claimsTable(claims: ClaimReport[]): Table {
     "at_least",
     "at_most",
     "by_luck",
+    "chance_share",
+    "verdict",
+    "reason",
     "share",
     "values",
   ];
@@ -145,6 +169,9 @@ function claimsTable(claims: ClaimReport[]): Table {
     claim.at_least,
     claim.at_most,
     claim.by_luck,
+    claim.chance_share ?? null,
+    claim.verdict ?? null,
+    claim.reason ?? null,
     claim.share,
     claim.values.join(" "),
   ]);

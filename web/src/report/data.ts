@@ -124,6 +124,9 @@ export interface ClaimReport {
   at_most: number | null;
   values: number[];
   by_luck: number | null; // the wrong-grouping control
+  chance_share?: number | null; // share of wrong groupings that meet the bounds
+  verdict: string; // see verdictOf() in words.ts
+  reason: string; // why it cannot be decided here, or ""
   share: number; // of the values for which it holds
 }
 

@@ -1,18 +1,20 @@
 // What was found, at a glance: every system with its main figures and how its claims hold.
 
 import { element, type Child } from "../parts/dom";
+import { isOfPaper } from "./claims";
 import type { ReportData } from "./data";
 import { questionsOf, standing } from "./groups";
 import { systemsFigure } from "./systems_table";
-import { countOf, holds } from "./words";
+import { countOf, kVerdicts } from "./words";
 
 export function overviewSection(data: ReportData): HTMLElement {
   const systems = standing(data);
   const questions = questionsOf(data).length;
+  const claims = data.claims.filter(isOfPaper).length;
   const counts = [
     countOf(systems.length, "system"),
     ...(questions > 0 ? [countOf(questions, "question")] : []),
-    ...(data.claims.length > 0 ? [countOf(data.claims.length, "claim")] : []),
+    ...(claims > 0 ? [countOf(claims, "claim")] : []),
   ];
   return element("section", { id: "overview", class: "overview", "aria-labelledby": "overview-title" }, [
     element("header", { class: "title" }, [
@@ -31,20 +33,16 @@ export function overviewSection(data: ReportData): HTMLElement {
 }
 
 function summary(data: ReportData): Child[] {
-  const shares = data.claims.filter((claim) => claim.paper !== "").map((claim) => claim.share);
-  if (shares.length === 0) return [];
-  const count = (kind: string) => shares.filter((share) => holds(share).kind === kind).length;
-  const tile = (kind: "good" | "middling" | "bad", words: string) =>
-    element("div", { class: `tile ${kind}` }, [
-      element("strong", {}, [String(count(kind))]),
-      element("span", {}, [words]),
+  const claims = data.claims.filter(isOfPaper);
+  if (claims.length === 0) return [];
+  const tiles = kVerdicts.map(([verdict, kind]) => {
+    const count = claims.filter((claim) => claim.verdict === verdict).length;
+    return element("div", { class: `tile ${kind}` }, [
+      element("strong", {}, [String(count)]),
+      element("span", {}, [verdict]),
     ]);
-  const tiles = [
-    tile("good", "hold in at least 95 % of the runs"),
-    tile("middling", "hold in some runs"),
-    tile("bad", "hold in at most 5 %"),
-  ];
-  const label = `Of ${countOf(shares.length, "claim")} of the papers`;
+  });
+  const label = `Of ${countOf(claims.length, "claim")} of the papers`;
   return [
     element("div", { class: "tiles", role: "group", "aria-label": label }, [
       element("p", {}, [label]),

@@ -4,9 +4,10 @@ import type { Table } from "../parts/csv";
 import { breakable, element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { readable } from "../parts/numbers";
+import { isOfPaper } from "./claims";
 import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
 import { systemId, type Numbered } from "./groups";
-import { holds, systemName } from "./words";
+import { systemName } from "./words";
 
 const kColumns = [
   "system",
@@ -34,7 +35,7 @@ export function systemsFigure(systems: Numbered[], data: ReportData, file: strin
     ]),
     numbers: () => systemsTable(systems, data),
     wide: true,
-    note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned.",
+    note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned. Claims: those of papers.",
   });
 }
 
@@ -46,7 +47,7 @@ function systemRow(system: SystemReport, index: number, data: ReportData): HTMLE
     spread(main.trained),
     spread(main.heldOut),
     spread(main.baseline),
-    claimsWords(claimsOf(system, data)),
+    claimsWords(claimsOf(system, data).filter(isOfPaper)),
   ];
   return element("tr", {}, [
     element("th", { scope: "row" }, [link]),
@@ -64,8 +65,11 @@ export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] 
 
 function claimsWords(claims: ClaimReport[]): string {
   if (claims.length === 0) return "–";
-  const good = claims.filter((claim) => holds(claim.share).kind === "good").length;
-  return `${good} of ${claims.length}`;
+  return `${holding(claims)} of ${claims.length}`;
+}
+
+function holding(claims: ClaimReport[]): number {
+  return claims.filter((claim) => claim.verdict === "holds").length;
 }
 
 interface MainFigures {
@@ -114,8 +118,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
   ];
   const rows = systems.map(({ system }) => {
     const main = mainFigures(system);
-    const claims = claimsOf(system, data);
-    const good = claims.filter((claim) => holds(claim.share).kind === "good").length;
+    const claims = claimsOf(system, data).filter(isOfPaper);
     return [
       system.name,
       system.variation,
@@ -125,7 +128,7 @@ function systemsTable(systems: Numbered[], data: ReportData): Table {
       main.heldOut?.mean ?? null,
       main.heldOut?.sd ?? null,
       main.baseline?.mean ?? null,
-      good,
+      holding(claims),
       claims.length,
       system.file,
     ];

@@ -68,12 +68,19 @@ export function metricRange(metric: string, samples: number, classes: number): [
   return kShares.test(own) ? [0, 1] : null;
 }
 
-/** How well a claim holds, as docs/reproduction.md says it. */
-export function holds(share: number): { words: string; kind: "good" | "middling" | "bad" } {
-  if (share >= 0.95) return { words: "holds", kind: "good" };
-  if (share > 0.5) return { words: "mostly", kind: "middling" };
-  if (share > 0.05) return { words: "sometimes", kind: "middling" };
-  return { words: "does not hold", kind: "bad" };
+export type VerdictKind = "good" | "neutral" | "middling" | "bad";
+
+/** The verdicts of docs/reference/reproduction.md, each with its colour. */
+export const kVerdicts: [verdict: string, kind: VerdictKind][] = [
+  ["holds", "good"],
+  ["holds, but so does chance", "neutral"],
+  ["mostly", "middling"],
+  ["fails", "bad"],
+  ["cannot be decided here", "neutral"],
+];
+
+export function kindOf(verdict: string): VerdictKind {
+  return kVerdicts.find(([name]) => name === verdict)?.[1] ?? "neutral";
 }
 
 export function countOf(count: number, one: string, many = `${one}s`): string {
