@@ -7,6 +7,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+// The page shows metrics without the values of each wrong grouping.
+Json without_groupings(Json metrics) {
+  for (Json& metric : metrics) metric.erase("of_each");
+  return metrics;
+}
+
 class Report : public Reproduce {
  protected:
   void SetUp() override {
@@ -46,7 +52,7 @@ TEST_F(Report, OfAStudyWithAllThatIsAtHand) {
   const Json& system = report["systems"][0];
   EXPECT_EQ(system["missing"], Json::array());
   EXPECT_EQ(system["file"], "out/results.json");
-  EXPECT_EQ(system["protocols"][0]["metrics"], results["systems"][0]["metrics"]);
+  EXPECT_EQ(system["protocols"][0]["metrics"], without_groupings(results["systems"][0]["metrics"]));
   EXPECT_EQ(system["protocols"][1]["runs"][1]["winners"],
             results["systems"][1]["runs"][1]["winners"]);
   EXPECT_EQ(system["trained"]["seed"], 1);
@@ -129,7 +135,8 @@ TEST_F(Report, OfAReproductionFindsItsRecordings) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Json& system = report["systems"][i];
     EXPECT_EQ(system["recordings"], found["systems"][i]["recordings"]);
-    EXPECT_EQ(system["protocols"][0]["metrics"], found["systems"][i]["protocols"][0]["metrics"]);
+    EXPECT_EQ(system["protocols"][0]["metrics"],
+              without_groupings(found["systems"][i]["protocols"][0]["metrics"]));
     EXPECT_EQ(system["protocols"][0]["runs"][2]["recording"], 1);
     EXPECT_EQ(system["samples"].size(), 16U);
     EXPECT_EQ(system["missing"], Json::array());

@@ -54,7 +54,9 @@ TEST(Report, HasTheValuesOfResultsJson) {
     const Json& found = system["protocols"][i];
     EXPECT_EQ(found["protocol"], expected["protocol"]);
     EXPECT_FALSE(found.contains("name"));  // that of the system, which stands above
-    EXPECT_EQ(found["metrics"], expected["metrics"]);
+    Json metrics = expected["metrics"];
+    for (Json& metric : metrics) metric.erase("of_each");
+    EXPECT_EQ(found["metrics"], metrics);
     for (std::size_t run = 0; run < expected["runs"].size(); ++run) {
       Json of_report = found["runs"][run];
       EXPECT_EQ(of_report["recording"], 0);
