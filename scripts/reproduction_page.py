@@ -1,25 +1,36 @@
 #!/usr/bin/env python3
-"""Writes docs/reproduction.md from the results.json of `somato reproduce`.
+"""Writes docs/reproduction.md from the results of `somato reproduce` and `somato sweep`.
 
-    scripts/reproduction_page.py out/reproduction/results.json > docs/reproduction.md
+    scripts/reproduction_page.py out/reproduction/results.json --sweeps out/sweeps > docs/reproduction.md
+
+FOLDER/NAME/sweep.json of --sweeps are the sweeps of systems/unknowns. With --check FILE nothing is
+written: it fails where FILE is not the page that the results make.
 
 Around the tables made here stand the texts of scripts/reproduction_page.md.in, and the remarks of
-scripts/reproduction_remarks.md.in, which name no figures: those come from the results.
+scripts/reproduction_remarks.md.in, which name no figures: those come from the results. A remark that
+is not there is left out, and so is one of a table that is not there.
 """
 
 import argparse
+import hashlib
 import json
 import pathlib
 import re
 import statistics
+import sys
+import tomllib
 
-TEMPLATE = pathlib.Path(__file__).parent / "reproduction_page.md.in"
+import result_tables as tables
+
+HERE = pathlib.Path(__file__).resolve().parent
+TEMPLATE = HERE / "reproduction_page.md.in"
+REMARKS = HERE / "reproduction_remarks.md.in"
+QUESTIONS = HERE.parent / "systems" / "questions"
 MAIN = ("accuracy", "baseline_accuracy")
-
-
-def spread(values, digits=3):
-    deviation = statistics.stdev(values) if len(values) > 1 else 0.0
-    return f"{statistics.mean(values):.{digits}f} ± {deviation:.{digits}f}"
+# Systems whose confusions the papers report.
+CONFUSED = ("single_tensor_product", "tensor_chain", "t_mpsom_multiplied", "t_mpsom_added", "texture",
+            "hardness", "combined", "bimodal")
+AREAS = ("individuals_apart", "areas_connected", "told_exactly", "undetermined", "with_own")
 
 
 def metric(protocol, name):
@@ -37,166 +48,191 @@ def label_prefix(protocol):
     return "", protocol["label"]
 
 
-def protocol_text(protocol):
-    return {
-        ("train_is_test", ""): "train = test",
-        ("leave_group_out", "trial"): "5 folds",
-        ("test_data", ""): "new objects",
-    }.get(
-        (protocol["protocol"], protocol.get("group", "")),
-        protocol["protocol"].replace("leave_group_out", "leave out") + " " + protocol.get("group", ""),
-    )
-
-
-def subject(part):
-    return f"{part['system']}, {part['variation']}" if part["variation"] else part["system"]
-
-
-def accuracy_rows(parts, protocols=None):
-    rows = ["| system | protocol | asked | accuracy | nearest neighbour |", "|---|---|---|---|---|"]
+def accuracy_table(parts, protocols=None):
+    """Of the protocols named, or of all; empty without any."""
+    rows = []
     for part in parts:
         for protocol in part["protocols"]:
-            text = protocol_text(protocol)
-            if protocols and text not in protocols:
+            text = tables.protocol_text(protocol)
+            if protocols is not None and text not in protocols:
                 continue
             prefix, label = label_prefix(protocol)
             values = [metric(protocol, prefix + name) for name in MAIN]
-            cells = [spread(v) if v else "–" for v in values]
-            rows.append(f"| {subject(part)} | {text} | {label} | {' | '.join(cells)} |")
-    return "\n".join(rows)
+            rows.append([tables.subject(part), text, label, *(tables.spread(v) if v else "–" for v in values)])
+    return tables.table(["system", "protocol", "asked", "accuracy", "nearest neighbour"], rows) if rows else ""
 
 
-def area_rows(parts):
-    """Measures read off the papers' own kind of map, beside what luck gives."""
-    names = ["individuals_apart", "areas_connected", "told_exactly", "undetermined", "with_own"]
-    rows = ["| system | asked | " + " | ".join(n.replace("_", " ") for n in names) + " |",
-            "|---|---|" + "---|" * len(names)]
+def area_cell(protocol, name):
+    values, chance = metric(protocol, name), metric(protocol, name + "_by_luck")
+    text = f"{statistics.mean(values):.2f}" if values else "–"
+    return text + (f" ({statistics.mean(chance):.2f})" if chance else "")
+
+
+def area_table(parts):
+    """Measures read off the papers' own kind of map, beside what chance gives."""
+    rows = []
     for part in parts:
-        protocol = part["protocols"][0]
-        if protocol["protocol"] != "train_is_test":
+        protocol = tables.find_protocol(part, "train_is_test")
+        if not protocol:
             continue
-        prefixes = [""] + sorted({n.split(".")[0] + "." for n in protocol["metrics"] if "." in n})
-        for prefix in prefixes:
-            cells = []
-            for name in names:
-                values = metric(protocol, prefix + name)
-                luck = metric(protocol, prefix + name + "_by_luck")
-                cell = f"{statistics.mean(values):.2f}" if values else "–"
-                if luck:
-                    cell += f" ({statistics.mean(luck):.2f})"
-                cells.append(cell)
-            label = prefix[:-1] or protocol["label"]
-            rows.append(f"| {subject(part)} | {label} | {' | '.join(cells)} |")
-    return "\n".join(rows)
+        for prefix in [""] + sorted({n.split(".")[0] + "." for n in protocol["metrics"] if "." in n}):
+            rows.append([tables.subject(part), prefix[:-1] or protocol["label"],
+                         *(area_cell(protocol, prefix + name) for name in AREAS)])
+    return tables.table(["system", "asked", *(n.replace("_", " ") for n in AREAS)], rows)
 
 
-def verdict(share):
-    if share >= 0.95:
-        return "holds"
-    if share >= 0.5:
-        return "mostly"
-    return "sometimes" if share > 0.05 else "does not hold"
+def as_it_stands(results):
+    return [p for p in results["systems"] if not p["question"] and not p["variation"]]
 
 
-def number(value):
-    return "–" if value is None else f"{value:g}"
+def claim_sections(claims):
+    own = [c for c in claims if not c["question"]]
+    sections = []
+    for title, found in (("Claims of the papers", [c for c in own if c["paper"]]),
+                         ("Comparisons of our own", [c for c in own if not c["paper"]])):
+        if found:
+            sections.append(f"### {title}\n\n{tables.claim_table(found)}")
+    return "\n\n".join(sections)
 
 
-def bounds(claim):
-    what = f"`{claim['metric']}`"
-    if "than_system" in claim:
-        than = claim["than_system"]
-        if claim["than_variation"]:
-            than += ", " + claim["than_variation"]
-        what += f" less that of {than}"
-    if claim["at_least"] is not None:
-        what += f" ≥ {number(claim['at_least'])}"
-    if claim["at_most"] is not None:
-        what += f" ≤ {number(claim['at_most'])}"
-    return what
+def verdict_sentence(claims):
+    papers = [c for c in claims if c["paper"]]
+    if not papers:
+        return "No claim of the papers was measured."
+    pairs = [c["pairs"] for c in papers]
+    sentence = f"Verdicts on {tables.counted(len(papers), 'claim')} of the papers, side questions included, "
+    return sentence + f"each with at least {tables.counted(min(pairs), 'pair')}: {tables.verdict_counts(papers)}."
 
 
-def claim_rows(claims):
-    rows = ["| claim | paper | measured by | published | measured | by luck | holds in |",
-            "|---|---|---|---|---|---|---|"]
-    for claim in claims:
-        who = claim["system"] + (", " + claim["variation"] if claim["variation"] else "")
-        under = protocol_text(claim)
-        measured = f"{claim['mean']:.2f} ± {claim['sd']:.2f}"
-        rows.append(
-            f"| {who}: {claim['text']} | {claim['paper'] or 'ours'} | {bounds(claim)}, {under} | "
-            f"{number(claim['published'])} | {measured} | {number(round_or_none(claim['by_luck']))} | "
-            f"{100 * claim['share']:.0f} % of {claim['pairs']}: {verdict(claim['share'])} |")
-    return "\n".join(rows)
+def confusion_sections(results):
+    texts = []
+    for part in as_it_stands(results):
+        protocol = tables.find_protocol(part, *tables.FOLDS)
+        if part["system"] in CONFUSED and protocol:
+            texts.append(f"### {part['system']}, {tables.protocol_text(protocol)}\n\n"
+                         f"{tables.confusion_table(protocol)}\n\n{tables.greatest_confusions(protocol)}")
+    return "\n\n".join(texts) or "No system was run under 5 folds."
 
 
-def round_or_none(value):
-    return None if value is None else round(value, 2)
+def remembered(results):
+    """How seldom a map is wrong about what it learned."""
+    wrong = []
+    for part in as_it_stands(results):
+        protocol = tables.find_protocol(part, "train_is_test")
+        if part["system"] in CONFUSED and protocol:
+            named = [t == p for run in protocol["runs"] for t, p in zip(run["labels"], run["predictions"])]
+            wrong.append(f"{part['system']} {100 * named.count(False) / len(named):.1f} %")
+    return f"wrongly named under train = test: {', '.join(wrong)}" if wrong else "none was run so"
 
 
-def recordings_of(results, parts):
-    names = {name for part in parts for name in part["recordings"]}
-    return [r for r in results["recordings"] if r["name"] in names]
+def sweep_sections(sweeps):
+    texts = []
+    for name, sweep in sweeps.items():
+        left_out = tables.unjudged(sweep)
+        texts.append(f"### {name}: its unknowns\n\n{tables.sweep_size(sweep)}.\n\n{tables.sweep_table(sweep)}")
+        if left_out:
+            texts.append("Not judged in this sweep: " + "; ".join(left_out) + ".")
+    return "\n\n".join(texts) or "No sweep was run for this page."
+
+
+def question_text(name):
+    file = QUESTIONS / f"{name}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))["question"]["text"] if file.exists() else ""
+
+
+def question_section(name, results):
+    parts = [p for p in results["systems"] if p["question"] == name]
+    claims = [c for c in results["claims"] if c["question"] == name]
+    pairs = f"{tables.counted(len(parts[0]['pairs']), 'pair')} each."
+    asked = {tables.protocol_text(c) for c in claims if c["metric"].endswith("accuracy")}
+    texts = [f"### {name.replace('_', ' ')}", question_text(name), pairs, f"{{{{question {name}}}}}"]
+    if claims:
+        texts.append(tables.claim_table(claims))
+    texts.append(accuracy_table(parts, asked if claims else {"5 folds"}))
+    return "\n\n".join(text for text in texts if text)
 
 
 def questions(results):
-    texts = []
-    names = list(dict.fromkeys(p["question"] for p in results["systems"] if p["question"]))
-    for name in names:
-        parts = [p for p in results["systems"] if p["question"] == name]
-        claims = [c for c in results["claims"] if c["question"] == name]
-        texts.append(f"### {name.replace('_', ' ')}\n\n{{{{question {name}}}}}\n")
-        texts.append(f"{len(parts[0]['pairs'])} pairs each.\n")
-        texts.append(accuracy_rows(parts, ("5 folds",) if name == "sensitivity" else None))
-        if claims:
-            texts.append("\n" + claim_rows(claims))
-        texts.append("")
-    return "\n".join(texts)
+    names = dict.fromkeys(p["question"] for p in results["systems"] if p["question"])
+    return "\n\n".join(question_section(name, results) for name in names) or "None was asked."
 
 
-def fill(template, results):
-    systems = [p for p in results["systems"] if not p["question"]]
-    own = [c for c in results["claims"] if not c["question"]]
-    held = sum(c["share"] >= 0.95 for c in results["claims"] if c["paper"])
-    never = sum(c["share"] <= 0.05 for c in results["claims"] if c["paper"])
-    asked = sum(bool(c["paper"]) for c in results["claims"])
-    page = template
-    for key, value in {
+def settings_hash(part):
+    text = json.dumps(part["settings"], sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12]
+
+
+def provenance(results):
+    recordings = tables.table(
+        ["recording", "source", "seed", "data_hash"],
+        [[f"`{r['name']}`", tables.cell(r["source"]), r["seed"], f"`{r['data_hash']}`"] for r in results["recordings"]])
+    systems = tables.table(
+        ["system", "settings", "recordings", "pairs", "seeds of training"],
+        [[tables.subject(p) + (f" ({p['question']})" if p["question"] else ""), f"`{settings_hash(p)}`",
+          len(p["recordings"]), len(p["pairs"]), f"{p['pairs'][0][1]} to {p['pairs'][-1][1]}"]
+         for p in results["systems"]])
+    return (f"<details>\n<summary>{tables.counted(len(results['recordings']), 'recording')} and the settings of "
+            f"{tables.counted(len(results['systems']), 'system')} and variations</summary>\n\n"
+            f"{recordings}\n\n{systems}\n\n</details>")
+
+
+def turns(parts):
+    """How many pairs have the same recording, such as '16 or 17'."""
+    counts = {sum(pair[0] == r for pair in part["pairs"]) for part in parts for r in range(len(part["recordings"]))}
+    return " or ".join(str(count) for count in sorted(counts))
+
+
+def fill(template, results, sweeps):
+    systems = as_it_stands(results)
+    filled = {
         "pairs": str(results["pairs"]),
         "seed": str(results["seed"]),
         "recordings": str(max(len(p["recordings"]) for p in systems)),
-        "claims_of_papers": str(asked),
-        "claims_hold": str(held),
-        "claims_never": str(never),
-        "claims": claim_rows(own),
-        "accuracies": accuracy_rows(systems),
-        "areas": area_rows(systems),
+        "pairs_of_a_recording": turns(systems),
+        "verdicts": verdict_sentence(results["claims"]),
+        "claims": claim_sections(results["claims"]),
+        "sweeps": sweep_sections(sweeps),
+        "accuracies": accuracy_table(systems),
+        "areas": area_table(systems),
+        "remembered": remembered(results),
+        "confusions": confusion_sections(results),
         "questions": questions(results),
-    }.items():
+        "provenance": provenance(results),
+    }
+    page = template
+    for key, value in filled.items():
         page = page.replace("{{" + key + "}}", value)
     return page
 
 
-def remarks(page, file):
-    """What is said about questions and tables: `## name` and what follows, in a file of its own."""
-    sections = file.read_text(encoding="utf-8").split("\n## ")[1:] if file.exists() else []
-    known = dict(section.split("\n", 1) for section in sections)
-    for kind in ("question ", "remarks "):
-        for name, text in known.items():
-            page = page.replace("{{" + kind + name + "}}", text.strip())
+def put_remarks(page, text):
+    """Remarks stand under `## NAME` in a file of their own, at {{remarks NAME}} or {{question NAME}}."""
+    known = dict(section.split("\n", 1) for section in text.split("\n## ")[1:])
+    page = re.sub(r"\{\{(?:remarks|question) (.*?)\}\}", lambda place: known.get(place[1], "").strip(), page)
     left = re.findall(r"\{\{.*?\}\}", page)
     if left:
-        raise SystemExit(f"{file}: nothing is said about {', '.join(left)}")
-    return page
+        raise SystemExit(f"{TEMPLATE.name}: nothing is known of {', '.join(left)}")
+    return re.sub(r"\n{3,}", "\n\n", page)
 
 
-def main():
+def make_page(results, sweeps):
+    page = fill(TEMPLATE.read_text(encoding="utf-8"), results, sweeps)
+    return put_remarks(page, REMARKS.read_text(encoding="utf-8") if REMARKS.exists() else "")
+
+
+def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results", type=pathlib.Path, help="results.json of somato reproduce")
-    arguments = parser.parse_args()
-    results = json.loads(arguments.results.read_text(encoding="utf-8"))
-    page = fill(TEMPLATE.read_text(encoding="utf-8"), results)
-    print(remarks(page, TEMPLATE.with_name("reproduction_remarks.md.in")), end="")
+    parser.add_argument("--sweeps", type=pathlib.Path, help="folder with NAME/sweep.json of each system")
+    parser.add_argument("--check", type=pathlib.Path, help="fail where this page is not what would be written")
+    given = parser.parse_args(arguments)
+    results = json.loads(given.results.read_text(encoding="utf-8"))
+    names = [p["system"] for p in as_it_stands(results)] if given.sweeps else []
+    page = make_page(results, tables.load_sweeps(given.sweeps, names))
+    if not given.check:
+        print(page, end="")
+    elif given.check.read_text(encoding="utf-8") != page:
+        sys.exit(f"{given.check} is not what {given.results} gives; write it anew")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,187 @@
+import contextlib
+import io
+import json
+import tomllib
+import unittest
+from pathlib import Path
+
+from support import TreeTest
+
+import reproduction_page
+import result_tables
+import unknowns_page
+
+UNKNOWNS = Path(__file__).resolve().parents[2] / "systems" / "unknowns"
+HASH = "cdab067e9f3b"
+
+
+def claim(**changes):
+    made = {"text": "It holds", "paper": "P11 IV", "question": "", "system": "texture", "variation": "",
+            "metric": "told_exactly", "protocol": "train_is_test", "group": "", "published": 5,
+            "at_least": 4, "at_most": 6, "share": 0.75, "mean": 5.25, "sd": 0.5, "by_luck": 7.5,
+            "pairs": 4, "verdict": "mostly", "reason": "", "chance_share": 0.25}
+    return {**made, **changes}
+
+
+def run(*pairs):
+    return {"seed": 1, "winners": [], "labels": [p[0] for p in pairs], "predictions": [p[1] for p in pairs]}
+
+
+def protocol(name, group, *runs):
+    made = {"protocol": name, "label": "material", "metrics": {"accuracy": {"values": [0.5, 1.0]}}, "runs": list(runs)}
+    return {**made, "group": group} if group else made
+
+
+FOLDS = protocol("leave_group_out", "trial",
+                 run(("felt", "felt"), ("felt", "wood"), ("wood", "wood"), ("metal", "wood")),
+                 run(("felt", "felt"), ("felt", "felt"), ("wood", "felt"), ("metal", "metal")))
+
+
+def results():
+    part = {"question": "", "system": "texture", "variation": "", "settings": {"b": 1, "a": "x"},
+            "recordings": ["one.mcap"], "pairs": [[0, 7], [0, 8]],
+            "protocols": [protocol("train_is_test", "", run(("felt", "felt"))), FOLDS]}
+    return {"seed": 7, "pairs": 2, "systems": [part], "claims": [claim(), claim(paper="", text="Ours")],
+            "recordings": [{"name": "one.mcap", "source": "probes", "seed": 7, "data_hash": "fnv1a64:12",
+                            "explorations": 4}]}
+
+
+def swept(first_order, chance=0.1):
+    return {"name": "rate", "cells": [{"points": 2, "share": 0.25}, {"points": 2, "share": 1.0}], "change": 0.75,
+            "first_order": first_order, "first_order_by_chance": chance}
+
+
+def sweep(*unknowns):
+    judged = {**claim(), "points": 4, "holds": 0.5, "mean_share": 0.625, "unknowns": list(unknowns)}
+    return {"system": "texture", "design": "sobol", "seed": 7, "pairs": 4,
+            "unknowns": [{"name": "rate", "cells": [{"from": 0.05, "to": 0.2}, {"from": 0.2, "to": 0.8}]}],
+            "claims": [judged, {**judged, "text": "Held out", "points": 0}], "not_judged": ["Between two"],
+            "points": [{"recordings": ["one.mcap"]}] * 4}
+
+
+class Claims(unittest.TestCase):
+    def test_two_sided_bounds_are_a_range(self):
+        self.assertEqual(result_tables.range_text(claim()), "4 to 6")
+        self.assertEqual(result_tables.range_text(claim(at_least=5, at_most=5)), "= 5")
+        self.assertEqual(result_tables.range_text(claim(at_most=None)), "≥ 4")
+        self.assertEqual(result_tables.range_text(claim(at_least=None, at_most=0)), "≤ 0")
+
+    def test_a_row_has_the_share_of_chance_and_the_verdict(self):
+        self.assertEqual(result_tables.claim_table([claim()]).splitlines()[2],
+                         "| texture: It holds | P11 IV | `told_exactly` 4 to 6, train = test | 5 | 5.25 ± 0.50 | "
+                         "7.5 | 75 % of 4 | 25 % | mostly |")
+
+    def test_comparisons_of_our_own_have_no_column_of_papers(self):
+        text = result_tables.claim_table([claim(paper="", chance_share=None, by_luck=None)])
+        self.assertEqual(text.splitlines()[2].split(" | ")[5:], ["75 % of 4", "–", "mostly |"])
+        self.assertNotIn("paper", text)
+
+    def test_a_comparison_names_what_it_is_compared_with(self):
+        compared = claim(than_system="hardness", than_variation="small", at_least=0, at_most=None)
+        self.assertEqual(result_tables.bounds(compared),
+                         "`told_exactly` less that of hardness, small ≥ 0, train = test")
+
+    def test_what_cannot_be_decided_says_why(self):
+        undecided = claim(verdict="cannot be decided here", reason="Too few | pairs.")
+        self.assertEqual(result_tables.verdict_text(undecided), "cannot be decided here: Too few \\| pairs.")
+
+    def test_verdicts_are_counted_and_unknown_ones_refused(self):
+        self.assertEqual(result_tables.verdict_counts([claim(), claim(), claim(verdict="fails")]),
+                         "*holds*: 0, *holds, but so does chance*: 0, *mostly*: 2, *fails*: 1, "
+                         "*cannot be decided here*: 0")
+        with self.assertRaises(ValueError):
+            result_tables.verdict_counts([claim(verdict="perhaps")])
+
+
+class Confusions(unittest.TestCase):
+    def test_shares_are_of_the_row_over_all_runs(self):
+        self.assertEqual(result_tables.confusion_table(FOLDS).splitlines(), [
+            "| explored \\ named, % | felt | wood | metal |", "| --- | --- | --- | --- |",
+            "| **felt** | 75 | 25 |  |", "| **wood** | 50 | 50 |  |", "| **metal** |  | 50 | 50 |"])
+
+    def test_the_greatest_come_first(self):
+        self.assertEqual(result_tables.greatest_confusions(FOLDS),
+                         "Most often confused: wood is named felt (50.0 %), metal is named wood (50.0 %) and "
+                         "felt is named wood (25.0 %).")
+
+    def test_without_any_it_says_so(self):
+        right = protocol("leave_group_out", "trial", run(("felt", "felt")))
+        self.assertEqual(result_tables.greatest_confusions(right), "No exploration is named wrongly.")
+
+
+class Sweeps(unittest.TestCase):
+    def test_an_unknown_decides_when_clearly_above_chance(self):
+        self.assertTrue(result_tables.decides(swept(0.2)))
+        self.assertFalse(result_tables.decides(swept(0.19)))
+        self.assertFalse(result_tables.decides(swept(0.04, chance=0.01)))
+        self.assertFalse(result_tables.decides(swept(None, chance=None)))
+
+    def test_a_row_says_where_the_claim_holds_more(self):
+        rows = result_tables.sweep_table(sweep(swept(0.6))).splitlines()
+        self.assertEqual(rows[2:], ["| It holds | P11 IV | 4 to 6 | 50 % | 62 % | `rate` (0.60): most at 0.2 to 0.8 "
+                                    "(100 %), least at 0.05 to 0.2 (25 %) |"])
+
+    def test_claims_that_were_not_judged_are_listed(self):
+        self.assertEqual(result_tables.unjudged(sweep(swept(0.6))), ["Held out", "Between two"])
+
+
+class Page(TreeTest):
+    def make(self, *options):
+        self.write("results.json", json.dumps(results()))
+        self.write("sweeps/texture/sweep.json", json.dumps(sweep(swept(0.6))))
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            reproduction_page.main([str(self.tree / "results.json"), "--sweeps", str(self.tree / "sweeps"), *options])
+        return printed.getvalue()
+
+    def test_papers_and_our_own_have_tables_of_their_own(self):
+        page = self.make()
+        papers, ours = page.index("### Claims of the papers"), page.index("### Comparisons of our own")
+        self.assertLess(papers, page.index("| texture: It holds"))
+        self.assertLess(ours, page.index("| texture: Ours"))
+        self.assertIn("Verdicts on 1 claim of the papers", page)
+
+    def test_settings_have_a_hash_that_does_not_depend_on_their_order(self):
+        # printf '{"a":"x","b":1}' | sha256sum
+        self.assertEqual(reproduction_page.settings_hash({"settings": {"b": 1, "a": "x"}}), HASH)
+        self.assertIn(HASH, self.make())
+
+    def test_nothing_is_left_to_fill_in(self):
+        self.assertNotIn("{{", self.make())
+
+    def test_check_fails_on_another_page(self):
+        same = self.write("page.md", self.make())
+        self.assertEqual(self.make("--check", str(same)), "")
+        other = self.write("page.md", same.read_text(encoding="utf-8") + "x")
+        with self.assertRaises(SystemExit):
+            self.make("--check", str(other))
+
+    def test_a_remark_that_is_not_there_is_left_out(self):
+        text = "a {{remarks one}} b {{question two}} c"
+        self.assertEqual(reproduction_page.put_remarks(text, "Head\n## one\nsaid\n"), "a said b  c")
+
+
+class Unknowns(unittest.TestCase):
+    def test_systems_that_try_the_same_stand_together(self):
+        rate = {"key": "module.map.rate", "low": 0.05, "high": 0.8, "scale": "logarithmic", "text": "Not given."}
+        page = unknowns_page.make_page({"texture": {"rate": rate}, "hardness": {"rate": rate}},
+                                       {"texture": sweep(swept(0.6))})
+        self.assertIn("- **texture and hardness**: `module.map.rate`\n  - tried: 0.05 to 0.8, logarithmic\n"
+                      "  - Not given.\n  - texture: It holds: `rate` (0.60): most at 0.2 to 0.8 (100 %)", page)
+
+    def test_without_sweeps_it_says_so(self):
+        self.assertIn("No sweep was run", unknowns_page.make_page({"a": {}}, {}))
+
+    def test_each_of_the_nine_systems_has_a_file(self):
+        self.assertEqual(tuple(unknowns_page.load_unknowns(UNKNOWNS)), unknowns_page.ORDER)
+
+    def test_the_systems_of_hand_2_explore_the_same_points(self):
+        """Else their sweeps could not share recordings: the place of an unknown decides its values."""
+        bodies = []
+        for name in unknowns_page.ORDER[:4]:
+            file = tomllib.loads((UNKNOWNS / f"{name}.toml").read_text(encoding="utf-8"))
+            unknowns = list(file["unknown"].values())
+            explored = [u for u in unknowns if str(u["key"]).startswith("explore.")]
+            self.assertEqual(explored, unknowns[:len(explored)], name)
+            bodies.append((file["sweep"], explored))
+        self.assertEqual(bodies, [bodies[0]] * 4)
