@@ -11,7 +11,7 @@
 namespace somato::bench {
 namespace {
 
-static_assert(kKernels<kernels::TMpsomTable> == 13, "count each of them");
+static_assert(kKernels<kernels::TMpsomTable> == 15, "count each of them");
 
 constexpr std::size_t kRows = 240;
 constexpr std::size_t kColumns = 300;
@@ -55,6 +55,22 @@ void count_moves(const Counted& counted) {
       [&] { certain = table.find_unit_moves(read, x.data(), 100.0F, gains.data(), moves); },
       [&] { return digest_with(of_moves(), certain ? 1.0 : 0.0); });
   counted("t_mpsom.move", [&] { table.move(w, x.data(), moves); }, [&] { return digest_of(map); });
+  AlignedVector<float> partial(gains.size());
+  AlignedVector<float> products(gains.size());
+  AlignedVector<float> squares(gains.size());
+  const kernels::Measures measures{partial.data(), products.data(), squares.data()};
+  const LaneMatrix<float> mask = noisy_map<float>(kRows, kColumns / 2);
+  const kernels::Hearing hearing{kernels::lanes(mask), 20, x.data(), false};
+  counted(
+      "t_mpsom.move_and_measure",
+      [&] { table.move_and_measure(w, x.data(), moves, hearing, measures); },
+      [&] { return digest_of(partial, digest_of(products, digest_of(squares, digest_of(map)))); });
+  counted(
+      "t_mpsom.find_measured_moves",
+      [&] {
+        certain = table.find_measured_moves(measures, map.blocks(), 100.0F, gains.data(), moves);
+      },
+      [&] { return digest_with(of_moves(), certain ? 1.0 : 0.0); });
   counted(
       "t_mpsom.find_plain_moves",
       [&] { table.find_plain_moves(gains.data(), map.blocks(), moves); }, of_moves);

@@ -17,6 +17,21 @@ struct Moves {
   float* doubtful;  ///< Not zero where single precision does not know the length of what is moved.
 };
 
+/// What one reading of the weights finds of each neuron: values of a lane each.
+struct Measures {
+  float* partial;   ///< The sum of (mask * w) * x.
+  float* products;  ///< w x.
+  float* squares;   ///< w w.
+};
+
+/// What is heard next: elements of which the mask, which begins at column `first`, sees some.
+struct Hearing {
+  Lanes<const float> mask;
+  std::size_t first;
+  const float* x;
+  bool is_zero;  ///< Whether all of x is.
+};
+
 struct TMpsomTable {
   /// out = sum over the listed columns of (mask * w) * x; `mask` begins at column `first` of w.
   void (*banded_inner_products)(Lanes<const float> w, Lanes<const float> mask, std::size_t first,
@@ -30,6 +45,14 @@ struct TMpsomTable {
   /// from sums over one reading of w. Returns whether no lane is doubtful.
   bool (*find_unit_moves)(Lanes<const float> w, const float* x, float squared_length_of_x,
                           const float* gains, const Moves& moves);
+  /// The same from sums that have been found before.
+  bool (*find_measured_moves)(const Measures& measures, std::size_t blocks,
+                              float squared_length_of_x, const float* gains, const Moves& moves);
+  /// Moves w by `moves` towards `sample`, as move() does, or leaves it as it is when `sample` is
+  /// nullptr, and measures it as it is then, in one pass. The same bits as those of the others, for
+  /// up to kChunk columns.
+  void (*move_and_measure)(Lanes<float> w, const float* sample, const Moves& moves,
+                           const Hearing& hearing, const Measures& measures);
   /// keep = 1 - gain, add = gain.
   void (*find_plain_moves)(const float* gains, std::size_t blocks, const Moves& moves);
   /// w = keep w + add x, zero where its magnitude is below kNegligible.

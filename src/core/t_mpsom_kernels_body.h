@@ -119,6 +119,18 @@ bool find_unit_moves(Lanes<const float> w, const float* x, float squared_length_
   return certain;
 }
 
+bool find_measured_moves(const Measures& measures, std::size_t blocks, float squared_length_of_x,
+                         const float* gains, const Moves& moves) {
+  const auto sample = Floats::all(squared_length_of_x);
+  bool certain = true;
+  for (std::size_t lane = 0; lane < blocks * kFloats; lane += kFloats) {
+    certain &= find_unit_move(Floats::load(measures.products + lane),
+                              Floats::load(measures.squares + lane), sample, lane, gains, moves)
+                   .is_zero();
+  }
+  return certain;
+}
+
 void find_plain_moves(const float* gains, std::size_t blocks, const Moves& moves) {
   for (std::size_t lane = 0; lane < blocks * kFloats; lane += kFloats) {
     const auto gain = Floats::load(gains + lane);
@@ -138,6 +150,83 @@ void move(Lanes<float> w, const float* x, const Moves& moves) {
       zero_below(multiply_add(add, Floats::all(x[column]), kept), limit).store(lanes);
     }
   }
+}
+
+// One block, moved and measured column by column: it is memory that this waits for, so that more
+// blocks at once gain nothing.
+template <bool Moving, bool Hears>
+class Passage {
+ public:
+  Passage(float* lanes, std::size_t lane, const float* sample, const Moves& moves)
+      : lanes_(lanes), sample_(sample) {
+    if constexpr (Moving) {
+      keep_ = Floats::load(moves.keep + lane);
+      add_ = Floats::load(moves.add + lane);
+    }
+  }
+
+  // `mask` is that of column `begin`, where the columns are in the field.
+  template <bool InField>
+  void pass(std::size_t begin, std::size_t end, const float* x, const float* mask) {
+    const auto limit = Floats::all(kNegligible<float>);
+    for (std::size_t column = begin; column < end; ++column) {
+      float* const lanes = lanes_ + column * kFloats;
+      auto weight = Floats::load(lanes);
+      if constexpr (Moving) {
+        const auto kept = weight * keep_;
+        weight = zero_below(multiply_add(add_, Floats::all(sample_[column]), kept), limit);
+        weight.store(lanes);
+      }
+      squares_ = multiply_add(weight, weight, squares_);
+      if constexpr (!Hears) continue;
+      const auto element = Floats::all(x[column]);
+      products_ = multiply_add(weight, element, products_);
+      if constexpr (!InField) continue;
+      const auto seen = Floats::load(mask + (column - begin) * kFloats) * weight;
+      partial_ = multiply_add(seen, element, partial_);
+    }
+  }
+
+  // Zero is added as the sums over chunks do, which leaves no negative zero.
+  void store(std::size_t lane, const Measures& measures) const {
+    (Floats::all(0) + partial_).store(measures.partial + lane);
+    (Floats::all(0) + products_).store(measures.products + lane);
+    (Floats::all(0) + squares_).store(measures.squares + lane);
+  }
+
+ private:
+  float* lanes_;
+  const float* sample_;
+  Floats keep_ = Floats::all(1);
+  Floats add_ = Floats::all(0);
+  Floats partial_ = Floats::all(0);
+  Floats products_ = Floats::all(0);
+  Floats squares_ = Floats::all(0);
+};
+
+template <bool Moving, bool Hears>
+inline void move_and_measure_all(Lanes<float> w, const float* sample, const Moves& moves,
+                                 const Hearing& hearing, const Measures& measures) {
+  const std::size_t end = hearing.first + hearing.mask.columns;
+  for (std::size_t block = 0; block < w.blocks; ++block) {
+    const std::size_t lane = block * kFloats;
+    Passage<Moving, Hears> passage(lanes_at(w, block, 0), lane, sample, moves);
+    const float* const mask = lanes_at(hearing.mask, block, 0);
+    passage.template pass<false>(0, hearing.first, hearing.x, mask);
+    passage.template pass<Hears>(hearing.first, end, hearing.x, mask);
+    passage.template pass<false>(end, w.columns, hearing.x, mask);
+    passage.store(lane, measures);
+  }
+}
+
+void move_and_measure(Lanes<float> w, const float* sample, const Moves& moves,
+                      const Hearing& hearing, const Measures& measures) {
+  const bool moving = sample != nullptr;
+  const auto pass = moving && hearing.is_zero ? move_and_measure_all<true, false>
+                    : moving                  ? move_and_measure_all<true, true>
+                    : hearing.is_zero         ? move_and_measure_all<false, false>
+                                              : move_and_measure_all<false, true>;
+  pass(w, sample, moves, hearing, measures);
 }
 
 bool any(const float* values, std::size_t blocks) {
@@ -311,6 +400,8 @@ void spread_line(const double* in, std::size_t places, const double* factors, st
 // NOLINTNEXTLINE(misc-definitions-in-headers): each source that includes this has its own namespace
 extern const TMpsomTable kTMpsomTable = {banded_inner_products,
                                          find_unit_moves,
+                                         find_measured_moves,
+                                         move_and_measure,
                                          find_plain_moves,
                                          move,
                                          any,

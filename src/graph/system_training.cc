@@ -158,7 +158,9 @@ class Trainer {
     Lesson lesson = lesson_for(module, phase);
     lesson.inputs_unknown = system_.wiring().reaches(module, module);
     lesson.inputs_fixed = has_fixed_inputs(module, phase, computed);
-    if (lesson.inputs_unknown) return learner(module).begin(lesson, {});
+    if (lesson.inputs_unknown || learner(module).begins_without_inputs()) {
+      return learner(module).begin(lesson, {});
+    }
     std::vector<bool> wanted(system_.modules().size(), false);
     for (const std::size_t input : system_.modules()[module].inputs) wanted[input] = true;
     std::vector<ExplorationRun> runs;

@@ -42,12 +42,6 @@ bool all_finite(std::span<const float> values) {
                      [](float value) { return std::isfinite(value); });
 }
 
-// Never 0, which stands for no weights.
-std::uint64_t new_state() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
-
 Result<void> check_weights(const TMpsomParameters& parameters,
                            const std::vector<Matrix<float>>& weights) {
   const std::size_t inputs = parameters.input_sizes.size();
@@ -70,8 +64,8 @@ Result<void> check_weights(const TMpsomParameters& parameters,
 }
 
 // Takes the partial activations of one input into y, in double precision.
-void combine(std::span<const float> partial, bool is_first, TMpsomCombination combination,
-             std::span<double> activity) {
+void take_partial(std::span<const float> partial, bool is_first, TMpsomCombination combination,
+                  std::span<double> activity) {
   const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
   const auto take = is_first                                        ? kernels.start_activity
                     : combination == TMpsomCombination::kMultiplied ? kernels.multiply_activity
@@ -178,14 +172,49 @@ void TMpsom::check(std::span<const SignalView> inputs, const Workspace& workspac
   }
 }
 
-// y. An input that is the same again, for weights that are the same, too, has its partial
-// activations already.
-void TMpsom::hear(std::span<const SignalView> inputs, Workspace& workspace) const {
+// Never 0, which stands for no weights.
+std::uint64_t TMpsom::new_state() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+void TMpsom::take(std::span<const SignalView> inputs, Workspace& workspace) const {
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
     TMpsomHeard& heard = workspace.inputs_[a];
     if (!heard.is_again(inputs[a])) heard.take(inputs[a], parameters_.input_norm);
+  }
+}
+
+// Whether an input of zeros makes every product zero. With norms partial activations are finite;
+// without, zero times one that has left its range would have to be found.
+bool TMpsom::is_silent(const Workspace& workspace) const {
+  const auto is_zero = [](const TMpsomHeard& heard) { return heard.is_zero(); };
+  const auto is_normalized = [](const Input& input) { return input.normalized; };
+  return parameters_.combination == TMpsomCombination::kMultiplied &&
+         parameters_.input_norm == TMpsomNorm::kL2 &&
+         std::any_of(workspace.inputs_.begin(), workspace.inputs_.end(), is_zero) &&
+         std::all_of(inputs_.begin(), inputs_.end(), is_normalized);
+}
+
+// y. An input that is the same again, for weights that are the same, too, has its partial
+// activations already.
+void TMpsom::hear(std::span<const SignalView> inputs, Workspace& workspace) const {
+  take(inputs, workspace);
+  if (is_silent(workspace)) {
+    std::fill(workspace.activity_.begin(), workspace.activity_.end(), 0.0);
+    return;
+  }
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    TMpsomHeard& heard = workspace.inputs_[a];
     if (heard.state() != state_) find_partial(inputs_[a], heard);
-    combine(heard.partial(), a == 0, parameters_.combination, workspace.activity_);
+  }
+  combine(workspace);
+}
+
+void TMpsom::combine(Workspace& workspace) const {
+  for (std::size_t a = 0; a < inputs_.size(); ++a) {
+    take_partial(workspace.inputs_[a].partial(), a == 0, parameters_.combination,
+                 workspace.activity_);
   }
 }
 
@@ -207,6 +236,10 @@ void TMpsom::find_partial(const Input& input, TMpsomHeard& heard) const {
 
 // N and the gains alpha N from y; false when there is nothing to learn.
 bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
+  if (is_silent(workspace)) {
+    std::fill(workspace.neighbourhood_.begin(), workspace.neighbourhood_.end(), 0.0);
+    return false;
+  }
   const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
   const std::span<double> spread = workspace.neighbourhood_;
   const char* const too_large = "T-MPSOM: the activity is too large; normalize the inputs";

@@ -16,20 +16,6 @@ double moved(float weight, float element, float gain) {
   return double{weight} + double{gain} * (double{element} - double{weight});
 }
 
-// In double precision, where nothing overflows.
-void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
-              float gain) {
-  double squared = 0.0;
-  for (std::size_t k = 0; k < weights.columns(); ++k) {
-    const double weight = moved(weights(row, k), sample[k], gain);
-    squared = std::fma(weight, weight, squared);
-  }
-  const double length = squared > 0.0 ? std::sqrt(squared) : 1.0;
-  for (std::size_t k = 0; k < weights.columns(); ++k) {
-    weights(row, k) = static_cast<float>(moved(weights(row, k), sample[k], gain) / length);
-  }
-}
-
 // A few blocks of neurons.
 class Group {
  public:
@@ -77,6 +63,19 @@ class Group {
 };
 
 }  // namespace
+
+void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
+              float gain) {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    const double weight = moved(weights(row, k), sample[k], gain);
+    squared = std::fma(weight, weight, squared);
+  }
+  const double length = squared > 0.0 ? std::sqrt(squared) : 1.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    weights(row, k) = static_cast<float>(moved(weights(row, k), sample[k], gain) / length);
+  }
+}
 
 void move_weights(LaneMatrix<float>& weights, const TMpsomMove& move, TMpsomNorm norm) {
   for (std::size_t block = 0; block < weights.blocks(); block += kBlocks) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "somato/core/lane_matrix.h"
@@ -18,5 +19,9 @@ struct TMpsomMove {
 /// w <- normalized(w + gain (x - w)) in each row: each row is read for its length to come, and read
 /// and written once more while it is in the nearest cache. With the L2 norm rows of zeros stay so.
 void move_weights(LaneMatrix<float>& weights, const TMpsomMove& move, TMpsomNorm norm);
+
+/// The same of one row, in double precision, where nothing overflows; always with the L2 norm.
+void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
+              float gain);
 
 }  // namespace somato

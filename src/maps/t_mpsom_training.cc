@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "maps/t_mpsom_learner.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -66,7 +67,7 @@ Result<void> check_explorations(std::span<const TMpsomExploration> explorations,
 class TMpsomTraining {
  public:
   TMpsomTraining(TMpsom& map, const Progress& progress)
-      : map_(map), progress_(progress), rate_(map.parameters().learning_rate()), workspace_(map) {}
+      : map_(map), progress_(progress), rate_(map.parameters().learning_rate()), learner_(map) {}
 
   bool is_over() const { return done_ == total() || interrupted_; }
   bool is_interrupted() const { return interrupted_; }
@@ -77,7 +78,7 @@ class TMpsomTraining {
     inputs_.clear();
     for (const Signal& signal : frame) inputs_.push_back(signal.view());
     const double alpha = rate_.at(done_);
-    learned_ += map_.learn(inputs_, alpha, workspace_) ? 1 : 0;
+    learned_ += learner_.learn(inputs_, alpha) ? 1 : 0;
     ++done_;
     if (done_ % kTMpsomIterationsBetweenReports == 0 || done_ == total()) report();
   }
@@ -89,7 +90,7 @@ class TMpsomTraining {
   TMpsom& map_;
   const Progress& progress_;
   Schedule rate_;
-  TMpsom::Workspace workspace_;
+  TMpsomLearner learner_;
   std::vector<SignalView> inputs_;
   std::uint64_t done_ = 0;
   std::uint64_t learned_ = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/lanes.h"
@@ -101,6 +102,76 @@ TEST(TMpsomKernels, FindMovesToUnitLength) {
       found.insert(found.end(), room.add.begin(), room.add.end());
       if (before.empty()) before = found;
       EXPECT_EQ(found, before) << choice_name(set);
+    });
+  }
+}
+
+// Room for what a pass measures of up to four blocks.
+struct RoomForMeasures {
+  AlignedVector<float> partial = AlignedVector<float>(4 * kArborLanes);
+  AlignedVector<float> products = AlignedVector<float>(4 * kArborLanes);
+  AlignedVector<float> squares = AlignedVector<float>(4 * kArborLanes);
+  kernels::Measures measures() { return {partial.data(), products.data(), squares.data()}; }
+};
+
+// One pass gives the bits of the passes that it stands for: the move, the sums over the field, and
+// the moves to unit length that follow.
+TEST(TMpsomKernels, MoveAndMeasureInOnePass) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t rows = 1 + random.below(4 * kArborLanes);
+    const std::size_t columns = 1 + random.below(kernels::kChunk);
+    const std::size_t first = random.below(columns + 1);
+    LaneMatrix<float> before = random_lanes(random, rows, columns);
+    const LaneMatrix<float> mask = random_lanes(random, rows, random.below(columns - first + 1));
+    const auto sample = random_values<std::vector<float>>(random, columns);
+    const bool is_moving = random.below(4) > 0;
+    const bool is_zero = random.below(4) == 0;
+    std::vector<float> x(columns);
+    std::vector<std::uint32_t> seen;
+    std::vector<float> of_seen;
+    double squared = 0.0;
+    for (std::uint32_t k = 0; k < columns && !is_zero; ++k) {
+      if (random.below(3) == 0) continue;
+      x[k] = static_cast<float>(random.normal());
+      squared += double{x[k]} * double{x[k]};
+      if (k < first || k >= first + mask.columns()) continue;
+      seen.push_back(k);
+      of_seen.push_back(x[k]);
+    }
+    RoomForMoves move;
+    move.keep = random_values<AlignedVector<float>>(random, 4 * kArborLanes);
+    move.add = random_values<AlignedVector<float>>(random, 4 * kArborLanes);
+    before(0, 0) = -0.0F;
+    move.add[0] = 0.0F;
+    const auto gains = random_values<AlignedVector<float>>(random, 4 * kArborLanes);
+    testing::for_each_instruction_set([&](InstructionSet set) {
+      const kernels::TMpsomTable& table = kernels::t_mpsom_table();
+      LaneMatrix<float> w = before;
+      RoomForMeasures found;
+      table.move_and_measure(kernels::lanes(w), is_moving ? sample.data() : nullptr, move.moves(),
+                             {kernels::lanes(mask), first, x.data(), is_zero}, found.measures());
+      LaneMatrix<float> expected = before;
+      if (is_moving) table.move(kernels::lanes(expected), sample.data(), move.moves());
+      EXPECT_EQ(w, expected) << choice_name(set);
+      RoomForMeasures sums;
+      table.banded_inner_products(kernels::lanes(std::as_const(expected)), kernels::lanes(mask),
+                                  first, seen.data(), of_seen.data(), seen.size(),
+                                  sums.partial.data());
+      EXPECT_EQ(found.partial, sums.partial) << choice_name(set);
+      RoomForMoves next;
+      RoomForMoves next_expected;
+      const auto length = static_cast<float>(squared);
+      const bool certain = table.find_measured_moves(found.measures(), w.blocks(), length,
+                                                     gains.data(), next.moves());
+      EXPECT_EQ(certain, table.find_unit_moves(kernels::lanes(std::as_const(expected)), x.data(),
+                                               length, gains.data(), next_expected.moves()));
+      EXPECT_EQ(next.doubtful, next_expected.doubtful) << choice_name(set);
+      for (std::size_t row = 0; row < w.padded_rows(); ++row) {
+        if (next.doubtful[row] != 0.0F) continue;  // may be no number
+        EXPECT_EQ(next.keep[row], next_expected.keep[row]) << choice_name(set);
+        EXPECT_EQ(next.add[row], next_expected.add[row]) << choice_name(set);
+      }
     });
   }
 }

@@ -151,12 +151,15 @@ class Learner {
   /// Whether it can learn draw by draw.
   virtual bool learns_by_draws() const = 0;
 
+  /// Whether what it begins with does not depend on its inputs, which begin() then is not given.
+  virtual bool begins_without_inputs() const { return false; }
+
   /// Learns from all explorations. Errors: kData, kUsage, kInterrupted.
   virtual Result<void> learn(const Lesson& lesson, const TrainingInputs& explorations);
 
   /// Gets ready to learn draw by draw and returns how many draws there will be. `explorations` are
-  /// the inputs before anything is learned in this phase; none when they are unknown. Errors:
-  /// kData, kUsage.
+  /// the inputs before anything is learned in this phase; none when they are unknown or not needed.
+  /// Errors: kData, kUsage.
   virtual Result<std::uint64_t> begin(const Lesson& lesson, const TrainingInputs& explorations);
 
   /// Learns one draw: a frame, or the value of an exploration. Errors: kData.

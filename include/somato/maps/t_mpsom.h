@@ -53,6 +53,7 @@ class TMpsom {
 
    private:
     friend class TMpsom;
+    friend class TMpsomLearner;
 
     std::vector<TMpsomHeard> inputs_;
     std::vector<float> sample_;
@@ -99,6 +100,8 @@ class TMpsom {
   bool operator==(const TMpsom& other) const;
 
  private:
+  friend class TMpsomLearner;
+
   struct Input {
     LaneMatrix<float> weights;
     TMpsomArbor arbor;
@@ -109,7 +112,11 @@ class TMpsom {
   TMpsom(TMpsomParameters parameters, WithoutWeights /*tag*/);
 
   void check(std::span<const SignalView> inputs, const Workspace& workspace) const;
+  static std::uint64_t new_state();
+  void take(std::span<const SignalView> inputs, Workspace& workspace) const;
+  bool is_silent(const Workspace& workspace) const;
   void hear(std::span<const SignalView> inputs, Workspace& workspace) const;
+  void combine(Workspace& workspace) const;
   void find_partial(const Input& input, TMpsomHeard& heard) const;
   bool find_gains(double alpha, Workspace& workspace) const;
   void move(Input& input, const TMpsomHeard& heard, Workspace& workspace) const;

@@ -26,6 +26,9 @@ class TMpsomHeard {
   /// InvalidArgument, and changes nothing, when it holds a value that is not finite.
   void take(const SignalView& signal, TMpsomNorm norm);
 
+  /// Whether no element of the last signal is other than zero.
+  bool is_zero() const { return count_ == 0; }
+
   /// Elements from `first` to before `end` that are not zero: where they stand, and what they are,
   /// normalized. With a norm, elements below 1e-18 of the length count as zero, and may be among
   /// them.

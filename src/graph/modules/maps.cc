@@ -6,6 +6,7 @@
 #include "graph/modules/som_module.h"
 #include "graph/modules/support.h"
 #include "maps/map_parts.h"
+#include "maps/t_mpsom_learner.h"
 #include "somato/core/check.h"
 #include "somato/core/memory.h"
 #include "somato/maps/initial_weights.h"
@@ -277,6 +278,24 @@ class TMpsomStepper : public Stepper {
   SignalBuffer activity_;
 };
 
+// While the map learns: the learner hears each input once, for its activity and to learn it.
+class LearningTMpsomStepper : public Stepper {
+ public:
+  LearningTMpsomStepper(TMpsomLearner& learner, const TMpsomParameters& parameters)
+      : learner_(learner), parameters_(parameters) {}
+
+  Result<Signal> step(std::span<const SignalView> inputs) override {
+    std::vector<float> activity(parameters_.neurons());
+    const auto active = in_range([&] { learner_.activation(inputs, activity); });
+    if (!active) return fail(active.error());
+    return Signal::dense(parameters_.shape, std::move(activity));
+  }
+
+ private:
+  TMpsomLearner& learner_;
+  const TMpsomParameters& parameters_;
+};
+
 class TMpsomModule : public SteppedModule, public Learner {
  public:
   using Parameters = TMpsomModuleParameters;
@@ -301,6 +320,7 @@ class TMpsomModule : public SteppedModule, public Learner {
   Learner* learner() override { return this; }
   std::unique_ptr<Stepper> start() const override {
     require(map_.has_value(), "a T-MPSOM that has learned nothing cannot be used");
+    if (learner_) return std::make_unique<LearningTMpsomStepper>(*learner_, map_->parameters());
     return std::make_unique<TMpsomStepper>(*map_);
   }
 
@@ -312,23 +332,25 @@ class TMpsomModule : public SteppedModule, public Learner {
 
   bool learns_at_once() const override { return false; }
   bool learns_by_draws() const override { return true; }
+  bool begins_without_inputs() const override { return true; }
 
-  // What it starts from does not depend on what comes in.
   Result<std::uint64_t> begin(const Lesson& lesson,
                               const TrainingInputs& /*explorations*/) override {
     TMpsomParameters parameters = parameters_;
     parameters.seed = lesson.seed;
     parameters.iterations = lesson.draws.value_or(parameters.iterations);
     if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));
+    learner_.reset();
     map_.emplace(parameters);
-    workspace_.emplace(*map_);
+    learner_ = std::make_unique<TMpsomLearner>(*map_);
     return parameters.iterations;
   }
 
   Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override {
-    return in_range(
-        [&] { map_->learn(inputs, map_->parameters().learning_rate().at(draw), *workspace_); });
+    return in_range([&] { learner_->learn(inputs, map_->parameters().learning_rate().at(draw)); });
   }
+
+  void finish() override { learner_.reset(); }
 
   void save(Archive& archive, const std::string& prefix) const override {
     require(map_.has_value(), "a T-MPSOM that has learned nothing cannot be saved");
@@ -343,6 +365,7 @@ class TMpsomModule : public SteppedModule, public Learner {
         map->parameters().shape != parameters_.shape) {
       return damaged_model("a T-MPSOM does not fit its place in the system", where);
     }
+    learner_.reset();
     map_ = std::move(*map);
     return {};
   }
@@ -350,7 +373,7 @@ class TMpsomModule : public SteppedModule, public Learner {
  private:
   TMpsomParameters parameters_;
   std::optional<TMpsom> map_;
-  std::optional<TMpsom::Workspace> workspace_;
+  std::unique_ptr<TMpsomLearner> learner_;  // while it learns
 };
 
 class WinnerModule : public MappedModule {
