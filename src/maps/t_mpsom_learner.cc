@@ -66,7 +66,7 @@ bool TMpsomLearner::learn(std::span<const SignalView> inputs, double alpha) {
   require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be in 0 .. 1");
   hear(inputs);
   if (!map_.find_gains(alpha, workspace_)) return false;
-  map_.state_ = map_.new_state();
+  map_.state_ = TMpsom::new_state();
   for (std::size_t a = 0; a < parts_.size(); ++a) put_off(a);
   return true;
 }
