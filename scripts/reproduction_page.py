@@ -149,6 +149,8 @@ def question_section(name, results):
     if claims:
         texts.append(tables.claim_table(claims))
     texts.append(accuracy_table(parts, asked if claims else {"5 folds"}))
+    if not claims:
+        texts.append(area_table(parts))
     return "\n\n".join(text for text in texts if text)
 
 
