@@ -27,6 +27,11 @@ Json plane_json(const ChannelPlanes& planes, std::size_t neuron) {
           {"values", Json::array({values})}};
 }
 
+// A channel with an element for each touch sensor: its force, or what a piezo element makes of it.
+bool is_of_touch(const std::string& channel) {
+  return channel == "touch" || channel == "touch_change";
+}
+
 }  // namespace
 
 // What a body explores only grows: what was found of its explorations holds.
@@ -113,7 +118,7 @@ Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t el
   std::string name;
   for (const KnownMap& one : maps_) {
     for (const ChannelPlanes& planes : one.planes) {
-      if (planes.name != "touch" || element >= planes.values.columns()) continue;
+      if (!is_of_touch(planes.name) || element >= planes.values.columns()) continue;
       if (element < planes.elements.size()) name = planes.elements[element];
       Json weights = Json::array();
       for (std::size_t neuron = 0; neuron < planes.values.rows(); ++neuron) {

@@ -42,7 +42,7 @@ function nearest({ nearest: near }: NeuronAnswer, told: string | null, model: Mo
 
 /** Touch first, then what has most elements. */
 function rank({ channel }: ChannelPlanes): number {
-  return channel.name === "touch" ? Number.NEGATIVE_INFINITY : -channel.elements.length;
+  return channel.name.startsWith("touch") ? Number.NEGATIVE_INFINITY : -channel.elements.length;
 }
 
 function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {
