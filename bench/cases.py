@@ -1,4 +1,4 @@
-"""What is measured: the cases, in which ways ours runs them, and what else runs beside it."""
+"""The measured cases, the variants in which Somato runs them, and the commands."""
 
 from dataclasses import dataclass, field
 
@@ -10,7 +10,7 @@ CHAIN_SEEDS = 100
 
 @dataclass
 class Variant:
-    """Another way in which ours runs a case, measured in turns with the first one."""
+    """Another variant in which Somato runs a case, measured alternately with the first one."""
 
     name: str
     case: str = ""  # of workloads.cc; the row's own by default
@@ -26,7 +26,7 @@ class Row:
     title: str
     variants: list = field(default_factory=list)
     half: bool = False
-    minutes: float = 0.1  # that it takes with all peers, about
+    minutes: float = 0.1  # approximate duration with all peers
 
 
 @dataclass
@@ -36,9 +36,9 @@ class Command:
     name: str
     title: str
     words: list
-    bytes: int = 0  # of memory that it may have; 0: any
-    study: str = ""  # the system that it runs under the papers' protocol alone
-    repeats: int = 0  # when not all
+    bytes: int = 0  # limit of memory; 0: none
+    study: str = ""  # the system that it runs, with only the papers' protocol
+    repeats: int = 0  # if different from the default
     only_long: bool = False
     minutes: float = 0.5
 
@@ -47,12 +47,12 @@ ONE_THREAD = Variant("1 thread", threads=1)
 
 
 def slower_set(sets):
-    """The set before the fastest one: without the screen by whole numbers, where there is one."""
+    """The second fastest instruction set, which does not use integer screening."""
     return [Variant(f"with {sets[-2]}", set=sets[-2])] if len(sets) > 1 else []
 
 
 def rows(sets):
-    """`sets`: what this machine offers, slowest first."""
+    """`sets`: the instruction sets of this machine, slowest first."""
     return [
         Row("dense_batch", "batch: 20000 x 256, map 50 x 50, 10 epochs",
             [ONE_THREAD, *slower_set(sets)], minutes=10),
@@ -74,7 +74,7 @@ def rows(sets):
 
 
 def commands(data, out, quick):
-    """`data` holds lucs2.mcap, studies and large.npy; `out` takes what is of no more use."""
+    """`data` contains lucs2.mcap, studies and large.npy; `out` receives results, which are not used."""
     seeds = str(max(1, CHAIN_SEEDS // (20 if quick else 1)))
     side = str(LARGE_SIDE // (4 if quick else 1))
     recording = str(data / "lucs2.mcap")

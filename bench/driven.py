@@ -1,4 +1,4 @@
-"""Programs that run a case whenever they are told to, by a line (see workloads.cc)."""
+"""Programs that run a case for each line on their standard input (see workloads.cc)."""
 
 import json
 import os
@@ -7,18 +7,18 @@ import statistics
 import subprocess
 import tempfile
 
-# These make OpenBLAS take a processor for another, down to half its speed.
+# These variables make OpenBLAS assume another processor, which can halve its speed.
 MISLEADING = ("OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE")
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS",
                     "NUMBA_NUM_THREADS", "LOKY_MAX_CPU_COUNT")
 
 
 class Failure(Exception):
-    """A program that could not be measured, and why, in a line."""
+    """A program could not be measured; the message states the reason in one line."""
 
 
 def environment(threads):
-    """The variables for a program that may use so many threads."""
+    """The environment variables for a program with the given number of threads."""
     kept = {name: value for name, value in os.environ.items() if name not in MISLEADING}
     return {**kept, **{name: str(threads) for name in THREAD_VARIABLES}}
 
@@ -29,10 +29,10 @@ def last_line(text):
 
 
 class Driven:
-    """One such program, from its start to its end; use it in a `with`."""
+    """A running program; use it in a `with` statement."""
 
     def __init__(self, command, threads, patience):
-        self.patience = patience  # seconds that an answer may take
+        self.patience = patience  # maximum seconds for an answer
         self.errors = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         self.process = subprocess.Popen(
             [str(word) for word in command], env=environment(threads), text=True,
@@ -68,7 +68,7 @@ class Driven:
             self.process.stdin.write(line + "\n")
             self.process.stdin.flush()
         except BrokenPipeError:
-            pass  # the answer, or rather its lack, tells why
+            pass  # the missing answer is reported below
         return self.answer()
 
     def run(self):

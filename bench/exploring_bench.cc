@@ -8,11 +8,10 @@
 #include <chrono>
 #include <vector>
 
-#include "simulation/simulated_hand_works.h"
-#include "somato/bodies/closing.h"
-#include "somato/bodies/explore_by_grasping.h"
+#include "simulation/simulated_hand_impl.h"
+#include "somato/bodies/explore_by.h"
 #include "somato/bodies/exploring.h"
-#include "somato/simulation/explorer.h"
+#include "somato/simulation/simulated_explorer.h"
 
 namespace somato {
 namespace {
@@ -59,7 +58,7 @@ void explore_thing(benchmark::State& state, ExploringBody body) {
     benchmark::DoNotOptimize(exploration);
     if (!exploration) state.SkipWithError(exploration.error().what.c_str());
     factors.push_back(1000 * hand->state().time / took);
-    shares.push_back(1 - hand->works().data->timer[mjTIMER_STEP].duration / took);
+    shares.push_back(1 - hand->impl().data->timer[mjTIMER_STEP].duration / took);
   }
   mjcb_time = nullptr;
   state.counters["times_real_time"] = median(factors);
@@ -76,13 +75,13 @@ void hand_three(benchmark::State& state) {
 // All things of the body's own table, each once, on so many threads.
 void explorations(benchmark::State& state, ExploringBody body) {
   const ObjectTable things = default_things(body).value();
-  const Explorer explorer = Explorer::build(body, things, {}, 1).value();
-  const std::size_t count = explorer.things().size();
+  const auto explorer = simulated_explorer(body, things, {}, 1).value();
+  const std::size_t count = explorer->things().size();
   const ExploringPlan plan{count, 2, static_cast<std::size_t>(state.range(0))};
   std::size_t explored = 0;
   for (auto _ : state) {
     const auto outcome = explore_all(
-        plan, [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial); },
+        plan, [&](std::size_t thing, std::size_t trial) { return explorer->explore(thing, trial); },
         [](Exploration&&) { return Result<void>(); });
     explored += outcome.value().recorded;
   }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "somato/core/random.h"
-#include "somato/maps/product_som.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {
@@ -40,13 +39,6 @@ Samples sparse_noise(std::size_t count, std::size_t size, std::size_t used, doub
   return Samples::from_signals(signals);
 }
 
-std::vector<std::size_t> all_of(const Samples& samples) {
-  std::vector<std::size_t> numbers;
-  numbers.reserve(samples.count());
-  for (std::size_t i = 0; i < samples.count(); ++i) numbers.push_back(i);
-  return numbers;
-}
-
 SomParameters parameters_of(std::uint64_t iterations, InitialWeights start, Arithmetic arithmetic) {
   SomParameters p;
   p.iterations = iterations;
@@ -57,17 +49,21 @@ SomParameters parameters_of(std::uint64_t iterations, InitialWeights start, Arit
 
 // With its weights, on the given number of threads.
 void whole(benchmark::State& state, const Samples& samples, const SomParameters& parameters) {
-  const TrainingOptions options{static_cast<std::size_t>(state.range(0)), {}};
-  for (auto _ : state) benchmark::DoNotOptimize(train_som(parameters, samples, options));
+  const TrainingOptions options{static_cast<std::size_t>(state.range(0))};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(train_som(parameters, samples.apart(), options)->weights().data());
+  }
 }
 
 // Without weights: what is known of the samples. Products of samples with each other are computed
 // anew.
 void products(benchmark::State& state, const Samples& samples, const SomParameters& parameters) {
-  const TrainingOptions options{static_cast<std::size_t>(state.range(0)), {}};
+  const TrainingOptions options{static_cast<std::size_t>(state.range(0))};
+  SomWorkspace workspace;
   for (auto _ : state) {
-    const KnownSamples known(samples);
-    benchmark::DoNotOptimize(train_product_som(parameters, known, all_of(samples), options));
+    const Samples anew = samples.apart();
+    const Som som = train_som(parameters, anew, options).value();
+    benchmark::DoNotOptimize(som.winners(anew, 0, workspace));
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -76,11 +72,12 @@ void products(benchmark::State& state, const Samples& samples, const SomParamete
 
 // Another seed each time, with the samples' products known.
 void seeds(benchmark::State& state, const Samples& samples, SomParameters parameters) {
-  const TrainingOptions options{static_cast<std::size_t>(state.range(0)), {}};
-  const KnownSamples known(samples);
+  const TrainingOptions options{static_cast<std::size_t>(state.range(0))};
+  SomWorkspace workspace;
   for (auto _ : state) {
     ++parameters.seed;
-    benchmark::DoNotOptimize(train_product_som(parameters, known, all_of(samples), options));
+    const Som som = train_som(parameters, samples, options).value();
+    benchmark::DoNotOptimize(som.winners(samples, 0, workspace));
   }
 }
 

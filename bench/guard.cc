@@ -13,7 +13,7 @@
 #include <iostream>
 #include <map>
 
-#include "somato/core/instruction_set.h"
+#include "kernels/instruction_set.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -54,7 +54,7 @@ int check_sets() {
   for (const InstructionSet set : available_instruction_sets()) {
     for (const auto& [name, digest] : digests_with(set)) {
       if (digest == portable.at(name)) continue;
-      std::cerr << "guard: " << choice_name(set) << " gives other bits in " << name << "\n";
+      std::cerr << "guard: " << name_of(set) << " gives other bits in " << name << "\n";
       ++differing;
     }
   }
@@ -63,7 +63,7 @@ int check_sets() {
 
 int run_with(const std::string& name) {
   for (const InstructionSet set : available_instruction_sets()) {
-    if (choice_name(set) != name) continue;
+    if (name_of(set) != name) continue;
     for (const auto& [what, digest] : digests_with(set)) fmt::print("{} {:016x}\n", what, digest);
     return 0;
   }

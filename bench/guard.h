@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
 #include "somato/core/random.h"
 
 namespace somato::bench {
@@ -26,7 +26,7 @@ void count_product_kernels(const Counted& counted);
 void count_t_mpsom_kernels(const Counted& counted);
 void count_cases(const Counted& counted);
 
-/// How many kernels a table has: whoever adds one is reminded to count it, too.
+/// Number of kernels of a table: a reminder to count a kernel that is added.
 template <typename Table>
 inline constexpr std::size_t kKernels = sizeof(Table) / sizeof(Work*);
 

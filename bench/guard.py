@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Refuses kernels and small trainings that take more instructions than they did.
+"""Fails if kernels and small trainings take more instructions than recorded.
 
 Instructions do not depend on who else uses the machine. Callgrind counts them with each set of
 instructions that it knows (AVX-512 is not among them); the counts in guard.json are those of one
@@ -20,14 +20,14 @@ TREE = Path(__file__).resolve().parent.parent
 GUARD = TREE / "build/bench/bench/guard"
 KNOWN = TREE / "bench/guard.json"
 SETS = ("portable", "avx2")
-ALLOWED = 0.02  # more instructions than before
+ALLOWED = 0.02  # allowed relative increase of instructions
 NOTHING_KNOWN = 3
 PART = re.compile(r"^desc: Trigger: Client Request: (?P<name>\S+)\n(?:.*\n)*?summary: (?P<count>\d+)",
                   re.MULTILINE)
 
 
 def count(instruction_set):
-    """The instructions of each part of the program, by its name."""
+    """The number of instructions of each part of the program, by name."""
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts", GUARD,
@@ -40,7 +40,7 @@ def count(instruction_set):
 
 
 def compare(instruction_set, counted, known):
-    """What takes more than it may, one line each."""
+    """Parts above the allowance, one line each."""
     for name in sorted(counted.keys() | known.keys()):
         if name not in counted or name not in known:
             where = "guard.json" if name not in known else "the program"
@@ -51,12 +51,12 @@ def compare(instruction_set, counted, known):
 
 
 def less(counted, known):
-    """How many take fewer by more than the allowance: figures to be renewed."""
+    """Number of parts that take fewer instructions by more than the allowance."""
     return sum(counted[name] < known.get(name, 0) * (1 - ALLOWED) for name in counted)
 
 
 def save(known):
-    """Wholly or not at all."""
+    """Atomic: the file is written completely or not at all."""
     part = KNOWN.with_suffix(".part")
     part.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", encoding="utf-8")
     os.replace(part, KNOWN)
@@ -66,7 +66,7 @@ def report(counts, of_compiler):
     problems = [line for name in SETS for line in compare(name, counts[name], of_compiler.get(name, {}))]
     fewer = sum(less(counts[name], of_compiler.get(name, {})) for name in SETS)
     if fewer:
-        print(f"guard: {fewer} take fewer instructions than before; --update keeps that")
+        print(f"guard: {fewer} parts take fewer instructions than recorded; record the new counts with --update")
     print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
     total = sum(len(counts[name]) for name in SETS)
     print(f"guard: {total} counts, {len(problems)} above {100 * ALLOWED:.0f} % or unknown")
@@ -78,7 +78,7 @@ def main():
                               check=True).stdout.strip()
     known = json.loads(KNOWN.read_text(encoding="utf-8")) if KNOWN.exists() else {}
     if "--update" not in sys.argv and compiler not in known:
-        print(f"guard: no counts of {compiler} are known, so nothing is compared; known are those of "
+        print(f"guard: no counts are recorded for {compiler}, so nothing is compared; recorded compilers: "
               f"{', '.join(known) or 'none'}", file=sys.stderr)
         return NOTHING_KNOWN
     counts = {name: count(name) for name in SETS}

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "guard.h"
-#include "somato/maps/batch_training.h"
+#include "maps/batch_training.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/t_mpsom.h"
@@ -66,7 +66,11 @@ void count_few_samples(SomParameters parameters, const std::string& name, const 
   const Samples samples = samples_of(20, 512);
   Som som;
   counted(
-      name, [&] { som = train_som(parameters, samples).value(); },
+      name,
+      [&] {
+        som = train_som(parameters, samples.apart()).value();
+        som.weights();
+      },
       [&] { return digest_of(som.weights()); });
 }
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/kernels.h"
 #include "core/lanes.h"
 #include "guard.h"
+#include "kernels/kernels.h"
 
 namespace somato::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/lanes.h"
-#include "core/t_mpsom_kernels.h"
 #include "guard.h"
+#include "kernels/t_mpsom_kernels.h"
 
 namespace somato::bench {
 namespace {

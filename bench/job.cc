@@ -2,15 +2,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "maps/batch_training.h"
 #include "maps/winner_search.h"
-#include "somato/maps/batch_training.h"
-#include "somato/maps/product_som.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 
@@ -37,7 +35,8 @@ class Train : public Job {
       : workload_(workload), threads_(threads), samples_(make_samples(workload)) {}
 
   double run() override {
-    som_ = trained(train_som(workload_.parameters, samples_, {threads_, {}}));
+    som_ = trained(train_som(workload_.parameters, samples_.apart(), {threads_}));
+    som_.weights();  // may be formed when they are first needed
     return 0.0;
   }
   Matrix<float> weights() const override { return weights_of(som_); }
@@ -49,24 +48,20 @@ class Train : public Job {
   Som som_;
 };
 
-// The same by inner products, without forming the weights, which are not asked for.
+// The same by inner products, without forming the weights, which are not needed.
 class TrainByProducts : public Train {
  public:
   using Train::Train;
 
   double run() override {
-    std::vector<std::size_t> all(samples_.count());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    auto result =
-        train_product_som(workload_.parameters, KnownSamples(samples_), all, {threads_, {}});
-    if (!result) throw std::runtime_error(to_string(result.error()));
-    product_ = result->value();
+    const Samples anew = samples_.apart();
+    som_ = trained(train_som(workload_.parameters, anew, {threads_}));
+    som_.winners(anew, 0, workspace_);
     return 0.0;
   }
-  Matrix<float> weights() const override { return weights_of(product_.form_som(threads_)); }
 
  private:
-  ProductSom product_;
+  SomWorkspace workspace_;
 };
 
 // Training, of which the searches of the second half of the epochs count.

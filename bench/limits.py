@@ -1,4 +1,4 @@
-"""What a case costs at least on this machine, in seconds; docs/performance.md explains each."""
+"""Lower bounds of the time of each case on this machine, in seconds; see docs/performance.md."""
 
 FLOAT = 4  # bytes
 

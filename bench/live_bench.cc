@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/core/random.h"
@@ -37,7 +39,7 @@ Channel wandering(const std::string& name, std::size_t elements, double low, dou
 }
 
 Channel touched(Random& random) {
-  Channel touch = wandering("touch", 45, -1.0, 1.0, random);
+  Channel touch = wandering("touch_change", 45, -1.0, 1.0, random);
   for (float& value : touch.frames.values()) value = std::max(value, 0.0F);
   return touch;
 }
@@ -55,16 +57,24 @@ Recording hand() {
   return recording;
 }
 
+// Ends the program with the error's message: systems and their channels change.
+template <typename T>
+T value_of(Result<T> result) {
+  if (result) return std::move(*result);
+  std::cerr << "live_bench: " << to_string(result.error()) << "\n";
+  std::exit(1);
+}
+
 System trained(const std::string& name, const Recording& recording) {
-  const OwnSystems own = own_systems().value();
+  const OwnSystems own = value_of(own_systems());
   const auto file = std::find_if(own.systems.begin(), own.systems.end(),
                                  [&](const NamedFile& one) { return one.name == name; });
   Table table = file->content;
   std::erase_if(table.entries, [](const Table::Entry& entry) {
     return entry.name == "explore" || entry.name == "claim";
   });
-  System system = System::build(read_study(table).value().system, layout_of(recording)).value();
-  Activations activations = evaluate_fixed(system, recording, {}, 1).value();
+  System system = value_of(System::build(value_of(read_study(table)).system, layout_of(recording)));
+  Activations activations = value_of(evaluate_fixed(system, recording, {}, 1));
   std::vector<std::size_t> all(kExplorations);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   if (!train_system(system, recording, all, {}, activations)) std::abort();
@@ -78,7 +88,7 @@ double microseconds_of(const std::vector<double>& sorted, double share) {
 void live_frame(benchmark::State& state, const std::string& name) {
   const Recording recording = hand();
   const System system = trained(name, recording);
-  LiveSystem live = LiveSystem::build(system, *system.find("map")).value();
+  LiveSystem live = value_of(LiveSystem::build(system, *system.find("map")));
   std::vector<double> times;
   times.reserve(1U << 20U);
   std::vector<std::span<const float>> values(live.channels().size());

@@ -1,4 +1,4 @@
-"""Measures one row: ours, and in turns with it other ways of ours and the programs of others."""
+"""Measures one row: Somato, alternately with its variants and with other programs."""
 
 import json
 import subprocess
@@ -14,14 +14,14 @@ TREE = Path(__file__).resolve().parent.parent
 PROGRAMS = TREE / "build/bench/bench"
 SOMATO = TREE / "build/bench/somato"
 PATIENCE = 900  # seconds for an answer
-SLOW = 20.0  # seconds from which on three repeats do
-VERY_SLOW = 60.0  # seconds from which on a whole run of the program is done once
-WARM_UP = 3.0  # seconds below which the first run does not count
-REST = 0.3  # seconds in which waiting threads of others fall asleep
+SLOW = 20.0  # seconds above which there are three repetitions
+VERY_SLOW = 60.0  # seconds above which a whole run of the program is done once
+WARM_UP = 3.0  # seconds below which the first run is discarded
+REST = 0.3  # seconds after which waiting threads of other programs are asleep
 
 
 class Bench:
-    """What all rows share: the options, the machine's limits and where data are."""
+    """State shared by all rows: options, limits of the machine and folders of data."""
 
     def __init__(self, options, say):
         self.options = options
@@ -73,7 +73,7 @@ def ours(bench, case, variant=None):
 
 
 def write_case(bench, name):
-    """The case's arrays and its description, for others to read."""
+    """Writes the arrays and the description of the case for other programs."""
     folder = bench.data / name
     folder.mkdir(parents=True, exist_ok=True)
     run([PROGRAMS / "workloads", "write", name, folder, "--scale", bench.scale])
@@ -82,7 +82,7 @@ def write_case(bench, name):
 
 
 def turns(bench, first, other):
-    """Times of both, in turns: first, other, first, other, ... The other's last answer, too."""
+    """Alternating times of both (first, other, first, other, ...), and the last answer of the other."""
     answer = other.run()
     times = [] if answer.get("took", answer["seconds"]) < WARM_UP else [answer["seconds"]]
     own = []
@@ -97,7 +97,7 @@ def turns(bench, first, other):
 
 
 def quantization_error(bench, driven, folder):
-    """By one function for all, of the map that the program saves; None where it has none."""
+    """Error of the map saved by the program, computed by the same function for all; None without a map."""
     weights = folder / "weights.npy"
     if not driven.ask(f"weights {weights}").get("written"):
         return None
@@ -106,7 +106,7 @@ def quantization_error(bench, driven, folder):
 
 
 def beside(bench, first, driven, folder):
-    """What came of another program, or another way of ours, measured in turns with ours."""
+    """Result of another program or variant, measured alternately with Somato."""
     own, times, answer = turns(bench, first, driven)
     return {"own": own, "times": times, "seconds": median(times),
             "ratio": median(times) / median(own), "estimated": answer.get("part", 1) < 1,
@@ -123,7 +123,7 @@ def beside_peer(bench, first, peer, settings, name, folder, threads=THREADS):
         with Driven([*command, name, folder, threads], threads, PATIENCE) as driven:
             result |= beside(bench, first, driven, folder)
         if threads != THREADS:
-            del result["ratio"]  # ours had another number
+            del result["ratio"]  # Somato had another number
         return result
     except Failure as failure:
         return result | {"left_out": str(failure)}
@@ -141,7 +141,7 @@ def counted_steps(row, case):
 
 
 def add_limits(bench, row, result):
-    """What the case costs at least, for each number of threads that it was measured with."""
+    """Lower bound of the time of the case for each measured number of threads."""
     case = dict(bench.cases[row.name])
     case["neurons"] = case.get("rows", 0) * case.get("columns", 0)
     case["counted_steps"] = counted_steps(row, case)
@@ -154,7 +154,7 @@ def add_limits(bench, row, result):
 
 
 def measure_row(bench, row):
-    """All that is to be said of a row, as results.json keeps it."""
+    """The entry of a row in results.json."""
     bench.say(f"{row.name}: ours")
     folder = write_case(bench, row.name) if bench.peers and row.name in PEERED else None
     result = {"name": row.name, "title": row.title, "threads": THREADS, "others": []}

@@ -1,4 +1,4 @@
-"""The Python environments of others' programs below build/peers, each made when it is first needed."""
+"""Python environments of the other programs below build/peers, created when first needed."""
 
 import hashlib
 import os
@@ -14,14 +14,14 @@ PEERS = TREE / "bench/peers"
 ENVIRONMENTS = TREE / "build/peers"
 PYTHON = "/usr/bin/python3"
 
-# What is compiled here is compiled for this machine, and may compute faster than exactly: a build by
-# the defaults alone takes somoclu four times as long.
+# Compilation targets this machine and permits fast, inexact arithmetic: with default options,
+# somoclu takes four times as long.
 FLAGS = "-O3 -march=native -ffast-math"
 COMPILING = {**os.environ, "CFLAGS": FLAGS, "CXXFLAGS": FLAGS}
 
 
 def all_peers():
-    """What peers.toml says, by peer."""
+    """The settings in peers.toml, by peer."""
     return tomllib.loads((PEERS / "peers.toml").read_text(encoding="utf-8"))
 
 
@@ -37,7 +37,7 @@ def requirements_of(peer, settings):
 
 
 def stamp_of(requirements):
-    """What was installed, the files that it includes being part of it."""
+    """Identifies the installed requirements, including the files that they include."""
     text = requirements.read_text(encoding="utf-8")
     for line in text.splitlines():
         if line.startswith("-r "):
@@ -48,14 +48,14 @@ def stamp_of(requirements):
 def install(pip, requirements, settings):
     if settings.get("build_isolation", True):
         return call(pip, "install", "-q", "-r", requirements)
-    # Its set-up needs what it depends on, so that comes first.
+    # Its set-up requires its dependencies, so they are installed first.
     *before, last = requirements.read_text(encoding="utf-8").split()
     call(pip, "install", "-q", *before)
     return call(pip, "install", "-q", "--no-build-isolation", "--no-deps", last)
 
 
 def python_of(peer, settings, say):
-    """The Python that has this peer, installed now if need be; Failure when it cannot be."""
+    """The Python interpreter with this peer, installed if necessary; raises Failure."""
     name = settings.get("environment", peer)
     folder = ENVIRONMENTS / name
     requirements = requirements_of(peer, settings)
@@ -71,7 +71,7 @@ def python_of(peer, settings, say):
 
 
 def command_of(peer, settings, say):
-    """How the peer is started, its case and so on to follow; Failure with the reason when it cannot."""
+    """The command that starts the peer, without the case; raises Failure with the reason."""
     if "left_out" in settings:
         raise Failure(settings["left_out"])
     if settings.get("command") == "Rscript":

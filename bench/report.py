@@ -1,4 +1,4 @@
-"""The results as tables, for a terminal or a page."""
+"""Formats the results as tables for a terminal or a page."""
 
 UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"))
 
@@ -75,7 +75,7 @@ def machine_lines(results):
                f"{machine['read'] / 1e9:.1f}, changed {machine['change'] / 1e9:.1f}, written "
                f"{machine['write'] / 1e9:.1f} GB/s")
     for warning in results["warnings"]:
-        yield f"beware: {warning}"
+        yield f"warning: {warning}"
 
 
 def as_text(results, markdown):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures Somato beside the machine's limits and beside other programs; see docs/performance.md.
+"""Compares the speed of Somato with the machine's limits and with other programs; see docs/performance.md.
 
 Writes out/bench/results.json after each row, so that nothing measured is lost, and prints a table.
 """
@@ -20,11 +20,11 @@ from live import measure_live
 from measuring import PROGRAMS, SOMATO, TREE, Bench, measure_command, measure_row, run
 
 OUT = TREE / "out/bench"
-BUSY = 0.3  # load average from which on somebody else is at work
+BUSY = 0.3  # load average above which other programs are running
 
 
 def say_to(stream):
-    """Progress on one line of a terminal; nothing where nobody looks."""
+    """Progress on one line of a terminal; nothing if the stream is not a terminal."""
     if not stream.isatty():
         return lambda _: None
     return lambda text: print(f"\r\033[K{text}", end="", file=stream, flush=True)
@@ -33,18 +33,18 @@ def say_to(stream):
 def read_options():
     parser = argparse.ArgumentParser(prog="./dev bench", description=__doc__.splitlines()[0])
     parser.add_argument("names", nargs="*", metavar="NAME", help="rows to measure; default: all")
-    parser.add_argument("--quick", action="store_true", help="sizes divided by 20: tries the way, tells no times")
-    parser.add_argument("--long", action="store_true", help="what takes minutes and hours, too")
-    parser.add_argument("--no-peers", action="store_true", help="ours alone")
-    parser.add_argument("--peers", type=lambda text: text.split(","), help="only these others, with commas")
-    parser.add_argument("--repeats", type=int, help="of everything; default: 5, of slow ones 3")
-    parser.add_argument("--markdown", action="store_true", help="tables for a page")
-    parser.add_argument("--show", action="store_true", help="the table of the last results, measuring nothing")
+    parser.add_argument("--quick", action="store_true", help="sizes divided by 20: tests the procedure; times are not valid")
+    parser.add_argument("--long", action="store_true", help="include rows that take minutes or hours")
+    parser.add_argument("--no-peers", action="store_true", help="measure only Somato")
+    parser.add_argument("--peers", type=lambda text: text.split(","), help="only these other programs, separated by commas")
+    parser.add_argument("--repeats", type=int, help="number of repetitions; default: 5, or 3 for slow rows")
+    parser.add_argument("--markdown", action="store_true", help="print tables in Markdown")
+    parser.add_argument("--show", action="store_true", help="print the last results without measuring")
     return parser.parse_args()
 
 
 def save(results):
-    """Wholly or not at all."""
+    """Atomic: the file is written completely or not at all."""
     OUT.mkdir(parents=True, exist_ok=True)
     part = OUT / "results.json.part"
     part.write_text(json.dumps(results, indent=1), encoding="utf-8")
@@ -63,7 +63,7 @@ def warnings(options):
     if os.getloadavg()[0] > BUSY:
         found.append(f"the machine was busy at the start: load average {os.getloadavg()[0]:.1f}")
     if options.quick:
-        found.append("quick: sizes are divided by 20, so these times tell nothing")
+        found.append("quick: sizes are divided by 20, so these times are not valid")
     return found
 
 
@@ -74,7 +74,7 @@ def version():
 
 
 def write_study(system, to):
-    """The system's file with the papers' protocol alone: one training a seed."""
+    """Writes the system's file with only the papers' protocol: one training per seed."""
     lines = system.read_text(encoding="utf-8").splitlines()
     kept = [line for line in lines if not line.startswith("groups = ")]
     protocols = [i for i, line in enumerate(kept) if line.startswith("protocols = ")]
@@ -87,7 +87,7 @@ def without_claims(lines):
 
 
 def prepare_files(bench, chosen):
-    """What the commands read; made once."""
+    """Creates the files that the commands read, if they do not exist."""
     bench.data.mkdir(parents=True, exist_ok=True)
     recording, large = bench.data / "lucs2.mcap", bench.data / "large.npy"
     chains = [command.study for command in chosen if command.study]
@@ -95,7 +95,7 @@ def prepare_files(bench, chosen):
         bench.say("exploring for the chains")
         run([SOMATO, "explore", "--body", "lucs2", "--seed", 7, "--output", recording])
     for name in chains:
-        # A run that was interrupted would be gone on with.
+        # Otherwise, an interrupted run would be resumed.
         (OUT / name / "unfinished.journal").unlink(missing_ok=True)
         write_study(TREE / "systems" / f"{name}.toml", bench.data / f"{name}.toml")
     if any(command.name == "large_file" for command in chosen) and not large.exists():
@@ -107,12 +107,12 @@ def prepare_files(bench, chosen):
 def refuse_unknown(what, names, known):
     for name in names:
         if name not in known:
-            print(f"bench: no {what} '{name}'; known are: {' '.join(known)}", file=sys.stderr)
+            print(f"bench: unknown {what} '{name}'; known: {' '.join(known)}", file=sys.stderr)
             sys.exit(2)
 
 
 def choose(options, rows, commands):
-    """The rows and commands to measure; ends the program for a name that there is not."""
+    """The rows and commands to measure; exits on an unknown name."""
     known = [row.name for row in rows] + [command.name for command in commands] + ["live_frame"]
     refuse_unknown("row", options.names, known)
     wanted = options.names or [name for name in known if options.long or name != "reproduce_all"]
@@ -121,7 +121,7 @@ def choose(options, rows, commands):
 
 
 def measurements(bench, rows, commands, live):
-    """One result after the other."""
+    """Yields the results one by one."""
     for row in rows:
         yield measure_row(bench, row)
     prepare_files(bench, commands)

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "core/lanes.h"
-#include "somato/core/instruction_set.h"
+#include "core/threads.h"
+#include "kernels/instruction_set.h"
+#include "maps/batch_training.h"
+#include "maps/map_rows.h"
+#include "maps/neighbourhood.h"
 #include "somato/core/random.h"
-#include "somato/core/threads.h"
-#include "somato/maps/batch_training.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 
@@ -30,7 +32,7 @@ void use_set(benchmark::State& state, std::int64_t index) {
   const auto available = available_instruction_sets();
   const auto set = available[std::min(available.size() - 1, static_cast<std::size_t>(index))];
   use_instruction_set(set);
-  state.SetLabel(choice_name(set));
+  state.SetLabel(name_of(set));
 }
 
 // Winner search, 64 features on a map of 50 x 50.
@@ -60,7 +62,9 @@ void online_training(benchmark::State& state) {
   parameters.arithmetic = state.range(0) == 0 ? Arithmetic::kPlain : Arithmetic::kInnerProducts;
   state.SetLabel(choice_name(parameters.arithmetic));
   const Samples samples = noise(40, 2049);
-  for (auto _ : state) benchmark::DoNotOptimize(train_som(parameters, samples));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(train_som(parameters, samples.apart())->weights().data());
+  }
 }
 BENCHMARK(online_training)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 
@@ -70,7 +74,7 @@ void learn_in_two_passes(Som& som, const SignalView& input, const LearningStep& 
   AlignedVector<float> gains(som.weights().padded_rows());
   neighbourhood.around(som.winner(input, workspace), step.radius, gains);
   for (float& gain : gains) gain *= static_cast<float>(step.learning_rate);
-  kernels::table<float>().move_towards(kernels::lanes(som.weights()), input.values.data(),
+  kernels::table<float>().move_towards(kernels::lanes(weights_to_change(som)), input.values.data(),
                                        gains.data());
 }
 
@@ -136,8 +140,8 @@ void touch_rows(const Samples& samples, std::vector<float>& rows, std::size_t ne
   benchmark::DoNotOptimize(rows.data());
 }
 
-// A thousand inputs of 270000 elements, 1 % of them not 0, that nobody knows before, on a map that
-// begins with zeros: weights for what comes in, weights for all elements, the yardstick.
+// A thousand inputs of 270000 elements, 1 % of them not 0, that are not known in advance, on a map
+// that begins with zeros: weights for what comes in, weights for all elements, the yardstick.
 void sparse_streaming(benchmark::State& state) {
   use_set(state, 2);
   constexpr std::size_t kSize = 270000;

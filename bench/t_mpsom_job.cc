@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "maps/t_mpsom_learner.h"
 #include "somato/core/random.h"
 #include "somato/maps/t_mpsom.h"
-#include "somato/maps/t_mpsom_training.h"
 
 namespace somato::bench {
 namespace {
@@ -23,7 +23,7 @@ TMpsomParameters parameters_of(std::size_t enlargement, std::size_t iterations) 
 }
 
 // One joint angle of each ten elements, as one-hot codes are, and every sensor of touch.
-TMpsomFrame frame(Random& random) {
+std::vector<Signal> frame(Random& random) {
   std::vector<float> posture(kPosture);
   for (std::size_t joint = 0; joint < kPosture / 10; ++joint) {
     posture[10 * joint + random.below(10)] = 1.0F;
@@ -37,21 +37,31 @@ class LearnFrames : public Job {
  public:
   explicit LearnFrames(const TMpsomParameters& parameters) : parameters_(parameters) {
     Random random(1);
-    for (std::size_t i = 0; i < kFrames; ++i) explorations_.push_back({frame(random)});
+    for (std::size_t i = 0; i < kFrames; ++i) frames_.push_back(frame(random));
   }
 
   // The map is made anew each time; that does not count.
   double run() override {
     TMpsom map(parameters_);
     const double begin = now();
-    train_t_mpsom(map, explorations_).value();
+    learn(map);
     return now() - begin;
   }
   Matrix<float> weights() const override { return {}; }
 
  private:
+  void learn(TMpsom& map) const {
+    Random draws(parameters_.seed, Stream::kDraws);
+    TMpsomLearner learner(map);
+    for (std::uint64_t t = 0; t < parameters_.iterations; ++t) {
+      const std::vector<Signal>& drawn = frames_[draws.below(frames_.size())];
+      const SignalView inputs[] = {drawn[0].view(), drawn[1].view()};
+      learner.learn(inputs, parameters_.learning_rate().at(t));
+    }
+  }
+
   TMpsomParameters parameters_;
-  std::vector<TMpsomExploration> explorations_;
+  std::vector<std::vector<Signal>> frames_;
 };
 
 }  // namespace

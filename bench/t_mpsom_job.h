@@ -6,7 +6,7 @@
 #include <string>
 
 #include "job.h"
-#include "somato/maps/t_mpsom_parameters.h"
+#include "somato/maps/t_mpsom.h"
 
 namespace somato::bench {
 

@@ -1,6 +1,6 @@
-// Runs a program whose output nobody reads and tells, as JSON, how long it took, how much memory it
-// had at most, and its status. This program is small, so that its own memory, which the system
-// counts as the other's until that one starts, is never the most.
+// Runs a program, discards its output and reports, as JSON, its duration, its peak memory and its
+// status. This program is small, so that its own memory, which the system attributes to the other
+// program until that one starts, is never the maximum.
 //
 //     time_program BYTES COMMAND...
 //

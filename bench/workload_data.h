@@ -1,7 +1,6 @@
 #pragma once
 
-// The numbers that benchmarks run on: a function of sizes alone, so that ours and those of others
-// are the same.
+// The data of the benchmarks: a function of the sizes only, so that all programs use the same data.
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
-// Runs a case again and again, each time when a line on the standard input says so, and answers
-// each line with one of JSON: bench/run.py takes turns between this program and those of others.
+// Runs a case once for each line on the standard input, and answers each line with a line of JSON:
+// bench/run.py alternates between this program and the other programs.
 //
 //     workloads list --scale N                        the cases, as JSON
 //     workloads sets                                  the instruction sets of this machine, as JSON
@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "job.h"
-#include "somato/core/instruction_set.h"
+#include "kernels/instruction_set.h"
 #include "somato/files/npy.h"
 #include "somato/maps/som_training.h"
 #include "t_mpsom_job.h"
@@ -54,7 +54,7 @@ CommandLine read_command_line(std::span<char*> arguments) {
   return line;
 }
 
-// Of this program alone: getrusage() counts the one that started it, too.
+// Of this program only: getrusage() includes the program that started it.
 long peak_kib() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -113,7 +113,7 @@ void print_list(std::size_t scale) {
 void print_sets() {
   std::string separator = "[";
   for (const InstructionSet set : available_instruction_sets()) {
-    fmt::print("{}\"{}\"", std::exchange(separator, ", "), choice_name(set));
+    fmt::print("{}\"{}\"", std::exchange(separator, ", "), name_of(set));
   }
   fmt::print("]\n");
 }
@@ -126,7 +126,7 @@ void write_case(const Workload& workload, const std::string& folder) {
 }
 
 void choose_set(const std::string& name) {
-  for (const auto& [set, its_name] : Choices<InstructionSet>::all()) {
+  for (const auto& [set, its_name] : named_instruction_sets()) {
     if (its_name == name) use_instruction_set(set);
   }
 }
@@ -136,7 +136,7 @@ void answer_run(Job& job) {
   const double seconds_of_part = job.run();
   const double seconds = seconds_of_part > 0.0 ? seconds_of_part : now() - begin;
   fmt::print(R"({{"seconds": {:.9f}, "peak_kib": {}, "set": "{}"}})", seconds, peak_kib(),
-             choice_name(instruction_set()));
+             name_of(instruction_set()));
 }
 
 void answer_weights(const Job& job, const std::string& path) {

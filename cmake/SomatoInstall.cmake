@@ -1,4 +1,4 @@
-# What 'cmake --install' puts where.
+# Files installed by 'cmake --install'.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/somato)
 
@@ -13,7 +13,7 @@ install(TARGETS somato EXPORT somato-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT somato-targets NAMESPACE somato:: DESTINATION ${package_folder})
-# The view is for the program alone.
+# The view is only used by the program.
 install(DIRECTORY include/somato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN live EXCLUDE)
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 foreach(folder models objects)
@@ -21,7 +21,7 @@ foreach(folder models objects)
   install(FILES ${files} DESTINATION ${CMAKE_INSTALL_DATADIR}/somato/${folder})
 endforeach()
 
-# A package of its own: whoever only wants maps is not asked for the physics engine.
+# A separate package, so that users of maps do not need the physics engine.
 if(SOMATO_BUILD_SIMULATION)
   get_target_property(mujoco_file mujoco::mujoco IMPORTED_LOCATION)
   get_filename_component(mujoco_name "${mujoco_file}" NAME)
@@ -34,7 +34,7 @@ if(SOMATO_BUILD_SIMULATION)
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT somato-simulation-targets NAMESPACE somato:: DESTINATION ${package_folder})
 
-  # An engine that the system does not provide goes with us, its licences too.
+  # An engine that the system does not provide is installed as well, with its licences.
   file(REAL_PATH "${MUJOCO_ROOT}" mujoco_folder)
   cmake_path(IS_PREFIX mujoco_folder "${mujoco_file}" mujoco_is_ours)
   if(mujoco_is_ours)
@@ -52,7 +52,7 @@ if(SOMATO_BUILD_PROGRAM)
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/somato)
   endforeach()
 
-  # The program itself prints its manual page and what shells need to complete its commands.
+  # The program prints its manual page and its shell completion scripts.
   function(install_printed folder name)
     add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/printed/${name}
       COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/printed

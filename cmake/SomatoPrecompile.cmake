@@ -4,9 +4,9 @@ set(SOMATO_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <fu
     <memory> <optional> <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>
     <fmt/ranges.h> <tl/expected.hpp>)
 
-# somato_precompiled_headers(TARGET HEADER...): an object library that holds them, with HEADERs beyond the
-# common ones. It is compiled as those that use it are, but without definitions of their own: g++ refuses
-# precompiled headers that know a definition which a source does not know.
+# somato_precompiled_headers(TARGET HEADER...): an object library with them and additional HEADERs. It is
+# compiled like its users, but without their own definitions: g++ refuses precompiled headers with a
+# definition that a source does not have.
 function(somato_precompiled_headers target)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cc CONTENT "")
   add_library(${target} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cc)

@@ -1,8 +1,8 @@
 # How tests are built and registered. Each test has the label of its room, and each room a target
-# ROOM_room, so that './dev test ROOM' builds and runs what it names; tests that only './dev test --all'
+# ROOM_room, so that './dev test ROOM' builds and runs its tests; tests that only './dev test --all'
 # runs have the label 'long' too.
 
-# A room's cases run in this many processes; each writes what its cases took to test_cases/.
+# A room's cases run in this many processes; each writes the durations of its cases to test_cases/.
 set(SOMATO_TEST_SHARDS 2)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/test_cases)
 

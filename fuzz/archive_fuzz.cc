@@ -2,9 +2,9 @@
 #include <cstring>
 #include <string>
 
+#include "files/archive.h"
+#include "files/checksum.h"
 #include "somato/core/check.h"
-#include "somato/files/archive.h"
-#include "somato/files/checksum.h"
 
 namespace {
 

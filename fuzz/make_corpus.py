@@ -173,40 +173,55 @@ def recordings():
 
 
 def of_protocol(values, runs):
-    return {"name": "s", "protocol": "train_is_test", "label": "object", "samples": 2,
+    return {"protocol": "train_is_test", "label": "object", "samples": 2,
             "metrics": {"accuracy": {"mean": 1, "sd": None, "values": values}}, "runs": runs}
 
 
 def results():
     run = {"seed": 1, "winners": [0, 3], "labels": ["a", "</script>"], "predictions": ["a", "b"],
            "other_predictions": {"shape": ["x", "\u2028"]}}
-    settings = {"study": {"name": "s", "label": "object", "only": ["a"]},
-                "recording": {"format": "automatic"},
-                "module.in": {"type": "channel", "channel": "touch", "shape": [2, 3]},
-                "module.last": {"type": "last", "input": "in"},
-                "module.map": {"type": "som", "input": "last", "rows": 2, "columns": 2,
-                               "radius_start": 2.0, "iterations": 10}}
-    study = {"version": 3, "study": "s", "seeds": 1, "settings": settings, "data_hash": "h",
-             "systems": [of_protocol([None], [run])]}
+    text = """[study]
+name = "s"
+only = ["a"]
+[module.in]
+type = "channel"
+channel = "touch"
+shape = [2, 3]
+[module.last]
+type = "last"
+input = "in"
+[module.map]
+type = "som"
+input = "last"
+rows = 2
+columns = 2
+radius_start = 2.0
+iterations = 10
+"""
+    parameters = {"study": {"name": '"s"'}, "module.map": {"type": '"som"', "rows": "2", "radius_start": "2.0"}}
+    part = {"question": "", "system": "s", "variation": "", "study": text, "parameters": parameters,
+            "model": {"path": "system.somato", "hash": "fnv1a64:0", "seed": 1}, "recordings": [0],
+            "test_recordings": [1], "pairs": [[0, 1]], "protocols": [of_protocol([0.5], [run])]}
+    more = [{**part, "variation": str(i), "model": None,
+             "parameters": {**parameters, "explore": {"noise": f"{i}.0"}}} for i in range(3)]
     claim = {"text": "t", "paper": "p", "question": "", "system": "s", "variation": "",
              "metric": "accuracy", "protocol": "train_is_test", "group": "", "published": None,
-             "at_least": 1, "at_most": None, "share": 0.5, "mean": 1, "sd": 0, "by_luck": None, "pairs": 1}
-    part = {"question": "", "system": "s", "variation": "", "settings": settings, "recordings": ["r"],
-            "pairs": [[0, 1]], "protocols": [of_protocol([0.5], [run])]}
-    more = [{**part, "variation": str(i),
-             "settings": {**settings, "explore": {"noise": float(i)}}} for i in range(3)]
-    recording = {"name": "r", "source": "given", "seed": 0, "data_hash": "h", "explorations": 2}
-    reproduction = {"version": 1, "seed": 1, "pairs": 1, "recordings": [recording],
-                    "systems": [part, *more], "claims": [claim], "not_applicable": []}
+             "at_least": 1, "at_most": None, "share": 0, "mean": 0.5, "sd": 0, "by_chance": None,
+             "chance_share": None, "values": [0.5], "verdict": "cannot be decided here",
+             "reason": "1 pair; 20 are needed"}
+    recording = {"name": "r", "source": "given", "seed": 0, "hash": "h", "explorations": 2}
+    study = {"version": 4, "recordings": [recording, {**recording, "name": "t"}], "parts": [part], "claims": [],
+             "not_applicable": []}
     write("results", "study", json.dumps(study))
-    write("results", "reproduction", json.dumps(reproduction))
+    write("results", "reproduction", json.dumps({**study, "parts": [part, *more], "claims": [claim]}))
     write("results", "cut", json.dumps(study)[:200])
     write("results", "far_winner", json.dumps(study).replace("[0, 3]", "[0, 4]"))
-    write("results", "loop", json.dumps(study).replace('"input": "in"', '"input": "map"'))
-    write("results", "without_shape", json.dumps(study).replace('"shape": [2, 3]', '"shape": []'))
+    write("results", "loop", json.dumps(study).replace('input = \\"in\\"', 'input = \\"map\\"'))
+    write("results", "without_shape", json.dumps(study).replace("shape = [2, 3]", ""))
     write("results", "other_keys", json.dumps(study).replace("module.map", "module.map]\\n[x"))
-    write("results", "nan", json.dumps(study).replace("2.0", "NaN"))
-    write("results", "deep", '{"version":3,"study":"s","systems":' + "[" * 500 + "]" * 500 + "}")
+    write("results", "nan", json.dumps(study).replace("0.5", "NaN"))
+    write("results", "older", '{"version":3,"study":"s","systems":[]}')
+    write("results", "deep", '{"version":4,"parts":' + "[" * 500 + "]" * 500 + "}")
 
 
 def view_requests():

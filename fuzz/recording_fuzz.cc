@@ -13,7 +13,7 @@
 
 namespace {
 
-// Files in memory, gone with the fuzzer.
+// Files in memory, which exist as long as the fuzzer.
 struct Folder {
   Folder() {
     const bool has_memory = std::filesystem::is_directory("/dev/shm");

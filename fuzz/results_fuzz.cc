@@ -1,8 +1,9 @@
 #include <cstdint>
 #include <string>
 
+#include "report/report.h"
+#include "report/results_file.h"
 #include "somato/core/check.h"
-#include "somato/report/report.h"
 
 // Whatever is accepted makes a report, or is refused by it, and nothing in the page ends its
 // element.
@@ -10,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   auto results = somato::parse_results(text, "input");
   if (!results) return 0;
-  const auto report = somato::make_report({{std::move(*results), {}, {}}}, {});
+  const auto report = somato::make_report({{"input", std::move(*results)}}, {});
   if (!report) return 0;
   const auto page = somato::report_page(
       R"(<script type="application/json" id="report-data">null</script>)", report->json);

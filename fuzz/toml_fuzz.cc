@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "files/toml_file.h"
 #include "somato/core/check.h"
-#include "somato/files/toml_file.h"
 
 namespace {
 

@@ -14,7 +14,7 @@ bool is_printable(const std::string& text) {
                      [](char c) { return c == '\t' || (c >= ' ' && c < 0x7F); });
 }
 
-// Whatever is accepted is within the limits and holds nothing that nobody expects.
+// Accepted requests are within the limits and contain only expected characters.
 void check(std::string_view bytes) {
   const auto request = somato::live::parse_http_head(bytes);
   if (!request) {

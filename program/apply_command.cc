@@ -8,13 +8,13 @@
 
 #include "commands.h"
 #include "data.h"
+#include "files/json_table.h"
+#include "files/whole_file.h"
+#include "maps/sample_range.h"
 #include "result_output.h"
 #include "somato/files/csv.h"
-#include "somato/files/json_table.h"
-#include "somato/files/whole_file.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
-#include "somato/maps/sample_range.h"
 #include "study_data.h"
 
 namespace somato::program {
@@ -27,22 +27,22 @@ Result<RecordingFormat> read_format(const Arguments& arguments) {
 
 Result<std::size_t> answering_map(const SystemModel& model, const std::string& path) {
   const auto refuse = [&](const std::string& what) {
-    return fail(ErrorKind::kData, what, path, "apply one that 'somato run' has saved");
+    return fail(ErrorKind::kData, what, path, "save one with 'somato run'");
   };
-  if (!model.answer) return refuse("the system has no map that answers");
+  if (!model.answer) return refuse("the system has no output map");
   auto map = model.system.find(model.answer->map);
   if (map && model.system.modules()[*map].output.rate == Rate::kFrame) {
-    return refuse("the map that answers has frames coming in");
+    return refuse("the output map takes one input per frame; it needs one per exploration");
   }
   return map;
 }
 
-// The channels must be what they were when the system learned.
+// The channels must be those of the training data.
 Result<void> check_layout(const System& system, const Recording& recording,
                           const std::string& path) {
   const auto refuse = [&](const std::string& what) {
     return fail(ErrorKind::kData, "the recording does not fit the system: " + what, path,
-                "apply it to recordings with the same channels");
+                "use recordings with the same channels");
   };
   const auto other = System::build(system.description(), layout_of(recording));
   if (!other) return refuse(other.error().what);
@@ -50,19 +50,19 @@ Result<void> check_layout(const System& system, const Recording& recording,
     const SystemModule& module = other->modules()[i];
     const PortType& then = system.modules()[i].output;
     if (module.output.shape == then.shape) continue;
-    return refuse(fmt::format("module '{}' gives {}, but {} when it learned", module.name,
+    return refuse(fmt::format("module '{}' gives {}, but gave {} in training", module.name,
                               to_string(module.output), to_string(then)));
   }
   return {};
 }
 
-// What the system says of an exploration, under the names of the columns.
+// The system's output for an exploration, by the names of the columns.
 Result<Table> answer_of(const SystemModel& model, const Som& som, const SignalView& input,
                         const Exploration& exploration, std::size_t number) {
   if (!is_in_range(input)) {
     return fail(ErrorKind::kData,
-                fmt::format("exploration {} is too large for the map: what it takes has to be told "
-                            "apart from others in single precision",
+                fmt::format("exploration {} has values too large for the map, which computes "
+                            "distances in single precision",
                             number),
                 exploration.source, "leave the exploration out");
   }
@@ -101,32 +101,26 @@ std::string csv_of(const std::vector<Table>& answers) {
 }
 
 Result<void> apply(const Arguments& arguments) {
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
+  SOMATO_TRY(auto threads, read_threads(arguments));
   const std::string data = arguments.text("DATA");
-  const auto format = read_format(arguments);
-  if (!format) return fail(format.error());
-  const auto model = load_system(arguments.text("SYSTEM"));
-  if (!model) return fail(model.error());
-  const auto map = answering_map(*model, arguments.text("SYSTEM"));
-  if (!map) return fail(map.error());
-  const auto recording = read_study_data(*format, data);
-  if (!recording) return fail(recording.error());
-  if (auto same = check_layout(model->system, *recording, data); !same) return same;
-  std::vector<std::size_t> all(recording->explorations.size());
+  SOMATO_TRY(const auto format, read_format(arguments));
+  SOMATO_TRY(const auto model, load_system(arguments.text("SYSTEM")));
+  SOMATO_TRY(const auto map, answering_map(model, arguments.text("SYSTEM")));
+  SOMATO_TRY(const auto recording, read_study_data(format, data));
+  SOMATO_TRY_VOID(check_layout(model.system, recording, data));
+  std::vector<std::size_t> all(recording.explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Activations activations(model->system.modules().size(), all.size());
-  const std::size_t input = model->system.modules()[*map].inputs.front();
-  auto seen = evaluate(model->system, *recording, all, {input}, *threads, activations);
+  Activations activations(model.system.modules().size(), all.size());
+  const std::size_t input = model.system.modules()[map].inputs.front();
+  auto seen = evaluate(model.system, recording, all, {input}, threads, activations);
   if (!seen) return seen;
   std::vector<Table> answers;
   answers.reserve(all.size());
   for (const std::size_t exploration : all) {
-    auto answer = answer_of(*model, *som_of(model->system, *map),
-                            activations.find(input, exploration)->values[0],
-                            recording->explorations[exploration], exploration + 1);
-    if (!answer) return fail(std::move(answer.error()));
-    answers.push_back(std::move(*answer));
+    SOMATO_TRY(auto answer, answer_of(model, *som_of(model.system, map),
+                                      activations.find(input, exploration)->values[0],
+                                      recording.explorations[exploration], exploration + 1));
+    answers.push_back(std::move(answer));
   }
   const std::string text = arguments.has("json")
                                ? to_json(Table{{}, {entry("answers", std::move(answers))}})
@@ -140,12 +134,12 @@ Result<void> apply(const Arguments& arguments) {
 
 Command apply_command() {
   return {"apply",
-          "Ask a trained system about the explorations of a recording",
-          {{"SYSTEM", "A system that 'somato run' has saved", true},
-           {"DATA", "The recording: its file, or a folder of original files", true}},
-          {output_flag("-o,--output", "File for the answers, as CSV; standard output without it"),
-           {"--json", "Answers as JSON instead of CSV", false, false},
-           {"--format", "Format of the original files, when their names do not tell"},
+          "Apply a trained system to the explorations of a recording",
+          {{"SYSTEM", "Trained system, saved by 'somato run'", true},
+           {"DATA", "Recording: its file, or a folder of original files", true}},
+          {output_flag("-o,--output", "CSV file for the results. Default: standard output"),
+           {"--json", "Write JSON instead of CSV", false, false},
+           {"--format", "Format of the original files, if it cannot be detected"},
            threads_flag()},
           {},
           apply};

@@ -15,7 +15,7 @@ std::string name_of(const TableColumns& table, std::size_t column) {
   return table.names.empty() ? std::to_string(column + 1) : printable(table.names[column]);
 }
 
-// What follows a name that ends in a number, such as tax_10 after tax_9; empty for others.
+// The successor of a name that ends in a number, such as tax_10 of tax_9; empty for others.
 std::string next_name(const std::string& name) {
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
   constexpr std::size_t kMostDigits = 15;

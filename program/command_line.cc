@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "help_format.h"
+#include "kernels/instruction_set.h"
 #include "output.h"
-#include "somato/core/instruction_set.h"
 #include "terminal.h"
 #include "usage.h"
 #include "version.h"
@@ -32,7 +32,7 @@ int exit_code(ErrorKind kind) {
   return kind == ErrorKind::kInterrupted ? kSignal + stop_signal() : kFailed;
 }
 
-// Where standard error cannot be written to there is nobody left to tell; the exit code still does.
+// If standard error cannot be written, only the exit code reports the failure.
 int report(const Error& error) {
   std::fputs(fmt::format("somato: {}\n", printable(to_string(error))).c_str(), stderr);
   return exit_code(error.kind);
@@ -42,7 +42,7 @@ Error usage_error(const std::string& what, const std::string& where) {
   return {ErrorKind::kUsage, what, where, {}};
 }
 
-// A command's part of the parser, and where its arguments go.
+// A command's subparser and its parsed arguments.
 class Parser {
  public:
   Parser(CLI::App& app, const Command& command) : app_(app), command_(command) {
@@ -64,7 +64,7 @@ class Parser {
     Arguments arguments;
     for (const auto& [name, option] : options_) {
       if (option->count() == 0) continue;
-      if (auto usable = check(*option); !usable) return usable;
+      SOMATO_TRY_VOID(check(*option));
       arguments.texts[name] = option->results().back();
     }
     take_standard_streams(arguments);
@@ -74,7 +74,7 @@ class Parser {
       }
       if (option->count() > 0) arguments.lists[name] = option->results();
     }
-    if (auto safe = check_outputs(command_, arguments); !safe) return safe;
+    SOMATO_TRY_VOID(check_outputs(command_, arguments));
     if (app_.get_option("--quiet")->count() > 0) be_quiet();
     return command_.run(arguments);
   }
@@ -88,7 +88,7 @@ class Parser {
   }
 
  private:
-  // "-" is standard input where a file is read, and standard output where one is written.
+  // "-" is standard input for an input file, and standard output for an output file.
   void take_standard_streams(Arguments& arguments) const {
     const auto replace = [&](const std::string& key, Role role) {
       const auto given = arguments.texts.find(key);
@@ -106,7 +106,7 @@ class Parser {
     auto value = std::make_unique<std::string>();
     CLI::Option* option = app_.add_option(names, *value, text);
     values_.push_back(std::move(value));
-    option->take_last();  // check() tells of repeats
+    option->take_last();  // check() reports repeats
     options_[key] = option;
     return option;
   }
@@ -124,7 +124,7 @@ class Parser {
     option->required(positional.required)->type_name("");
   }
 
-  // "--free" alone means "--free true".
+  // "--free" without a value means "--free true".
   static void make_switch(CLI::Option& option) {
     option.expected(0, 1);
     option.default_str("true");
@@ -183,7 +183,7 @@ std::string see_help(const CLI::App& app) {
   return fmt::format("see 'somato{}{} --help'", words.empty() ? "" : " ", words);
 }
 
-// The nearest name, or where all of them stand.
+// The most similar name, or the place that lists all names.
 Error unknown_flag(const CLI::App& app, const std::string& flag) {
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options()) {
@@ -209,8 +209,8 @@ Error missing(const CLI::App& app, const CLI::ParseError& error) {
           fmt::format("choose one of {}; {}", fmt::join(commands, ", "), see_help(app))};
 }
 
-// What the parser says of one option, without its own turn of phrase: "--rows: 1 required VALUE
-// missing", or "standardize was given a disallowed flag override".
+// Translates the parser's messages about one option, which are "--rows: 1 required VALUE missing"
+// or "standardize was given a disallowed flag override".
 Error wrong_values(const CLI::App& app, const CLI::ParseError& error) {
   const std::string said = error.what();
   const std::string name = said.substr(0, said.find_first_of(": "));
@@ -298,8 +298,8 @@ Table given_parameters(const Arguments& arguments, const std::vector<ParameterIn
 
 namespace {
 
-// Runs the chosen command; what the standard library throws for want of memory, threads or a
-// place to write to becomes an error like others.
+// Runs the chosen command; exceptions of the standard library for missing memory, threads or
+// disk space become ordinary errors.
 Result<void> run_chosen(const std::vector<Parser>& parsers) {
   try {
     for (const Parser& parser : parsers) {
@@ -314,7 +314,7 @@ Result<void> run_chosen(const std::vector<Parser>& parsers) {
   }
 }
 
-// What was asked for: nothing and "help" ask for help, "help run" for that of a command.
+// The requested command: no argument and "help" request help, "help run" that of a command.
 std::vector<std::string> asked_words(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const bool asks_help = words.empty() || words.front() == "help";
@@ -324,18 +324,18 @@ std::vector<std::string> asked_words(int argc, char** argv) {
   return words;
 }
 
-// Output that did not arrive is a failure, however late that turns out.
+// Output that was not written is a failure, even if it is detected at the end.
 int finish(int code) {
   if (code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
   const std::string reason = std::generic_category().message(errno);
   return report({ErrorKind::kSystem, "cannot write: " + reason, "standard output",
-                 "make room, or write to another place"});
+                 "free disk space, or write to another place"});
 }
 
 }  // namespace
 
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands) {
-  CLI::App root("A self-organizing sense of touch", "somato");
+  CLI::App root("Haptic perception with self-organizing maps", "somato");
   root.set_version_flag("-V,--version", "somato " SOMATO_VERSION);
   root.require_subcommand(1);
   root.formatter(std::make_shared<HelpFormat>());

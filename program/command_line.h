@@ -11,25 +11,25 @@
 
 namespace somato::program {
 
-/// What the value of an argument is for.
+/// The purpose of an argument's value.
 enum class Role {
   kValue,         ///< A number, a name, a choice.
-  kInput,         ///< A file or folder that is read, or the name of something shipped.
+  kInput,         ///< A file or folder that is read, or the name of a built-in file.
   kOutput,        ///< A file that is written.
   kOutputFolder,  ///< A folder that files are written into.
 };
 
-/// An argument without a flag, in its place.
+/// A positional argument.
 struct Positional {
   std::string name;  ///< Upper case, as the usage shows it.
   std::string text;
   bool required = true;
-  bool many = false;  ///< Takes all that is left, at least one where it is required.
+  bool many = false;  ///< Takes all remaining arguments, at least one if it is required.
   Role role = Role::kInput;
   std::function<std::vector<std::string>()> names = {};  ///< Known ones, which shells complete.
 };
 
-/// A flag that is not a parameter of a struct: where things come from and go to.
+/// A flag that is not a parameter of a struct, such as an input or output file.
 struct Flag {
   std::string name;  ///< Such as "--out" or "-o,--output".
   std::string text;
@@ -43,7 +43,7 @@ Flag input_flag(std::string name, std::string text, bool required = false);
 Flag output_flag(std::string name, std::string text, bool required = false);
 Flag folder_flag(std::string name, std::string text, std::vector<std::string> writes = {});
 
-/// What was written on the command line: by the name of a positional or flag, without dashes.
+/// The arguments on the command line, by the name of a positional or flag without dashes.
 class Arguments {
  public:
   std::map<std::string, std::string> texts;
@@ -56,7 +56,7 @@ class Arguments {
   Result<std::optional<std::size_t>> number(const std::string& name, std::size_t least) const;
 };
 
-/// One thing the program can do.
+/// A command of the program.
 struct Command {
   std::string name;  ///< One or two words: "run", "som train".
   std::string text;
@@ -64,28 +64,28 @@ struct Command {
   std::vector<Flag> flags;
   std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
   std::function<Result<void>(const Arguments&)> run;
-  std::string table = {};  ///< Of TOML files, that holds the same parameters as keys.
+  std::string table = {};  ///< For TOML files with the same parameters as keys.
 };
 
-/// The key of a flag in Arguments: "-o,--output" is known as "output".
+/// The key of a flag in Arguments: that of "-o,--output" is "output".
 std::string key_of(const std::string& flag);
 
 /// The flag of a parameter: `radius_start` is `--radius-start`.
 std::string flag_of(const std::string& parameter_name);
 
-/// Those of the `known` parameters that were given as flags, with their flags for places.
+/// The `known` parameters that were given as flags, with the flag as their location.
 Table given_parameters(const Arguments& arguments, const std::vector<ParameterInfo>& known);
 
-/// `parameters` with those set that were given as flags. Errors (kUsage) name the flag.
+/// `parameters` with the values that were given as flags. Errors (kUsage) name the flag.
 template <typename S>
 Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
   return read_parameters(given_parameters(arguments, S::declarations().infos()),
                          std::move(parameters));
 }
 
-/// Finds the command that `argv` asks for and runs it. Prints help, the version, and on standard
-/// error what went wrong. Returns the program's exit code: 0 done, 1 failed, 2 wrong usage, 3
-/// done with losses, 130 or 143 interrupted (128 and the signal).
+/// Runs the command of `argv`. Prints help, the version, and errors on standard error. Returns the
+/// program's exit code: 0 success, 1 failure, 2 usage error, 3 completed with losses, 130 or 143
+/// interrupted (128 and the signal).
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands);
 
 }  // namespace somato::program

@@ -23,7 +23,7 @@ Command completions_command();
 Command inspect_command();
 Command recover_command();
 
-/// Prints the reference of flags and keys, made of the commands and the parameter declarations.
+/// Prints the reference of flags and keys, from the commands and the parameter declarations.
 Command reference_command(const std::vector<Command>& others);
 
 }  // namespace somato::program

@@ -34,7 +34,7 @@ std::string first_sentence(const std::string& text) {
   return line;
 }
 
-// The next word of every command that begins with these.
+// The next word of every command that begins with the given words.
 std::vector<Completion> next_words(const std::vector<Command>& commands, const Words& before) {
   std::vector<Completion> found;
   for (const Command& command : commands) {
@@ -66,7 +66,7 @@ std::vector<Completion> flags_of(const Command& command) {
     flags.push_back({flag_of(info.name), first_sentence(info.text)});
   }
   flags.push_back({"--quiet", std::string(kQuietText)});
-  flags.push_back({"--help", "Print how the command is used"});
+  flags.push_back({"--help", "Print help for the command"});
   return flags;
 }
 
@@ -77,7 +77,7 @@ std::vector<Completion> named(const std::vector<std::string>& names) {
   return all;
 }
 
-// Whether `word` is a flag whose value comes next, and what that can be.
+// The flag `word` if its value comes next, with the possible values.
 bool takes_value(const Command& command, const std::string& word, std::vector<Completion>& values) {
   for (const ParameterInfo& info : command.parameters) {
     if (flag_of(info.name) != word) continue;
@@ -90,7 +90,7 @@ bool takes_value(const Command& command, const std::string& word, std::vector<Co
   });
 }
 
-// The positional that comes next after `given` words; the last may take many.
+// The positional after `given` words; the last positional may take many.
 const Positional* next_positional(const Command& command, std::size_t given) {
   if (given < command.positionals.size()) return &command.positionals[given];
   const bool more = !command.positionals.empty() && command.positionals.back().many;

@@ -7,20 +7,21 @@
 
 namespace somato::program {
 
-/// A word that a command line can go on with.
+/// A possible next word of a command line.
 struct Completion {
   std::string word;
-  std::string text;  ///< What it stands for, in one line; may be empty.
+  std::string text;  ///< Its meaning, in one line; may be empty.
 };
 
-/// What the last of `words`, which stand behind the program's name and of which the last is
-/// unfinished or empty, can become. Nothing where a file, a folder or a number is expected: shells
-/// complete files themselves.
+/// The completions of the last of `words`, the arguments of the program, of which the last is
+/// incomplete or empty. Empty if a file, a folder or a number is expected: shells complete files
+/// themselves.
 std::vector<Completion> completions(const std::vector<Command>& commands,
                                     const std::vector<std::string>& words);
 
-/// `somato completions words WORDS...`: prints the completions, a line each, with a tab before the
-/// text. The words are no arguments of that command: they may be flags, unfinished or empty.
+/// `somato completions words WORDS...`: prints the completions, one per line, with a tab before the
+/// text. The words are not parsed as arguments of that command: they may be flags, incomplete or
+/// empty.
 bool is_completion_request(int argc, char** argv);
 int answer_completion_request(int argc, char** argv, const std::vector<Command>& commands);
 

@@ -13,7 +13,7 @@ struct Shell {
   std::string_view script;
 };
 
-// The program itself knows the words: a script only hands them over.
+// The program computes the completions; a script only passes them on.
 constexpr std::array<Shell, 3> kShells = {Shell{"bash", R"script(_somato() {
   local IFS=$'\n'
   COMPREPLY=($("$1" completions words "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null | cut -f 1))
@@ -59,7 +59,7 @@ Result<void> print_script(const Arguments& arguments) {
 
 Command completions_command() {
   return {"completions",
-          "Print a script with which a shell completes commands, flags and names",
+          "Print the script for shell completion of commands, flags and names",
           {{"SHELL", "bash, zsh or fish", true, false, Role::kValue, shells}},
           {},
           {},

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "somato/core/threads.h"
-#include "somato/files/labels.h"
+#include "core/threads.h"
+#include "files/labels.h"
 
 namespace somato::program {
 namespace {
 
-// The items of a flag, with commas between.
+// The items of a flag, separated by commas.
 Result<std::vector<std::string>> read_items(const Arguments& arguments, const std::string& flag) {
   std::vector<std::string> items;
   if (!arguments.has(flag)) return items;
@@ -23,7 +23,7 @@ Result<std::vector<std::string>> read_items(const Arguments& arguments, const st
     item.erase(item.find_last_not_of(' ') + 1);
     if (item.empty()) {
       return fail(ErrorKind::kUsage, "a name is empty", "--" + flag,
-                  "write names or patterns with commas between");
+                  "separate names or patterns by commas");
     }
     items.push_back(std::move(item));
     start = end + 1;
@@ -49,26 +49,26 @@ Result<std::optional<bool>> read_header(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Flag> table_flags() {
-  return {{"--label-column", "Column of a CSV file that holds labels, by name or number from 1"},
+  return {{"--label-column", "Column of a CSV file with labels, by name or number from 1"},
           {"--columns-to-use",
-           "Columns to use as features, with commas between: names or patterns such as 'tax_*', or "
-           "numbers from 1 and ranges such as 2..17 where columns have no names; default: all"},
-          {"--skip", "Columns to leave out, written alike"},
+           "Columns to use as features, separated by commas: names or patterns such as 'tax_*', or "
+           "numbers from 1 and ranges such as 2..17 if columns have no names. Default: all"},
+          {"--skip", "Columns to leave out, in the same form"},
           {"--missing",
-           fmt::format("Missing values, which are empty fields, NaN and words such as NA: {}",
-                       "refuse; mean fills in the column's mean over the training rows that know "
-                       "it; nearest fills in what the nearest complete row holds or, with a "
-                       "trained map, the winner by the known values. Default: refuse")},
-          {"--decimal", "What marks decimals in text, point or comma; default: point"},
+           fmt::format("Treatment of missing values (empty fields, NaN and words such as NA): {}",
+                       "refuse; mean uses the mean of the known training values of the column; "
+                       "nearest uses the value of the nearest complete row or, with a trained "
+                       "map, finds the winner by the known values. Default: refuse")},
+          {"--decimal", "Decimal separator in text, point or comma. Default: point"},
           {"--header",
-           "Whether the first line of a text file holds names, yes or no; default: "
-           "when it holds something that is no number"}};
+           "Whether the first line of a text file contains names, yes or no. Default: "
+           "yes if it contains a field that is not a number"}};
 }
 
 std::vector<Flag> data_flags() {
   std::vector<Flag> flags = table_flags();
   flags.insert(flags.begin(),
-               input_flag("--labels", "Text file with the label of each row, one a line"));
+               input_flag("--labels", "Text file with the labels of the rows, one per line"));
   return flags;
 }
 
@@ -83,13 +83,12 @@ Result<CsvOptions> read_table_options(const Arguments& arguments) {
   if (!use) return fail(std::move(use.error()));
   auto skip = read_items(arguments, "skip");
   if (!skip) return fail(std::move(skip.error()));
-  const auto missing = read_missing(arguments);
-  if (!missing) return fail(missing.error());
+  SOMATO_TRY(const auto missing, read_missing(arguments));
   options.header = *header;
   options.decimal = *decimal;
   options.columns.use = std::move(*use);
   options.columns.skip = std::move(*skip);
-  options.keeps_missing = *missing != MissingFill::kRefuse;
+  options.keeps_missing = missing != MissingFill::kRefuse;
   return options;
 }
 
@@ -105,7 +104,7 @@ Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std:
   auto labels = read_labels(path);
   if (!labels || labels->size() == rows) return labels;
   return fail(ErrorKind::kData, fmt::format("{} labels for {} rows", labels->size(), rows), path,
-              "write one label a line, in the order of the rows");
+              "write one label per line, in the order of the rows");
 }
 
 Result<void> check_labels_given_once(const Arguments& arguments) {
@@ -121,7 +120,7 @@ Result<std::size_t> read_threads(const Arguments& arguments) {
 }
 
 Flag threads_flag() {
-  return {"--threads", "Number of threads; the result is the same for any. Default: all cores"};
+  return {"--threads", "Number of threads, which does not affect the result. Default: all cores"};
 }
 
 }  // namespace somato::program

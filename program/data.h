@@ -4,28 +4,28 @@
 #include <string>
 #include <vector>
 
+#include "codes/missing_values.h"
 #include "command_line.h"
-#include "somato/codes/missing_values.h"
 #include "somato/files/csv.h"
 
 namespace somato::program {
 
-/// The flags that say how a table is read: what read_table_options() and read_missing() understand.
+/// The flags for reading a table, used by read_table_options() and read_missing().
 std::vector<Flag> table_flags();
 
-/// These, and `--labels`.
+/// The flags for reading a table, and `--labels`.
 std::vector<Flag> data_flags();
 
-/// How the flags say that the table is to be read. Errors: kUsage.
+/// The options for reading a table, from the flags. Errors: kUsage.
 Result<CsvOptions> read_table_options(const Arguments& arguments);
 
 /// The flag `--missing`. Errors: kUsage.
 Result<MissingFill> read_missing(const Arguments& arguments);
 
-/// The labels of a file of their own, which has to have `rows`, or none.
+/// The labels of a separate file, which must have `rows` lines, or none.
 Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std::size_t rows);
 
-/// Fails (kUsage) when labels are given in two ways.
+/// Fails (kUsage) if labels are given in two ways.
 Result<void> check_labels_given_once(const Arguments& arguments);
 
 /// The flag `--threads`, or all cores.

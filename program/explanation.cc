@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/memory.h"
 #include "result_output.h"
-#include "somato/core/memory.h"
 
 namespace somato::program {
 namespace {
@@ -54,7 +54,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 std::string phase_line(const System& system, const Phase& phase) {
   const std::vector<std::string> names = names_of(system, phase.learners);
   const std::string draws =
-      phase.draws ? fmt::format("{} ", *phase.draws) : std::string("as many as it asks for: ");
+      phase.draws ? fmt::format("{} ", *phase.draws) : std::string("by default: ");
   const bool at_once = phase.learners.size() == 1 &&
                        system.modules()[phase.learners.front()].module->learner()->learns_at_once();
   return fmt::format("{}: {}{}", fmt::join(names, ", "), at_once && !phase.draws ? "all " : draws,
@@ -62,12 +62,11 @@ std::string phase_line(const System& system, const Phase& phase) {
 }
 
 Table module_table(const System& system, const SystemModule& module) {
-  return {
-      {},
-      {entry("module", module.name), entry("type", module.type->name),
-       entry("listens_to", names_of(system, module.inputs)), entry("shape", module.output.shape),
-       entry("elements", module.output.size()), entry("sparse", module.output.sparse),
-       entry("every", rate_of(module)), entry("memory", module.module->memory())}};
+  return {{},
+          {entry("module", module.name), entry("type", module.type->name),
+           entry("inputs", names_of(system, module.inputs)), entry("shape", module.output.shape),
+           entry("elements", module.output.size()), entry("sparse", module.output.sparse),
+           entry("every", rate_of(module)), entry("memory", module.module->memory())}};
 }
 
 Table phase_table(const System& system, const Phase& phase) {
@@ -91,7 +90,7 @@ Table explanation_table(const System& system) {
 
 std::string explanation(const System& system) {
   std::vector<std::vector<std::string>> rows{
-      {"module", "type", "listens to", "shape", "elements", "every", "memory"}};
+      {"module", "type", "input from", "shape", "elements", "every", "memory"}};
   std::size_t memory = 0;
   for (const SystemModule& module : system.modules()) {
     rows.push_back(row_of(system, module));

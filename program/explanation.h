@@ -7,8 +7,8 @@
 
 namespace somato::program {
 
-/// What a system is made of, for a person: each module with its type, output and memory, and the
-/// phases of learning.
+/// A readable description of a system: each module with its type, output and memory, and the
+/// training phases.
 std::string explanation(const System& system);
 
 /// The same with sizes in bytes: `modules`, `phases` and `learned_memory`.

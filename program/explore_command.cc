@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "commands.h"
 #include "data.h"
 #include "explore_table.h"
+#include "files/toml_file.h"
 #include "output.h"
 #include "output_folder.h"
+#include "simulation/hand_picture.h"
 #include "somato/bodies/exploring.h"
-#include "somato/files/toml_file.h"
 #include "somato/recording/recording_file.h"
-#include "somato/simulation/explorer.h"
-#include "somato/simulation/hand_picture.h"
+#include "somato/simulation/simulated_explorer.h"
 #include "terminal.h"
 #include "wording.h"
 
@@ -27,7 +28,7 @@ Result<void> check_flags(const Arguments& arguments, ExploringBody body) {
                         body == ExploringBody::kProbes;
   const auto refuse = [&](const std::string& flag) {
     return fail(ErrorKind::kUsage, "has no effect on the body " + choice_name(body), flag,
-                "leave it out");
+                "omit it");
   };
   const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
   for (const Table::Entry& entry : flags.entries) {
@@ -48,7 +49,7 @@ Result<ExploringParameters> read_parameters(const Arguments& arguments, Explorin
     if (!read) return read;
     parameters = std::move(*read);
   }
-  if (auto useful = check_flags(arguments, body); !useful) return fail(std::move(useful.error()));
+  SOMATO_TRY_VOID(check_flags(arguments, body));
   auto simulation = read_flags<SimulationParameters>(arguments, parameters.simulation);
   if (!simulation) return fail(std::move(simulation.error()));
   parameters.simulation = std::move(*simulation);
@@ -63,14 +64,13 @@ Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) 
   for (const Object& object : table->objects) {
     if (!object.mesh_file.empty()) meshes.push_back(object.mesh_file);
   }
-  if (auto apart = check_not_read(arguments.text("output"), meshes); !apart) {
-    return fail(std::move(apart.error()));
-  }
+  SOMATO_TRY_VOID(check_not_read(arguments.text("output"), meshes));
   return table;
 }
 
 struct Request {
-  Explorer explorer;
+  std::unique_ptr<GraspPictures> pictures;  // or nullptr
+  std::unique_ptr<Explorer> explorer;
   ExploringPlan plan;
   std::string output;
   std::string image_folder;
@@ -78,31 +78,25 @@ struct Request {
 };
 
 Result<Request> read_request(const Arguments& arguments) {
-  auto body = read_body(arguments);
-  if (!body) return fail(std::move(body.error()));
-  auto things = read_things(arguments, *body);
+  SOMATO_TRY(auto body, read_body(arguments));
+  auto things = read_things(arguments, body);
   if (!things) return fail(std::move(things.error()));
-  auto parameters = read_parameters(arguments, *body);
-  if (!parameters) return fail(std::move(parameters.error()));
-  auto seed = arguments.number("seed", 0);
-  if (!seed) return fail(std::move(seed.error()));
-  auto explorations = arguments.number("explorations", 1);
-  if (!explorations) return fail(std::move(explorations.error()));
-  auto longest = arguments.number("longest", 1);
-  if (!longest) return fail(std::move(longest.error()));
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  auto explorer = Explorer::build(*body, *things, *parameters, seed->value_or(1));
+  SOMATO_TRY(auto parameters, read_parameters(arguments, body));
+  SOMATO_TRY(auto seed, arguments.number("seed", 0));
+  SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
+  SOMATO_TRY(auto longest, arguments.number("longest", 1));
+  SOMATO_TRY(auto threads, read_threads(arguments));
+  const std::string image_folder = arguments.text("images");
+  auto pictures = image_folder.empty() ? nullptr : std::make_unique<GraspPictures>(image_folder);
+  auto explorer = simulated_explorer(body, *things, parameters, seed.value_or(1), pictures.get());
   if (!explorer) return fail(std::move(explorer.error()));
-  const std::size_t count = explorer->things().size();
-  return Request{std::move(*explorer),
-                 {count, explorations->value_or(5), *threads},
-                 arguments.text("output"),
-                 arguments.text("images"),
-                 longest->value_or(600)};
+  const std::size_t count = (*explorer)->things().size();
+  return Request{
+      std::move(pictures),      std::move(*explorer), {count, explorations.value_or(5), threads},
+      arguments.text("output"), image_folder,         longest.value_or(600)};
 }
 
-// The number of frames of what a hand felt at each of its steps; of a probe, of its only channel.
+// The number of frames per step of a hand's exploration; of a probe, of its only channel.
 class FrameSpread {
  public:
   void add(const Exploration& exploration) {
@@ -128,29 +122,29 @@ class FrameSpread {
   std::size_t count_ = 0;
 };
 
-// The first failures, each in a line; many are seldom of different kinds.
+// The first failures, one per line; further ones are usually similar.
 void report_failures(const Request& request, const ExploringOutcome& outcome) {
   constexpr std::size_t kShown = 10;
   const std::size_t count = outcome.failures.size();
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const FailedExploration& failure = outcome.failures[i];
-    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer.things()[failure.item],
+    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.item].name,
                         failure.trial + 1, to_string(failure.error));
   }
   if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
   std::fputs(text.c_str(), stderr);
 }
 
-// The command has done something even where not all went well.
-Result<void> judge(const Request& request, const ExploringOutcome& outcome,
-                   const GraspPictures& pictures) {
+// Some explorations can succeed if others fail.
+Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
   report_failures(request, outcome);
-  if (outcome.failures.empty() && pictures.lost() > 0) {
-    Error error = *pictures.first_error();
+  const GraspPictures* pictures = request.pictures.get();
+  if (outcome.failures.empty() && pictures != nullptr && pictures->lost() > 0) {
+    Error error = *pictures->first_error();
     error.kind = ErrorKind::kIncomplete;
-    error.what = fmt::format("all is recorded, but {} of the pictures could not be saved: {}",
-                             pictures.lost(), error.what);
+    error.what = fmt::format("all explorations are recorded, but {} could not be saved: {}",
+                             counted(pictures->lost(), "picture"), error.what);
     return fail(std::move(error));
   }
   if (outcome.failures.empty()) return {};
@@ -166,12 +160,10 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
     spread.add(exploration);
     return file.add(std::move(exploration));
   };
-  GraspPictures pictures(request.image_folder);
   const ExploreOptions options{
-      {static_cast<double>(request.longest), [] { return !stop_requested(); }},
-      request.image_folder.empty() ? nullptr : &pictures};
+      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
   const auto explore = [&](std::size_t thing, std::size_t trial) {
-    return request.explorer.explore(thing, trial, options);
+    return request.explorer->explore(thing, trial, options);
   };
   auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
@@ -179,27 +171,26 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   const std::size_t recorded = spread.count();
   if (recorded == 0 && outcome) {
     report_failures(request, *outcome);
-    return fail(ErrorKind::kData, "every exploration failed: nothing is recorded", request.output);
+    return fail(ErrorKind::kData, "every exploration failed; no recording was saved",
+                request.output);
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
-  if (auto finished = file.finish(); !finished) return finished;
+  SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
                             counted(request.plan.items, "thing"), spread.text()));
-  if (!interrupted) return judge(request, *outcome, pictures);
+  if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));
 }
 
 Result<void> run_explore(const Arguments& arguments) {
-  auto request = read_request(arguments);
-  if (!request) return fail(std::move(request.error()));
-  OutputFolder images(request->image_folder, "--images");
-  if (!request->image_folder.empty()) {
-    if (auto made = images.make(); !made) return made;
+  SOMATO_TRY(auto request, read_request(arguments));
+  OutputFolder images(request.image_folder, "--images");
+  if (!request.image_folder.empty()) {
+    SOMATO_TRY_VOID(images.make());
   }
-  auto file = RecordingFile::begin(request->output);
-  if (!file) return fail(std::move(file.error()));
-  return explore_into(*file, *request);
+  SOMATO_TRY(auto file, RecordingFile::begin(request.output));
+  return explore_into(file, request);
 }
 
 }  // namespace
@@ -207,18 +198,19 @@ Result<void> run_explore(const Arguments& arguments) {
 Command explore_command() {
   return {
       "explore",
-      "Explore things with a simulated hand or probe, and record what it feels",
+      "Explore objects or materials with a simulated hand or probe, and record the sensors",
       {},
       {{"--body",
-        "What explores: lucs2, lucs3, texture, hardness, probes (both of these), or all_senses "
+        "Body that explores: lucs2, lucs3, texture, hardness, probes (both probes), or all_senses "
         "(Hand III with taxels, then both probes)",
         true},
-       input_flag("--objects",
-                  "TOML file with the things to explore, instead of the body's own table"),
-       {"--explorations", "Number of explorations of each thing; 5 unless given"},
-       {"--seed", "Seed of placement and noise; 1 unless given"},
+       input_flag(
+           "--objects",
+           "TOML file with the objects and materials to explore. Default: the body's own table"),
+       {"--explorations", "Number of explorations of each object or material. Default: 5"},
+       {"--seed", "Seed of placement and noise. Default: 1"},
        {"--longest",
-        "The most seconds of the body's own time that an exploration may take; 600 unless given"},
+        "Maximum duration of an exploration, in seconds of the body's time. Default: 600"},
        input_flag(
            "--settings",
            "TOML file with tables of parameters: simulation, plan, grasp, closing, texture_probe, "

@@ -19,15 +19,14 @@ const Declarations<ExploreParameters>& ExploreParameters::declarations() {
   using P = ExploreParameters;
   static const auto declared =
       Declarations<P>()
-          .add("body", &P::body, "", Range::any(), "What explores. Has to be given.")
+          .add("body", &P::body, "", Range::any(), "Body that explores. Required.")
           .add("objects", &P::objects, "", Range::any(),
-               "TOML file with the things to explore, or the name of one of Somato's own tables; "
-               "empty: the "
-               "body's own.")
+               "TOML file with the objects and materials to explore, or the name of a built-in "
+               "table; empty: the body's own.")
           .add("explorations", &P::explorations, "", Range::between(1, 1e6),
-               "Explorations of each thing.")
+               "Number of explorations of each object or material.")
           .add("new_objects", &P::new_objects, "", Range::any(),
-               "Whether new objects of the body are explored once each, to test with.");
+               "Whether the body's new objects are explored once each, as test data.");
   return declared;
 }
 
@@ -42,18 +41,16 @@ Result<ExploreTable> read_explore_table(const Table& table) {
     (std::holds_alternative<Table>(entry.content) ? tables : keys).entries.push_back(entry);
   }
   if (!keys.find("body")) {
-    return fail(ErrorKind::kUsage, "[explore] needs a body", table.where,
-                "add body = \"lucs2\", or another");
+    return fail(ErrorKind::kUsage, "[explore] requires a body", table.where,
+                "add body = \"lucs2\", or another body");
   }
-  auto explore = read_parameters<ExploreParameters>(keys);
-  if (!explore) return fail(std::move(explore.error()));
-  if (explore->new_objects && explore->body != ExploringBody::kLucs3) {
+  SOMATO_TRY(auto explore, read_parameters<ExploreParameters>(keys));
+  if (explore.new_objects && explore.body != ExploringBody::kLucs3) {
     return fail(ErrorKind::kUsage, "only lucs3 has a table of new objects",
-                keys.find("new_objects")->where, "test with --test-data instead");
+                keys.find("new_objects")->where, "use --test-data instead");
   }
-  auto exploring = read_exploring_parameters(tables);
-  if (!exploring) return fail(std::move(exploring.error()));
-  return ExploreTable{std::move(*explore), std::move(*exploring)};
+  SOMATO_TRY(auto exploring, read_exploring_parameters(tables));
+  return ExploreTable{std::move(explore), std::move(exploring)};
 }
 
 std::map<std::string, ParameterInfo> explore_parameters() {

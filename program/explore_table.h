@@ -8,15 +8,14 @@
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
-#include "somato/simulation/explorer.h"
+#include "somato/simulation/simulated_explorer.h"
 
 namespace somato::program {
 
-/// The body that --body names. Errors: kUsage with the nearest name.
+/// The body named by --body. Errors: kUsage with the nearest name.
 Result<ExploringBody> read_body(const Arguments& arguments);
 
-/// What the table `[explore]` of a system's file says: which recordings are made where none are
-/// given.
+/// The table `[explore]` of a system's file: the recordings that are explored if none are given.
 struct ExploreParameters {
   ExploringBody body = ExploringBody::kLucs2;
   std::string objects;
@@ -26,20 +25,20 @@ struct ExploreParameters {
   static const Declarations<ExploreParameters>& declarations();
 };
 
-/// The same with the tables within it, such as [explore.simulation].
+/// The same with its subtables, such as [explore.simulation].
 struct ExploreTable {
   ExploreParameters explore;
   ExploringParameters exploring;
 };
 
-/// Errors (kUsage) with their place: unknown keys, values out of range, no body.
+/// Errors (kUsage) with their location: unknown keys, values out of range, no body.
 Result<ExploreTable> read_explore_table(const Table& table);
 
-/// What is said about each of its keys, by names such as "explore.explorations" and
+/// The descriptions of its keys, by names such as "explore.explorations" and
 /// "explore.simulation.placement_noise".
 std::map<std::string, ParameterInfo> explore_parameters();
 
-/// All of it as text; equal texts explore alike.
+/// The settings as text; equal texts give equal explorations.
 std::string to_text(const ExploreTable& table);
 
 }  // namespace somato::program

@@ -19,7 +19,7 @@ namespace somato::program {
 
 namespace {
 
-// ".somato-PROCESS-NUMBER.partial" of a process that was killed (somato/files/whole_file.h).
+// ".somato-PROCESS-NUMBER.partial", left by a killed process (somato/files/whole_file.h).
 bool is_left_behind(const std::string& name) {
   constexpr std::string_view kBegin = ".somato-";
   if (!name.starts_with(kBegin) || !name.ends_with(".partial")) return false;
@@ -43,7 +43,7 @@ int open_folder(const std::filesystem::path& folder) {
   return open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
-// 0, or why it cannot be locked: EWOULDBLOCK where somebody else has.
+// 0, or the error of locking: EWOULDBLOCK if another process holds the lock.
 int lock_now(int folder) {
   return flock(folder, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
 }
@@ -54,8 +54,8 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   FolderLock lock(open_folder(folder));
   const int reason = lock_now(lock.folder_);
   if (reason == EWOULDBLOCK) {
-    return fail(ErrorKind::kSystem, "another run of somato works in this folder", folder.string(),
-                "wait for its end, or give another folder");
+    return fail(ErrorKind::kSystem, "another somato process is using this folder", folder.string(),
+                "wait until it ends, or use another folder");
   }
   if (reason == 0) remove_partial_files(folder);
   return lock;
@@ -65,8 +65,8 @@ Result<FolderLock> FolderLock::wait(const std::filesystem::path& folder) {
   FolderLock lock(open_folder(folder));
   while (lock_now(lock.folder_) == EWOULDBLOCK) {
     if (stop_requested()) {
-      return fail(ErrorKind::kInterrupted, "stopped while another run worked in this folder",
-                  folder.string());
+      return fail(ErrorKind::kInterrupted,
+                  "stopped while another somato process was using this folder", folder.string());
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }

@@ -7,15 +7,16 @@
 
 namespace somato::program {
 
-/// Keeps other runs of the program out of a folder as long as it lives; the system ends it with the
-/// process. Two that write the same journal would spoil it.
+/// An exclusive lock on a folder during its lifetime; the system releases it with the process. Two
+/// processes writing the same journal would damage it.
 class FolderLock {
  public:
-  /// Removes the partial files that killed runs have left there. Errors (kSystem): another run
-  /// holds it. File systems without locks are taken as they are.
+  /// Removes the partial files that killed runs have left there. Errors (kSystem): another process
+  /// holds the lock. On file systems without locks it has no effect.
   static Result<FolderLock> take(const std::filesystem::path& folder);
 
-  /// Waits until no other run holds it; partial files stay. Errors: kInterrupted, by Ctrl-C.
+  /// Waits until no other process holds the lock; partial files are kept. Errors: kInterrupted, by
+  /// Ctrl-C.
   static Result<FolderLock> wait(const std::filesystem::path& folder);
 
   FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}

@@ -5,7 +5,7 @@
 
 namespace somato::program {
 
-/// Writes --help within the width of the terminal; 100 columns where there is none.
+/// Formats --help to the width of the terminal; 100 columns without a terminal.
 class HelpFormat : public CLI::Formatter {
  public:
   HelpFormat();

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "commands.h"
-#include "somato/files/toml_file.h"
-#include "somato/recording/csv_trials.h"
+#include "files/toml_file.h"
+#include "recording/mcap_trials.h"
+#include "somato/recording/csv_import.h"
 #include "somato/recording/format.h"
-#include "somato/recording/mcap_trials.h"
 #include "somato/recording/recording_file.h"
 #include "terminal.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kCsv = "csv";
 constexpr const char* kMcap = "mcap";
 
-// A recording, and what is to be said beside it.
+// A recording and an additional message.
 struct Imported {
   Recording recording;
   std::string remark;
@@ -48,12 +48,12 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-// "touch:counts=taxel1..taxel16+Fz", the unit perhaps left out.
+// "touch:counts=taxel1..taxel16+Fz", where the unit is optional.
 Result<CsvChannel> channel_of(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
-    return fail(ErrorKind::kUsage, fmt::format("'{}' is no channel", text), "--channels",
-                "write such as touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz");
+    return fail(ErrorKind::kUsage, fmt::format("'{}' is not a channel", text), "--channels",
+                "write for example touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz");
   }
   const std::string head = text.substr(0, equals);
   const std::size_t colon = std::min(head.find(':'), head.size());
@@ -71,14 +71,13 @@ Result<CsvImport> description_of_flags(const Arguments& arguments) {
   description.trials = std::move(*trials);
   if (!arguments.has("channels")) return description;
   for (const std::string& text : split(arguments.text("channels"), ',')) {
-    auto channel = channel_of(text);
-    if (!channel) return fail(std::move(channel.error()));
-    description.channels.push_back(std::move(*channel));
+    SOMATO_TRY(auto channel, channel_of(text));
+    description.channels.push_back(std::move(channel));
   }
   return description;
 }
 
-// A flag that describes files, if any was given but those in `known`.
+// A given flag that describes files and is not in `known`, if any.
 std::string describing_flag(const Arguments& arguments, const std::vector<std::string>& known) {
   std::vector<std::string> names{"--description", "--channels"};
   for (const ParameterInfo& info : CsvTrials::declarations().infos())
@@ -94,19 +93,19 @@ Result<CsvImport> description_of(const Arguments& arguments) {
   if (!arguments.has("description")) return description_of_flags(arguments);
   const std::string flag = describing_flag(arguments, {"--description"});
   if (flag.empty()) return read_toml(arguments.text("description")).and_then(read_csv_import);
-  return fail(ErrorKind::kUsage, "the files are described twice", flag,
+  return fail(ErrorKind::kUsage, "the files are described by both a flag and --description", flag,
               "leave out the flag, or --description");
 }
 
-// What was left out, as a second line; empty for nothing.
+// The numbers of rows and files left out, as a second line; empty for none.
 std::string line_of(const CsvLeftOut& left_out) {
   if (left_out.rows == 0) return {};
   std::string files;
   if (left_out.files > 0) {
-    files = fmt::format(", with {} {} that no window fits into", left_out.files,
+    files = fmt::format(", with {} {} shorter than a window", left_out.files,
                         left_out.files == 1 ? "file" : "files");
   }
-  return fmt::format("left out, as they fill no window: {} {}{}\n", left_out.rows,
+  return fmt::format("left out, because they fill no window: {} {}{}\n", left_out.rows,
                      left_out.rows == 1 ? "row" : "rows", files);
 }
 
@@ -122,7 +121,7 @@ Result<Imported> import_csv(const Arguments& arguments) {
 Result<Imported> import_mcap(const Arguments& arguments) {
   const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
   if (!flag.empty()) {
-    return fail(ErrorKind::kUsage, "recordings tell their channels themselves", flag,
+    return fail(ErrorKind::kUsage, "recordings define their channels", flag,
                 "leave out the flag, or import as csv");
   }
   return read_flags<CsvTrials>(arguments)
@@ -137,7 +136,7 @@ Result<Imported> import_named(const Arguments& arguments) {
   const std::string& name = arguments.text("FORMAT");
   const std::string flag = describing_flag(arguments, {});
   if (!flag.empty()) {
-    return fail(ErrorKind::kUsage, fmt::format("the format '{}' is known", name), flag,
+    return fail(ErrorKind::kUsage, fmt::format("the format '{}' needs no description", name), flag,
                 "leave out the flag, or import as csv");
   }
   for (const auto& [format, known] : Choices<RecordingFormat>::all()) {
@@ -169,11 +168,10 @@ std::string summary(const Recording& recording) {
 }
 
 Result<void> run_import(const Arguments& arguments) {
-  const auto imported = import(arguments);
-  if (!imported) return fail(imported.error());
+  SOMATO_TRY(const auto imported, import(arguments));
   const std::string path = arguments.text("output");
-  if (auto saved = write_recording(path, imported->recording); !saved) return saved;
-  print_summary(fmt::format("{}: {}\n{}", path, summary(imported->recording), imported->remark));
+  SOMATO_TRY_VOID(write_recording(path, imported.recording));
+  print_summary(fmt::format("{}: {}\n{}", path, summary(imported.recording), imported.remark));
   return {};
 }
 
@@ -181,12 +179,12 @@ Result<void> run_import(const Arguments& arguments) {
 
 Command import_command() {
   return {"import",
-          "Make a recording of a folder of recorded files",
+          "Import a folder of recorded files as a recording",
           {{"FORMAT",
-            fmt::format("What the files are: {}; mcap takes the flags --files and --other-files",
+            fmt::format("Format of the files: {}; mcap takes the flags --files and --other-files",
                         fmt::join(formats(), ", ")),
             true, false, Role::kValue, formats},
-           {"DIR", "Folder with the files, in it or below; for csv also one file", true}},
+           {"DIR", "Folder with the files, also in subfolders; for csv also a single file", true}},
           {output_flag("-o,--output", "File for the recording", true),
            input_flag(
                "--description",

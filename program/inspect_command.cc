@@ -14,7 +14,7 @@
 namespace somato::program {
 namespace {
 
-constexpr std::size_t kMostValues = 20;  // Of a label, that are printed.
+constexpr std::size_t kMostValues = 20;  // Maximum number of printed values of a label.
 
 std::string quoted(const std::string& text) {
   return to_toml(Value(text));
@@ -43,7 +43,7 @@ Table table_of(const LabelSummary& label) {
 
 std::string times_of(const ChannelDescription& description) {
   if (description.rate > 0.0) return fmt::format("{:.6g} Hz", description.rate);
-  return description.times_known ? "with times" : "times not known";
+  return description.times_known ? "with times" : "without times";
 }
 
 std::string range_of(std::uint64_t least, std::uint64_t most) {
@@ -89,10 +89,11 @@ bool is_duration_known(const RecordingSummary& summary) {
 std::string text_of(const RecordingSummary& summary) {
   std::string text =
       fmt::format("size: {} bytes\ncompression: {}\n", summary.size, summary.compression);
-  text += fmt::format("explorations: {}{}\n", summary.explorations,
-                      summary.knows_explorations ? "" : " (the file does not tell them apart)");
+  text +=
+      fmt::format("explorations: {}{}\n", summary.explorations,
+                  summary.knows_explorations ? "" : " (the file does not separate explorations)");
   text += is_duration_known(summary) ? fmt::format("duration: {:.6g} s\n", summary.duration)
-                                     : "duration: not known\n";
+                                     : "duration: unknown\n";
   for (const LabelSummary& label : summary.labels) text += text_of(label);
   for (const ChannelSummary& channel : summary.channels) {
     text += text_of(channel, summary.explorations);
@@ -126,7 +127,7 @@ Result<void> inspect(const Arguments& arguments) {
 
 Command inspect_command() {
   return {"inspect",
-          "Tell what is in a recording, and whether it is whole",
+          "Summarize a recording and check its integrity",
           {{"FILE", "A recording (MCAP)", true}},
           {json_flag()},
           {},

@@ -4,9 +4,10 @@
 
 #include <system_error>
 
-#include "somato/files/checksum.h"
-#include "somato/files/whole_file.h"
-#include "somato/studies/part_file.h"
+#include "files/checksum.h"
+#include "files/whole_file.h"
+#include "output_folder.h"
+#include "studies/part_file.h"
 
 namespace somato::program {
 namespace {
@@ -15,12 +16,8 @@ constexpr const char* kFound = ".found";
 
 }  // namespace
 
-Result<void> KeptStudies::make_folder() const {
-  std::error_code code;
-  std::filesystem::create_directories(unfinished(), code);
-  if (!code) return {};
-  return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
-              unfinished().string(), "give --out a folder that can be written to");
+Result<void> KeptStudies::make_folders() const {
+  return make_folder(unfinished());
 }
 
 void KeptStudies::look() {
@@ -41,7 +38,7 @@ std::optional<PartResults> KeptStudies::find(const std::string& name) const {
 
 Result<void> KeptStudies::keep(const std::string& name, const PartResults& results) {
   const std::filesystem::path path = own_ / (name + kFound);
-  if (auto saved = save_whole(path.string(), part_file(results)); !saved) return saved;
+  SOMATO_TRY_VOID(save_whole(path.string(), part_file(results)));
   found_[name] = path;
   return {};
 }

@@ -10,24 +10,24 @@
 
 namespace somato::program {
 
-/// What the parts of a sweep have found, in a folder for each of them that only this one writes
-/// to: several machines may work at the same time. A file's name is a checksum of all that decides
-/// what is in it, so that it does not matter which part found it, and how many there were.
+/// The results of a sweep's parts. Each part writes only to its own folder, so that several
+/// machines can work at the same time. A file's name is a checksum of everything that determines
+/// its content, so that it does not depend on the division into parts.
 class KeptStudies {
  public:
-  /// Of the parts in `parts`, where this one is called `own`.
+  /// Reads all parts in the folder `parts` and writes to that named `own`.
   KeptStudies(const std::filesystem::path& parts, const std::string& own)
       : parts_(parts), own_(parts / own) {}
 
-  /// Makes the folder of this part, and one in it for what is unfinished. Errors: kSystem.
-  Result<void> make_folder() const;
+  /// Creates the folder of this part, and one in it for unfinished studies. Errors: kSystem.
+  Result<void> make_folders() const;
   const std::filesystem::path& own_folder() const { return own_; }
   std::filesystem::path unfinished() const { return own_ / "unfinished"; }
 
-  /// Looks what all parts have found by now.
+  /// Lists the results that all parts have saved so far.
   void look();
 
-  /// What is there under that name; nothing where it is not, or cut or damaged.
+  /// The result of that name; nothing if it is missing, truncated or damaged.
   std::optional<PartResults> find(const std::string& name) const;
 
   /// Errors: kSystem.
@@ -39,7 +39,7 @@ class KeptStudies {
   std::map<std::string, std::filesystem::path> found_;
 };
 
-/// The name of what a text describes, 16 hexadecimal digits.
+/// The name of the result that a text describes, 16 hexadecimal digits.
 std::string checksum_name(const std::string& text);
 
 }  // namespace somato::program

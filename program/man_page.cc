@@ -11,7 +11,7 @@
 namespace somato::program {
 namespace {
 
-// A text as roff shows it; a line that begins with a dot or an apostrophe would be a request.
+// A text in roff; a line that begins with a dot or an apostrophe would be a request.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -58,18 +58,17 @@ std::string section_of(const Command& command) {
 std::string man_page(const std::vector<Command>& commands) {
   std::string page = fmt::format(
       ".TH SOMATO 1 \"\" \"somato {}\" \"User Commands\"\n.SH NAME\n"
-      "somato \\- a self\\-organizing sense of touch\n.SH SYNOPSIS\n"
+      "somato \\- haptic perception with self\\-organizing maps\n.SH SYNOPSIS\n"
       ".B somato\nCOMMAND [ARGUMENTS] [FLAGS]\n.SH DESCRIPTION\n"
-      "Somato trains self\\-organizing maps on any data, explores things with simulated hands and "
-      "probes, and runs the systems of touch of Johnsson and Balkenius on what they feel or on "
-      "recordings of real bodies.\n.SH COMMANDS\n"
-      "Every command takes \\-\\-help and \\-\\-quiet. Where a file is read or written, \\- is "
+      "Somato trains self\\-organizing maps on any data, explores objects with simulated hands and "
+      "probes, and runs the haptic systems of Johnsson and Balkenius on simulated or real "
+      "recordings.\n.SH COMMANDS\n"
+      "Every command takes \\-\\-help and \\-\\-quiet. The file name \\- stands for "
       "standard input or output.\n",
       SOMATO_VERSION);
   for (const Command& command : commands) page += section_of(command);
-  page += ".SH EXIT STATUS\n" + tagged("0", "Done.") +
-          tagged("1", "The data or the machine was at fault.") + tagged("2", "Wrong usage.") +
-          tagged("3", "Done with losses, which the messages name.") +
+  page += ".SH EXIT STATUS\n" + tagged("0", "Done.") + tagged("1", "Data or system error.") +
+          tagged("2", "Usage error.") + tagged("3", "Completed with losses, which are reported.") +
           tagged("130, 143", "Interrupted.");
   page +=
       ".SH EXAMPLES\n.nf\nsomato som train data.csv \\-o my.map \\-\\-standardize\n"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "data.h"
-#include "somato/maps/fill_from_winner.h"
-#include "somato/maps/sample_range.h"
+#include "maps/fill_from_winner.h"
+#include "maps/sample_range.h"
 #include "stoppable_rows.h"
 #include "terminal.h"
 
@@ -20,7 +20,7 @@ Result<void> check_fills(const SomModel& model, MissingFill missing, const std::
     return takes;
   }
   if (missing == MissingFill::kRefuse || !model.fill_values().empty()) return {};
-  return fail(ErrorKind::kUsage, "the map does not know the means of its training data", path,
+  return fail(ErrorKind::kUsage, "the map does not contain the means of its training data", path,
               "pass --missing nearest, or train with --missing mean or --standardize");
 }
 
@@ -34,22 +34,20 @@ Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Sampl
 
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
   const std::string path = arguments.text("MAP");
-  auto model = load_som_model(path);
-  if (!model) return fail(std::move(model.error()));
-  const auto missing = read_missing(arguments);
-  if (!missing) return fail(missing.error());
-  if (auto able = check_fills(*model, *missing, path); !able) return fail(std::move(able.error()));
-  auto rows = read_rows(arguments, model->features);
+  SOMATO_TRY(auto model, load_som_model(path));
+  SOMATO_TRY(const auto missing, read_missing(arguments));
+  SOMATO_TRY_VOID(check_fills(model, missing, path));
+  auto rows = read_rows(arguments, model.features);
   if (!rows) return fail(std::move(rows.error()));
-  if (rows->size() != model->som.input_size()) {
+  if (rows->size() != model.som.input_size()) {
     return fail(ErrorKind::kData,
-                fmt::format("the rows have {} numbers, but the map takes {}", rows->size(),
-                            model->som.input_size()),
+                fmt::format("the data have {} columns, but the map requires {}", rows->size(),
+                            model.som.input_size()),
                 rows->path,
-                "give data with the columns that the map was trained on, or choose them with "
+                "use data with the columns that the map was trained on, or select them with "
                 "--columns-to-use or --skip");
   }
-  return MapAndRows{std::move(*model), std::move(*rows)};
+  return MapAndRows{std::move(model), std::move(*rows)};
 }
 
 Result<SamplePart> SamplesInRange::next() {
@@ -59,10 +57,10 @@ Result<SamplePart> SamplesInRange::next() {
     if (is_in_range((**part)[i])) continue;
     return fail(
         ErrorKind::kData,
-        fmt::format("row {} is too large for the map: as the map takes it, it has to be told "
-                    "apart from others in single precision",
-                    done_ + i + 1),
-        path_, "leave the row out, or write what stands for a missing number as one");
+        fmt::format(
+            "row {} has values too large for the map, which computes distances in single precision",
+            done_ + i + 1),
+        path_, "leave the row out, or mark missing numbers as missing");
   }
   done_ += (*part)->count();
   return part;

@@ -4,26 +4,26 @@
 #include <string>
 #include <utility>
 
+#include "core/read_ahead.h"
 #include "row_data.h"
-#include "somato/core/read_ahead.h"
 #include "somato/graph/som_model.h"
 #include "somato/maps/som_quality.h"
 
 namespace somato::program {
 
-/// A map and rows that fit each other.
+/// A map and matching rows.
 struct MapAndRows {
   SomModel model;
   RowData rows;
 };
 
-/// Reads the positionals `MAP` and `DATA`. Where both the map's features and the table's columns
-/// have names, the features are picked by name. Errors: those of the files; kData when the map
-/// takes another number of columns; kUsage when it cannot fill in missing values as they are to be.
+/// Reads the positionals `MAP` and `DATA`. If both the map's features and the table's columns
+/// have names, the features are selected by name. Errors: those of the files; kData if the map
+/// takes another number of columns; kUsage if it cannot fill missing values in the requested way.
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments);
 
-/// Samples as a map takes them, of a source that must outlive this. Errors (kData, with the row):
-/// one is too large to be told apart from others in single precision.
+/// The samples of a source, which must outlive this object, checked for the map's range. Errors
+/// (kData, with the row): a sample is too large for distances in single precision.
 class SamplesInRange final : public SampleSource {
  public:
   SamplesInRange(SampleSource& source, std::string path)
@@ -42,8 +42,8 @@ class SamplesInRange final : public SampleSource {
   std::size_t done_ = 0;  // samples
 };
 
-/// Rows as the map of a model takes them, standardized and with missing values filled in, parts of
-/// a file read ahead. Both must outlive this.
+/// Rows as inputs of a model's map, standardized and with missing values filled; parts of
+/// a file are read ahead. Both must outlive this object.
 /// Errors of the samples: those of the file, and of SamplesInRange.
 class PreparedRows {
  public:
@@ -57,8 +57,8 @@ class PreparedRows {
   ReadAhead ahead_;
 };
 
-/// Measures the model's map on the rows; winners are listed only for rows with labels. Shows a
-/// person at a terminal how far it is. Errors: those of the file; kInterrupted.
+/// Measures the model's map on the rows; winners are listed only for rows with labels. Shows
+/// progress on a terminal. Errors: those of the file; kInterrupted.
 Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads);
 
 }  // namespace somato::program

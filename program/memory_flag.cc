@@ -5,7 +5,7 @@
 #include <charconv>
 #include <utility>
 
-#include "somato/core/memory.h"
+#include "core/memory.h"
 
 namespace somato::program {
 namespace {
@@ -50,8 +50,8 @@ Result<std::size_t> read_memory(const Arguments& arguments) {
 
 Flag memory_flag() {
   return {"--memory",
-          "The most memory that rows may take, such as 500MiB; a file that needs more is read in "
-          "parts again and again. Default: half of what is free"};
+          "Maximum memory for rows, such as 500MiB; a larger file is read in parts in every pass. "
+          "Default: half of the free memory"};
 }
 
 }  // namespace somato::program

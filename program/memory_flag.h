@@ -6,7 +6,7 @@
 
 namespace somato::program {
 
-/// The bytes that the flag `--memory` allows rows to take, or half of what is free. Errors: kUsage.
+/// The flag `--memory` in bytes, or half of the free memory. Errors: kUsage.
 Result<std::size_t> read_memory(const Arguments& arguments);
 
 /// A number of bytes, with one of the units B, kB, MB, GB, KiB, MiB, GiB. Errors: kUsage.

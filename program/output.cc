@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As deep as importers look.
+// The depth to which importers search.
 constexpr int kDeepestFolder = 16;
 
 // An argument and a path that it names.
@@ -21,7 +21,7 @@ Result<void> refuse(const std::string& path, int reason, const std::string& advi
               advice);
 }
 
-// Whether two paths lead to one regular file, or to the same place where there is none yet.
+// Whether two paths name the same regular file, or the same place if it does not exist yet.
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code missing;
   if (fs::exists(a, missing)) {
@@ -30,7 +30,7 @@ bool same_file(const std::string& a, const std::string& b) {
   return fs::weakly_canonical(a, missing) == fs::weakly_canonical(b, missing);
 }
 
-// Whether `file`, which exists, is one of the files of `folder`, under whatever name.
+// Whether the existing `file` is one of the files of `folder`, under any name.
 bool is_in_folder(const std::string& file, const std::string& folder) {
   std::error_code missing;
   if (!fs::is_regular_file(file, missing) || !fs::is_directory(folder, missing)) return false;
@@ -45,7 +45,7 @@ bool is_in_folder(const std::string& file, const std::string& folder) {
   return false;
 }
 
-// Whether `file` is one of those that a command writes into `folder`, or below it.
+// Whether `file` is one of the files that a command writes into `folder`, or below it.
 bool is_written(const std::string& file, const std::string& folder,
                 const std::vector<std::string>& names) {
   std::error_code missing;
@@ -57,15 +57,15 @@ bool is_written(const std::string& file, const std::string& folder,
 }
 
 tl::unexpected<Error> would_replace(const std::string& what, const std::string& output) {
-  return fail(ErrorKind::kUsage, "the file is given twice; saving would write over " + what, output,
-              "name another file");
+  return fail(ErrorKind::kUsage, "the file is given twice; saving would overwrite " + what, output,
+              "use another file name");
 }
 
 Result<void> check_is_not(const std::string& output, const NamedPath& read) {
   if (same_file(output, read.second)) return would_replace(read.first, output);
   if (!is_in_folder(output, read.second)) return {};
-  return fail(ErrorKind::kUsage, "saving would write over a file of the folder " + read.first,
-              output, "name a file outside of it, or remove this one first");
+  return fail(ErrorKind::kUsage, "saving would overwrite a file of the folder " + read.first,
+              output, "use a file outside the folder, or remove this one first");
 }
 
 std::vector<NamedPath> inputs_of(const Command& command, const Arguments& arguments) {
@@ -91,8 +91,8 @@ Result<void> check_folder(const Flag& flag, const std::string& folder,
                           const std::vector<NamedPath>& inputs) {
   for (const NamedPath& input : inputs) {
     if (!is_written(input.second, folder, flag.writes)) continue;
-    return fail(ErrorKind::kUsage, "results are written over it, which is given as " + input.first,
-                input.second, "give --" + key_of(flag.name) + " another folder");
+    return fail(ErrorKind::kUsage, "results would overwrite it, which is given as " + input.first,
+                input.second, "use another folder for --" + key_of(flag.name));
   }
   return {};
 }
@@ -108,12 +108,12 @@ Result<void> check_output(const std::string& path) {
   if (folder.empty()) folder = ".";
   if (fs::is_directory(folder, ignored)) return {};
   return refuse(path, fs::exists(folder, ignored) ? ENOTDIR : ENOENT,
-                "make the folder first, or check the path");
+                "create the folder first, or check the path");
 }
 
 Result<void> check_not_read(const std::string& output, const std::vector<std::string>& read) {
   for (const std::string& path : read) {
-    if (auto other = check_is_not(output, NamedPath{path, path}); !other) return other;
+    SOMATO_TRY_VOID(check_is_not(output, NamedPath{path, path}));
   }
   return {};
 }
@@ -125,13 +125,13 @@ Result<void> check_outputs(const Command& command, const Arguments& arguments) {
     if (!arguments.has(key)) continue;
     const std::string path = arguments.text(key);
     if (flag.role == Role::kOutputFolder) {
-      if (auto apart = check_folder(flag, path, others); !apart) return apart;
+      SOMATO_TRY_VOID(check_folder(flag, path, others));
     }
     if (flag.role != Role::kOutput) continue;
     for (const NamedPath& other : others) {
-      if (auto apart = check_is_not(path, other); !apart) return apart;
+      SOMATO_TRY_VOID(check_is_not(path, other));
     }
-    if (auto savable = check_output(path); !savable) return savable;
+    SOMATO_TRY_VOID(check_output(path));
     others.emplace_back("--" + key, path);
   }
   return {};

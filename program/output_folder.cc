@@ -6,6 +6,14 @@
 
 namespace somato::program {
 
+Result<void> make_folder(const std::filesystem::path& path, const std::string& flag) {
+  std::error_code code;
+  std::filesystem::create_directories(path, code);
+  if (!code) return {};
+  return fail(ErrorKind::kSystem, "the folder cannot be created: " + code.message(), path.string(),
+              "use a writable folder for " + flag);
+}
+
 OutputFolder::~OutputFolder() {
   std::error_code not_empty;
   for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, not_empty);
@@ -17,13 +25,9 @@ Result<void> OutputFolder::make() {
   for (; !std::filesystem::exists(missing, code); missing = missing.parent_path()) {
     made_.push_back(missing);
   }
-  std::filesystem::create_directories(path_, code);
-  if (code) {
-    return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(), path_.string(),
-                "give " + flag_ + " a folder that can be written to");
-  }
+  SOMATO_TRY_VOID(make_folder(path_, flag_));
   for (const std::string& name : names()) {
-    if (auto free = check_output((path_ / name).string()); !free) return free;
+    SOMATO_TRY_VOID(check_output((path_ / name).string()));
   }
   return {};
 }

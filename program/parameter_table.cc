@@ -7,7 +7,7 @@
 namespace somato::program {
 namespace {
 
-// A bound that only keeps a number within its type tells a reader nothing.
+// A bound that only keeps a number within its type is not shown.
 Range range_worth_showing(Range range) {
   constexpr double kAsGoodAsNone = 1e12;
   return range.high < kAsGoodAsNone ? range

@@ -10,7 +10,7 @@ namespace somato::program {
 /// A text as the cell of a table in Markdown.
 std::string markdown_cell(const std::string& text);
 
-/// What values a parameter takes: type or choices, range and unit.
+/// The values of a parameter: type or choices, range and unit.
 std::string values_of(const ParameterInfo& info);
 
 /// Parameters as a table in Markdown: key, values, default, meaning.

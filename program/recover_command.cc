@@ -18,7 +18,7 @@ std::string text_of(const RecoveryReport& report) {
     text += fmt::format("{}: {}\n", damage.where, damage.what);
   }
   if (report.damaged_places > report.damage.size()) {
-    text += fmt::format("and {} places more\n", report.damaged_places - report.damage.size());
+    text += fmt::format("and {} more places\n", report.damaged_places - report.damage.size());
   }
   return text +
          fmt::format("saved: {}, {}\nincomplete: {}\n", counted(report.explorations, "exploration"),
@@ -36,26 +36,26 @@ Table table_of(const RecoveryReport& report) {
 }
 
 Result<void> recover(const Arguments& arguments) {
-  const Result<RecordingFileParameters> parameters = read_flags<RecordingFileParameters>(arguments);
-  if (!parameters) return fail(parameters.error());
+  SOMATO_TRY(const RecordingFileParameters parameters,
+             read_flags<RecordingFileParameters>(arguments));
   const std::string from = arguments.text("FILE");
   const Result<RecoveryReport> report =
-      recover_recording(from, arguments.text("output"), *parameters);
+      recover_recording(from, arguments.text("output"), parameters);
   if (!report) return fail(report.error());
   print_summary(arguments, text_of(*report), table_of(*report));
   if (report->lossless) return {};
-  return fail(ErrorKind::kIncomplete, "something was lost", from,
-              fmt::format("{} holds all that could be saved", arguments.text("output")));
+  return fail(ErrorKind::kIncomplete, "some data could not be recovered", from,
+              fmt::format("{} contains all readable data", arguments.text("output")));
 }
 
 }  // namespace
 
 Command recover_command() {
   return {"recover",
-          "Save what a damaged recording holds",
-          {{"FILE", "A recording (MCAP) that is cut off or damaged", true}},
-          {output_flag("-o,--output", "Where the new, whole recording goes", true),
-           {"--compression", "How chunks are packed: none, lz4 or zstd (default)"},
+          "Recover the readable part of a damaged recording",
+          {{"FILE", "Truncated or damaged recording (MCAP)", true}},
+          {output_flag("-o,--output", "File for the recovered recording", true),
+           {"--compression", "Compression of chunks: none, lz4 or zstd (default)"},
            json_flag()},
           {},
           recover};

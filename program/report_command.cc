@@ -1,20 +1,21 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "commands.h"
 #include "data.h"
+#include "files/whole_file.h"
+#include "model_files.h"
 #include "output.h"
 #include "pages.h"
+#include "report/report.h"
+#include "report/results_file.h"
 #include "report_recordings.h"
 #include "report_things.h"
-#include "somato/files/whole_file.h"
 #include "somato/graph/system_model.h"
-#include "somato/report/report.h"
 #include "terminal.h"
 #include "version.h"
 #include "wording.h"
@@ -23,7 +24,6 @@ namespace somato::program {
 namespace {
 
 namespace fs = std::filesystem;
-using Model = std::shared_ptr<const ReportModel>;
 
 constexpr std::size_t kLargestResults = std::size_t{64} << 20;  // bytes
 
@@ -41,121 +41,87 @@ Result<void> check_results(const Arguments& arguments) {
     for (std::size_t j = 0; j < i; ++j) {
       std::error_code missing;
       if (!fs::equivalent(paths[i], paths[j], missing)) continue;
-      return fail(ErrorKind::kUsage, "the file is given twice", paths[i], "name each once");
+      return fail(ErrorKind::kUsage, "the file is given twice", paths[i], "name each file once");
     }
   }
   return {};
 }
 
-Result<Model> load_model(const std::string& path) {
-  return load_system(path).map([&](SystemModel model) -> Model {
-    return std::make_shared<const ReportModel>(ReportModel{path, std::move(model)});
-  });
-}
-
-// That of 'somato run', and those of 'somato reproduce'.
-std::vector<std::string> models_beside(const std::string& results) {
-  const fs::path folder = fs::path(results).parent_path();
-  std::vector<std::string> paths;
-  std::error_code missing;
-  if (fs::exists(folder / "system.somato", missing)) {
-    paths.push_back((folder / "system.somato").string());
-  }
-  for (const auto& entry : fs::directory_iterator(folder / "systems", missing)) {
-    if (entry.path().extension() == ".somato") paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
-// Whatever lies beside the results is only used if it can be.
-void add_models_beside(const std::string& results, ReportFile& file) {
-  for (const std::string& path : models_beside(results)) {
-    auto model = load_model(path);
-    if (model) {
-      file.models.push_back(std::move(*model));
-    } else {
-      file.missing.push_back("A trained system beside results.json cannot be read (" +
-                             to_string(model.error()) + ").");
-    }
-  }
-}
-
 Result<std::vector<ReportFile>> read_files(const Arguments& arguments) {
-  Model named;
-  if (arguments.has("model")) {
-    auto model = load_model(arguments.text("model"));
-    if (!model) return fail(std::move(model.error()));
-    named = std::move(*model);
-  }
   std::vector<ReportFile> files;
   for (const std::string& path : arguments.lists.at("RESULTS")) {
-    const auto text = read_whole(path, kLargestResults);
-    if (!text) return fail(text.error());
-    auto results = parse_results(*text, path);
-    if (!results) return fail(std::move(results.error()));
-    files.push_back({std::move(*results), {}, {}});
-    if (named) files.back().models.push_back(named);
-    add_models_beside(path, files.back());
+    SOMATO_TRY(const auto text, read_whole(path, kLargestResults));
+    SOMATO_TRY(auto results, parse_results(text, path));
+    files.push_back({path, std::move(results)});
   }
   return files;
+}
+
+// The file of --model must be a trained system.
+Result<std::optional<std::string>> named_model(const Arguments& arguments) {
+  if (!arguments.has("model")) return std::optional<std::string>{};
+  const std::string path = arguments.text("model");
+  return load_system(path).map([&](const SystemModel&) { return std::optional(path); });
 }
 
 Result<ReportRecordings> recordings_for(const Arguments& arguments) {
   ReportRecordings recordings;
   if (arguments.has("data")) {
-    if (auto added = recordings.add_named(arguments.text("data")); !added) {
-      return fail(std::move(added.error()));
-    }
+    SOMATO_TRY_VOID(recordings.add_named(arguments.text("data")));
   }
   for (const std::string& path : arguments.lists.at("RESULTS")) recordings.add_beside(path);
   return recordings;
 }
 
-Result<Report> make(const Arguments& arguments) {
-  const auto threads = read_threads(arguments);
-  if (!threads) return fail(threads.error());
-  const auto files = read_files(arguments);
-  if (!files) return fail(files.error());
-  auto recordings = recordings_for(arguments);
-  if (!recordings) return fail(std::move(recordings.error()));
-  auto things = report_things();
-  if (!things) return fail(std::move(things.error()));
+Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& files) {
+  SOMATO_TRY(const auto threads, read_threads(arguments));
+  SOMATO_TRY(const auto named, named_model(arguments));
+  SOMATO_TRY(auto recordings, recordings_for(arguments));
+  SOMATO_TRY(auto things, report_things());
   const ReportSources sources{SOMATO_VERSION,
-                              [&](const std::string& hash) { return recordings->find(hash); },
+                              [&](const std::string& hash) { return recordings.find(hash); },
+                              [&](const std::string& results, const ModelFile& model) {
+                                return load_model(results, model, named);
+                              },
                               arguments.has("data") ? arguments.text("data") : "",
-                              std::move(*things),
+                              std::move(things),
                               explore_units(),
-                              *threads};
-  return make_report(*files, sources);
+                              threads};
+  return make_report(files, sources);
 }
 
-// What is found beside the results by itself.
-Result<void> check_found(const Arguments& arguments) {
-  for (const std::string& path : arguments.lists.at("RESULTS")) {
-    std::vector<std::string> found = models_beside(path);
-    for (const GivenRecordings& beside : recordings_beside(path)) {
+std::vector<std::string> models_of(const ReportFile& file) {
+  std::vector<std::string> paths;
+  for (const PartResults& part : file.results.parts) {
+    if (part.model) paths.push_back(model_path(file.path, *part.model).string());
+  }
+  return paths;
+}
+
+// Files that are found automatically in the folders of the results.
+Result<void> check_found(const Arguments& arguments, const std::vector<ReportFile>& files) {
+  for (const ReportFile& file : files) {
+    std::vector<std::string> found = models_of(file);
+    for (const GivenRecordings& beside : recordings_beside(file.path)) {
       for (std::size_t i = 0; i < beside.count(); ++i) found.push_back(beside.path(i).string());
     }
-    if (auto apart = check_not_read(arguments.text("output"), found); !apart) return apart;
+    SOMATO_TRY_VOID(check_not_read(arguments.text("output"), found));
   }
   return {};
 }
 
 Result<void> run_report(const Arguments& arguments) {
-  const auto page = find_page();
-  if (!page) return fail(page.error());
-  if (auto once = check_results(arguments); !once) return once;
-  if (auto apart = check_found(arguments); !apart) return apart;
-  const auto report = make(arguments);
-  if (!report) return fail(report.error());
-  const auto whole = report_page(*page, report->json);
-  if (!whole) return fail(whole.error());
+  SOMATO_TRY(const auto page, find_page());
+  SOMATO_TRY_VOID(check_results(arguments));
+  SOMATO_TRY(const auto files, read_files(arguments));
+  SOMATO_TRY_VOID(check_found(arguments, files));
+  SOMATO_TRY(const auto report, make(arguments, files));
+  SOMATO_TRY(const auto whole, report_page(page, report.json));
   const std::string output = arguments.text("output");
-  if (auto saved = save_whole(output, *whole); !saved) return saved;
-  std::string text = fmt::format("{}: {}, {}\n", output, counted(report->systems, "system"),
-                                 counted(report->claims, "claim"));
-  for (const std::string& sentence : report->missing) text += "  " + sentence + "\n";
+  SOMATO_TRY_VOID(save_whole(output, whole));
+  std::string text = fmt::format("{}: {}, {}\n", output, counted(report.systems, "system"),
+                                 counted(report.claims, "claim"));
+  for (const std::string& sentence : report.missing) text += "  " + sentence + "\n";
   print_summary(text);
   return {};
 }
@@ -165,17 +131,15 @@ Result<void> run_report(const Arguments& arguments) {
 Command report_command() {
   return {
       "report",
-      "Make one page of results, to look at in a browser: maps, what their neurons stand for, "
-      "what the sensors told, claims",
+      "Make one page of results for a browser: maps, the classes of their neurons, sensor readings "
+      "and claims",
       {{"RESULTS", "results.json of studies and reproductions", true, true}},
-      {output_flag("-o,--output", "The page to save, such as report.html", true),
-       input_flag(
-           "--data",
-           "Recordings that the results are of, beside those in the folders of RESULTS: a file, "
-           "a folder of files, a data set, or a folder of data sets"),
+      {output_flag("-o,--output", "File for the page, such as report.html", true),
+       input_flag("--data",
+                  "Recordings on which the results are based, in addition to those in the folders "
+                  "of RESULTS: a file, a folder of files, a data set, or a folder of data sets"),
        input_flag("--model",
-                  "A trained system, beside those in the folders of RESULTS; used for results "
-                  "with its settings"),
+                  "The trained system that RESULTS name, if it is no longer in their folder"),
        threads_flag()},
       {},
       run_report};

@@ -7,11 +7,10 @@
 namespace somato::program {
 
 Result<void> ReportRecordings::add_named(const std::string& path) {
-  auto given = GivenRecordings::at(path);
-  if (!given) return fail(std::move(given.error()));
-  given_.push_back(std::move(*given));
+  SOMATO_TRY(auto given, GivenRecordings::at(path));
+  given_.push_back(std::move(given));
   for (std::size_t i = 0; i < given_.back().count(); ++i) {
-    if (auto read = look_at({given_.size() - 1, i}); !read) return fail(std::move(read.error()));
+    SOMATO_TRY_VOID(look_at({given_.size() - 1, i}));
   }
   return {};
 }
@@ -35,7 +34,7 @@ void ReportRecordings::add_beside(const std::filesystem::path& results) {
   }
 }
 
-ReportRecording ReportRecordings::find(const std::string& hash) {
+std::shared_ptr<const Recording> ReportRecordings::find(const std::string& hash) {
   if (const auto known = known_.find(hash); known != known_.end()) return take(known->second);
   while (!unread_.empty()) {
     const Place place = unread_.front();
@@ -47,16 +46,15 @@ ReportRecording ReportRecordings::find(const std::string& hash) {
 }
 
 Result<std::string> ReportRecordings::look_at(Place place) {
-  auto kept = given_[place.given].get(place.number);
-  if (!kept) return fail(std::move(kept.error()));
-  known_.emplace((*kept)->info.data_hash, place);
-  return (*kept)->info.data_hash;
+  SOMATO_TRY(auto kept, given_[place.given].get(place.number));
+  known_.emplace(kept->info.hash, place);
+  return kept->info.hash;
 }
 
-ReportRecording ReportRecordings::take(Place place) {
+std::shared_ptr<const Recording> ReportRecordings::take(Place place) {
   const auto kept = given_[place.given].get(place.number);
   if (!kept) return {};
-  return {(*kept)->info.name, {*kept, &(*kept)->recording}};
+  return {*kept, &(*kept)->recording};
 }
 
 }  // namespace somato::program

@@ -3,33 +3,33 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "reproduction_recordings.h"
 #include "somato/core/result.h"
-#include "somato/report/report.h"
+#include "somato/recording/recording.h"
 
 namespace somato::program {
 
-/// The recordings in the folder of a results.json and in its folder `recordings`, of those that are
-/// there.
+/// The existing recordings in the folder of a results.json and in its folder `recordings`.
 std::vector<GivenRecordings> recordings_beside(const std::filesystem::path& results);
 
-/// Recordings that results may be of, found by their content.
+/// Recordings for results, identified by their content.
 class ReportRecordings {
  public:
-  /// Adds a recording, a folder of them, or data sets that somebody named. They are looked at
+  /// Adds a recording, a folder of recordings, or data sets named by the user, which are searched
   /// first. Errors: those of GivenRecordings::at() and of reading them.
   Result<void> add_named(const std::string& path);
 
-  /// Adds recordings_beside(): what cannot be read is passed over, and nothing is read before it is
-  /// asked for.
+  /// Adds recordings_beside(): unreadable ones are skipped, and each is only read when it is
+  /// needed.
   void add_beside(const std::filesystem::path& results);
 
-  /// The one with that content_hash().
-  ReportRecording find(const std::string& hash);
+  /// The recording with that content_hash(), or nullptr.
+  std::shared_ptr<const Recording> find(const std::string& hash);
 
  private:
   struct Place {
@@ -38,7 +38,7 @@ class ReportRecordings {
   };
 
   Result<std::string> look_at(Place place);
-  ReportRecording take(Place place);
+  std::shared_ptr<const Recording> take(Place place);
 
   std::vector<GivenRecordings> given_;
   std::vector<Place> unread_;

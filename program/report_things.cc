@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "bodies/material_colour.h"
 #include "explore_table.h"
-#include "somato/bodies/material_colour.h"
-#include "somato/simulation/explorer.h"
+#include "somato/simulation/simulated_explorer.h"
 
 namespace somato::program {
 namespace {
@@ -40,14 +40,12 @@ void append(const ObjectTable& table, std::vector<ReportThing>& things) {
 Result<std::vector<ReportThing>> report_things() {
   std::vector<ReportThing> things;
   for (const auto& [body, name] : Choices<ExploringBody>::all()) {
-    auto table = default_things(body);
-    if (!table) return fail(std::move(table.error()));
-    append(*table, things);
+    SOMATO_TRY(auto table, default_things(body));
+    append(table, things);
   }
   for (const char* name : {"lucs3_new", "lucs3_sides"}) {
-    auto table = own_object_table(name, declared_materials());
-    if (!table) return fail(std::move(table.error()));
-    append(*table, things);
+    SOMATO_TRY(auto table, own_object_table(name, declared_materials()));
+    append(table, things);
   }
   for (const Material& material : declared_materials()) things.push_back(thing_of(material));
   return things;

@@ -9,19 +9,18 @@
 
 #include "commands.h"
 #include "data.h"
+#include "files/toml_file.h"
+#include "files/whole_file.h"
 #include "folder_lock.h"
+#include "model_files.h"
 #include "output.h"
-#include "part_runner.h"
-#include "reproduction_recordings.h"
+#include "output_folder.h"
+#include "part_recordings.h"
 #include "reproduction_table.h"
 #include "result_output.h"
-#include "somato/files/toml_file.h"
-#include "somato/files/whole_file.h"
-#include "somato/graph/system_model.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
-#include "somato/studies/reproduction_plan.h"
-#include "somato/studies/study.h"
+#include "studies/reproduction_run.h"
 #include "study_data.h"
 #include "terminal.h"
 #include "winners_picture.h"
@@ -32,18 +31,17 @@ namespace {
 constexpr const char* kAll = "all";
 constexpr const char* kQuestions = "questions";
 
-// What was asked for on the command line.
+// The request from the command line.
 struct ReproductionRequest {
   ReproductionPlan plan;
-  bool everything = false;  ///< Systems that do not apply to what is given are passed over.
+  bool everything = false;  ///< Systems that do not fit the given recordings are skipped.
   PairsRequest pairs;
   std::filesystem::path out;
 };
 
 Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
   if (name.ends_with(".toml")) {
-    return read_file_or_own(name).map(
-        [&](Table content) { return NamedFile{name, std::move(content)}; });
+    return read_file_or_own(name);
   }
   std::vector<std::string> known{kAll, kQuestions};
   for (const auto* files : {&own.systems, &own.recorded, &own.questions, &own.studies}) {
@@ -59,7 +57,7 @@ void append(const std::vector<NamedFile>& more, std::vector<NamedFile>& files) {
   files.insert(files.end(), more.begin(), more.end());
 }
 
-// With data, all are the systems for data sets, too: these explore nothing.
+// With data, "all" also includes the systems for data sets, which do not explore.
 Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names,
                                            const OwnSystems& own, ReproductionRequest& request) {
   std::vector<NamedFile> files;
@@ -71,28 +69,21 @@ Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names
     } else if (name == kQuestions) {
       append(own.questions, files);
     } else {
-      auto file = find_file(name, own);
-      if (!file) return fail(std::move(file.error()));
-      files.push_back(std::move(*file));
+      SOMATO_TRY(auto file, find_file(name, own));
+      files.push_back(std::move(file));
     }
   }
   return files;
 }
 
-std::string title_of(const ReproductionPart& part) {
-  std::string title = part.question.empty() ? part.system : part.question + ": " + part.system;
-  if (!part.variation.empty()) title += ", " + part.variation;
-  return title;
-}
-
-// Claims and what is kept of an interrupted run go by names. A system for data sets may be called
-// like the one that explores: it is run on other recordings.
+// Claims and journals of interrupted runs are identified by names. A system for data sets may have
+// the same name as one that explores, because it is run on other recordings.
 Result<void> check_names(const ReproductionPlan& plan) {
   std::set<std::pair<std::string, RecordingFormat>> names;
   for (const ReproductionPart& part : plan.parts) {
     if (names.emplace(title_of(part), part.description.recording.format).second) continue;
-    return fail(ErrorKind::kUsage, "'" + title_of(part) + "' is asked for twice",
-                part.description.where, "ask for it once, or give one another name");
+    return fail(ErrorKind::kUsage, "'" + title_of(part) + "' is requested twice",
+                part.description.where, "request it once, or rename one of them");
   }
   return {};
 }
@@ -106,24 +97,21 @@ Result<void> check_exploring(const ReproductionRequest& request) {
 }
 
 Result<void> read_plan(const Arguments& arguments, ReproductionRequest& request) {
-  const auto own = own_systems();
-  if (!own) return fail(own.error());
+  SOMATO_TRY(const auto own, own_systems());
   const auto found = arguments.lists.find("SYSTEM");
   const auto names =
       found == arguments.lists.end() ? std::vector<std::string>{kAll} : found->second;
-  const auto files = asked_files(names, *own, request);
-  if (!files) return fail(files.error());
-  for (const NamedFile& file : *files) {
-    if (auto added = add_to_plan(file, own->systems, request.plan); !added) return added;
+  SOMATO_TRY(const auto files, asked_files(names, own, request));
+  for (const NamedFile& file : files) {
+    SOMATO_TRY_VOID(add_to_plan(file, own.systems, request.plan));
   }
   return check_names(request.plan).and_then([&] { return check_exploring(request); });
 }
 
 Result<void> read_numbers(const Arguments& arguments, ReproductionRequest& request) {
   const auto read = [&](const std::string& flag, std::size_t least, auto& value) -> Result<void> {
-    auto number = arguments.number(flag, least);
-    if (!number) return fail(std::move(number.error()));
-    if (*number) value = **number;
+    SOMATO_TRY(auto number, arguments.number(flag, least));
+    if (number) value = *number;
     return {};
   };
   return read("pairs", 1, request.pairs.pairs)
@@ -148,109 +136,61 @@ std::string file_name_of(const ReproductionPart& part) {
   return name;
 }
 
-// Runs the parts of a request one after the other and keeps what they find.
-class Reproduction {
- public:
-  Reproduction(ReproductionRequest& request)
-      : request_(request), runner_(request.pairs, request.out / "recordings") {}
+// The first map of an unchanged system, and its trained system.
+Result<void> save_first(const std::filesystem::path& out, const ReproductionPart& part,
+                        const StudyDescription& description, const StudyOutcome& outcome,
+                        PartResults& results) {
+  if (!part.question.empty()) return {};
+  const auto map = out / "maps" / (file_name_of(part) + ".svg");
+  auto saved = save_whole(map.string(), winners_picture(description, outcome));
+  if (!saved) return saved;
+  return save_model(out, "systems/" + file_name_of(part) + ".somato", outcome, results);
+}
 
-  Result<void> run() {
-    results_.seed = request_.pairs.seed;
-    results_.pairs = request_.pairs.pairs;
-    for (std::size_t i = 0; i < request_.plan.parts.size(); ++i) {
-      place_ = fmt::format(" ({} of {})", i + 1, request_.plan.parts.size());
-      auto ran = run_part(request_.plan.parts[i]);
-      if (!ran) return ran;
-    }
-    results_.claims = judge(request_.plan.claims, results_.parts);
-    return {};
-  }
+PartEvents events_of(const ReproductionRequest& request, std::size_t number) {
+  const ReproductionPart& part = request.plan.parts[number];
+  const std::string title =
+      fmt::format("{} ({} of {})", title_of(part), number + 1, request.plan.parts.size());
+  return {[title](std::size_t, std::size_t) { return terminal_progress(title); },
+          [&](std::size_t recording) {
+            const auto name = fmt::format("{}-{}.journal", file_name_of(part), recording);
+            return (request.out / "unfinished" / name).string();
+          },
+          [&](std::size_t index, const StudyDescription& description, const StudyOutcome& outcome,
+              PartResults& results) {
+            return index == 0 ? save_first(request.out, part, description, outcome, results)
+                              : Result<void>();
+          }};
+}
 
-  const ReproductionResults& results() const { return results_; }
-
- private:
-  std::filesystem::path journal(const ReproductionPart& part, std::size_t recording) const {
-    return request_.out / "unfinished" /
-           fmt::format("{}-{}.journal", file_name_of(part), recording);
-  }
-
-  PartEvents events_of(const ReproductionPart& part) {
-    return {[this, &part](std::size_t, std::size_t) {
-              return terminal_progress(title_of(part) + place_);
-            },
-            [this, &part](std::size_t recording) { return journal(part, recording); },
-            [this, &part](std::size_t index, const PairedRecording& recording,
-                          const StudyDescription& description, const StudyOutcome& outcome) {
-              remember(recording.info);
-              return draw(part, index, description, outcome);
-            }};
-  }
-
-  Result<void> run_part(const ReproductionPart& part) {
-    auto ran = runner_.run(part, events_of(part));
-    if (!ran) return fail(std::move(ran.error()));
-    if (ran->misfit) return pass_over(part, std::move(*ran->misfit));
-    results_.parts.push_back(std::move(ran->results));
-    return {};
-  }
-
-  // The first map of a system as it stands, and the trained system behind it.
-  Result<void> draw(const ReproductionPart& part, std::size_t index,
-                    const StudyDescription& description, const StudyOutcome& outcome) const {
-    if (index > 0 || !part.question.empty()) return {};
-    const auto path = request_.out / "maps" / (file_name_of(part) + ".svg");
-    if (auto saved = save_whole(path.string(), winners_picture(description, outcome)); !saved) {
-      return saved;
-    }
-    const auto system = request_.out / "systems" / (file_name_of(part) + ".somato");
-    return save_system(system.string(), outcome.model.system, outcome.model.answer);
-  }
-
-  void remember(const RecordingInfo& info) {
-    const auto known = std::any_of(results_.recordings.begin(), results_.recordings.end(),
-                                   [&](const RecordingInfo& one) { return one.name == info.name; });
-    if (!known) results_.recordings.push_back(info);
-  }
-
-  Result<void> pass_over(const ReproductionPart& part, Error error) {
-    if (!request_.everything) return fail(std::move(error));
-    results_.not_applicable.push_back({title_of(part), to_string(error)});
-    return {};
-  }
-
-  ReproductionRequest& request_;
-  PartRunner runner_;
-  ReproductionResults results_;
-  std::string place_;
-};
+Result<Results> run_request(ReproductionRequest& request) {
+  PartRecordings recordings(request.pairs, request.out / "recordings");
+  PartRunner runner(request.pairs, recordings);
+  return run_reproduction(request.plan, runner, request.everything,
+                          [&](std::size_t number) { return events_of(request, number); });
+}
 
 Result<void> make_folders(const std::filesystem::path& out) {
   for (const char* folder : {"recordings", "maps", "systems", "unfinished"}) {
-    std::error_code code;
-    std::filesystem::create_directories(out / folder, code);
-    if (!code) continue;
-    return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
-                (out / folder).string(), "give --out a folder that can be written to");
+    SOMATO_TRY_VOID(make_folder(out / folder));
   }
   return check_output((out / "results.json").string());
 }
 
 Result<void> run_reproduce(const Arguments& arguments) {
-  auto request = read_reproduction_request(arguments);
-  if (!request) return fail(std::move(request.error()));
-  if (auto made = make_folders(request->out); !made) return made;
-  const auto lock = FolderLock::take(request->out);
-  if (!lock) return fail(lock.error());
-  Reproduction reproduction(*request);
-  if (auto ran = reproduction.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
-  const std::string path = (request->out / "results.json").string();
-  if (auto saved = save_whole(path, to_json(reproduction.results())); !saved) return saved;
+  SOMATO_TRY(auto request, read_reproduction_request(arguments));
+  SOMATO_TRY_VOID(make_folders(request.out));
+  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::take(request.out));
+  const auto results = run_request(request);
+  if (!results) return fail(how_to_go_on(results.error()));
+  const std::string path = (request.out / "results.json").string();
+  const std::string json = to_json(*results);
+  SOMATO_TRY_VOID(save_whole(path, json));
   std::error_code gone;
-  std::filesystem::remove_all(request->out / "unfinished", gone);
+  std::filesystem::remove_all(request.out / "unfinished", gone);
   const std::string written =
-      fmt::format("\nWritten: {}, maps in {}\n", path, (request->out / "maps").string());
-  print_summary(arguments, reproduction_table(reproduction.results()) + written,
-                to_json(reproduction.results()));
+      fmt::format("\nWritten: {}, maps in {}\n", path, (request.out / "maps").string());
+  print_summary(arguments, reproduction_table(*results) + written, json);
   return {};
 }
 
@@ -259,21 +199,19 @@ Result<void> run_reproduce(const Arguments& arguments) {
 Command reproduce_command() {
   return {
       "reproduce",
-      "Run the papers' systems on recordings of simulated bodies, beside what was published",
+      "Run the papers' systems on recordings of simulated bodies, and compare the results with the "
+      "published ones",
       {{"SYSTEM",
-        "Systems and questions by name, or TOML files; all, or none named: the nine systems, with "
-        "--data also those for data sets; questions: all questions about them",
+        "Systems and questions by name, or TOML files; 'all' selects the nine systems, with --data "
+        "also those for data sets, and 'questions' all questions about them. Default: all",
         false, true, Role::kInput, own_file_names}},
-      {{"--pairs", "Pairs of recording and seed for each system; 100 unless given"},
-       {"--recordings", "Independent recordings they are spread over; 6 unless given"},
-       {"--seed", "First seed of exploring and of training; 2011 unless given"},
-       input_flag(
-           "--data",
-           "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
-           "of data sets"),
-       input_flag("--test-data", "A separate recording to test on"),
+      {{"--pairs", "Pairs of recording and seed for each system. Default: 100"},
+       {"--recordings", "Number of independent recordings among the pairs. Default: 6"},
+       {"--seed", "First seed of exploration and training. Default: 2011"},
+       given_recordings_flag(),
+       test_recording_flag(),
        folder_flag("-o,--out",
-                   "Folder for results.json, maps and recordings; out/reproduction unless given",
+                   "Folder for results.json, maps and recordings. Default: out/reproduction",
                    {"results.json"}),
        threads_flag(),
        json_flag()},

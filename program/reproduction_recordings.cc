@@ -6,13 +6,13 @@
 #include <system_error>
 #include <utility>
 
+#include "files/checksum.h"
+#include "files/whole_file.h"
 #include "folder_lock.h"
+#include "recording/content_hash.h"
 #include "somato/bodies/exploring.h"
-#include "somato/files/checksum.h"
-#include "somato/files/whole_file.h"
-#include "somato/recording/content_hash.h"
 #include "somato/recording/recording_file.h"
-#include "somato/simulation/engine.h"
+#include "somato/simulation/simulated_explorer.h"
 #include "study_data.h"
 #include "terminal.h"
 #include "version.h"
@@ -34,34 +34,32 @@ Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
 
 Result<void> explore_into(const std::string& path, const Explorer& explorer,
                           const ExploringPlan& plan, const std::string& name) {
-  auto file = RecordingFile::begin(path);
-  if (!file) return fail(std::move(file.error()));
-  const ExploreOptions options{{.goes_on = [] { return !stop_requested(); }}};
+  SOMATO_TRY(auto file, RecordingFile::begin(path));
+  const ExploreOptions options{{.should_continue = [] { return !stop_requested(); }}};
   const auto explored = explore_all(
       plan,
       [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial, options); },
-      [&](Exploration&& exploration) { return file->add(std::move(exploration)); },
+      [&](Exploration&& exploration) { return file.add(std::move(exploration)); },
       terminal_progress("exploring " + name));
   if (!explored) {
     Error error = explored.error();
     if (error.kind == ErrorKind::kInterrupted) {
-      error.advice = "what is done is kept; the same command goes on from there and explores " +
-                     name + " anew";
+      error.advice =
+          "completed recordings are kept; the same command resumes and explores " + name + " again";
     }
     return fail(std::move(error));
   }
   if (!explored->failures.empty()) return fail(explored->failures.front().error);
-  return file->finish();
+  return file.finish();
 }
 
-// Other things under the same path must not find these, nor another engine or version, which may
-// move them otherwise. Errors: kSystem.
+// The name depends on the objects, the engine and the version, so that other explorations do not
+// use these recordings. Errors: kSystem.
 Result<std::string> file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
   std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
   if (table.explore.objects.ends_with(".toml")) {
-    const auto objects = read_whole(table.explore.objects);
-    if (!objects) return fail(objects.error());
-    what += *objects;
+    SOMATO_TRY(const auto objects, read_whole(table.explore.objects));
+    what += objects;
   }
   return fmt::format("{}{}-{:08x}-{}.mcap", choice_name(table.explore.body),
                      new_objects ? "-new" : "", crc32c(what), seed);
@@ -71,10 +69,16 @@ PairedRecording paired(std::string name, std::string source, std::uint64_t seed,
                        Recording recording) {
   RecordingInfo info{std::move(name), std::move(source), seed, content_hash(recording),
                      recording.explorations.size()};
-  return {std::move(info), std::move(recording), {}};
+  return {std::move(info), std::move(recording)};
 }
 
-// Of the frames, which are nearly all of it.
+// The last part of a path, with or without a final slash.
+std::string last_part(const std::filesystem::path& path) {
+  const auto whole = std::filesystem::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+// The memory of the frames, which is nearly all memory.
 std::size_t bytes_of(const Recording& recording) {
   std::size_t bytes = 0;
   for (const Exploration& exploration : recording.explorations) {
@@ -83,12 +87,6 @@ std::size_t bytes_of(const Recording& recording) {
     }
   }
   return bytes;
-}
-
-// The last part of a path, whether it ends with a slash or not.
-std::string last_part(const std::filesystem::path& path) {
-  const auto whole = std::filesystem::absolute(path).lexically_normal();
-  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
 std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& folder) {
@@ -102,6 +100,12 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 }
 
 }  // namespace
+
+Result<PairedRecording> read_given(RecordingFormat format, const std::string& path) {
+  return read_study_data(format, path).map([&](Recording recording) {
+    return paired(last_part(path), "given", 0, std::move(recording));
+  });
+}
 
 KeptRecordings::Kept KeptRecordings::find(const std::string& key) const {
   const auto found = kept_.find(key);
@@ -121,30 +125,29 @@ KeptRecordings::Kept KeptRecordings::keep(const std::string& key, PairedRecordin
 Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_objects,
                                          std::uint64_t seed, const std::string& name) const {
   const std::string path = (folder_ / name).string();
-  const auto alone = FolderLock::wait(folder_);
-  if (!alone) return fail(alone.error());
+  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(folder_));
   std::error_code missing;
   if (std::filesystem::exists(path, missing)) return {};
   auto things = things_for(table, new_objects);
   if (!things) return fail(std::move(things.error()));
-  const auto explorer = Explorer::build(table.explore.body, *things, table.exploring, seed);
-  if (!explorer) return fail(explorer.error());
+  SOMATO_TRY(const auto explorer,
+             simulated_explorer(table.explore.body, *things, table.exploring, seed));
   const std::size_t each = new_objects ? 1 : table.explore.explorations;
   return explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
 }
 
-Result<Recording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
-                                               std::uint64_t seed, std::string& name) const {
-  const auto named = file_name(table, new_objects, seed);
-  if (!named) return fail(named.error());
-  name = *named;
+Result<PairedRecording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
+                                                     std::uint64_t seed) const {
+  SOMATO_TRY(const auto name, file_name(table, new_objects, seed));
   const std::string path = (folder_ / name).string();
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
-    auto done = explore(table, new_objects, seed, name);
-    if (!done) return fail(std::move(done.error()));
+    SOMATO_TRY_VOID(explore(table, new_objects, seed, name));
   }
-  return read_recording(path);
+  return read_recording(path).map([&](Recording recording) {
+    const std::string source = recording.explorations.front().source;
+    return paired(name, source, seed, std::move(recording));
+  });
 }
 
 Result<std::string> ExploredRecordings::identity(const ExploreTable& table,
@@ -164,17 +167,12 @@ Result<KeptRecordings::Kept> ExploredRecordings::get(const ExploreTable& table, 
 
 Result<PairedRecording> ExploredRecordings::read(const ExploreTable& table,
                                                  std::uint64_t seed) const {
-  std::string name;
-  auto recording = explored(table, false, seed, name);
-  if (!recording) return fail(std::move(recording.error()));
-  const std::string source = recording->explorations.front().source;
-  PairedRecording pair = paired(name, source, seed, std::move(*recording));
-  if (!table.explore.new_objects) return pair;
-  std::string name_of_new;
-  auto test = explored(table, true, seed, name_of_new);
-  if (!test) return fail(std::move(test.error()));
-  pair.test = std::move(*test);
-  return pair;
+  auto recording = explored(table, false, seed);
+  if (!recording || !table.explore.new_objects) return recording;
+  auto test = explored(table, true, seed);
+  if (!test) return test;
+  recording->test = std::make_shared<const PairedRecording>(std::move(*test));
+  return recording;
 }
 
 Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
@@ -182,10 +180,11 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
     return fail(ErrorKind::kSystem, "there is no such file or folder", path.string(),
-                "give --data a recording, a folder of recordings, or data sets");
+                "use --data with a recording, a folder of recordings, or data sets");
   }
   given.add(path);
-  // A folder of data sets of one kind looks like one of them, but cannot be read as such.
+  // A folder of data sets of one kind has the same structure as one of them, but cannot be read as
+  // such.
   const bool whole = std::filesystem::is_regular_file(path) ||
                      (!given.places_.empty() && load_recording(given.places_[0].format, path));
   GivenRecordings within;
@@ -194,8 +193,15 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
   }
   if (!within.places_.empty()) return within;
   if (!given.places_.empty()) return given;
-  return fail(ErrorKind::kData, "there are no recordings and no known data sets", path.string(),
-              "'somato inspect' tells what a file is; 'somato import' makes recordings of others");
+  return fail(
+      ErrorKind::kData, "no recordings or known data sets were found", path.string(),
+      "'somato inspect' identifies a file; 'somato import' converts other files to recordings");
+}
+
+GivenRecordings GivenRecordings::one(const std::filesystem::path& path, RecordingFormat format) {
+  GivenRecordings given;
+  given.places_.push_back({path, format});
+  return given;
 }
 
 GivenRecordings GivenRecordings::files_in(const std::filesystem::path& folder) {
@@ -226,8 +232,8 @@ Result<KeptRecordings::Kept> GivenRecordings::get(std::size_t number) {
   const std::string key = std::to_string(number);
   if (auto kept = kept_.find(key)) return kept;
   const Place& place = places_[number];
-  return read_study_data(place.format, place.path.string()).map([&](Recording recording) {
-    return kept_.keep(key, paired(last_part(place.path), "given", 0, std::move(recording)));
+  return read_given(place.format, place.path.string()).map([&](PairedRecording recording) {
+    return kept_.keep(key, std::move(recording));
   });
 }
 

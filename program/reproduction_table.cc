@@ -9,14 +9,14 @@
 namespace somato::program {
 namespace {
 
-std::string cell(const SystemResults& results, const std::string& name) {
+std::string cell(const ProtocolResults& results, const std::string& name) {
   const Metric* metric = results.find_metric(name);
   if (!metric) return "-";
   return fmt::format("{:.3f} +- {:.3f}", metric->mean(), metric->standard_deviation());
 }
 
 // Of the system's own label, or where that cannot be named, of the first that can.
-std::string label_prefix(const SystemResults& results) {
+std::string label_prefix(const ProtocolResults& results) {
   for (const Metric& metric : results.metrics) {
     const std::string accuracy = "accuracy";
     if (metric.name == accuracy) return "";
@@ -31,7 +31,7 @@ std::string named(const PartResults& part) {
   return part.variation.empty() ? part.system : part.system + ", " + part.variation;
 }
 
-std::string line_of(const PartResults& part, const SystemResults& results) {
+std::string line_of(const PartResults& part, const ProtocolResults& results) {
   const std::string prefix = label_prefix(results);
   const std::string label = prefix.empty() ? results.label : prefix.substr(0, prefix.size() - 1);
   const std::string protocol =
@@ -67,7 +67,8 @@ std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
   }
   if (text.empty()) return text;
   return fmt::format(
-      "\n{}: the verdict, in how many of the pairs each holds, as published, as measured\n{}",
+      "\n{}: verdict, share of pairs in which each claim holds, published value, measured "
+      "value\n{}",
       title, text);
 }
 
@@ -86,7 +87,7 @@ std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
 
 }  // namespace
 
-std::string reproduction_table(const ReproductionResults& results) {
+std::string reproduction_table(const Results& results) {
   std::string text;
   std::string question = "-";
   for (const PartResults& part : results.parts) {
@@ -96,7 +97,7 @@ std::string reproduction_table(const ReproductionResults& results) {
       text += fmt::format("  {:<36} {:<24} {:<10} {:<16} {:<16}\n", "system", "protocol", "label",
                           "accuracy", "nearest neighbour");
     }
-    for (const SystemResults& protocol : part.protocols) text += line_of(part, protocol);
+    for (const ProtocolResults& protocol : part.protocols) text += line_of(part, protocol);
   }
   text += claims_text(results.claims, true, "Claims of papers");
   text += verdicts_text(results.claims);

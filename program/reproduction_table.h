@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "somato/studies/reproduction.h"
+#include "somato/studies/results.h"
 
 namespace somato::program {
 
-/// The main figures, a line for each system, variation and protocol; then the claims.
-std::string reproduction_table(const ReproductionResults& results);
+/// The main measures, one line per system, variation and protocol; then the claims.
+std::string reproduction_table(const Results& results);
 
 }  // namespace somato::program

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "somato/files/json_table.h"
+#include "files/json_table.h"
 #include "terminal.h"
 
 namespace somato::program {

@@ -10,7 +10,7 @@
 
 namespace somato::program {
 
-/// The flag `--json` of commands that print what they have found.
+/// The flag `--json` of commands that print results.
 Flag json_flag();
 
 /// An entry of a result: a name with a figure, a text, texts, numbers or tables.
@@ -22,7 +22,7 @@ Table::Entry entry(std::string name, const std::vector<std::string>& texts);
 Table::Entry entry(std::string name, const std::vector<std::size_t>& numbers);
 Table::Entry entry(std::string name, std::vector<Table> tables);
 
-/// An entry with a table for each of `items`, which `make` makes.
+/// An entry with a table for each of `items`, created by `make`.
 template <typename Item, typename Make>
 Table::Entry entry(std::string name, const std::vector<Item>& items, const Make& make) {
   std::vector<Table> tables;
@@ -31,14 +31,14 @@ Table::Entry entry(std::string name, const std::vector<Item>& items, const Make&
   return entry(std::move(name), std::move(tables));
 }
 
-/// The figures and texts of a table, a line each: "samples 12". Figures have six digits.
+/// The numbers and texts of a table, one per line: "samples 12". Numbers have six digits.
 std::string lines_of(const Table& table);
 
-/// Prints what a command was asked for on standard output: `text`, or with --json `json`.
+/// Prints the result of a command on standard output: `text`, or with --json `json`.
 void print_result(const Arguments& arguments, const std::string& text, const std::string& json);
 void print_result(const Arguments& arguments, const std::string& text, const Table& table);
 
-/// The same of a command whose results lie in files: --quiet leaves the text out.
+/// The same for a command whose results are saved in files: --quiet suppresses the text.
 void print_summary(const Arguments& arguments, const std::string& text, const std::string& json);
 void print_summary(const Arguments& arguments, const std::string& text, const Table& table);
 

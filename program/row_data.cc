@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "data.h"
+#include "files/whole_file.h"
+#include "maps/initial_weights.h"
 #include "memory_flag.h"
 #include "somato/core/matrix.h"
-#include "somato/files/whole_file.h"
-#include "somato/maps/initial_weights.h"
 #include "stoppable_rows.h"
 #include "terminal.h"
 
@@ -22,10 +22,10 @@ namespace {
 // Large enough for every thread to be busy, small enough to stop soon.
 constexpr std::size_t kLargestPart = std::size_t{8} << 20;
 
-// Of what rows may take: one part in use, one coming, and what is made of them.
+// Shares of the memory for rows: one part in use, one being read, and their derived data.
 constexpr std::size_t kPartsInMemory = 8;
 
-// Numbers classes in the order in which their names come by.
+// Numbers classes in the order in which their names appear.
 class ClassesByName {
  public:
   void take(const std::vector<std::string>& names) {
@@ -50,7 +50,7 @@ bool is_regular_file(const std::string& path) {
 
 }  // namespace
 
-// Reads all rows once, so that what is wrong with them is reported before any work begins.
+// Reads all rows once, so that errors are reported before any work begins.
 class RowReader {
  public:
   explicit RowReader(const Arguments& arguments) : arguments_(arguments) {}
@@ -67,24 +67,21 @@ class RowReader {
   }
 
  private:
-  // What is no regular file cannot be read in parts, and has no size before it has been read.
+  // A file that is not regular cannot be read in parts, and its size is unknown in advance.
   Result<void> open(const std::vector<std::string>& features) {
-    const auto memory = read_memory(arguments_);
-    if (!memory) return fail(memory.error());
-    auto options = read_table_options(arguments_);
-    if (!options) return fail(std::move(options.error()));
-    options->columns.features = features;
+    SOMATO_TRY(const auto memory, read_memory(arguments_));
+    SOMATO_TRY(auto options, read_table_options(arguments_));
+    options.columns.features = features;
     rows_.path = arguments_.text("DATA");
     is_file_ = is_regular_file(rows_.path);
-    auto source =
-        is_file_
-            ? open_numbers(rows_.path, *options, std::min(kLargestPart, *memory / kPartsInMemory))
-            : read_whole(rows_.path, *memory).and_then([&](const std::string& bytes) {
-                return numbers_in(bytes, rows_.path, *options);
-              });
+    auto source = is_file_ ? open_numbers(rows_.path, options,
+                                          std::min(kLargestPart, memory / kPartsInMemory))
+                           : read_whole(rows_.path, memory).and_then([&](const std::string& bytes) {
+                               return numbers_in(bytes, rows_.path, options);
+                             });
     if (!source) return fail(std::move(source.error()));
     rows_.file_ = std::move(*source);
-    is_kept_ = rows_.file_->memory_of_all() <= static_cast<double>(*memory);
+    is_kept_ = rows_.file_->memory_of_all() <= static_cast<double>(memory);
     rows_.columns = rows_.file_->columns();
     rows_.features = rows_.columns.feature_names();
     return read_missing(arguments_).map([&](MissingFill missing) { rows_.missing = missing; });
@@ -95,10 +92,9 @@ class RowReader {
     const Progress progress = is_file_ ? terminal_progress("reading") : Progress();
     NumberSource& file = *rows_.file_;
     for (;;) {
-      const auto part = file.next_part();
-      if (!part) return fail(part.error());
-      if (!*part) break;
-      if (auto taken = take(**part); !taken) return taken;
+      SOMATO_TRY(const auto part, file.next_part());
+      if (!part) break;
+      SOMATO_TRY_VOID(take(*part));
       const auto done = static_cast<std::uint64_t>(file.share_read() * (kSteps - 1));
       if (progress && !progress(done, kSteps)) return reading_stopped();
     }
@@ -120,7 +116,7 @@ class RowReader {
     return taken;
   }
 
-  // The first part tells about how many numbers there are.
+  // The number of rows is estimated from the first part.
   void keep(const Samples& samples) {
     if (values_.empty()) {
       const auto numbers = static_cast<double>(samples.count() * samples.size());
@@ -133,9 +129,8 @@ class RowReader {
   }
 
   Result<void> add_labels_of_file() {
-    const auto labels = read_labels_of(arguments_, rows_.count);
-    if (!labels) return fail(labels.error());
-    if (!labels->empty()) rows_.classes = Classes::from_names(*labels);
+    SOMATO_TRY(const auto labels, read_labels_of(arguments_, rows_.count));
+    if (!labels.empty()) rows_.classes = Classes::from_names(labels);
     return {};
   }
 
@@ -180,9 +175,8 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
   }
   if (!all_) {
     return fail(ErrorKind::kSystem,
-                "the nearest row is looked for among all rows, and these take more memory than "
-                "they may",
-                path, "use --missing mean, or allow them more with --memory");
+                "--missing nearest needs all rows in memory, and they exceed the memory for rows",
+                path, "use --missing mean, or a larger --memory");
   }
   auto filled = filled_from_nearest(*all_, scale, terminal_progress("filling"));
   if (!filled) {
@@ -204,7 +198,7 @@ Result<void> refuse_constant_columns(const RowData& rows, const std::string& pat
     return fail(ErrorKind::kData,
                 fmt::format("column {}{} has the same value in every row",
                             rows.columns.features[i] + 1, name),
-                path, "leave the column out with --skip, or pass --keep-constant-columns");
+                path, "leave the column out with --skip, or use --keep-constant-columns");
   }
   return {};
 }

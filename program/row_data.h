@@ -5,41 +5,40 @@
 #include <string>
 #include <vector>
 
+#include "codes/missing_values.h"
 #include "command_line.h"
-#include "somato/codes/missing_values.h"
-#include "somato/core/sample_source.h"
+#include "files/number_source.h"
 #include "somato/core/samples.h"
-#include "somato/files/number_source.h"
 #include "somato/maps/labels.h"
 
 namespace somato::program {
 
-/// Rows of numbers from a file, with a label a row if the command line names any: in memory, or
-/// read in parts whenever they are gone through. All have been seen once and are sound.
+/// Rows of numbers from a file, with a label per row if the command line names labels: in memory,
+/// or read in parts in every pass. All rows have been validated.
 class RowData {
  public:
-  TableColumns columns;                        ///< What the columns of the file are for.
-  std::vector<std::string> features;           ///< Names of those that are features, or empty.
+  TableColumns columns;                        ///< The roles of the file's columns.
+  std::vector<std::string> features;           ///< Names of the feature columns, or empty.
   Classes classes;                             ///< Of the rows; empty without labels.
   std::string path;                            ///< Of the file.
   std::size_t count = 0;                       ///< Rows.
-  std::vector<float> low;                      ///< The least number of each feature.
-  std::vector<float> high;                     ///< The greatest.
-  MissingFill missing = MissingFill::kRefuse;  ///< What becomes of missing values.
-  KnownValues known;           ///< Of the file; gathered unless missing values are refused.
-  bool holds_missing = false;  ///< Whether samples() hold missing values, which are NaN.
+  std::vector<float> low;                      ///< The minimum of each feature.
+  std::vector<float> high;                     ///< The maximum of each feature.
+  MissingFill missing = MissingFill::kRefuse;  ///< Treatment of missing values.
+  KnownValues known;           ///< Of the file; collected unless missing values are refused.
+  bool holds_missing = false;  ///< Whether samples() contain missing values, which are NaN.
 
   std::size_t size() const { return columns.features.size(); }
   bool labelled() const { return !classes.of_sample.empty(); }
 
-  /// All rows, or nothing when they are read in parts.
+  /// All rows, or nothing if they are read in parts.
   const Samples* in_memory() const { return all_.get(); }
 
   SampleSource& samples() const { return filled_ ? *filled_ : *samples_; }
 
-  /// Fills in what is missing: with `means`, or from the nearest row, differences being divided by
-  /// `scale` unless that is empty. Errors: kSystem when rows are read in parts and the nearest ones
-  /// are to be found; those of filled_from_nearest().
+  /// Fills missing values with `means`, or from the nearest row, with differences divided by
+  /// `scale` unless that is empty. Errors: kSystem if rows are read in parts and the nearest ones
+  /// are required; those of filled_from_nearest().
   Result<void> fill(const std::vector<double>& means, const std::vector<double>& scale);
 
  private:
@@ -53,15 +52,15 @@ class RowData {
   std::unique_ptr<SampleSource> filled_;
 };
 
-/// Reads the file that the positional `DATA` names, and its labels: in parts when it is a regular
-/// file whose rows would take more than `--memory`. Where columns have names, those of `features`
-/// are picked in that order, unless it is empty. Shows a person at a terminal how far it is.
-/// Errors: those of the files, kData when there are not as many labels as rows or nothing of a row
-/// is known, kInterrupted.
+/// Reads the file that the positional `DATA` names, and its labels: in parts if it is a regular
+/// file whose rows would take more than `--memory`. If columns have names, those of `features`
+/// are selected in that order, unless it is empty. Shows progress on a terminal.
+/// Errors: those of the files, kData if the numbers of labels and rows differ or a row has no
+/// known value, kInterrupted.
 Result<RowData> read_rows(const Arguments& arguments,
                           const std::vector<std::string>& features = {});
 
-/// Fails (kData) when a column has the same value in every row.
+/// Fails (kData) if a column has the same value in every row.
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path);
 
 }  // namespace somato::program

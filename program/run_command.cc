@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -9,17 +9,19 @@
 #include "data.h"
 #include "explanation.h"
 #include "explore_table.h"
+#include "files/toml_file.h"
+#include "files/whole_file.h"
 #include "folder_lock.h"
+#include "model_files.h"
 #include "output_folder.h"
+#include "part_recordings.h"
 #include "result_output.h"
-#include "somato/files/toml_file.h"
-#include "somato/files/whole_file.h"
-#include "somato/graph/system_model.h"
 #include "somato/recording/format.h"
 #include "somato/recording/layout.h"
 #include "somato/studies/own_systems.h"
-#include "somato/studies/reproduction_plan.h"
+#include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
+#include "studies/reproduction_run.h"
 #include "study_data.h"
 #include "study_table.h"
 #include "terminal.h"
@@ -28,16 +30,16 @@
 namespace somato::program {
 namespace {
 
-// Variations, claims and what to explore belong to 'reproduce', but are never wrong unnoticed.
-Result<void> read_file(const std::string& path, const Table& file, ReproductionPlan& plan) {
-  if (file.find("question")) {
-    return fail(ErrorKind::kUsage, "the file asks a question about several systems", path,
+// Variations and explorations are only used by 'reproduce', but are always validated.
+Result<void> read_file(const NamedFile& file, ReproductionPlan& plan) {
+  if (file.content.find("question")) {
+    return fail(ErrorKind::kUsage, "the file contains a question about several systems", file.name,
                 "answer it with 'somato reproduce'");
   }
-  if (auto added = add_to_plan({path, file}, {}, plan); !added) return added;
+  SOMATO_TRY_VOID(add_to_plan(file, {}, plan));
   for (const ReproductionPart& part : plan.parts) {
     if (part.explore.entries.empty()) continue;
-    if (auto read = read_explore_table(part.explore); !read) return fail(std::move(read.error()));
+    SOMATO_TRY_VOID(read_explore_table(part.explore));
   }
   return {};
 }
@@ -46,44 +48,46 @@ Result<void> read_file(const std::string& path, const Table& file, ReproductionP
 Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   auto seeds = arguments.number("seeds", 1);
   if (!seeds) return fail(std::move(seeds.error()));
-  Result<Table> file = read_file_or_own(arguments.text("STUDY"));
-  if (!file) return fail(std::move(file.error()));
+  SOMATO_TRY(const auto file, read_file_or_own(arguments.text("STUDY")));
   ReproductionPlan plan;
-  if (auto read = read_file(arguments.text("STUDY"), *file, plan); !read) {
-    return fail(std::move(read.error()));
-  }
+  SOMATO_TRY_VOID(read_file(file, plan));
   if (*seeds) plan.parts.front().description.study.seeds = **seeds;
   return plan;
 }
 
-// Only a recording tells whether a system can be built.
-Result<void> check_variations(const ReproductionPlan& plan, const Recording& recording) {
+// Whether a system can be built is only known with a recording.
+Result<void> check_variations(const ReproductionPlan& plan, PartRecordings& recordings) {
+  const auto recording = recordings.get(plan.parts.front(), 0);
+  if (!recording) return fail(recording.error());
   for (std::size_t i = 1; i < plan.parts.size(); ++i) {
-    const auto system = System::build(plan.parts[i].description.system, layout_of(recording));
+    const auto system =
+        System::build(plan.parts[i].description.system, layout_of((*recording)->recording));
     if (!system) return fail(system.error());
   }
   return {};
 }
 
-Result<void> save(const OutputFolder& folder, const StudyDescription& description,
-                  const StudyOutcome& outcome) {
-  if (auto saved = save_whole(folder.results(), to_json(outcome.results)); !saved) return saved;
-  if (auto saved = save_whole(folder.map(), winners_picture(description, outcome)); !saved)
-    return saved;
-  return save_system(folder.system(), outcome.model.system, outcome.model.answer);
+PartEvents events_in(const OutputFolder& folder, const std::string& name) {
+  return {[name](std::size_t, std::size_t) { return terminal_progress(name); },
+          [&](std::size_t) { return folder.journal(); },
+          [&](std::size_t, const StudyDescription& description, const StudyOutcome& outcome,
+              PartResults& results) {
+            return save_whole(folder.map(), winners_picture(description, outcome)).and_then([&] {
+              return save_model(folder.path(), OutputFolder::kSystem, outcome, results);
+            });
+          }};
 }
 
-// Without data the channels are as their modules say.
+// Without data, channels are as declared by their modules.
 Result<void> explain(const Arguments& arguments, const StudyDescription& description) {
   RecordingLayout layout;
   if (arguments.has("data")) {
-    auto recording = read_study_data(description.recording.format, arguments.text("data"));
-    if (!recording) return fail(std::move(recording.error()));
-    layout = layout_of(*recording);
+    SOMATO_TRY(auto recording,
+               read_study_data(description.recording.format, arguments.text("data")));
+    layout = layout_of(recording);
   }
-  const auto system = System::build(description.system, std::move(layout));
-  if (!system) return fail(system.error());
-  print_result(arguments, explanation(*system), explanation_table(*system));
+  SOMATO_TRY(const auto system, System::build(description.system, std::move(layout)));
+  print_result(arguments, explanation(system), explanation_table(system));
   return {};
 }
 
@@ -95,52 +99,64 @@ Result<void> check_needed(const Arguments& arguments) {
   return {};
 }
 
-Result<std::optional<Recording>> read_test_data(const Arguments& arguments,
-                                                RecordingFormat format) {
-  if (!arguments.has("test-data")) return std::optional<Recording>{};
-  return read_study_data(format, arguments.text("test-data")).map([](Recording recording) {
-    return std::optional<Recording>(std::move(recording));
+// One recording, with the seeds of the study.
+Result<PairsRequest> read_pairs(const Arguments& arguments, const StudyDescription& description,
+                                std::size_t threads) {
+  const RecordingFormat format = description.recording.format;
+  PairsRequest request{{description.study.seeds, description.study.first_seed, threads}, 1, {}};
+  request.given = GivenRecordings::one(arguments.text("data"), format);
+  if (!arguments.has("test-data")) return request;
+  SOMATO_TRY(auto test, read_given(format, arguments.text("test-data")));
+  request.test_data = std::make_shared<const PairedRecording>(std::move(test));
+  return request;
+}
+
+// The study without its variations.
+Result<Results> run_study_of(const ReproductionPlan& plan, const OutputFolder& folder,
+                             const PairOptions& options, PartRecordings& recordings) {
+  PartRunner runner(options, recordings);
+  const ReproductionPlan study{{plan.parts.front()}, plan.claims};
+  return run_reproduction(study, runner, false, [&](std::size_t part) {
+    return events_in(folder, study.parts[part].system);
   });
 }
 
-Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
-                       std::size_t threads) {
-  const StudyDescription& description = plan.parts.front().description;
-  const RecordingFormat format = description.recording.format;
-  auto recording = read_study_data(format, arguments.text("data"));
-  if (!recording) return fail(std::move(recording.error()));
-  if (auto buildable = check_variations(plan, *recording); !buildable) return buildable;
-  auto test_data = read_test_data(arguments, format);
-  if (!test_data) return fail(std::move(test_data.error()));
-  OutputFolder folder(arguments.text("out"), "--out");
-  if (auto made = folder.make(); !made) return made;
-  const auto lock = FolderLock::take(arguments.text("out"));
-  if (!lock) return fail(lock.error());
-  const StudyOptions options{threads, terminal_progress(description.study.name),
-                             *test_data ? &**test_data : nullptr, folder.journal()};
-  auto outcome = run_study(description, *recording, options);
-  if (!outcome) {
-    return fail(how_to_go_on(with_place(std::move(outcome.error()), arguments.text("data"))));
-  }
-  if (auto saved = save(folder, description, *outcome); !saved) return saved;
+// The results are written last, so that all files that they name exist.
+Result<void> save_study(const Arguments& arguments, const OutputFolder& folder,
+                        const Results& results) {
+  const std::string json = to_json(results);
+  SOMATO_TRY_VOID(save_whole(folder.results(), json));
   std::error_code gone;
   std::filesystem::remove(folder.journal(), gone);
   const std::string written =
       fmt::format("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
-  print_summary(arguments, study_table(outcome->results) + written, to_json(outcome->results));
+  const ShownMetrics shown =
+      arguments.has("all-metrics") ? ShownMetrics::kAll : ShownMetrics::kMain;
+  print_summary(arguments, study_table(results.parts.front(), shown) + written, json);
   return {};
+}
+
+Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
+                       std::size_t threads) {
+  SOMATO_TRY(auto pairs, read_pairs(arguments, plan.parts.front().description, threads));
+  PartRecordings recordings(pairs, {});
+  SOMATO_TRY_VOID(check_variations(plan, recordings));
+  OutputFolder folder(arguments.text("out"), "--out");
+  SOMATO_TRY_VOID(folder.make());
+  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::take(arguments.text("out")));
+  auto results = run_study_of(plan, folder, pairs, recordings);
+  if (results) return save_study(arguments, folder, *results);
+  return fail(how_to_go_on(with_place(std::move(results.error()), arguments.text("data"))));
 }
 
 Result<void> run_study_command(const Arguments& arguments) {
   const bool explains = arguments.has("explain");
   auto needed = explains ? Result<void>() : check_needed(arguments);
   if (!needed) return needed;
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  const auto plan = read_study_plan(arguments);
-  if (!plan) return fail(plan.error());
-  return explains ? explain(arguments, plan->parts.front().description)
-                  : run_whole(arguments, *plan, *threads);
+  SOMATO_TRY(auto threads, read_threads(arguments));
+  SOMATO_TRY(const auto plan, read_study_plan(arguments));
+  return explains ? explain(arguments, plan.parts.front().description)
+                  : run_whole(arguments, plan, threads);
 }
 
 }  // namespace
@@ -155,10 +171,12 @@ Command run_command() {
       {input_flag("--data",
                   "The recording: its file, or a folder of original files; required, as is --out, "
                   "unless --explain is given"),
-       input_flag("--test-data", "A separate recording to test what learned from all of --data"),
+       input_flag("--test-data",
+                  "Separate recording to test on; the system is then trained on all of --data"),
        folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
                    OutputFolder::names()),
        {"--seeds", "Number of seeds, instead of the study's"},
+       {"--all-metrics", "Print every metric, not only the main ones", false, false},
        {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
        threads_flag(),
        json_flag()},

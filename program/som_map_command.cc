@@ -7,18 +7,18 @@
 #include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "files/file_writer.h"
+#include "files/json_table.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
 #include "result_output.h"
 #include "somato/files/csv.h"
-#include "somato/files/file_writer.h"
-#include "somato/files/json_table.h"
 #include "somato/files/npy.h"
 
 namespace somato::program {
 namespace {
 
-// Where text goes as it comes: to a file, or to standard output.
+// Incremental text output to a file or to standard output.
 class TextOutput {
  public:
   Result<void> begin(const Arguments& arguments) {
@@ -40,7 +40,7 @@ class TextOutput {
   std::optional<FileWriter> file_;
 };
 
-// How the winners are written: a table of CSV, or with --json a list of objects.
+// The format of the winners: a CSV table, or with --json a list of objects.
 class WinnerFormat {
  public:
   WinnerFormat(const SomModel& model, bool is_json) : model_(model), is_json_(is_json) {}
@@ -94,7 +94,7 @@ std::string winners_text(const SomModel& model, const WinnerFormat& format, cons
 
 Result<void> write_winners(const MapAndRows& both, const Arguments& arguments) {
   TextOutput output;
-  if (auto begun = output.begin(arguments); !begun) return begun;
+  SOMATO_TRY_VOID(output.begin(arguments));
   const WinnerFormat format(both.model, arguments.has("json"));
   PreparedRows prepared(both.model, both.rows);
   std::size_t done = 0;
@@ -111,9 +111,8 @@ Result<void> write_winners(const MapAndRows& both, const Arguments& arguments) {
 
 Result<void> write_activity(const MapAndRows& both, const std::string& path) {
   const Som& som = both.model.som;
-  auto file = FileWriter::begin(path);
-  if (!file) return fail(std::move(file.error()));
-  auto written = file->write(npy_start(both.rows.count, som.neurons()));
+  SOMATO_TRY(auto file, FileWriter::begin(path));
+  auto written = file.write(npy_start(both.rows.count, som.neurons()));
   if (!written) return written;
   PreparedRows prepared(both.model, both.rows);
   std::vector<float> activity(som.neurons());
@@ -122,22 +121,21 @@ Result<void> write_activity(const MapAndRows& both, const std::string& path) {
                        [&](const Samples& part) -> Result<void> {
                          for (std::size_t i = 0; i < part.count(); ++i) {
                            som.activity(part[i], workspace, activity);
-                           auto row = file->write(npy_numbers(activity));
+                           auto row = file.write(npy_numbers(activity));
                            if (!row) return row;
                          }
                          return {};
                        })
-      .and_then([&] { return file->commit(); });
+      .and_then([&] { return file.commit(); });
 }
 
 Result<void> map(const Arguments& arguments) {
-  const auto both = read_map_and_rows(arguments);
-  if (!both) return fail(both.error());
+  SOMATO_TRY(const auto both, read_map_and_rows(arguments));
   if (arguments.has("activity")) {
-    auto written = write_activity(*both, arguments.text("activity"));
+    auto written = write_activity(both, arguments.text("activity"));
     if (!written) return written;
   }
-  return write_winners(*both, arguments).map([&] { note_columns_and_filled(both->rows); });
+  return write_winners(both, arguments).map([&] { note_columns_and_filled(both.rows); });
 }
 
 }  // namespace
@@ -145,11 +143,11 @@ Result<void> map(const Arguments& arguments) {
 Command som_map_command() {
   std::vector<Flag> flags{
       output_flag("-o,--output", "CSV file instead of standard output"),
-      output_flag("--activity", "NPY file for the activity of every neuron, a row a sample")};
+      output_flag("--activity", "NPY file for the activity of every neuron, one row per sample")};
   const std::vector<Flag> of_table = table_flags();
   flags.insert(flags.end(), of_table.begin(), of_table.end());
   flags.push_back(memory_flag());
-  flags.push_back({"--json", "Winners as JSON instead of CSV", false, false});
+  flags.push_back({"--json", "Write winners as JSON instead of CSV", false, false});
   return {"som map",
           "Find the winner of each row on a map, and its label if the map has labels",
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},

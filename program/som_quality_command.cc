@@ -7,9 +7,9 @@
 #include "commands.h"
 #include "data.h"
 #include "map_and_rows.h"
+#include "maps/areas.h"
 #include "memory_flag.h"
 #include "result_output.h"
-#include "somato/maps/areas.h"
 
 namespace somato::program {
 namespace {
@@ -46,22 +46,19 @@ Result<void> add_label_measures(const MapAndRows& both, const SomQuality& qualit
 }
 
 Result<void> quality(const Arguments& arguments) {
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  const auto both = read_map_and_rows(arguments);
-  if (!both) return fail(both.error());
-  const auto quality = measure_rows(both->model, both->rows, *threads);
-  if (!quality) return fail(quality.error());
-  const auto hit = std::count_if(quality->hits.begin(), quality->hits.end(),
+  SOMATO_TRY(auto threads, read_threads(arguments));
+  SOMATO_TRY(const auto both, read_map_and_rows(arguments));
+  SOMATO_TRY(const auto quality, measure_rows(both.model, both.rows, threads));
+  const auto hit = std::count_if(quality.hits.begin(), quality.hits.end(),
                                  [](std::size_t hits) { return hits > 0; });
   Table table{{},
-              {entry("samples", both->rows.count), entry("neurons", both->model.som.neurons()),
+              {entry("samples", both.rows.count), entry("neurons", both.model.som.neurons()),
                entry("neurons_hit", static_cast<std::uint64_t>(hit)),
-               entry("quantization_error", quality->quantization_error),
-               entry("topographic_error", quality->topographic_error)}};
-  if (auto measured = add_label_measures(*both, *quality, table); !measured) return measured;
+               entry("quantization_error", quality.quantization_error),
+               entry("topographic_error", quality.topographic_error)}};
+  SOMATO_TRY_VOID(add_label_measures(both, quality, table));
   print_result(arguments, lines_of(table), table);
-  note_columns_and_filled(both->rows);
+  note_columns_and_filled(both.rows);
   return {};
 }
 
@@ -73,7 +70,7 @@ Command som_quality_command() {
   flags.push_back(memory_flag());
   flags.push_back(json_flag());
   return {"som quality",
-          "Measure how well a map stands for data",
+          "Measure the quality of a map for data",
           {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
           std::move(flags),
           {},

@@ -14,8 +14,8 @@
 namespace somato::program {
 namespace {
 
-// Means are those of the known values; the nearest row is the nearest one for the map, which sees
-// columns in standard deviations where they are standardized.
+// Means are those of the known values; the nearest row is determined in the units of the map,
+// which are standard deviations for standardized columns.
 Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector<double>& means) {
   if (rows.missing == MissingFill::kRefuse) return {};
   auto known = rows.known.means(rows.features);
@@ -35,11 +35,11 @@ Result<RowData> read_training_rows(const Arguments& arguments) {
   if (!rows) return rows;
   const std::string path = arguments.text("DATA");
   if (rows->count < 2) {
-    return fail(ErrorKind::kData, "there is only one sample", path,
-                "a map needs at least two rows to learn from");
+    return fail(ErrorKind::kData, "the data have only one sample", path,
+                "a map needs at least two rows for training");
   }
   if (!arguments.has("keep-constant-columns")) {
-    if (auto varied = refuse_constant_columns(*rows, path); !varied) return fail(varied.error());
+    SOMATO_TRY_VOID(refuse_constant_columns(*rows, path));
   }
   return rows;
 }
@@ -80,10 +80,10 @@ Result<void> check_training(const SomParameters& parameters, const RowData& rows
   if (rows.in_memory() || parameters.training == Training::kBatch) return {};
   return fail(
       ErrorKind::kSystem,
-      fmt::format("online training draws from all rows, and these {} x {} numbers take more "
-                  "memory than they may",
+      fmt::format("online training needs all rows in memory, and {} x {} numbers exceed the "
+                  "memory for rows",
                   rows.count, rows.size()),
-      path, "use --training batch, or allow them more with --memory");
+      path, "use --training batch, or a larger --memory");
 }
 
 Result<Som> train_map(const SomParameters& parameters, const SomModel& model, const RowData& rows,
@@ -105,26 +105,21 @@ void print_trained(const std::string& path, const Som& som, const RowData& rows,
 }
 
 Result<void> train(const Arguments& arguments) {
-  const auto parameters = read_som_parameters(arguments);
-  if (!parameters) return fail(parameters.error());
-  const auto threads = read_threads(arguments);
-  if (!threads) return fail(threads.error());
-  auto rows = read_training_rows(arguments);
-  if (!rows) return fail(rows.error());
-  if (auto fits = check_training(*parameters, *rows, arguments.text("DATA")); !fits) return fits;
+  SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
+  SOMATO_TRY(const auto threads, read_threads(arguments));
+  SOMATO_TRY(auto rows, read_training_rows(arguments));
+  SOMATO_TRY_VOID(check_training(parameters, rows, arguments.text("DATA")));
   std::vector<double> means;
-  if (auto filled = fill_missing(arguments, *rows, means); !filled) return filled;
-  auto model = start_model(arguments, *rows, std::move(means));
-  if (!model) return fail(std::move(model.error()));
-  auto som = train_map(*parameters, *model, *rows, *threads);
+  SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
+  SOMATO_TRY(auto model, start_model(arguments, rows, std::move(means)));
+  auto som = train_map(parameters, model, rows, threads);
   if (!som) return fail(std::move(som.error()));
-  model->som = std::move(*som);
-  const auto quality = measure_rows(*model, *rows, *threads);
-  if (!quality) return fail(quality.error());
-  add_labels(*model, rows->classes, quality->winners);
+  model.som = std::move(*som);
+  SOMATO_TRY(const auto quality, measure_rows(model, rows, threads));
+  add_labels(model, rows.classes, quality.winners);
   const std::string path = arguments.text("output");
-  if (auto saved = save_som_model(path, *model); !saved) return saved;
-  print_trained(path, model->som, *rows, *quality);
+  SOMATO_TRY_VOID(save_som_model(path, model));
+  print_trained(path, model.som, rows, quality);
   return {};
 }
 
@@ -134,17 +129,17 @@ Command som_train_command() {
   std::vector<Flag> flags = data_flags();
   flags.push_back(output_flag("-o,--output", "File for the trained map", true));
   flags.push_back({"--standardize",
-                   "Give each column mean 0 and standard deviation 1; kept with the map", false,
-                   false});
+                   "Scale each column to mean 0 and standard deviation 1; saved with the map",
+                   false, false});
   flags.push_back({"--keep-constant-columns",
                    "Accept columns that have the same value in every row", false, false});
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
   return {"som train",
-          "Train a map on rows of numbers",
+          "Train a map on a table of numbers",
           {{"DATA",
-            "NPY file, or text: one sample a line, numbers between commas, semicolons, "
-            "tabs or blanks",
+            "NPY file, or text with one sample per line and numbers separated by commas, "
+            "semicolons, tabs or blanks",
             true}},
           std::move(flags),
           SomParameters::declarations().infos(),

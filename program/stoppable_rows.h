@@ -1,6 +1,6 @@
 #pragma once
 
-#include "somato/core/sample_source.h"
+#include "somato/core/samples.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -9,7 +9,7 @@ inline tl::unexpected<Error> reading_stopped() {
   return fail(ErrorKind::kInterrupted, "reading was stopped before its end");
 }
 
-/// The samples of a source, which must outlive this, up to Ctrl-C.
+/// The samples of a source, which must outlive this object, until Ctrl-C.
 class StoppableRows final : public SampleSource {
  public:
   explicit StoppableRows(SampleSource& rows) : rows_(rows) {}

@@ -1,10 +1,10 @@
 #include "study_data.h"
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
+#include "files/whole_file.h"
 #include "somato/studies/own_systems.h"
 
 namespace somato::program {
@@ -16,17 +16,22 @@ Error with_place(Error error, const std::string& path) {
 
 Error how_to_go_on(Error error) {
   if (error.kind == ErrorKind::kInterrupted && error.advice.empty()) {
-    error.advice = "what is done is kept; the same command goes on from there";
+    error.advice = "completed work is kept; the same command resumes it";
   }
   return error;
 }
 
-Result<Table> read_file_or_own(const std::string& name) {
+Result<NamedFile> read_file_or_own(const std::string& name) {
   std::error_code unknown;
   const auto own = find_own_file(name);
   const bool is_file =
       std::filesystem::exists(name, unknown) && !std::filesystem::is_directory(name, unknown);
-  return own && !is_file ? parse_toml(own->text, own->path) : read_toml(name);
+  const std::string where(own && !is_file ? own->path : name);
+  SOMATO_TRY(const auto text, own && !is_file ? Result<std::string>(std::string(own->text))
+                                              : read_whole(name, kLargestToml));
+  return parse_toml(text, where).map([&](Table content) {
+    return NamedFile{name, std::move(content), text};
+  });
 }
 
 Result<Recording> read_study_data(RecordingFormat format, const std::string& path) {

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "somato/core/result.h"
-#include "somato/core/value.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording.h"
+#include "somato/studies/reproduction.h"
 
 namespace somato::program {
 
@@ -13,15 +13,15 @@ namespace somato::program {
 /// Errors name the path.
 Result<Recording> read_study_data(RecordingFormat format, const std::string& path);
 
-/// A TOML file; where there is none at that path, the program's own file of that name or path, so
-/// that commands work outside of the source tree too. Errors: those of read_toml(name).
-Result<Table> read_file_or_own(const std::string& name);
+/// A TOML file; if there is none at that path, the built-in file of that name or path, so that
+/// commands also work outside the source tree. Errors: those of read_toml(name).
+Result<NamedFile> read_file_or_own(const std::string& name);
 
-/// What a recording as a whole lacks is told with its path.
+/// Adds the path to errors about a recording as a whole.
 Error with_place(Error error, const std::string& path);
 
-/// An interruption with what to do next, where what is done is kept in a journal; other errors as
-/// they are.
+/// Adds advice to an interruption if completed work is kept in a journal; other errors are
+/// unchanged.
 Error how_to_go_on(Error error);
 
 }  // namespace somato::program

@@ -15,9 +15,9 @@ std::string summary(const Metric& metric) {
   return fmt::format("{:.3f} +- {:.3f}", metric.mean(), metric.standard_deviation());
 }
 
-// A map that is much worse than the nearest known sample needs more of something. Where it is
-// tested on what it has learned, the nearest known sample is the tested one.
-std::string advice(const SystemResults& system) {
+// Advice is given for a map far below the nearest-neighbour baseline, except if it is tested on
+// its training data, where the nearest sample is the test sample.
+std::string advice(const ProtocolResults& system) {
   constexpr double kMuch = 0.05;
   const Metric* accuracy = system.find_metric("accuracy");
   const Metric* baseline = system.find_metric("baseline_accuracy");
@@ -31,30 +31,62 @@ std::string advice(const SystemResults& system) {
       100 * below);
 }
 
-std::string missing_accuracy(const SystemResults& system) {
+std::string missing_accuracy(const ProtocolResults& system) {
   if (system.find_metric("accuracy") != nullptr) return {};
-  return fmt::format("  accuracy: not measured, because no tested {} is among those learned\n",
-                     system.label);
+  return fmt::format(
+      "  accuracy: not measured, because no {} of the test data occurs in the training data\n",
+      system.label);
 }
 
-std::string table_of(const SystemResults& system, std::size_t seeds) {
-  const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
+// The mean of a metric, or nothing if it was not measured.
+std::string mean_of(const ProtocolResults& system, const std::string& name) {
+  const Metric* metric = system.find_metric(name);
+  return metric == nullptr ? std::string() : fmt::format("{:.3f}", metric->mean());
+}
+
+// The main metrics, with their value by chance and the nearest-neighbour baseline.
+std::string main_metrics(const ProtocolResults& system) {
   std::string text =
-      fmt::format("\n{}: {}{} by {}, {}, {}\n", system.name, system.protocol, group, system.label,
-                  counted(system.samples, "sample"), counted(seeds, "seed"));
+      fmt::format("  {:<20} {:<18} {:<10} {}\n", "", "map", "by chance", "nearest neighbour");
+  for (const std::string name : {"accuracy", "individuals_apart", "areas_connected",
+                                 "quantization_error", "topographic_error"}) {
+    const Metric* metric = system.find_metric(name);
+    if (metric == nullptr) continue;
+    std::string row =
+        fmt::format("  {:<20} {:<18} {:<10} {}", name, summary(*metric),
+                    mean_of(system, name + "_chance"), mean_of(system, "baseline_" + name));
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  }
+  return text;
+}
+
+std::string all_metrics(const ProtocolResults& system) {
+  std::string text;
   std::size_t width = 33;
   for (const Metric& metric : system.metrics) width = std::max(width, metric.name.size());
   for (const Metric& metric : system.metrics) {
     text += fmt::format("  {:<{}} {}\n", metric.name, width, summary(metric));
   }
-  return text + missing_accuracy(system) + advice(system);
+  return text;
+}
+
+std::string table_of(const std::string& name, const ProtocolResults& system, ShownMetrics shown) {
+  const std::string group = system.group.empty() ? "" : " (" + system.group + ")";
+  const std::string heading =
+      fmt::format("\n{}: {}{} by {}, {}, {}\n", name, system.protocol, group, system.label,
+                  counted(system.samples, "sample"), counted(system.runs.size(), "seed"));
+  return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main_metrics(system)) +
+         missing_accuracy(system) + advice(system);
 }
 
 }  // namespace
 
-std::string study_table(const StudyResults& results) {
+std::string study_table(const PartResults& results, ShownMetrics shown) {
   std::string text;
-  for (const SystemResults& system : results.systems) text += table_of(system, results.seeds);
+  for (const ProtocolResults& one : results.protocols) {
+    text += table_of(results.system, one, shown);
+  }
   return text;
 }
 

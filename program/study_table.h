@@ -6,8 +6,11 @@
 
 namespace somato::program {
 
-/// What a study has found, for a person: the metrics of each protocol, why one is missing, and what
-/// may help a map that is much worse than the nearest known sample.
-std::string study_table(const StudyResults& results);
+/// The metrics shown in a table; results.json contains all of them.
+enum class ShownMetrics { kMain, kAll };
+
+/// A readable table of a study's results: the metrics of each protocol, the reason for a missing
+/// one, and advice for a map far below the nearest-neighbour baseline.
+std::string study_table(const PartResults& results, ShownMetrics shown);
 
 }  // namespace somato::program

@@ -7,13 +7,13 @@
 #include "commands.h"
 #include "data.h"
 #include "explore_table.h"
+#include "files/toml_file.h"
+#include "files/whole_file.h"
 #include "output.h"
 #include "result_output.h"
-#include "somato/files/toml_file.h"
-#include "somato/files/whole_file.h"
 #include "somato/studies/own_systems.h"
-#include "somato/studies/sweep_picture.h"
-#include "somato/studies/sweep_results.h"
+#include "studies/sweep_picture.h"
+#include "studies/sweep_results.h"
 #include "study_data.h"
 #include "sweep_run.h"
 #include "sweep_table.h"
@@ -28,13 +28,13 @@ std::map<std::string, std::string> explore_defaults() {
   return defaults;
 }
 
-// Nothing explores where recordings are given.
+// With given recordings there is no exploration.
 Result<void> check_moved(const SweepRequest& request) {
   for (const Unknown& unknown : request.sweep.sweep.unknowns) {
     for (const std::string& key : unknown.parameters.key) {
       if (!request.pairs.given || !key.starts_with("explore.")) continue;
-      return fail(ErrorKind::kUsage, "'" + key + "' changes nothing where --data is given",
-                  unknown.where, "leave out --data, or this unknown");
+      return fail(ErrorKind::kUsage, "'" + key + "' has no effect with --data", unknown.where,
+                  "omit --data, or remove this unknown");
     }
   }
   return {};
@@ -42,9 +42,8 @@ Result<void> check_moved(const SweepRequest& request) {
 
 Result<void> check_points(const SweepRequest& request) {
   for (const SweepPoint& point : request.points) {
-    const auto plan = plan_of_point(request.sweep, point);
-    if (!plan) return fail(plan.error());
-    for (const ReproductionPart& part : plan->parts) {
+    SOMATO_TRY(const auto plan, plan_of_point(request.sweep, point));
+    for (const ReproductionPart& part : plan.parts) {
       auto right = check_explorable(part, request.pairs.given.has_value());
       if (!right) return right;
     }
@@ -53,16 +52,12 @@ Result<void> check_points(const SweepRequest& request) {
 }
 
 Result<void> read_sweep_files(const Arguments& arguments, SweepRequest& request) {
-  const auto file = read_toml(arguments.text("over"));
-  if (!file) return fail(file.error());
-  const auto sweep = read_sweep(*file);
+  SOMATO_TRY(const auto file, read_toml(arguments.text("over")));
+  const auto sweep = read_sweep(file);
   if (!sweep) return fail(sweep.error());
-  auto system = read_file_or_own(arguments.text("SYSTEM"));
-  if (!system) return fail(std::move(system.error()));
-  auto planned =
-      plan_sweep(*sweep, {arguments.text("SYSTEM"), std::move(*system)}, explore_defaults());
-  if (!planned) return fail(std::move(planned.error()));
-  request.sweep = std::move(*planned);
+  SOMATO_TRY(const auto system, read_file_or_own(arguments.text("SYSTEM")));
+  SOMATO_TRY(auto planned, plan_sweep(*sweep, system, explore_defaults()));
+  request.sweep = std::move(planned);
   request.points = sweep_points(*sweep);
   request.pairs.pairs = sweep->sweep.pairs;
   request.pairs.recordings = sweep->sweep.recordings;
@@ -89,12 +84,12 @@ std::string part_text(const SweepPart& part) {
   return fmt::format("Part {} of {}{} is done.\n", part.number, part.of, by);
 }
 
-// Other parts have points to run.
+// Points of other parts are missing.
 void print_part(const Arguments& arguments, const SweepRequest& request, std::size_t done) {
   const SweepPart& part = request.part;
   const std::string text = fmt::format(
-      "{}{} of {} are there. The last part writes sweep.json, as does the same command without "
-      "--part, which runs what is missing.\n",
+      "{}{} of {} are complete. The last part writes sweep.json, and so does the same command "
+      "without --part, which runs missing points.\n",
       part_text(part), done, counted(request.points.size(), "point"));
   print_summary(arguments, text,
                 Table{{},
@@ -108,8 +103,8 @@ Result<void> save_results(const Arguments& arguments, const SweepRequest& reques
   const std::string path = (request.out / "sweep.json").string();
   const std::string picture = (request.out / "sweep.svg").string();
   const std::string json = to_json(results);
-  if (auto saved = save_whole(path, json); !saved) return saved;
-  if (auto saved = save_whole(picture, sweep_picture(results)); !saved) return saved;
+  SOMATO_TRY_VOID(save_whole(path, json));
+  SOMATO_TRY_VOID(save_whole(picture, sweep_picture(results)));
   print_summary(arguments,
                 part_text(request.part) + sweep_table(results) +
                     fmt::format("\nWritten: {}, {}\n", path, picture),
@@ -118,50 +113,43 @@ Result<void> save_results(const Arguments& arguments, const SweepRequest& reques
 }
 
 Result<void> run_sweep(const Arguments& arguments) {
-  auto request = read_sweep_request(arguments);
-  if (!request) return fail(std::move(request.error()));
-  SweepRun sweep(*request);
-  if (auto made = sweep.make_folders(); !made) return made;
+  SOMATO_TRY(auto request, read_sweep_request(arguments));
+  SweepRun sweep(request);
+  SOMATO_TRY_VOID(sweep.make_folders());
   for (const char* file : {"sweep.json", "sweep.svg"}) {
-    if (auto free = check_output((request->out / file).string()); !free) return free;
+    SOMATO_TRY_VOID(check_output((request.out / file).string()));
   }
-  const auto lock = sweep.lock();
-  if (!lock) return fail(lock.error());
+  SOMATO_TRY([[maybe_unused]] const auto lock, sweep.lock());
   if (auto ran = sweep.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
-  const auto results = sweep.results();
-  if (!results) return fail(results.error());
-  if (results->points.size() == request->points.size()) {
-    return save_results(arguments, *request, *results);
+  SOMATO_TRY(const auto results, sweep.results());
+  if (results.points.size() == request.points.size()) {
+    return save_results(arguments, request, results);
   }
-  print_part(arguments, *request, results->points.size());
+  print_part(arguments, request, results.points.size());
   return {};
 }
 
 }  // namespace
 
 Command sweep_command() {
-  return {
-      "sweep",
-      "Run a system over a design of its unknown settings, and report where its claims hold",
-      {{"SYSTEM", "TOML file of a system with claims, or one that 'somato systems' lists", true,
-        false, Role::kInput, own_file_names}},
-      {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
-       {"--part",
-        "K/N: run point K and every N-th after it; without it, what Slurm says of an array's "
-        "task, else all points"},
-       input_flag(
-           "--data",
-           "Recordings instead of exploring: a file, a folder of files, a data set, or a folder "
-           "of data sets"),
-       input_flag("--test-data", "A separate recording to test on"),
-       folder_flag("-o,--out",
-                   "Folder for sweep.json, sweep.svg and what parts have found; out/sweep "
-                   "unless given",
-                   {"sweep.json", "sweep.svg"}),
-       threads_flag(),
-       json_flag()},
-      {},
-      run_sweep};
+  return {"sweep",
+          "Run a system over a design of its unknown settings, and report where its claims hold",
+          {{"SYSTEM", "TOML file of a system with claims, or a name listed by 'somato systems'",
+            true, false, Role::kInput, own_file_names}},
+          {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
+           {"--part",
+            "K/N: run point K and every N-th point after it. Default: the part of the Slurm array "
+            "task, or otherwise all points"},
+           given_recordings_flag(),
+           test_recording_flag(),
+           folder_flag("-o,--out",
+                       "Folder for sweep.json, sweep.svg and the results of parts. Default: "
+                       "out/sweep",
+                       {"sweep.json", "sweep.svg"}),
+           threads_flag(),
+           json_flag()},
+          {},
+          run_sweep};
 }
 
 }  // namespace somato::program

@@ -27,18 +27,18 @@ Result<SweepPart> part_named(const std::string& text) {
   const auto number = whole_number(text.substr(0, slash));
   const auto of = slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
   if (!number || !of || *number < 1 || *number > *of) {
-    return fail(ErrorKind::kUsage, "'" + text + "' is no part", "--part",
+    return fail(ErrorKind::kUsage, "'" + text + "' is not a part", "--part",
                 "write K/N with K from 1 to N, such as 3/7");
   }
   return SweepPart{*number, *of, {}};
 }
 
-// Of the environment; `otherwise` where it is not there.
+// A variable of the environment, or `otherwise` if it is not set.
 Result<std::size_t> slurm_number(const char* name, std::size_t otherwise) {
   const char* text = std::getenv(name);
   if (!text) return otherwise;
   if (const auto number = whole_number(text)) return *number;
-  return fail(ErrorKind::kUsage, fmt::format("'{}' is no number of a task", text), name,
+  return fail(ErrorKind::kUsage, fmt::format("'{}' is not a task number", text), name,
               "give --part K/N");
 }
 
@@ -54,9 +54,9 @@ Result<SweepPart> slurm_part() {
   const std::size_t number = follows ? (*task - *first) / *step + 1 : 0;
   if (number < 1 || number > *count) {
     return fail(ErrorKind::kUsage,
-                fmt::format("task {} is none of {} that follow {} in steps of {}", *task, *count,
+                fmt::format("task {} is not one of {} tasks from {} in steps of {}", *task, *count,
                             *first, *step),
-                kTask, "use an array without gaps, such as --array=1-7, or give --part K/N");
+                kTask, "use an array without gaps, such as --array=1-7, or --part K/N");
   }
   return SweepPart{number, *count, fmt::format("{} = {}", kTask, *task)};
 }

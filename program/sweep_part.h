@@ -9,7 +9,7 @@
 namespace somato::program {
 
 /// The part of a sweep's points that one run computes: point `number`, counted from 1, and every
-/// `of`-th after it.
+/// `of`-th point after it.
 struct SweepPart {
   std::size_t number = 1;
   std::size_t of = 1;
@@ -20,9 +20,8 @@ struct SweepPart {
   std::string folder_name() const;
 };
 
-/// Reads --part, or where it is not given what Slurm says of an array's task: the tasks in their
-/// order are the parts. Errors (kUsage): what is no part, and tasks that do not follow each other
-/// in equal steps.
+/// Reads --part, or if it is not given the environment of a Slurm array task: the tasks in their
+/// order are the parts. Errors (kUsage): an invalid part, and task numbers without equal steps.
 Result<SweepPart> read_sweep_part(const Arguments& arguments);
 
 }  // namespace somato::program

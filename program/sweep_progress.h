@@ -8,7 +8,7 @@
 
 namespace somato::program {
 
-/// How far the points are that are still to be run, as one line for all of them.
+/// The progress of the remaining points, as one line for all of them.
 class SweepProgress {
  public:
   SweepProgress(const std::string& what, std::size_t points);

@@ -5,35 +5,31 @@
 #include <system_error>
 #include <utility>
 
+#include "output_folder.h"
+#include "version.h"
+
 namespace somato::program {
 
 SweepRun::SweepRun(SweepRequest& request)
     : request_(request),
-      runner_(request.pairs, request.out / "recordings"),
+      recordings_(request.pairs, request.out / "recordings"),
+      runner_(request.pairs, recordings_),
       kept_(request.out / "parts", request.part.folder_name()) {}
 
 Result<void> SweepRun::make_folders() const {
-  std::error_code code;
-  std::filesystem::create_directories(request_.out / "recordings", code);
-  if (code) {
-    return fail(ErrorKind::kSystem, "the folder cannot be made: " + code.message(),
-                (request_.out / "recordings").string(),
-                "give --out a folder that can be written to");
-  }
-  return kept_.make_folder();
+  return make_folder(request_.out / "recordings").and_then([&] { return kept_.make_folders(); });
 }
 
 Result<void> SweepRun::run() {
   kept_.look();
-  auto missing = missing_points();
-  if (!missing) return fail(std::move(missing.error()));
-  SweepProgress progress(request_.sweep.system, missing->size());
-  for (const std::size_t number : *missing) {
+  SOMATO_TRY(auto missing, missing_points());
+  SweepProgress progress(request_.sweep.system, missing.size());
+  for (const std::size_t number : missing) {
     auto ran = run_point(request_.points[number], progress);
     if (!ran) return ran;
     progress.end_point();
   }
-  if (!missing->empty()) progress.end();
+  if (!missing.empty()) progress.end();
   std::error_code not_empty;
   std::filesystem::remove(kept_.unfinished(), not_empty);
   return {};
@@ -43,25 +39,23 @@ Result<SweepResults> SweepRun::results() {
   kept_.look();
   SweepResults results{request_.sweep, {}};
   for (const SweepPoint& point : request_.points) {
-    auto parts = found_at(point);
-    if (!parts) return fail(std::move(parts.error()));
-    if (*parts) results.points.push_back(judge_point(request_.sweep, point, **parts));
+    SOMATO_TRY(auto parts, found_at(point));
+    if (parts) results.points.push_back(judge_point(request_.sweep, point, *parts));
   }
   return results;
 }
 
 Result<std::string> SweepRun::name_of(const ReproductionPart& part) {
-  return runner_.identity(part).map(checksum_name);
+  return runner_.identity(part).map(
+      [](const std::string& text) { return checksum_name(SOMATO_VERSION + ("\n" + text)); });
 }
 
 Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(const SweepPoint& point) {
-  const auto plan = plan_of_point(request_.sweep, point);
-  if (!plan) return fail(plan.error());
+  SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, point));
   std::optional<std::vector<PartResults>> parts{std::in_place};
-  for (const ReproductionPart& part : plan->parts) {
-    const auto name = name_of(part);
-    if (!name) return fail(name.error());
-    auto found = kept_.find(*name);
+  for (const ReproductionPart& part : plan.parts) {
+    SOMATO_TRY(const auto name, name_of(part));
+    auto found = kept_.find(name);
     if (!found) return std::optional<std::vector<PartResults>>{};
     parts->push_back(std::move(*found));
   }
@@ -72,19 +66,17 @@ Result<std::vector<std::size_t>> SweepRun::missing_points() {
   std::vector<std::size_t> missing;
   const SweepPart& part = request_.part;
   for (std::size_t i = part.number - 1; i < request_.points.size(); i += part.of) {
-    const auto found = found_at(request_.points[i]);
-    if (!found) return fail(found.error());
-    if (!*found) missing.push_back(i);
+    SOMATO_TRY(const auto found, found_at(request_.points[i]));
+    if (!found) missing.push_back(i);
   }
   return missing;
 }
 
 Result<void> SweepRun::run_point(const SweepPoint& point, SweepProgress& progress) {
-  const auto plan = plan_of_point(request_.sweep, point);
-  if (!plan) return fail(plan.error());
-  for (std::size_t i = 0; i < plan->parts.size(); ++i) {
-    progress.begin_study(i, plan->parts.size());
-    auto ran = run_study_at(point, plan->parts[i], progress);
+  SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, point));
+  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+    progress.begin_study(i, plan.parts.size());
+    auto ran = run_study_at(point, plan.parts[i], progress);
     if (!ran) return ran;
   }
   return {};
@@ -92,20 +84,19 @@ Result<void> SweepRun::run_point(const SweepPoint& point, SweepProgress& progres
 
 Result<void> SweepRun::run_study_at(const SweepPoint& point, const ReproductionPart& part,
                                     const SweepProgress& progress) {
-  const auto name = name_of(part);
-  if (!name) return fail(name.error());
-  if (kept_.find(*name)) return {};
+  SOMATO_TRY(const auto name, name_of(part));
+  if (kept_.find(name)) return {};
   std::vector<std::filesystem::path> journals;
   const PartEvents events{
       [&](std::size_t index, std::size_t count) { return progress.of_recording(index, count); },
       [&](std::size_t index) {
-        journals.push_back(kept_.unfinished() / fmt::format("{}-{}.journal", *name, index));
-        return journals.back();
+        journals.push_back(kept_.unfinished() / fmt::format("{}-{}.journal", name, index));
+        return journals.back().string();
       }};
   auto ran = runner_.run(part, events);
   if (ran && ran->misfit) ran = fail(std::move(*ran->misfit));
   if (!ran) return fail(at_point(std::move(ran.error()), point));
-  if (auto kept = kept_.keep(*name, ran->results); !kept) return kept;
+  SOMATO_TRY_VOID(kept_.keep(name, ran->results));
   std::error_code gone;
   for (const std::filesystem::path& journal : journals) std::filesystem::remove(journal, gone);
   return {};

@@ -8,16 +8,16 @@
 
 #include "folder_lock.h"
 #include "kept_studies.h"
-#include "part_runner.h"
+#include "part_recordings.h"
 #include "somato/core/result.h"
-#include "somato/studies/sweep_plan.h"
-#include "somato/studies/sweep_results.h"
+#include "studies/sweep_plan.h"
+#include "studies/sweep_results.h"
 #include "sweep_part.h"
 #include "sweep_progress.h"
 
 namespace somato::program {
 
-/// A sweep as the command line describes it.
+/// The sweep described by the command line.
 struct SweepRequest {
   SystemSweep sweep;
   std::vector<SweepPoint> points;
@@ -26,28 +26,28 @@ struct SweepRequest {
   std::filesystem::path out;
 };
 
-/// Runs the points of one part, and takes all parts together.
+/// Runs the points of one part, and combines the results of all parts.
 class SweepRun {
  public:
-  /// The request must outlive it.
+  /// The request must outlive this object.
   explicit SweepRun(SweepRequest& request);
 
   /// Errors: kSystem.
   Result<void> make_folders() const;
 
-  /// Keeps other runs of the same part out. Errors: kSystem.
+  /// Locks the part against other runs. Errors: kSystem.
   Result<FolderLock> lock() const { return FolderLock::take(kept_.own_folder()); }
 
-  /// Runs those of its points that no part has run. Errors: those of PartRunner::run(), with the
+  /// Runs its points that no part has completed. Errors: those of PartRunner::run(), with the
   /// point.
   Result<void> run();
 
-  /// What all parts have found, for as many points as are there.
+  /// The results of all parts, for the completed points.
   Result<SweepResults> results();
 
  private:
   Result<std::string> name_of(const ReproductionPart& part);
-  /// Nothing where a study is missing.
+  /// Nothing if a study is missing.
   Result<std::optional<std::vector<PartResults>>> found_at(const SweepPoint& point);
   Result<std::vector<std::size_t>> missing_points();
   Result<void> run_point(const SweepPoint& point, SweepProgress& progress);
@@ -56,6 +56,7 @@ class SweepRun {
   Error at_point(Error error, const SweepPoint& point) const;
 
   SweepRequest& request_;
+  PartRecordings recordings_;
   PartRunner runner_;
   KeptStudies kept_;
 };

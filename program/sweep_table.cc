@@ -24,7 +24,7 @@ std::string effects_line(const SweepDescription& sweep, const ClaimEffects& over
     if (effect.change == 0.0) continue;
     text += (text.empty() ? "" : ", ") + effect_text(sweep, number, effect);
   }
-  return text.empty() ? "no unknown changes it" : text;
+  return text.empty() ? "no unknown affects it" : text;
 }
 
 std::string claim_lines(const SweepResults& results, std::size_t number) {
@@ -33,8 +33,8 @@ std::string claim_lines(const SweepResults& results, std::size_t number) {
   const std::string text =
       claim.variation.empty() ? claim.text : claim.variation + ": " + claim.text;
   if (over.points == 0) {
-    return fmt::format("  {:>6}  {:>6}  {}\n{:18}it cannot be judged at any point\n", "-", "-",
-                       text, "");
+    return fmt::format("  {:>6}  {:>6}  {}\n{:18}cannot be judged at any point\n", "-", "-", text,
+                       "");
   }
   return fmt::format("  {:>4.0f} %  {:>4.0f} %  {}\n{:18}{}\n", 100.0 * over.holds,
                      100.0 * over.mean_share, text, "", effects_line(results.sweep.sweep, over));
@@ -51,11 +51,11 @@ std::string sweep_table(const SweepResults& results) {
       results.sweep.system, counted(results.points.size(), "point"),
       choice_name(sweep.sweep.design), counted(sweep.unknowns.size(), "unknown"),
       counted(sweep.sweep.pairs, "pair"), "holds", "pairs",
-      one ? "by how much each unknown changes the share of pairs"
-          : "the share of the variance that each unknown explains");
+      one ? "the change of the share of pairs by each unknown"
+          : "the share of the variance explained by each unknown");
   for (std::size_t i = 0; i < results.sweep.claims.size(); ++i) text += claim_lines(results, i);
   for (const std::string& claim : results.sweep.not_judged) {
-    text += fmt::format("\nNot judged, since it compares with another system: {}\n", claim);
+    text += fmt::format("\nNot judged, because it compares with another system: {}\n", claim);
   }
   return text;
 }

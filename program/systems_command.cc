@@ -13,7 +13,7 @@
 namespace somato::program {
 namespace {
 
-// What the file explores with; empty where it needs data.
+// The body of the file's exploration; empty if it requires data.
 std::string body_of(const Table& file) {
   const Table::Entry* explore = file.find("explore");
   const auto* table = explore ? std::get_if<Table>(&explore->content) : nullptr;
@@ -48,11 +48,11 @@ void list(const Arguments& arguments, const OwnSystems& own) {
   print_result(
       arguments,
       text_of("The papers' systems, for somato run and somato reproduce:", own.systems) +
-          text_of("\nThe same for data sets of others, with --data:", own.recorded) +
-          text_of("\nStudies of data sets of others, with --data:", own.studies) +
+          text_of("\nThe same systems for public data sets, with --data:", own.recorded) +
+          text_of("\nStudies of public data sets, with --data:", own.studies) +
           text_of("\nQuestions about the papers' systems, for somato reproduce:", own.questions) +
-          "\n'somato systems NAME' prints the file, to begin one with; 'somato modules' lists what "
-          "systems\nare made of.\n",
+          "\n'somato systems NAME' prints the file of a system as a template; 'somato modules' "
+          "lists the\ntypes of modules.\n",
       Table{{},
             {entry("systems", own.systems, of_file), entry("recorded", own.recorded, of_file),
              entry("studies", own.studies, of_file), entry("questions", own.questions, of_file)}});
@@ -61,7 +61,8 @@ void list(const Arguments& arguments, const OwnSystems& own) {
 Result<void> print_file(const Arguments& arguments) {
   const std::string name = arguments.text("NAME");
   if (arguments.has("json")) {
-    return fail(ErrorKind::kUsage, "the file is TOML", "--json", "leave it out, or leave NAME out");
+    return fail(ErrorKind::kUsage, "the file is TOML, not JSON", "--json",
+                "omit --json, or omit NAME");
   }
   if (const auto file = find_own_file(name)) {
     std::fwrite(file->text.data(), 1, file->text.size(), stdout);
@@ -79,8 +80,9 @@ Result<void> run_systems(const Arguments& arguments) {
 
 Command systems_command() {
   return {"systems",
-          "List the systems and studies that come with the program, or print one's file",
-          {{"NAME", "Print the file of this one", false, false, Role::kValue, own_file_names}},
+          "List the built-in systems and studies, or print the file of one",
+          {{"NAME", "Print the file of this system or study", false, false, Role::kValue,
+            own_file_names}},
           {json_flag()},
           {},
           run_systems};

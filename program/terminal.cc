@@ -22,7 +22,7 @@ std::atomic<bool> quiet = false;
 void on_interrupt(int signal) {
   interrupted = signal;
   std::signal(signal, SIG_DFL);
-  constexpr std::string_view kSaid = "\nsomato: stopping; once more ends at once\n";
+  constexpr std::string_view kSaid = "\nsomato: stopping; press Ctrl-C again to end immediately\n";
   if (isatty(STDERR_FILENO) == 1 && !quiet) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
   }
@@ -35,7 +35,7 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-// One line that is written over, at most ten times a second.
+// One line that is rewritten at most ten times per second.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what) : what_(std::move(what)) {}
@@ -45,7 +45,7 @@ class ProgressLine {
   ProgressLine& operator=(ProgressLine&&) = delete;
   ~ProgressLine() { end(); }
 
-  // What comes next stands on a line of its own.
+  // Later output starts on a new line.
   void end() {
     if (std::exchange(begun_, false)) std::fputs("\n", stderr);
   }
@@ -65,7 +65,7 @@ class ProgressLine {
   }
 
  private:
-  // Nothing as long as nothing is done to tell by.
+  // No estimate before the first step.
   static std::string time_left(double elapsed, double share) {
     return share > 0.0 ? fmt::format(", {} left", duration(elapsed / share - elapsed)) : "";
   }
@@ -78,7 +78,7 @@ class ProgressLine {
   Clock::time_point shown_{};
 };
 
-// What the caller wants ignored (nohup, a job in the background) stays ignored.
+// Signals that the caller ignores (nohup, a background job) remain ignored.
 void catch_signal(int signal) {
   if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
 }

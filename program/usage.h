@@ -7,9 +7,8 @@
 
 namespace somato::program {
 
-/// What `--quiet` does, which every command takes.
-inline constexpr std::string_view kQuietText =
-    "No progress and no summary, only results and errors";
+/// The text of `--quiet`, a flag of every command.
+inline constexpr std::string_view kQuietText = "Suppress progress and summaries";
 
 /// "somato som train DATA -o ... [FLAGS]".
 std::string usage_of(const Command& command);

@@ -15,7 +15,7 @@
 namespace somato::program {
 namespace {
 
-// A system's file without what belongs to 'reproduce'.
+// A system's file without the tables that only 'reproduce' uses.
 Result<StudyDescription> description_in(const Table& content) {
   Table study = content;
   std::erase_if(study.entries, [](const Table::Entry& entry) {
@@ -32,7 +32,8 @@ bool has_labels(const Recording& recording, const std::string& name) {
 ViewSystem offered(const StudyDescription& description) {
   ViewSystem system;
   system.name = description.study.name;
-  system.text = fmt::format("Tells {}; learns from what is viewed.", description.study.label);
+  system.text = fmt::format("Classifies by {}; learns from the explorations in the view.",
+                            description.study.label);
   system.description = description.system;
   system.label = description.study.label;
   system.map = description.study.map;
@@ -48,7 +49,7 @@ std::string body_in(const Table& content) {
   return text != nullptr ? *text : "";
 }
 
-// Of both probes' channels a probe has one.
+// A single probe has one of the channels of both probes.
 bool hears_only(const SystemDescription& description, const std::string& channel) {
   const auto system = System::build(description, {});
   if (!system) return false;
@@ -61,15 +62,13 @@ bool hears_only(const SystemDescription& description, const std::string& channel
 
 Result<std::vector<ViewSystem>> systems_that(
     const std::function<bool(const Table&, const StudyDescription&)>& fits) {
-  auto own = own_systems();
-  if (!own) return fail(std::move(own.error()));
-  std::vector<NamedFile> files = std::move(own->systems);
-  for (NamedFile& recorded : own->recorded) files.push_back(std::move(recorded));
+  SOMATO_TRY(auto own, own_systems());
+  std::vector<NamedFile> files = std::move(own.systems);
+  for (NamedFile& recorded : own.recorded) files.push_back(std::move(recorded));
   std::vector<ViewSystem> systems;
   for (const NamedFile& file : files) {
-    auto description = description_in(file.content);
-    if (!description) return fail(std::move(description.error()));
-    if (fits(file.content, *description)) systems.push_back(offered(*description));
+    SOMATO_TRY(auto description, description_in(file.content));
+    if (fits(file.content, description)) systems.push_back(offered(description));
   }
   return systems;
 }
@@ -77,12 +76,11 @@ Result<std::vector<ViewSystem>> systems_that(
 }  // namespace
 
 Result<ViewSystem> trained_system(const std::string& path) {
-  auto model = load_system(path);
-  if (!model) return fail(std::move(model.error()));
+  SOMATO_TRY(auto model, load_system(path));
   ViewSystem system;
   system.name = std::filesystem::path(path).filename().string();
-  system.text = "The system that was given; it has learned.";
-  system.trained = std::make_shared<const SystemModel>(std::move(*model));
+  system.text = "The given trained system.";
+  system.trained = std::make_shared<const SystemModel>(std::move(model));
   return system;
 }
 

@@ -3,19 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "live/view_source.h"
 #include "somato/core/result.h"
-#include "somato/live/view_source.h"
 
 namespace somato::program {
 
 /// A trained system from its file.
 Result<ViewSystem> trained_system(const std::string& path);
 
-/// The systems that travel with the program and fit the recording: its channels, and the label that
-/// they are to tell.
+/// The built-in systems that fit the recording: its channels, and the label to be predicted.
 Result<std::vector<ViewSystem>> systems_for(const Recording& recording);
 
-/// Those for a body, by what their files say that explores.
+/// The systems for a body, according to the exploration in their files.
 Result<std::vector<ViewSystem>> systems_for_body(const std::string& body);
 
 }  // namespace somato::program

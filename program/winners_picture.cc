@@ -13,9 +13,8 @@ std::string winners_picture(const StudyDescription& description, const StudyOutc
   panel.class_names = outcome.classes.names;
   panel.winners = outcome.winners;
   panel.classes = outcome.classes.of_sample;
-  const std::string caption =
-      fmt::format("{} explorations, trained and shown on all of them; seed {}.",
-                  outcome.winners.size(), description.study.first_seed);
+  const std::string caption = fmt::format("{} explorations, all used for training; seed {}.",
+                                          outcome.winners.size(), description.study.first_seed);
   return draw_picture(description.study.name, caption, {panel});
 }
 

@@ -6,7 +6,7 @@
 
 namespace somato::program {
 
-/// The winners of all explorations on the map that learned from all of them, as SVG.
+/// The winners of all explorations on the map trained on all of them, as SVG.
 std::string winners_picture(const StudyDescription& description, const StudyOutcome& outcome);
 
 }  // namespace somato::program

@@ -12,7 +12,7 @@ inline std::string counted(std::uint64_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Names of files, columns and labels come from elsewhere: a terminal must not take them for
+/// Names of files, columns and labels are untrusted input: a terminal must not interpret them as
 /// commands.
 inline std::string printable(const std::string& text) {
   std::string out;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Refuses calls whose bits differ between machines, and places of one machine; reports long files.
+"""Reports calls whose bits differ between machines, machine-specific paths, wording, and long files.
 
 usage: check_text.py [TREE]
 """
@@ -18,16 +18,20 @@ BANNED_CALLS = re.compile(
 )
 BANNED_FLAGS = re.compile(r"-ffast-math|-Ofast|-funsafe-math-optimizations")
 MACHINE_PLACES = re.compile(r"(?<![\w.\-/$}])/(?:tmp|work|root|home/\w+)/")
+# Words that STYLE.md excludes: they read as translated, or as metaphors.
+WORDING = re.compile(
+    r"\b(?:whoever|so-and-so|told apart|tells? apart|told exactly|by luck|what came of it|looks on"
+    r"|of one's own|nobody)\b", re.IGNORECASE)
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
 
-# Files that may do what the others may not, each with its reason.
-MAY_PRINT = {"src/core/check.cc": "a broken invariant ends the program with a last word"}
+# Exceptions, each with its reason.
+MAY_PRINT = {"src/core/check.cc": "a violated invariant ends the program with a message"}
 MAY_ROUND = {
-    "src/simulation/ray_picture.cc": "a picture is looked at, its bits promise nothing",
-    "src/simulation/object_mjcf.cc": "text for the physics engine, which promises no bits",
-    "src/simulation/object_motion.cc": "poses for the physics engine, which promises no bits",
+    "src/simulation/ray_picture.cc": "the bits of a picture are not guaranteed",
+    "src/simulation/object_mjcf.cc": "text for the physics engine, whose bits are not guaranteed",
+    "src/simulation/object_motion.cc": "poses for the physics engine, whose bits are not guaranteed",
 }
-KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py"}
+KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py", "STYLE.md"}
 
 LONG_FILE = 400
 
@@ -44,7 +48,7 @@ def without_comments(line):
 
 
 def problems_of_line(name, line):
-    """What is wrong with a line of the file `name`."""
+    """Problems of a line of the file `name`."""
     is_cpp = name.endswith((".h", ".cc"))
     in_library = name.startswith(("src/", "include/")) and is_cpp
     code = without_comments(line) if is_cpp else line
@@ -54,8 +58,10 @@ def problems_of_line(name, line):
         yield f"'{found[0]}': the library never prints"
     if name.endswith((".txt", ".cmake", ".json", ".in")) and (found := BANNED_FLAGS.search(line)):
         yield f"'{found[0]}' changes bits"
+    if found := WORDING.search(line):
+        yield f"'{found[0]}': use plain technical terms; see STYLE.md"
     if found := MACHINE_PLACES.search(line):
-        yield f"'{found[0]}' is a place of one machine"
+        yield f"'{found[0]}' is a machine-specific path"
 
 
 def check(tree, names):
@@ -77,7 +83,7 @@ def long_files(tree, names):
         if name.endswith((".h", ".cc", ".py", ".sh")):
             length = len((tree / name).read_text(encoding="utf-8").splitlines())
             if length > LONG_FILE:
-                yield f"note: {name} has {length} lines; think hard at {LONG_FILE}"
+                yield f"note: {name} has {length} lines; the recommended maximum is {LONG_FILE}"
 
 
 def main():

@@ -1,4 +1,4 @@
-"""How a build compiles each source."""
+"""Compile commands of the sources of a build."""
 
 import json
 import re

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Trains maps on the FCPS point sets and writes what came of it: a table and pictures.
+"""Trains maps on the FCPS point sets and writes the results: a table and pictures.
 
 usage: fcps_report.py --data FOLDER --out OUT [--seeds FIRST-LAST] [--program FILE]
                       [--no-pictures] [FLAG=VALUE]...
 
-FOLDER holds Atom.data, Chainlink.data, Hepta.data, Target.data and TwoDiamonds.data: numbers between
-blanks, a point a line, no labels. Which class a line belongs to is known by its number and stands in
-LINES below. FLAG=VALUE are flags of `somato som train` without their dashes, such as iterations=20000,
-instead of or beside those of SETTINGS.
+FOLDER contains Atom.data, Chainlink.data, Hepta.data, Target.data and TwoDiamonds.data: one point per
+line, numbers separated by blanks, without labels. LINES below lists the classes by line number.
+FLAG=VALUE are flags of `somato som train` without dashes, such as iterations=20000, which replace or
+supplement those of SETTINGS.
 
 OUT gets SET.labels, table.md and, for each set, SET.svg: the map of the first seed on its grid of
 PICTURES. docs/fcps.md shows them.
@@ -19,7 +19,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Lines (from 1, both ends included) of each class. Target's single points are its outliers.
+# Lines of each class, from 1, inclusive. Target's single points are its outliers.
 LINES = {
     "Hepta": {"1": [(1, 32)], "2": [(33, 62)], "3": [(63, 92)], "4": [(93, 122)],
               "5": [(123, 152)], "6": [(153, 182)], "7": [(183, 212)]},

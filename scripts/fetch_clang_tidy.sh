@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the pinned clang-tidy into build/clang-tidy.
+# Installs the pinned clang-tidy in build/clang-tidy.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

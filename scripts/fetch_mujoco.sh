@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the pinned physics engine into build/mujoco, or the distribution's where that is out of reach.
+# Installs the pinned physics engine in build/mujoco, or the distribution's if it cannot be downloaded.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,7 +23,7 @@ if scripts/unpack_wheel.sh scripts/mujoco.txt "$work/wheel"; then
   exit 0
 fi
 
-echo "fetch_mujoco: MuJoCo $version is out of reach; the distribution's older one is taken," \
-  "whose figures differ" >&2
+echo "fetch_mujoco: MuJoCo $version cannot be downloaded; the older version of the distribution is used," \
+  "whose results differ" >&2
 rm -rf "$folder"
 scripts/setup.sh old-physics

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""How much do the simulated hands' recordings tell? Explores under every condition, measures, and
-writes tables.
+"""Measures the information in the simulated hands' recordings under several conditions, and writes
+tables.
 
 usage: information_study.py --out OUT [--seeds FIRST-LAST] [--program FILE] [--studies FOLDER]
                             [--threads N] [--keep-recordings]
 
-Every condition is explored once with each seed: another seed is another recording, with placements
-and noise of its own. `somato information` then measures the vectors of each study on it. What is done
-stands in OUT/figures and is not done again: a run that was stopped goes on where it was. OUT/tables.md
-gets the tables of docs/studies/simulated-hands.md, mean and standard deviation over the seeds.
+Every condition is explored once with each seed; each seed has different placements and noise.
+`somato information` then measures the vectors of each study. Completed measurements are stored in
+OUT/figures and not repeated, so an interrupted run can be resumed. OUT/tables.md contains the tables
+of docs/studies/simulated-hands.md, mean and standard deviation over the seeds.
 """
 
 import argparse
@@ -24,11 +24,11 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Hand:
-    """A body, the studies its recordings are measured by, and what is asked of them."""
+    """A body, the studies by which its recordings are measured, and the measured labels."""
     body: str
     studies: dict = field(hash=False)  # by the name in the tables: file, channel of touch
-    noises: tuple  # mm; the turn goes with them, 2 degrees a mm
-    asked: tuple  # flags of `somato information`
+    noises: tuple  # mm; the rotation is 2 degrees per mm
+    flags: tuple  # flags of `somato information`
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ def read_options():
 
 
 def somato(options, *arguments, may_lose=False):
-    """Runs the program. What it reports as lost goes to standard error."""
+    """Runs the program and passes its reports of losses to standard error."""
     done = subprocess.run([options.program, *map(str, arguments)], check=False,
                           capture_output=True, text=True)
     if done.returncode != 0 and not (may_lose and done.returncode == DONE_WITH_LOSSES):
@@ -94,7 +94,7 @@ def somato(options, *arguments, may_lose=False):
 
 
 def write_studies(options, hand):
-    """Each study of a hand with its channel of touch, as a file; by its name in the tables."""
+    """The study files of a hand, with their channel of touch, by their names in the tables."""
     folder = options.out / "studies"
     folder.mkdir(parents=True, exist_ok=True)
     files = {}
@@ -125,14 +125,14 @@ def explore(options, condition, seed):
 
 
 def measure(options, condition, seed, study_files):
-    """Explores and measures what is not yet there."""
+    """Runs the missing explorations and measurements."""
     missing = [file for file in study_files
                if not figures_of(options, condition, file, seed).exists()]
     if not missing:
         return
     recording = explore(options, condition, seed)
     for file in missing:
-        somato(options, "information", file, "--data", recording, *condition.hand.asked,
+        somato(options, "information", file, "--data", recording, *condition.hand.flags,
                "--threads", options.threads, "-o", figures_of(options, condition, file, seed))
     if not options.keep_recordings:
         recording.unlink()
@@ -150,7 +150,7 @@ def run_all(options, studies):
 
 
 class Figures:
-    """What was measured of one condition by one study: a list over the seeds."""
+    """The measurements of one condition with one study: a list over the seeds."""
 
     def __init__(self, options, condition, study_file):
         self.all = [json.loads(figures_of(options, condition, study_file, seed).read_text("utf-8"))
@@ -185,7 +185,7 @@ def place_of(condition):
     return [f"{condition.noise:g} mm", condition.held_or_free]
 
 
-def told_by(figures):
+def accuracies_and_ratios(figures):
     """Accuracies and ratios that both hands' tables show."""
     return [spread(figures.label("object", "accuracy")),
             spread(figures.label("shape", "accuracy")),
@@ -194,17 +194,17 @@ def told_by(figures):
             spread(figures.label("shape", "distance_ratio"))]
 
 
-TOLD = ["object", "shape", "shape, new objects", "ratio, objects", "ratio, shapes"]
+MEASURES = ["object", "shape", "shape, new objects", "ratio, objects", "ratio, shapes"]
 
 
 def table_of_codes(options, conditions, files):
-    rows = [[*place_of(condition), name, *told_by(Figures(options, condition, file))]
+    rows = [[*place_of(condition), name, *accuracies_and_ratios(Figures(options, condition, file))]
             for condition in conditions for name, file in files.items()]
-    return table(["placement", "", "code", *TOLD], rows)
+    return table(["placement", "", "code", *MEASURES], rows)
 
 
 def compared(first, second):
-    """What the first has more than the second, recording by recording."""
+    """Differences of the first and the second, recording by recording."""
     differences = [a - b for a, b in zip(first, second)]
     more = sum(difference > 1e-9 for difference in differences)
     less = sum(difference < -1e-9 for difference in differences)
@@ -219,20 +219,20 @@ def table_of_differences(options, conditions, files):
         for channel in ("force", "change"):
             chain = Figures(options, condition, files[f"chain, {channel}"])
             product = Figures(options, condition, files[f"product, {channel}"])
-            asked = [("object", "accuracy"), ("shape", "accuracy"),
+            compared_labels = [("object", "accuracy"), ("shape", "accuracy"),
                      ("shape", "accuracy_new_individuals"), ("object", "distance_ratio")]
             rows.append([*place_of(condition), channel,
-                         *(compared(chain.label(*one), product.label(*one)) for one in asked)])
-    return table(["placement", "", "touch", *TOLD[:4]], rows)
+                         *(compared(chain.label(*one), product.label(*one)) for one in compared_labels)])
+    return table(["placement", "", "touch", *MEASURES[:4]], rows)
 
 
 def table_of_joints(options, conditions, files):
     rows = []
     for condition in conditions:
         figures = Figures(options, condition, files["joints"])
-        rows.append([*place_of(condition), *told_by(figures), spread(figures.order("correlation")),
+        rows.append([*place_of(condition), *accuracies_and_ratios(figures), spread(figures.order("correlation")),
                      spread(figures.order("shuffled")), spread(figures.order("shuffled_share"))])
-    return table(["placement", "", *TOLD, "size order", "shuffled", "as high by luck"], rows)
+    return table(["placement", "", *MEASURES, "size order", "shuffled", "as high by chance"], rows)
 
 
 def chances(options, condition, file):
@@ -244,13 +244,13 @@ def chances(options, condition, file):
 
 
 def losses(options, conditions, files):
-    """Which conditions have fewer explorations than the others."""
+    """The conditions with fewer explorations than the others."""
     counts = {condition: Figures(options, condition, next(iter(files.values()))).explorations()
               for condition in conditions}
     most = max(max(numbers) for numbers in counts.values())
     lost = [f"{condition.name}: {', '.join(str(number) for number in numbers)}"
             for condition, numbers in counts.items() if min(numbers) < most]
-    return f"{most} explorations a recording" + (
+    return f"{most} explorations per recording" + (
         "; fewer in " + "; ".join(lost) if lost else ", none lost") + ".\n"
 
 

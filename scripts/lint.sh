@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Format, the rules of the house, and clang-tidy for changed files; with --fix, clang-format and
-# clang-tidy repair. scripts/run_clang_tidy.py checks all files.
+# Checks format, project rules, and changed files with clang-tidy; with --fix, clang-format and
+# clang-tidy correct the files. scripts/run_clang_tidy.py checks all files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -47,6 +47,7 @@ check 'format' check_format
 check 'include table' python3 scripts/check_includes.py
 check 'mirrored tests' python3 scripts/check_mirrors.py
 check 'house rules' python3 scripts/check_text.py
+check 'types of the pages' python3 scripts/page_types.py --check
 check 'shell scripts' check_shell
 check 'clang-tidy of changed files' python3 scripts/run_clang_tidy.py --changed "${fix[@]}"
 

@@ -37,7 +37,7 @@ REST = 244.0  # counts of a taxel without pressure
 
 
 def normal(source):
-    """About normal with mean 0 and deviation 1: twelve uniform numbers added up.
+    """Approximately normal with mean 0 and deviation 1: the sum of twelve uniform numbers.
 
     Not by sum(), which rounds otherwise since Python 3.12.
     """
@@ -48,12 +48,12 @@ def normal(source):
 
 
 def proximal_angle(width):
-    """The wider the object, the earlier a finger stops."""
+    """The angle at which a finger stops, which is smaller for wider objects."""
     return 95.0 - 0.75 * width
 
 
 def distal_angle(width, roundness):
-    """A finger tip bends round a round object and stays straighter on a flat one."""
+    """The flexion of a fingertip, which is larger on round objects than on flat ones."""
     return 30.0 + 22.0 * roundness - 0.2 * width
 
 
@@ -76,12 +76,12 @@ def closed_hand(source, widths, roundness):
 
 
 def smooth(progress):
-    """From 0 to 1 without a jerk at either end."""
+    """Smooth transition from 0 to 1."""
     return progress * progress * (3.0 - 2.0 * progress)
 
 
 def pressed_counts(source, contact, strength, roundness, taxel):
-    """A taxel's reading; those in the middle of a fingertip feel a round object most."""
+    """A taxel's reading; a round object presses mainly on the middle of a fingertip."""
     from_middle = (taxel - 5.5) / 5.5
     share = 1.0 - roundness * from_middle * from_middle
     counts = REST - 60.0 * contact * strength * share + TAXEL_NOISE * normal(source)

@@ -1,4 +1,4 @@
-"""Single small breaks of C++ sources: another operator, another constant, a statement left out."""
+"""Single mutations of C++ sources: another operator, another constant, a removed statement."""
 
 import re
 from dataclasses import dataclass
@@ -44,7 +44,7 @@ class Mutant:
 
 
 def without_literals(text):
-    """`text` with texts and comments blanked out, places unchanged."""
+    """`text` with string literals and comments replaced by blanks, positions unchanged."""
     return LITERAL.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
@@ -78,5 +78,5 @@ def of_file(file):
 
 
 def of_files(files):
-    """All mutants of `files`, in their order."""
+    """All mutants of `files`, in order."""
     return [mutant for file in files for mutant in of_file(file)]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Breaks a room's sources one place at a time and tells which breaks its tests do not notice.
+"""Mutation test: changes a room's sources one place at a time and reports undetected changes.
 
 Each mutant is compiled beside the tree and linked in front of the library, so that nothing in the
 checkout changes. A mutant that does not compile is replaced by another. The same seed draws the same
@@ -29,7 +29,7 @@ LONGEST = 60  # seconds beyond three times what the tests take without a mutant
 
 
 class Room:
-    """The tests of a room, which can be linked or run with a mutant."""
+    """The tests of a room, linked or run with a mutant."""
 
     def __init__(self, name):
         self.name = name
@@ -54,7 +54,7 @@ class Room:
         return time.monotonic() - started
 
     def passes(self, linked, cases, limit):
-        """Whether the cases pass in `linked`, or with it as the program that they run."""
+        """Whether the cases pass in `linked`, or with `linked` as the tested program."""
         tests = self.tests if self.is_program else linked
         try:
             done = subprocess.run([tests, "--gtest_brief=1", "--gtest_fail_fast",
@@ -66,7 +66,7 @@ class Room:
         return done.returncode == 0
 
     def build(self, mutant, folder):
-        """What is linked with `mutant`, or None where it does not compile."""
+        """The binary linked with `mutant`, or None if it does not compile."""
         command, compiled = self.compile[mutant.file]
         source = folder / mutant.file.name
         source.write_text(mutant.text(), encoding="utf-8")
@@ -91,7 +91,7 @@ class Room:
         return linked
 
     def mirrored_cases(self, file):
-        """A filter for the cases that are written for `file`; they are the likeliest to notice."""
+        """A filter for the test cases of `file`, which are the most likely to detect the mutant."""
         test = TREE / "tests" / self.name / f"{file.stem}_test.cc"
         text = test.read_text(encoding="utf-8") if test.is_file() else ""
         return ":".join(f"{suite}.*" for suite in sorted(set(re.findall(r"^TEST\w*\((\w+)", text,

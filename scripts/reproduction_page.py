@@ -4,11 +4,11 @@
     scripts/reproduction_page.py out/reproduction/results.json --sweeps out/sweeps > docs/reproduction.md
 
 FOLDER/NAME/sweep.json of --sweeps are the sweeps of systems/unknowns. With --check FILE nothing is
-written: it fails where FILE is not the page that the results make.
+written; the script fails if FILE differs from the page generated from the results.
 
-Around the tables made here stand the texts of scripts/reproduction_page.md.in, and the remarks of
-scripts/reproduction_remarks.md.in, which name no figures: those come from the results. A remark that
-is not there is left out, and so is one of a table that is not there.
+The generated tables are inserted into the text of scripts/reproduction_page.md.in, with the remarks of
+scripts/reproduction_remarks.md.in, which contain no figures: those come from the results. A missing
+remark is omitted, and so is a remark on a missing table.
 """
 
 import argparse
@@ -30,7 +30,7 @@ MAIN = ("accuracy", "baseline_accuracy")
 # Systems whose confusions the papers report.
 CONFUSED = ("single_tensor_product", "tensor_chain", "t_mpsom_multiplied", "t_mpsom_added", "texture",
             "hardness", "combined", "bimodal")
-AREAS = ("individuals_apart", "areas_connected", "told_exactly", "undetermined", "with_own")
+AREAS = ("individuals_apart", "areas_connected", "classes_separated", "samples_ambiguous", "neighbours_same_class")
 
 
 def metric(protocol, name):
@@ -39,7 +39,7 @@ def metric(protocol, name):
 
 
 def label_prefix(protocol):
-    """Of the system's own label, or where that cannot be named, of the first that can."""
+    """Prefix and name of the system's own label, or of the first label with an accuracy."""
     for name in protocol["metrics"]:
         if name == "accuracy":
             return "", protocol["label"]
@@ -49,7 +49,7 @@ def label_prefix(protocol):
 
 
 def accuracy_table(parts, protocols=None):
-    """Of the protocols named, or of all; empty without any."""
+    """Table for the given protocols, or for all; empty if there are none."""
     rows = []
     for part in parts:
         for protocol in part["protocols"]:
@@ -59,17 +59,17 @@ def accuracy_table(parts, protocols=None):
             prefix, label = label_prefix(protocol)
             values = [metric(protocol, prefix + name) for name in MAIN]
             rows.append([tables.subject(part), text, label, *(tables.spread(v) if v else "–" for v in values)])
-    return tables.table(["system", "protocol", "asked", "accuracy", "nearest neighbour"], rows) if rows else ""
+    return tables.table(["system", "protocol", "label", "accuracy", "nearest neighbour"], rows) if rows else ""
 
 
 def area_cell(protocol, name):
-    values, chance = metric(protocol, name), metric(protocol, name + "_by_luck")
+    values, chance = metric(protocol, name), metric(protocol, name + "_chance")
     text = f"{statistics.mean(values):.2f}" if values else "–"
     return text + (f" ({statistics.mean(chance):.2f})" if chance else "")
 
 
 def area_table(parts):
-    """Measures read off the papers' own kind of map, beside what chance gives."""
+    """Measures of the maps under the papers' protocol, with the values by chance."""
     rows = []
     for part in parts:
         protocol = tables.find_protocol(part, "train_is_test")
@@ -78,18 +78,18 @@ def area_table(parts):
         for prefix in [""] + sorted({n.split(".")[0] + "." for n in protocol["metrics"] if "." in n}):
             rows.append([tables.subject(part), prefix[:-1] or protocol["label"],
                          *(area_cell(protocol, prefix + name) for name in AREAS)])
-    return tables.table(["system", "asked", *(n.replace("_", " ") for n in AREAS)], rows)
+    return tables.table(["system", "label", *(n.replace("_", " ") for n in AREAS)], rows)
 
 
-def as_it_stands(results):
-    return [p for p in results["systems"] if not p["question"] and not p["variation"]]
+def unchanged(results):
+    return [p for p in results["parts"] if not p["question"] and not p["variation"]]
 
 
 def claim_sections(claims):
     own = [c for c in claims if not c["question"]]
     sections = []
     for title, found in (("Claims of the papers", [c for c in own if c["paper"]]),
-                         ("Comparisons of our own", [c for c in own if not c["paper"]])):
+                         ("Comparisons by this project", [c for c in own if not c["paper"]])):
         if found:
             sections.append(f"### {title}\n\n{tables.claim_table(found)}")
     return "\n\n".join(sections)
@@ -99,14 +99,14 @@ def verdict_sentence(claims):
     papers = [c for c in claims if c["paper"]]
     if not papers:
         return "No claim of the papers was measured."
-    pairs = [c["pairs"] for c in papers]
+    pairs = [len(c["values"]) for c in papers]
     sentence = f"Verdicts on {tables.counted(len(papers), 'claim')} of the papers, side questions included, "
     return sentence + f"each with at least {tables.counted(min(pairs), 'pair')}: {tables.verdict_counts(papers)}."
 
 
 def confusion_sections(results):
     texts = []
-    for part in as_it_stands(results):
+    for part in unchanged(results):
         protocol = tables.find_protocol(part, *tables.FOLDS)
         if part["system"] in CONFUSED and protocol:
             texts.append(f"### {part['system']}, {tables.protocol_text(protocol)}\n\n"
@@ -115,14 +115,14 @@ def confusion_sections(results):
 
 
 def remembered(results):
-    """How seldom a map is wrong about what it learned."""
+    """Error rates of the maps on their training explorations."""
     wrong = []
-    for part in as_it_stands(results):
+    for part in unchanged(results):
         protocol = tables.find_protocol(part, "train_is_test")
         if part["system"] in CONFUSED and protocol:
             named = [t == p for run in protocol["runs"] for t, p in zip(run["labels"], run["predictions"])]
             wrong.append(f"{part['system']} {100 * named.count(False) / len(named):.1f} %")
-    return f"wrongly named under train = test: {', '.join(wrong)}" if wrong else "none was run so"
+    return f"misclassified under train = test: {', '.join(wrong)}" if wrong else "no system was run this way"
 
 
 def sweep_sections(sweeps):
@@ -141,54 +141,54 @@ def question_text(name):
 
 
 def question_section(name, results):
-    parts = [p for p in results["systems"] if p["question"] == name]
+    parts = [p for p in results["parts"] if p["question"] == name]
     claims = [c for c in results["claims"] if c["question"] == name]
     pairs = f"{tables.counted(len(parts[0]['pairs']), 'pair')} each."
-    asked = {tables.protocol_text(c) for c in claims if c["metric"].endswith("accuracy")}
+    claimed = {tables.protocol_text(c) for c in claims if c["metric"].endswith("accuracy")}
     texts = [f"### {name.replace('_', ' ')}", question_text(name), pairs, f"{{{{question {name}}}}}"]
     if claims:
         texts.append(tables.claim_table(claims))
-    texts.append(accuracy_table(parts, asked if claims else {"5 folds"}))
+    texts.append(accuracy_table(parts, claimed if claims else {"5 folds"}))
     if not claims:
         texts.append(area_table(parts))
     return "\n\n".join(text for text in texts if text)
 
 
 def questions(results):
-    names = dict.fromkeys(p["question"] for p in results["systems"] if p["question"])
-    return "\n\n".join(question_section(name, results) for name in names) or "None was asked."
+    names = dict.fromkeys(p["question"] for p in results["parts"] if p["question"])
+    return "\n\n".join(question_section(name, results) for name in names) or "No question was run."
 
 
-def settings_hash(part):
-    text = json.dumps(part["settings"], sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+def parameters_hash(part):
+    text = json.dumps(part["parameters"], sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12]
 
 
 def provenance(results):
     recordings = tables.table(
-        ["recording", "source", "seed", "data_hash"],
-        [[f"`{r['name']}`", tables.cell(r["source"]), r["seed"], f"`{r['data_hash']}`"] for r in results["recordings"]])
+        ["recording", "source", "seed", "hash"],
+        [[f"`{r['name']}`", tables.cell(r["source"]), r["seed"], f"`{r['hash']}`"] for r in results["recordings"]])
     systems = tables.table(
-        ["system", "settings", "recordings", "pairs", "seeds of training"],
-        [[tables.subject(p) + (f" ({p['question']})" if p["question"] else ""), f"`{settings_hash(p)}`",
+        ["system", "parameters", "recordings", "pairs", "seeds of training"],
+        [[tables.subject(p) + (f" ({p['question']})" if p["question"] else ""), f"`{parameters_hash(p)}`",
           len(p["recordings"]), len(p["pairs"]), f"{p['pairs'][0][1]} to {p['pairs'][-1][1]}"]
-         for p in results["systems"]])
-    return (f"<details>\n<summary>{tables.counted(len(results['recordings']), 'recording')} and the settings of "
-            f"{tables.counted(len(results['systems']), 'system')} and variations</summary>\n\n"
+         for p in results["parts"]])
+    return (f"<details>\n<summary>{tables.counted(len(results['recordings']), 'recording')} and the parameters of "
+            f"{tables.counted(len(results['parts']), 'system')} and variations</summary>\n\n"
             f"{recordings}\n\n{systems}\n\n</details>")
 
 
 def turns(parts):
-    """How many pairs have the same recording, such as '16 or 17'."""
+    """Number of pairs with the same recording, such as '16 or 17'."""
     counts = {sum(pair[0] == r for pair in part["pairs"]) for part in parts for r in range(len(part["recordings"]))}
     return " or ".join(str(count) for count in sorted(counts))
 
 
 def fill(template, results, sweeps):
-    systems = as_it_stands(results)
+    systems = unchanged(results)
     filled = {
-        "pairs": str(results["pairs"]),
-        "seed": str(results["seed"]),
+        "pairs": str(max(len(p["pairs"]) for p in systems)),
+        "seed": str(min(p["pairs"][0][1] for p in systems)),
         "recordings": str(max(len(p["recordings"]) for p in systems)),
         "pairs_of_a_recording": turns(systems),
         "verdicts": verdict_sentence(results["claims"]),
@@ -208,12 +208,12 @@ def fill(template, results, sweeps):
 
 
 def put_remarks(page, text):
-    """Remarks stand under `## NAME` in a file of their own, at {{remarks NAME}} or {{question NAME}}."""
+    """Inserts the remarks `## NAME` of the file of remarks at {{remarks NAME}} or {{question NAME}}."""
     known = dict(section.split("\n", 1) for section in text.split("\n## ")[1:])
     page = re.sub(r"\{\{(?:remarks|question) (.*?)\}\}", lambda place: known.get(place[1], "").strip(), page)
     left = re.findall(r"\{\{.*?\}\}", page)
     if left:
-        raise SystemExit(f"{TEMPLATE.name}: nothing is known of {', '.join(left)}")
+        raise SystemExit(f"{TEMPLATE.name}: unknown placeholders {', '.join(left)}")
     return re.sub(r"\n{3,}", "\n\n", page)
 
 
@@ -226,15 +226,15 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results", type=pathlib.Path, help="results.json of somato reproduce")
     parser.add_argument("--sweeps", type=pathlib.Path, help="folder with NAME/sweep.json of each system")
-    parser.add_argument("--check", type=pathlib.Path, help="fail where this page is not what would be written")
+    parser.add_argument("--check", type=pathlib.Path, help="fail if this page differs from the generated one")
     given = parser.parse_args(arguments)
     results = json.loads(given.results.read_text(encoding="utf-8"))
-    names = [p["system"] for p in as_it_stands(results)] if given.sweeps else []
+    names = [p["system"] for p in unchanged(results)] if given.sweeps else []
     page = make_page(results, tables.load_sweeps(given.sweeps, names))
     if not given.check:
         print(page, end="")
     elif given.check.read_text(encoding="utf-8") != page:
-        sys.exit(f"{given.check} is not what {given.results} gives; write it anew")
+        sys.exit(f"{given.check} differs from the page generated from {given.results}; generate it again")
 
 
 if __name__ == "__main__":

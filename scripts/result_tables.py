@@ -1,4 +1,4 @@
-"""What the pages of results share: claims, verdicts, confusions and sweeps as Markdown."""
+"""Markdown tables shared by the pages of results: claims, verdicts, confusions and sweeps."""
 
 import collections
 import json
@@ -6,8 +6,8 @@ import statistics
 
 VERDICTS = ("holds", "holds, but so does chance", "mostly", "fails", "cannot be decided here")
 FOLDS = ("leave_group_out", "trial")
-LEAST_FIRST_ORDER = 0.05  # an unknown that explains less decides nothing
-TIMES_CHANCE = 2  # and so does one that explains less than this many times what chance explains
+LEAST_FIRST_ORDER = 0.05  # an unknown with a lower index is not considered decisive
+TIMES_CHANCE = 2  # the same for an index below this multiple of the value by chance
 MOST_CONFUSIONS = 3
 
 
@@ -42,7 +42,7 @@ def listing(texts):
 
 
 def cell(text):
-    """A text of a file as a cell of a table."""
+    """Text of a file, escaped for a table cell."""
     return text.replace("|", "\\|").replace("\n", " ")
 
 
@@ -87,8 +87,8 @@ def claim_table(claims):
     heads = ["claim", "paper", "measured by", "published", "measured", "by chance", "holds in",
              "chance holds in", "verdict"]
     rows = [[f"{subject(c)}: {cell(c['text'])}", c["paper"] or "ours", bounds(c),
-             number(c["published"]), f"{c['mean']:.2f} ± {c['sd']:.2f}", rounded(c["by_luck"]),
-             f"{percent(c['share'])} of {c['pairs']}", percent(c["chance_share"]), verdict_text(c)]
+             number(c["published"]), f"{c['mean']:.2f} ± {c['sd']:.2f}", rounded(c["by_chance"]),
+             f"{percent(c['share'])} of {len(c['values'])}", percent(c["chance_share"]), verdict_text(c)]
             for c in claims]
     if not with_paper:
         heads, rows = heads[:1] + heads[2:], [row[:1] + row[2:] for row in rows]
@@ -96,7 +96,7 @@ def claim_table(claims):
 
 
 def verdict_counts(claims):
-    """Such as '3 claims: 2 hold, 1 fails', in words that need no agreement of numbers."""
+    """Counts of the verdicts, such as '*holds*: 2, *fails*: 1'."""
     found = collections.Counter(claim["verdict"] for claim in claims)
     unknown = sorted(set(found) - set(VERDICTS))
     if unknown:
@@ -115,7 +115,7 @@ def find_protocol(part, name, group=""):
 
 
 def confusions(protocol):
-    """How often each class was named each class, over all runs: (classes, Counter of pairs)."""
+    """Counts of (true class, predicted class) over all runs: (classes, predicted classes, Counter of pairs)."""
     found = collections.Counter()
     classes = {}
     for run in protocol["runs"]:
@@ -132,7 +132,7 @@ def confusion_table(protocol):
         total = sum(found[true, name] for name in named)
         shares = [100 * found[true, name] / total for name in named]
         rows.append([f"**{true}**", *("" if s == 0 else "<1" if s < 0.5 else f"{s:.0f}" for s in shares)])
-    return table(["explored \\ named, %", *named], rows)
+    return table(["true \\ predicted, %", *named], rows)
 
 
 def greatest_confusions(protocol):
@@ -140,17 +140,17 @@ def greatest_confusions(protocol):
     totals = {true: sum(n for (t, _), n in found.items() if t == true) for true in classes}
     wrong = [(count / totals[true], true, name) for (true, name), count in found.items() if true != name]
     if not wrong:
-        return "No exploration is named wrongly."
+        return "All explorations are classified correctly."
     wrong.sort(key=lambda one: (-one[0], classes.index(one[1]), one[2]))
     return "Most often confused: " + listing(
-        [f"{true} is named {name} ({100 * share:.1f} %)" for share, true, name in wrong[:MOST_CONFUSIONS]]) + "."
+        [f"{true} is classified as {name} ({100 * share:.1f} %)" for share, true, name in wrong[:MOST_CONFUSIONS]]) + "."
 
 
 # Sweeps
 
 
 def load_sweeps(folder, names):
-    """By name what is in FOLDER/NAME/sweep.json; a sweep that is missing is an error."""
+    """Content of FOLDER/NAME/sweep.json by name; a missing sweep is an error."""
     return {name: json.loads((folder / name / "sweep.json").read_text(encoding="utf-8")) for name in names}
 
 
@@ -174,7 +174,7 @@ def cell_text(part):
 
 
 def influence(unknown, sweep):
-    """Where a claim holds more and where less, by an unknown that decides it."""
+    """Values of a deciding unknown at which a claim holds most and least often."""
     declared = next(u for u in sweep["unknowns"] if u["name"] == unknown["name"])
     shares = [(found["share"], cell_text(part)) for found, part in zip(unknown["cells"], declared["cells"])
               if found["share"] is not None]
@@ -193,7 +193,7 @@ def judged(sweep):
 
 
 def unjudged(sweep):
-    """Claims of protocols that the sweep leaves out, and those that compare systems."""
+    """Claims under protocols that the sweep omits, and claims that compare systems."""
     return [c["text"] for c in sweep["claims"] if not c["points"]] + sweep["not_judged"]
 
 

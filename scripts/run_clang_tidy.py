@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
-A file that passed is not looked at again until it, a header of ours that it reaches, its compile
-command or the rules change. Each source is read by itself and without precompiled headers, so that one
-which lacks an include is refused. --changed: only files that differ from the branch that this one comes from, and for a
-header the first source that includes it.
+A file that passed is not checked again until it, a project header that it includes, its compile
+command or the rules change. Each source is read separately and without precompiled headers, so that a
+missing include is reported. --changed: only files that differ from the parent branch, and for a header
+the first source that includes it.
 
 usage: run_clang_tidy.py [--fix] [--changed]
 """
@@ -42,7 +42,7 @@ def git(*words):
 
 
 def changed_files():
-    """What differs from the commit at which this branch left its origin, new files too."""
+    """Files that differ from the merge base with the parent branch, including new files."""
     origin = next((name for name in ("origin/HEAD", "origin/main")
                    if git("rev-parse", "--verify", "--quiet", name)), "HEAD")
     base = git("merge-base", "HEAD", origin).strip() or "HEAD"
@@ -51,7 +51,7 @@ def changed_files():
 
 
 def only_changed(files):
-    """Those of `files` that are changed, and one for each changed header."""
+    """The changed files among `files`, and one source for each changed header."""
     changed = changed_files()
     chosen = {file for file in files if file in changed}
     unseen = {file for file in changed if file.suffix == ".h"}
@@ -67,7 +67,7 @@ def only_changed(files):
 
 
 def reached(path, known):
-    """`path` and the headers of ours that it includes, directly or not."""
+    """`path` and the project headers that it includes, directly or indirectly."""
     if path in known:
         return
     known.add(path)

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Runs the fenced blocks of README.md and docs/ as their reader would.
+"""Runs the fenced blocks of README.md and docs/.
 
 - ```sh and ```bash blocks run as scripts; ```console blocks run the lines after `$ ` (continued
-  after `> `), and what they print must match what the block shows: `...` in a line stands for
-  any text, a line `...` for any lines. Nothing shown means that nothing is compared.
+  after `> `), and what they print must match what the block shows: `...` in a line matches
+  any text, a line `...` any lines. Without shown output nothing is compared.
 - ```cpp blocks with `int main` are compiled, linked with the library and run.
-- The blocks of a document run in order in one fresh folder, in which the folders of the source tree
-  and build/release/somato are found; `somato` is on the path.
-- `<!-- test: skip REASON -->` before a block leaves it out; REASONS says which blocks may be. Data of
+- The blocks of a document run in order in a new folder, which contains the folders of the source tree
+  and build/release/somato; `somato` is on the path.
+- `<!-- test: skip REASON -->` before a block skips it; REASONS defines the permitted blocks. Data of
   others are a `--data FOLDER` or a quoted variable, such as "$FCPS".
-- `<!-- test: made FILE -->` before a picture says which file of that folder it is: the same bytes.
+- `<!-- test: made FILE -->` before a picture names the file of that folder with the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
 """
@@ -23,7 +23,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-# Why a block may be left out, and what each of its lines must then look like.
+# Permitted reasons for skipping a block, and the required form of each of its lines.
 REASONS = {
     "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?)",
     "needs docker": r"(#.*|docker .*)",
@@ -38,7 +38,7 @@ MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<pictur
 
 
 class Failure(Exception):
-    """A block that does not do what it says."""
+    """A block failed."""
 
 
 @dataclass
@@ -58,15 +58,15 @@ def blocks_of(text, name):
 
 
 def check_skip(block):
-    """Whether the block is to be left out; Failure when it has no right to."""
+    """Whether the block is skipped; raises Failure if skipping is not permitted."""
     if block.skip_reason is None:
         return False
     pattern = REASONS.get(block.skip_reason)
     if pattern is None:
-        raise Failure(f"'{block.skip_reason}' is no reason; reasons are: {', '.join(REASONS)}")
+        raise Failure(f"'{block.skip_reason}' is not a permitted reason; permitted reasons: {', '.join(REASONS)}")
     for line in filter(None, block.text.splitlines()):
         if not re.fullmatch(pattern, line):
-            raise Failure(f"'{line}' is no line to skip because it {block.skip_reason}")
+            raise Failure(f"'{line}' cannot be skipped with the reason: {block.skip_reason}")
     return True
 
 
@@ -141,10 +141,10 @@ class Runner:
         for command, shown in commands_of(block.text):
             printed = run_command(shell(command), self.folder, self.environment)
             if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
-                raise Failure(f"$ {command}\nprints:\n{printed}and not:\n" + "\n".join(shown))
+                raise Failure(f"$ {command}\nprints:\n{printed}instead of:\n" + "\n".join(shown))
 
     def search_paths(self):
-        """Where a program finds the shared libraries it is linked with."""
+        """The library path of a program."""
         shared = [Path(file) for file in self.options.link if ".so" in file]
         return sorted({f"-Wl,-rpath,{file.parent}" for file in shared})
 
@@ -162,7 +162,7 @@ class Runner:
 
 
 def run_document(options, document):
-    """The number of failures; prints a line a block."""
+    """Returns the number of failures; prints one line per block."""
     name = document.relative_to(options.source).as_posix()
     blocks = blocks_of(document.read_text(encoding="utf-8"), name)
     if not blocks:
@@ -182,12 +182,12 @@ def run_document(options, document):
 
 
 def check_pictures(document, folder):
-    """The number of pictures that are not what the commands have made."""
+    """Returns the number of pictures that differ from the files created by the commands."""
     failures = 0
     for match in MADE.finditer(document.read_text(encoding="utf-8")):
         made, picture = folder / match["file"], document.parent / match["picture"]
         if not made.is_file() or made.read_bytes() != picture.read_bytes():
-            print(f"FAILED  {document.name}: {match['picture']} is not {made}; make it anew", flush=True)
+            print(f"FAILED  {document.name}: {match['picture']} differs from {made}; update it", flush=True)
             failures += 1
     return failures
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing of scripts/packages.txt, and for building the physics engine:
-# setup.sh [PURPOSE...], by default all but what stands in for something else.
-# Costs nothing when everything is there.
+# Installs the missing packages of scripts/packages.txt and, for building, the physics engine:
+# setup.sh [PURPOSE...], by default all purposes except substitutes.
+# Does nothing if everything is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -33,7 +33,7 @@ wanted=()
 for purpose in "${@:-$(purposes | grep -vx old-physics)}"; do
   for word in $purpose; do
     if ! purposes | grep -qx -- "$word"; then
-      echo "setup: unknown purpose '$word'; known are: $(purposes | paste -sd ' ')" >&2
+      echo "setup: unknown purpose '$word'; known purposes: $(purposes | paste -sd ' ')" >&2
       exit 2
     fi
     mapfile -t -O "${#wanted[@]}" wanted < <(packages_for "$word")
@@ -42,7 +42,7 @@ done
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then
-    echo "setup: this is not Debian; please see to the counterparts of: ${wanted[*]%%:*}" >&2
+    echo "setup: this is not Debian; install the equivalents of these packages: ${wanted[*]%%:*}" >&2
     return 0
   fi
   local missing=() package
@@ -51,7 +51,7 @@ install_missing() {
   done
   [[ ${#missing[@]} -gt 0 ]] || return 0
   if [[ $(id -u) != 0 ]] && ! command -v sudo >/dev/null; then
-    echo "setup: packages are missing and neither root nor sudo is at hand to install them;" \
+    echo "setup: packages are missing, and neither root nor sudo is available to install them;" \
       "as root, run: apt-get install ${missing[*]}" >&2
     exit 1
   fi

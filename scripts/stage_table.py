@@ -1,4 +1,4 @@
-"""The seconds that each stage of ./dev test took, beside those of an earlier state of the project."""
+"""Durations of the stages of ./dev test, compared with an earlier state of the project."""
 
 import json
 import os
@@ -21,7 +21,7 @@ def table(stages):
     """Markdown: a line for each stage."""
     now = seconds_of()
     lines = [f"On {os.cpu_count()} cores, in seconds:", "",
-             "| stage | before | now | finds what no other stage finds |", "|---|---|---|---|"]
+             "| stage | before | now | faults that only this stage finds |", "|---|---|---|---|"]
     for stage in stages:
         shown = ["-" if value is None else str(value) for value in (stage.before, now.get(stage.name))]
         lines.append(f"| {stage.name} | {shown[0]} | {shown[1]} | {stage.finds} |")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Builds and tests Somato in stages, each of which finds faults that no other finds.
+"""Builds and tests Somato in stages, each of which detects faults that no other stage detects.
 
-usage: ./dev test              the stages that every change has to pass
-       ./dev test --all        all stages; one that has passed on this very tree is not run again
+usage: ./dev test              the stages required for every change
+       ./dev test --all        all stages; a stage that has passed for the same tree is not repeated
        ./dev test ROOM...      the tests of these rooms only
        ./dev test --failed     the tests that failed when tests were last run
        ./dev test --rooms      the rooms that have tests
@@ -30,7 +30,7 @@ DEV = TREE / "build/dev"
 class Stage:
     name: str
     run: callable  # returns whether the stage passes
-    finds: str  # what no other stage finds
+    finds: str  # faults that no other stage detects
     before: int | None = None  # seconds on two cores at commit f8e6f4e
     preset: str = ""  # whose build folder it needs
     thorough: bool = False  # for --all only
@@ -49,7 +49,7 @@ def tests(preset, *selection):
 
 
 # With g++, the program and the tests of the rooms whose results are numbers.
-GCC_ROOMS = ["core", "codes", "maps", "graph", "program", "same_bits"]
+GCC_ROOMS = ["kernels", "core", "codes", "maps", "graph", "program", "same_bits"]
 
 
 def build_gcc():
@@ -60,37 +60,37 @@ def build_gcc():
 
 STAGES = [
     Stage("set-up", command("scripts/setup.sh", "build", "test"),
-          "a package that a fresh machine lacks"),
+          "packages missing on a fresh machine"),
     Stage("checks", command("scripts/lint.sh"),
-          "format, includes between rooms, missing mirrors, wording, shell mistakes"),
+          "wrong format, forbidden includes between rooms, missing mirrored tests, forbidden wording, "
+          "types of the pages that differ from their schema, errors in shell scripts"),
     Stage("dev: build", command("./dev", "build", "dev"),
-          "what clang warns of, with all warnings as errors", 748, "dev"),
+          "clang warnings, all treated as errors", 748, "dev"),
     Stage("dev: tests", tests("dev", "-LE", "^long$"),
-          "wrong results, messages and pages; commands of the documentation that fail", 511, "dev"),
+          "wrong results, messages and pages; failing commands in the documentation", 511, "dev"),
     Stage("long tests", tests("dev", "-L", "^long$"),
-          "an installed package that cannot be used; damaged inputs that do harm (5,000 of them); "
-          "values at the ends of their ranges that do",
+          "an unusable installed package; harmful damaged inputs (5,000 of them) and boundary values",
           None, "dev", thorough=True),
-    Stage("asan: build", command("./dev", "build", "asan"), "nothing; the next stage needs it",
+    Stage("asan: build", command("./dev", "build", "asan"), "nothing; required by the next stage",
           678, "asan", thorough=True),
-    Stage("asan: tests", tests("asan"), "wrong memory accesses, leaks, undefined behaviour",
+    Stage("asan: tests", tests("asan"), "invalid memory accesses, leaks, undefined behaviour",
           390, "asan", thorough=True),
-    Stage("tsan: build", command("./dev", "build", "tsan"), "nothing; the next stage needs it",
+    Stage("tsan: build", command("./dev", "build", "tsan"), "nothing; required by the next stage",
           306, "tsan", thorough=True),
     Stage("tsan: tests", tests("tsan"), "data races", 105, "tsan", thorough=True),
-    Stage("gcc: build", build_gcc, "what g++ warns of; sources that only clang accepts",
+    Stage("gcc: build", build_gcc, "g++ warnings; sources that only clang accepts",
           None, "gcc", thorough=True),
     Stage("gcc: tests", tests("gcc", "-L", f"^({'|'.join(GCC_ROOMS)})$", "-LE", "^long$"),
-          "results that depend on the compiler or on the optimization of a release",
+          "results that depend on the compiler or on release optimization",
           None, "gcc", thorough=True),
     Stage("clang-tidy", command("scripts/run_clang_tidy.py"),
-          "unsafe and superfluous constructs, names, sources that lack an include",
+          "unsafe and redundant constructs, naming, missing includes",
           None, "lint", thorough=True),
 ]
 
 
 def tree_hash():
-    """Stands for the contents of all files of the tree that git does not ignore."""
+    """Hash of the contents of all files of the tree that git does not ignore."""
     names = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
                            cwd=TREE, capture_output=True, check=True).stdout.split(b"\0")
     digest = hashlib.sha256()
@@ -102,7 +102,7 @@ def tree_hash():
 
 
 def mark_of(stage):
-    """A file that holds the tree on which the stage has passed; it goes when the build goes."""
+    """File with the hash of the tree on which the stage has passed; in the build folder."""
     name = stage.name.replace(": ", "-").replace(" ", "-")
     return TREE / "build" / stage.preset / "passed_stages" / name
 
@@ -126,7 +126,7 @@ def run_stage(stage, tree):
 
 
 def run_stages(thorough):
-    """Runs the stages in their order up to the first that fails; returns whether all pass."""
+    """Runs the stages in order up to the first failure; returns whether all pass."""
     tree = tree_hash()
     summary = []
     passed = True
@@ -134,7 +134,7 @@ def run_stages(thorough):
         if stage.thorough and not thorough:
             continue
         if thorough and has_passed(stage, tree):
-            summary.append(f"ok    earlier   {stage.name} (passed on this very tree)")
+            summary.append(f"ok    earlier   {stage.name} (passed on the same tree)")
             continue
         passed, line = run_stage(stage, tree)
         summary.append(line)
@@ -143,7 +143,7 @@ def run_stages(thorough):
     print("\n" + "\n".join(summary))
     if passed and not thorough:
         left_out = ", ".join(stage.name for stage in STAGES if stage.thorough)
-        print(f"Left out, for './dev test --all': {left_out}")
+        print(f"Not run without --all: {left_out}")
     return passed
 
 
@@ -176,7 +176,7 @@ def run_rooms(wanted, thorough):
     selection = ["-L", f"^({'|'.join(wanted)})$"] + ([] if thorough else ["-LE", "^long$"])
     passed = test_cases.run(DEV, selection)
     others = ", ".join(room for room in rooms() if room not in wanted)
-    print(f"Left out: the tests of {others}; {'' if thorough else 'long tests; '}"
+    print(f"Not run: the tests of {others}; {'' if thorough else 'long tests; '}"
           "all checks; sanitizers; the second compiler")
     return passed
 
@@ -185,7 +185,7 @@ def run_failed():
     if not configure() or not passes("cmake", "--build", str(DEV)):
         return False
     passed = test_cases.run_failed(DEV)
-    print("Left out: all tests that passed; all checks; sanitizers; the second compiler")
+    print("Not run: tests that passed before; all checks; sanitizers; the second compiler")
     return passed
 
 
@@ -197,7 +197,7 @@ def parse_arguments():
         only.add_argument(f"--{flag}", action="store_const", const=flag, dest="only")
     given = parser.parse_args()
     if given.rooms and given.only not in (None, "all"):
-        parser.error(f"--{given.only} takes no rooms; leave out {' '.join(given.rooms)}")
+        parser.error(f"--{given.only} takes no rooms; omit {' '.join(given.rooms)}")
     return given
 
 

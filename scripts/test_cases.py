@@ -12,7 +12,7 @@ SLOWEST = 10
 
 
 def cases_of(build, name):
-    """The cases that the test `name` ran as (seconds, case, failed); None if it wrote no report."""
+    """Cases of the test `name` as (seconds, case, failed); None if there is no report."""
     report = build / "test_cases" / f"{name}.json"
     if not report.is_file():
         return None
@@ -37,7 +37,7 @@ def run_ctest(build, selection, environment):
 
 
 def failures_of(build, tests):
-    """The names of tests to run again whole, and the failed cases by room."""
+    """Names of tests to run again completely, and the failed cases by room."""
     whole, by_room = [], {}
     for name, _, failed in tests:
         failed_cases = [case for _, case, wrong in cases_of(build, name) or [] if wrong]
@@ -75,16 +75,16 @@ def summarize(build, tests):
 
 
 def run(build, selection):
-    """Runs the tests that ctest's `selection` takes; returns whether there are any and all pass."""
+    """Runs the tests of ctest's `selection`; returns whether there are tests and all pass."""
     return summarize(build, run_ctest(build, selection, {}))
 
 
 def run_failed(build):
-    """Runs what failed the last time, case by case where the cases are known."""
+    """Runs the tests that failed in the last run, by case if the cases are known."""
     record = build / FAILED
     whole, by_room = json.loads(record.read_text()) if record.is_file() else ([], {})
     if not whole and not by_room:
-        print("No test failed when tests were last run.")
+        print("No test failed in the last run.")
         return True
     # A filter comes before the division into shards: any shard of the room may get the case.
     names = [re.escape(name) for name in whole] + [rf"{room}\.\d+" for room in by_room]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes docs/unknowns.md from the files of unknowns and, where there are any, their sweeps.
+"""Writes docs/unknowns.md from the files of unknowns and, if available, their sweeps.
 
     scripts/unknowns_page.py systems/unknowns --sweeps out/sweeps > docs/unknowns.md
 
-FOLDER/NAME/sweep.json of --sweeps is what `somato sweep NAME --over systems/unknowns/NAME.toml` found.
+FOLDER/NAME/sweep.json of --sweeps is the result of `somato sweep NAME --over systems/unknowns/NAME.toml`.
 """
 
 import argparse
@@ -17,10 +17,10 @@ ORDER = ("single_tensor_product", "tensor_chain", "t_mpsom_multiplied", "t_mpsom
          "texture", "hardness", "combined", "bimodal")
 INTRODUCTION = """# What the papers leave open
 
-Each of the nine systems has a file of its unknowns in [`systems/unknowns`](../systems/unknowns): settings that no paper gives and that may decide what comes out. This page lists them, with the values that were tried and why, and the claims that each decides.
-It is written by a command from these files and from the sweeps; [reproduction.md](reproduction.md) has the commands and the claims, [sweeps.md](reference/sweeps.md) the method. Ranges come from the texts, from physics and from the literature, not from results.
+Each of the nine systems has a file of its unknowns in [`systems/unknowns`](../systems/unknowns): settings that no paper specifies and that may affect the outcome. This page lists them, with the tested values, the reasons for these values, and the claims that each setting decides.
+The page is generated from these files and from the sweeps; [reproduction.md](reproduction.md) lists the commands and the claims, [sweeps.md](reference/sweeps.md) describes the method. Ranges are based on the texts, on physics and on the literature, not on results.
 
-An unknown decides a claim where its first-order index is at least 0.05 and at least twice what is expected by chance; the index stands in brackets, then where the claim holds in most of the pairs and where in fewest.
+An unknown decides a claim if its first-order index is at least 0.05 and at least twice the value expected by chance. The index is given in brackets, followed by the values at which the claim holds in most pairs and in fewest.
 """
 
 
@@ -29,7 +29,7 @@ def place(name):
 
 
 def load_unknowns(folder):
-    """By system the unknowns of its file, in the order of the papers."""
+    """The unknowns of each system's file, in the order of the papers."""
     files = sorted(folder.glob("*.toml"), key=lambda file: place(file.stem))
     return {file.stem: tomllib.loads(file.read_text(encoding="utf-8"))["unknown"] for file in files}
 
@@ -47,7 +47,7 @@ def keys(unknown):
 
 
 def grouped(unknowns):
-    """By name, systems that try the same for the same reason: {name: {(tried, text): [(system, keys)]}}."""
+    """Systems with the same values and reason, by name: {name: {(values, text): [(system, keys)]}}."""
     names = {}
     for system, of_system in unknowns.items():
         for name, unknown in of_system.items():
@@ -74,14 +74,14 @@ def section(name, groups, sweeps):
         systems = [system for system, _ in members]
         moved = dict.fromkeys(key for _, found in members for key in found)
         lines += [f"- **{tables.listing(systems)}**: {', '.join(f'`{key}`' for key in moved)}",
-                  f"  - tried: {values}", f"  - {text}"]
+                  f"  - tested values: {values}", f"  - {text}"]
         lines += decided(name, systems, sweeps)
     return "\n".join(lines) + "\n"
 
 
 def make_page(unknowns, sweeps):
     size = [f"- {name}: {tables.sweep_size(sweep)}" for name, sweep in sweeps.items()]
-    measured = "\n".join(size) if size else "No sweep was run for this page: it lists what would be tried."
+    measured = "\n".join(size) if size else "No sweep was run for this page; it lists the values that a sweep would test."
     sections = [section(name, groups, sweeps) for name, groups in grouped(unknowns).items()]
     return "\n".join([INTRODUCTION, measured + "\n", *sections])
 

@@ -4,7 +4,7 @@ set -euo pipefail
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# The interpreter's tag matters little: the files inside are the same for each.
+# The tag of the interpreter is irrelevant: the files are the same for each.
 python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary :all: \
   --implementation cp --python-version 311 --platform "manylinux_2_28_$(uname -m)" \
   --require-hashes --requirement "$1" --dest "$work"

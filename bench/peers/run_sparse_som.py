@@ -16,7 +16,7 @@ def prepare(case, name):
 
     make()
 
-    # Where making the map does not count, training goes on from what it has, which takes as long.
+    # If creating the map does not count, training continues with the existing map, which takes as long.
     def train():
         if name != "sparse_streaming":
             make()

@@ -37,7 +37,7 @@ def load_case(folder, threads):
 
 
 def peak_kib():
-    """Of this program alone: getrusage() counts the one that started it, too."""
+    """Of this program only: getrusage() includes the program that started it."""
     for line in Path("/proc/self/status").read_text(encoding="utf-8").splitlines():
         if line.startswith("VmHWM:"):
             return int(line.split()[1])

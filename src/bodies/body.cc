@@ -13,7 +13,7 @@ namespace {
 Result<void> check_target(const DegreeOfFreedom& servo, double target) {
   if (target >= servo.least && target <= servo.most) return {};
   return fail(ErrorKind::kData,
-              fmt::format("{:g} {} lies beyond the limits of '{}', {:g} to {:g} {}", target,
+              fmt::format("{:g} {} is outside the limits of '{}', {:g} to {:g} {}", target,
                           servo.unit, servo.name, servo.least, servo.most, servo.unit),
               servo.name, "command a position within the limits");
 }
@@ -36,25 +36,27 @@ Result<void> Body::command(std::span<const double> targets) {
   const auto& servos = description().degrees_of_freedom;
   require(targets.size() == servos.size(), "Body::command: one target for each degree of freedom");
   for (std::size_t i = 0; i < servos.size(); ++i) {
-    if (auto within = check_target(servos[i], targets[i]); !within) return within;
+    SOMATO_TRY_VOID(check_target(servos[i], targets[i]));
   }
   return drive_to(targets);
 }
 
-Result<void> Body::step(double seconds) {
+Result<void> Body::step(double seconds, Readings readings) {
   require(std::isfinite(seconds) && seconds > 0.0, "Body::step: seconds must be above 0");
   if (state().time + seconds > limits_.longest) {
-    return fail(ErrorKind::kData,
-                fmt::format("it takes more than {:g} s of the body's time", limits_.longest), {},
-                "shorten the times of its parameters, or allow it more time");
+    return fail(
+        ErrorKind::kData,
+        fmt::format("the exploration takes more than {:g} s of the body's time", limits_.longest),
+        {}, "reduce the times in its parameters, or allow more time");
   }
-  if (auto goes_on = check_stop(); !goes_on) return goes_on;
-  return pass(seconds);
+  SOMATO_TRY_VOID(check_stop());
+  return pass(seconds).and_then(
+      [&] { return after_step_ ? after_step_(readings) : Result<void>(); });
 }
 
 Result<void> Body::check_stop() const {
-  if (!limits_.goes_on || limits_.goes_on()) return {};
-  return fail(ErrorKind::kInterrupted, "exploring was stopped before its end");
+  if (!limits_.should_continue || limits_.should_continue()) return {};
+  return fail(ErrorKind::kInterrupted, "exploring was interrupted");
 }
 
 Result<std::size_t> find_degree_of_freedom(const BodyDescription& description,

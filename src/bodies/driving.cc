@@ -5,12 +5,12 @@
 #include <functional>
 #include <numeric>
 
-#include "somato/bodies/motion.h"
+#include "bodies/motion.h"
 
 namespace somato::detail {
 namespace {
 
-// 0 where only its frames tell.
+// 0 if it is only known from its frames.
 std::size_t elements_of(const ChannelDescription& sensor) {
   if (!sensor.element_names.empty() || sensor.shape.empty()) return sensor.element_names.size();
   return std::accumulate(sensor.shape.begin(), sensor.shape.end(), std::size_t{1},
@@ -30,12 +30,13 @@ bool has_arrived(const Body& body, std::size_t servo, double target) {
   return std::abs(body.state().positions[servo] - target) <= 1e-6 * (limits.most - limits.least);
 }
 
-Result<void> let_pass(Body& body, double seconds, double step,
-                      const std::function<Result<void>()>& after_step) {
+Result<void> let_pass(Body& body, double seconds, double step, Readings readings,
+                      const std::function<void()>& after_step) {
   const auto steps = std::llround(std::ceil(seconds / step));
   for (std::int64_t i = 0; i < steps; ++i) {
-    if (auto stepped = body.step(seconds / static_cast<double>(steps)); !stepped) return stepped;
-    if (auto went_on = after_step(); !went_on) return went_on;
+    auto stepped = body.step(seconds / static_cast<double>(steps), readings);
+    if (!stepped) return stepped;
+    if (after_step) after_step();
   }
   return {};
 }

@@ -1,4 +1,4 @@
-#include "somato/bodies/exploration_plan.h"
+#include "bodies/exploration_plan.h"
 
 #include <fmt/format.h>
 
@@ -16,25 +16,25 @@ const Declarations<ExplorationPlan>& ExplorationPlan::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("heights", &P::heights, "mm", Range::between(0, 1000),
-               "Heights of the hand, in their order. Two in P06; which is not given in the paper.")
+               "Heights of the hand, in order. Two in P06; the values are not given in the paper.")
           .add("wrist_angles", &P::wrist_angles, "deg", Range::between(-360, 360),
-               "Angles of the wrist, forth at one height and back at the next. Five in P06; which "
-               "is not given in the paper.")
+               "Angles of the wrist, in reverse order at every second height. Five in P06; the "
+               "values are not given in the paper.")
           .add("grasps", &P::grasps, "", Range::between(1, 10000),
-               "How many of all pairs of height and angle are taken, in this order. Nine in P06; "
+               "Number of pairs of height and angle used, in this order. Nine in P06; "
                "which of the ten is left out is not given in the paper.");
   return declared;
 }
 
 Result<std::vector<GraspPose>> grasp_poses(const ExplorationPlan& plan) {
-  if (auto checked = check_ranges(plan); !checked) return fail(std::move(checked.error()));
+  SOMATO_TRY_VOID(check_ranges(plan));
   const std::size_t angles = plan.wrist_angles.size();
-  if (plan.heights.empty()) return refuse("the plan has no heights", "give one or more 'heights'");
-  if (angles == 0) return refuse("the plan has no angles", "give one or more 'wrist_angles'");
+  if (plan.heights.empty()) return refuse("the plan has no heights", "set one or more 'heights'");
+  if (angles == 0) return refuse("the plan has no angles", "set one or more 'wrist_angles'");
   if (plan.grasps > plan.heights.size() * angles) {
-    return refuse(fmt::format("{} grasps cannot be made of {} heights and {} wrist angles",
+    return refuse(fmt::format("{} grasps are more than the pairs of {} heights and {} wrist angles",
                               plan.grasps, plan.heights.size(), angles),
-                  "lower 'grasps', or give more heights or angles");
+                  "lower 'grasps', or add heights or angles");
   }
   std::vector<GraspPose> poses;
   poses.reserve(plan.grasps);

@@ -1,9 +1,15 @@
-#include "somato/bodies/explore_by_grasping.h"
+#include "somato/bodies/explore_by.h"
 
 #include <fmt/format.h>
 
 #include <string>
 #include <utility>
+
+#include "bodies/exploration_plan.h"
+#include "bodies/frame_log.h"
+#include "bodies/guarded_grasp.h"
+#include "bodies/hand_layout.h"
+#include "bodies/motion.h"
 
 namespace somato {
 namespace {
@@ -12,14 +18,14 @@ namespace {
 class GraspingHand {
  public:
   GraspingHand(Body& body, const HandLayout& hand, const GuardedGrasp& grasp, std::size_t height,
-               std::size_t wrist, const AfterFrames& after_frames)
+               std::size_t wrist)
       : body_(body),
         hand_(hand),
         grasp_(grasp),
         height_(height),
         wrist_(wrist),
         targets_(present_targets(body)),
-        log_(body.description(), after_frames) {}
+        log_(body.description()) {}
 
   Result<void> open() {
     for (const Finger& finger : hand_.fingers) {
@@ -40,7 +46,7 @@ class GraspingHand {
   Result<Exploration> explored() && {
     if (touching_ > 0) return Exploration{{}, {}, std::move(log_).channels()};
     return fail(ErrorKind::kData, "the hand never touched the object", {},
-                "check where the object stands, or lower 'threshold'");
+                "check the position of the object, or lower 'threshold'");
   }
 
  private:
@@ -66,23 +72,18 @@ tl::unexpected<Error> in_grasp(Error error, const std::vector<GraspPose>& poses,
 }  // namespace
 
 Result<Exploration> explore_by_grasping(Body& body, const ExplorationPlan& plan,
-                                        const GuardedGrasp& grasp, const AfterGrasp& after_grasp,
-                                        const AfterFrames& after_frames) {
-  const auto poses = grasp_poses(plan);
-  if (!poses) return fail(poses.error());
-  const auto layout = hand_layout(body.description());
-  if (!layout) return fail(layout.error());
-  const auto height = find_degree_of_freedom(body.description(), "height");
-  if (!height) return fail(height.error());
-  const auto wrist = find_degree_of_freedom(body.description(), "wrist");
-  if (!wrist) return fail(wrist.error());
-  GraspingHand hand(body, *layout, grasp, *height, *wrist, after_frames);
-  if (auto opened = hand.open(); !opened) return fail(std::move(opened.error()));
-  for (std::size_t i = 0; i < poses->size(); ++i) {
-    auto grasped = hand.grasp_at((*poses)[i])
+                                        const GuardedGrasp& grasp, const AfterGrasp& after_grasp) {
+  SOMATO_TRY(const auto poses, grasp_poses(plan));
+  SOMATO_TRY(const auto layout, hand_layout(body.description()));
+  SOMATO_TRY(const auto height, find_degree_of_freedom(body.description(), "height"));
+  SOMATO_TRY(const auto wrist, find_degree_of_freedom(body.description(), "wrist"));
+  GraspingHand hand(body, layout, grasp, height, wrist);
+  SOMATO_TRY_VOID(hand.open());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    auto grasped = hand.grasp_at(poses[i])
                        .and_then([&] { return after_grasp ? after_grasp(i) : Result<void>(); })
                        .and_then([&] { return hand.open(); });
-    if (!grasped) return in_grasp(std::move(grasped.error()), *poses, i);
+    if (!grasped) return in_grasp(std::move(grasped.error()), poses, i);
   }
   return std::move(hand).explored();
 }

@@ -7,17 +7,17 @@
 #include <optional>
 #include <utility>
 
+#include "core/threads.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
 
 namespace somato {
 namespace {
 
 Error interrupted() {
-  return {ErrorKind::kInterrupted, "exploring was stopped before its end", {}, {}};
+  return {ErrorKind::kInterrupted, "exploring was interrupted", {}, {}};
 }
 
-// What has been explored, on its way to the sink in the order of the indices.
+// Completed explorations on their way to the sink in the order of the indices.
 class Queue {
  public:
   Queue(const ExploringPlan& plan, const ExplorationSink& sink, const Progress& progress)
@@ -26,7 +26,7 @@ class Queue {
         ahead_(2 * std::max<std::size_t>(1, plan.threads)),
         sink_(sink),
         progress_(progress) {
-    if (!goes_on()) stop(interrupted());
+    if (!should_continue()) stop(interrupted());
   }
 
   std::size_t total() const { return total_; }
@@ -50,7 +50,7 @@ class Queue {
     changed_.notify_all();
   }
 
-  // An exception: nobody shall wait for what will not come.
+  // An exception: no thread may wait for explorations that are not run.
   void give_up() {
     const std::scoped_lock lock(mutex_);
     stop(interrupted());
@@ -74,10 +74,10 @@ class Queue {
       ++outcome_.recorded;
     }
     ++next_;
-    if (!goes_on()) stop(interrupted());
+    if (!should_continue()) stop(interrupted());
   }
 
-  bool goes_on() const { return !progress_ || progress_(next_, total_); }
+  bool should_continue() const { return !progress_ || progress_(next_, total_); }
 
   void stop(Error error) {
     if (!error_) error_ = std::move(error);
@@ -103,7 +103,7 @@ class Queue {
 
 Result<ExploringOutcome> explore_all(const ExploringPlan& plan, const Explore& explore,
                                      const ExplorationSink& sink, const Progress& progress) {
-  require(explore && sink, "explore_all: nothing explores, or nothing takes what was explored");
+  require(explore && sink, "explore_all: both functions are required");
   Queue queue(plan, sink, progress);
   for_each_task(queue.total(), plan.threads, [&](std::size_t index) {
     if (!queue.may_begin(index)) return;

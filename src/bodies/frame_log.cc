@@ -1,4 +1,4 @@
-#include "somato/bodies/frame_log.h"
+#include "bodies/frame_log.h"
 
 #include <fmt/format.h>
 
@@ -9,23 +9,22 @@
 
 namespace somato {
 
-FrameLog::FrameLog(const BodyDescription& description, AfterFrames after_frames)
-    : after_frames_(std::move(after_frames)) {
+FrameLog::FrameLog(const BodyDescription& description) {
   sensors_.reserve(description.sensors.size());
   for (const ChannelDescription& sensor : description.sensors) {
     Channel channel = detail::empty_channel(sensor);
     channel.rate = 0.0;
-    sensors_.push_back(
-        {std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0, {}});
+    sensors_.push_back({std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0});
   }
 }
 
 Result<void> FrameLog::append(const BodyState& state) {
-  require(state.readings.size() == sensors_.size(), "FrameLog::append: readings of another body");
+  require(state.readings.size() == sensors_.size(),
+          "FrameLog::append: the readings belong to another body");
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    if (auto added = append(sensors_[i], state.readings[i], state.time); !added) return added;
+    SOMATO_TRY_VOID(append(sensors_[i], state.readings[i], state.time));
   }
-  return after_frames_ ? after_frames_(state) : Result<void>();
+  return {};
 }
 
 Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, double end) {
@@ -44,7 +43,7 @@ Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, doubl
                             channel.name, frames.rows()),
                 channel.name, "check the body's description");
   }
-  sensor.values.insert(sensor.values.end(), frames.values().begin(), frames.values().end());
+  channel.frames.append(frames);
   for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
     const auto later = static_cast<double>(frames.rows() - 1 - i);
     channel.times.push_back(later == 0.0 ? end : end - later / sensor.rate);
@@ -55,12 +54,7 @@ Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, doubl
 std::vector<Channel> FrameLog::channels() && {
   std::vector<Channel> channels;
   channels.reserve(sensors_.size());
-  for (Sensor& sensor : sensors_) {
-    const std::size_t elements = sensor.channel.frames.columns();
-    const std::size_t rows = elements == 0 ? 0 : sensor.values.size() / elements;
-    sensor.channel.frames = Matrix<float>(rows, elements, std::move(sensor.values));
-    channels.push_back(std::move(sensor.channel));
-  }
+  for (Sensor& sensor : sensors_) channels.push_back(std::move(sensor.channel));
   return channels;
 }
 

@@ -1,4 +1,4 @@
-#include "somato/bodies/guarded_grasp.h"
+#include "bodies/guarded_grasp.h"
 
 #include <fmt/format.h>
 
@@ -9,19 +9,20 @@
 #include <string>
 #include <utility>
 
+#include "bodies/motion.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
-// What the taxels tell at the end of the last step; nothing where they told nothing during it.
+// The readings of the taxels at the end of the last step; empty if there were none during it.
 std::span<const float> last_frame(const Body& body, std::size_t sensor) {
   const Matrix<float>& frames = body.state().readings.at(sensor);
   if (frames.rows() == 0) return {};
   return frames.row(frames.rows() - 1);
 }
 
-// A segment on its way: how far it goes at once, how far at most, and what it felt at its start.
+// A closing segment: its step, its limit, and the readings at its start.
 class ClosingSegment {
  public:
   ClosingSegment(const Segment& segment, double step, double closed)
@@ -80,7 +81,7 @@ class ClosingFinger {
     if (!done()) segments_[current_].advance(targets);
   }
 
-  // Whether the segment under way has just been stopped by what it felt.
+  // Whether the moving segment was just stopped by touch.
   bool feel(std::span<const float> touch, double threshold, const Body& body,
             std::vector<double>& targets) {
     if (done()) return false;
@@ -109,13 +110,13 @@ class GuardedHand {
   }
 
   Result<GraspResult> close(std::vector<double>& targets, FrameLog& log) {
-    if (auto felt = feel_first(); !felt) return fail(std::move(felt.error()));
+    SOMATO_TRY_VOID(feel_first());
     GraspResult result;
     std::size_t still = 0;
     while (still < grasp_.still_iterations || !done()) {
       if (result.iterations == grasp_.most_iterations) return never_closed();
       still += done() ? 1 : 0;
-      if (auto passed = iterate(targets, log); !passed) return fail(std::move(passed.error()));
+      SOMATO_TRY_VOID(iterate(targets, log));
       ++result.iterations;
       for (ClosingFinger& finger : fingers_) {
         result.touching += finger.feel(felt_, grasp_.threshold, body_, targets) ? 1 : 0;
@@ -132,13 +133,13 @@ class GuardedHand {
 
   Result<void> feel_first() {
     if (body_.state().readings.size() <= touch_) {
-      return fail(ErrorKind::kData, "the body has felt nothing yet", "touch",
-                  "let it settle first");
+      return fail(ErrorKind::kData, "the body has no touch reading yet", "touch",
+                  "wait until it has settled");
     }
-    if (auto felt = feel(); !felt) return felt;
+    SOMATO_TRY_VOID(feel());
     if (felt_.empty()) {
       return fail(ErrorKind::kData, "the sensor 'touch' gave no frame before the grasp", "touch",
-                  "let the hand settle for longer than the sensor takes for a frame");
+                  "set a settling time longer than the sensor's frame");
     }
     for (ClosingFinger& finger : fingers_) finger.start(felt_);
     return {};
@@ -159,7 +160,7 @@ class GuardedHand {
   Result<void> iterate(std::vector<double>& targets, FrameLog& log) {
     for (const ClosingFinger& finger : fingers_) finger.advance(targets);
     return body_.command(targets)
-        .and_then([&] { return body_.step(grasp_.iteration); })
+        .and_then([&] { return body_.step(grasp_.iteration, Readings::kRecorded); })
         .and_then([&] { return log.append(body_.state()); })
         .and_then([&] { return feel(); });
   }
@@ -171,7 +172,7 @@ class GuardedHand {
     }
     return fail(ErrorKind::kData,
                 fmt::format("the hand never closed: after {} iterations {}", grasp_.most_iterations,
-                            open.empty() ? "it was not still yet"
+                            open.empty() ? "it was not at rest"
                                          : fmt::format("{} still moved", fmt::join(open, ", "))),
                 {}, "raise 'most_iterations' or the steps");
   }
@@ -190,23 +191,25 @@ const Declarations<GuardedGrasp>& GuardedGrasp::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("iteration", &P::iteration, "s", Range::between(1e-4, 10),
-               "Time for one step of all fingers; what is felt is looked at after each. Not given "
+               "Time for one step of all fingers; touch is evaluated after each step. Not given "
                "in the paper.")
           .add("proximal_step", &P::proximal_step, "deg", Range::between(1e-4, 180),
-               "How far a proximal segment closes at once. Not given in the paper.")
+               "Angle of a proximal segment per step. Not given in the paper.")
           .add("distal_step", &P::distal_step, "deg", Range::between(1e-4, 180),
-               "How far a distal segment closes at once. Not given in the paper.")
+               "Angle of a distal segment per step. Not given in the paper.")
           .add("threshold", &P::threshold, "N", Range::between(0, 1e6),
-               "A segment stops when the summed change of its taxels exceeds it. Not given in the "
+               "A segment stops when the summed change of its taxels exceeds this value. Not given "
+               "in the "
                "paper.")
           .add("still_iterations", &P::still_iterations, "", Range::between(0, 1e6),
-               "Iterations of the closed hand that end a grasp. Not given in the paper.")
+               "Number of iterations with the closed hand at the end of a grasp. Not given in the "
+               "paper.")
           .add("most_iterations", &P::most_iterations, "", Range::between(1, 1e6),
-               "A grasp that takes more is an error. Not given in the paper.")
+               "Maximum number of iterations of a grasp. Not given in the paper.")
           .add("proximal_open", &P::proximal_open, "deg", Range::between(-360, 360),
-               "Where the proximal segments are in the open hand. Not given in the paper.")
+               "Position of the proximal segments in the open hand. Not given in the paper.")
           .add("distal_open", &P::distal_open, "deg", Range::between(-360, 360),
-               "Where the distal segments are in the open hand. Not given in the paper.")
+               "Position of the distal segments in the open hand. Not given in the paper.")
           .add(
               "settle", [](P& p) -> auto& { return p.motion.settle; }, "s",
               Range::between(1e-4, 60),
@@ -214,7 +217,7 @@ const Declarations<GuardedGrasp>& GuardedGrasp::declarations() {
           .add(
               "longest_move", [](P& p) -> auto& { return p.motion.longest; }, "s",
               Range::between(1e-3, 3600),
-              "A move between grasps that takes longer is an error. Not given in the paper.");
+              "Maximum time for a move between grasps. Not given in the paper.");
   return declared;
 }
 

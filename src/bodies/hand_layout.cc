@@ -1,4 +1,4 @@
-#include "somato/bodies/hand_layout.h"
+#include "bodies/hand_layout.h"
 
 #include <fmt/format.h>
 
@@ -13,38 +13,33 @@ constexpr std::string_view kDistal = "_distal";
 
 Result<Segment> segment_of(const BodyDescription& body, const ChannelDescription& touch,
                            const std::string& name) {
-  const auto servo = find_degree_of_freedom(body, name);
-  if (!servo) return fail(servo.error());
-  Segment segment{*servo, {}};
+  SOMATO_TRY(const auto servo, find_degree_of_freedom(body, name));
+  Segment segment{servo, {}};
   for (std::size_t i = 0; i < touch.element_names.size(); ++i) {
     if (touch.element_names[i].starts_with(name + "_")) segment.taxels.push_back(i);
   }
   if (!segment.taxels.empty()) return segment;
-  return fail(ErrorKind::kUsage, fmt::format("no taxel lies on the segment '{}'", name), body.name,
+  return fail(ErrorKind::kUsage, fmt::format("the segment '{}' has no taxels", name), body.name,
               fmt::format("name elements of the sensor 'touch' {}_1 and so on", name));
 }
 
 Result<Finger> finger_of(const BodyDescription& body, const ChannelDescription& touch,
                          std::string name) {
-  auto proximal = segment_of(body, touch, name + std::string(kProximal));
-  if (!proximal) return fail(std::move(proximal.error()));
-  auto distal = segment_of(body, touch, name + std::string(kDistal));
-  if (!distal) return fail(std::move(distal.error()));
-  return Finger{std::move(name), std::move(*proximal), std::move(*distal)};
+  SOMATO_TRY(auto proximal, segment_of(body, touch, name + std::string(kProximal)));
+  SOMATO_TRY(auto distal, segment_of(body, touch, name + std::string(kDistal)));
+  return Finger{std::move(name), std::move(proximal), std::move(distal)};
 }
 
 }  // namespace
 
 Result<HandLayout> hand_layout(const BodyDescription& description) {
-  const auto touch = find_sensor(description, "touch");
-  if (!touch) return fail(touch.error());
-  HandLayout layout{{}, *touch};
+  SOMATO_TRY(const auto touch, find_sensor(description, "touch"));
+  HandLayout layout{{}, touch};
   for (const DegreeOfFreedom& servo : description.degrees_of_freedom) {
     if (!servo.name.ends_with(kProximal)) continue;
-    auto finger = finger_of(description, description.sensors[*touch],
-                            servo.name.substr(0, servo.name.size() - kProximal.size()));
-    if (!finger) return fail(std::move(finger.error()));
-    layout.fingers.push_back(std::move(*finger));
+    SOMATO_TRY(auto finger, finger_of(description, description.sensors[touch],
+                                      servo.name.substr(0, servo.name.size() - kProximal.size())));
+    layout.fingers.push_back(std::move(finger));
   }
   if (!layout.fingers.empty()) return layout;
   return fail(ErrorKind::kUsage, fmt::format("the body '{}' has no fingers", description.name),

@@ -3,31 +3,33 @@
 #include <fmt/format.h>
 
 #include "files/embedded.h"
+#include "files/toml_file.h"
 #include "somato/core/check.h"
-#include "somato/files/toml_file.h"
 
 namespace somato {
 namespace {
 
 tl::unexpected<Error> not_tables(const std::string& where) {
-  return fail(ErrorKind::kUsage, "'material' holds something that is no table", where,
+  return fail(ErrorKind::kUsage, "'material' must be a table", where,
               "write each material as a table [material.NAME]");
 }
 
-// What the texture probe meets.
+// Properties used by the texture probe.
 void declare_surface(Declarations<Material>& d) {
   d.add("loss", &Material::loss, "", Range::between(0, 2),
-        "Loss factor: damping of what vibrates against it; not given in the paper");
+        "Loss factor: damping of vibrations; not given in the paper");
   d.add("roughness", &Material::roughness, "um", Range::between(0, 2000),
         "Root mean square height of the surface; not given in the paper");
   d.add("correlation_length", &Material::correlation_length, "mm", Range::between(0.02, 100),
-        "Distance over which heights stay alike; not given in the paper");
+        "Correlation length of the heights; not given in the paper");
   d.add("hurst", &Material::hurst, "", Range::between(0.05, 1),
-        "Power of the distance by which heights grow apart below that; not given in the paper");
+        "Exponent of the height differences as a function of distance below that length; not given "
+        "in "
+        "the paper");
   d.add("weave_period", &Material::weave_period, "mm", Range::between(0, 100),
-        "Distance between the ridges of a weave; 0: no weave; not given in the paper");
+        "Period of the ridges of a weave; 0: no weave; not given in the paper");
   d.add("weave_height", &Material::weave_height, "um", Range::between(0, 5000),
-        "Height of the ridges over the grooves; not given in the paper");
+        "Height of the ridges above the grooves; not given in the paper");
 }
 
 }  // namespace
@@ -42,15 +44,15 @@ const Declarations<Material>& Material::declarations() {
   static const Declarations<Material> all = [] {
     Declarations<Material> d;
     d.add("hardness", &Material::hardness, "", Range::any(),
-          "The group it belongs to; not given in the paper");
+          "Group of the material; not given in the paper");
     d.add("density", &Material::density, "kg/m^3", Range::between(0.001, 1e6),
           "Density; not given in the paper");
     d.add("friction", &Material::friction, "", Range::between(0, 2),
           "Coulomb friction against skin and table; not given in the paper");
     d.add("stiffness", &Material::stiffness, "N/mm", Range::between(1e-6, 1e9),
-          "Force for a mm under the tip of the hardness probe; not given in the paper");
+          "Force per mm under the tip of the hardness probe; not given in the paper");
     d.add("touch_stiffness", &Material::touch_stiffness, "N/mm", Range::between(1e-6, 1e9),
-          "Force for a mm under a taxel; automatic: as under the tip; not given in the paper");
+          "Force per mm under a taxel; automatic: as under the tip; not given in the paper");
     declare_surface(d);
     return d;
   }();
@@ -58,10 +60,10 @@ const Declarations<Material>& Material::declarations() {
 }
 
 Result<void> Material::validate() const {
-  if (auto ranges = check_ranges(*this); !ranges) return ranges;
+  SOMATO_TRY_VOID(check_ranges(*this));
   if ((weave_period > 0.0) == (weave_height > 0.0)) return {};
   return fail(ErrorKind::kUsage, "a weave needs both 'weave_period' and 'weave_height'", {},
-              "give both, or neither");
+              "set both, or neither");
 }
 
 Result<Material> read_material(const std::string& name, const Table& table) {
@@ -86,9 +88,8 @@ Result<std::vector<Material>> read_materials(const Table& file) {
   for (const Table::Entry& each : tables->entries) {
     const Table* table = std::get_if<Table>(&each.content);
     if (!table) return not_tables(each.where);
-    auto material = read_material(each.name, *table);
-    if (!material) return fail(std::move(material.error()));
-    materials.push_back(std::move(*material));
+    SOMATO_TRY(auto material, read_material(each.name, *table));
+    materials.push_back(std::move(material));
   }
   return materials;
 }

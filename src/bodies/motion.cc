@@ -1,4 +1,4 @@
-#include "somato/bodies/motion.h"
+#include "bodies/motion.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 namespace somato {
 namespace {
 
-constexpr double kStep = 0.05;    // s; how often is looked whether all have arrived
+constexpr double kStep = 0.05;    // s; interval of checks whether all have arrived
 constexpr double kArrived = 0.1;  // deg or mm; a pulse of a hobby servo is about as wide
 
 // The first servo that is still on its way.
@@ -24,9 +24,9 @@ tl::unexpected<Error> never_arrived(const Body& body, std::size_t servo, double 
                                     double waited) {
   const DegreeOfFreedom& one = body.description().degrees_of_freedom[servo];
   return fail(ErrorKind::kData,
-              fmt::format("'{}' never arrived at {:g} {}: it stood at {:g} after {:g} s", one.name,
+              fmt::format("'{}' did not reach {:g} {}: it was at {:g} after {:g} s", one.name,
                           target, one.unit, body.state().positions[servo], waited),
-              one.name, "free it, or give it more time or speed");
+              one.name, "remove the obstacle, or allow more time or speed");
 }
 
 }  // namespace
@@ -45,12 +45,12 @@ std::vector<double> present_targets(const Body& body) {
 }
 
 Result<void> move_to(Body& body, std::span<const double> targets, const Motion& motion) {
-  if (auto sent = body.command(targets); !sent) return sent;
+  SOMATO_TRY_VOID(body.command(targets));
   std::size_t steps = 0;
   while (const auto servo = still_moving(body, targets)) {
     const double waited = static_cast<double>(steps++) * kStep;
     if (waited >= motion.longest) return never_arrived(body, *servo, targets[*servo], waited);
-    if (auto passed = body.step(kStep); !passed) return passed;
+    SOMATO_TRY_VOID(body.step(kStep));
   }
   return body.step(motion.settle);
 }

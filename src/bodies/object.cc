@@ -49,7 +49,7 @@ const std::vector<std::pair<Shape, std::string>>& Choices<Shape>::all() {
 }
 
 double volume(const Object& object) {
-  require(object.shape != Shape::kMesh, "volume: only a mesh's file knows its volume");
+  require(object.shape != Shape::kMesh, "volume: the volume of a mesh requires its file");
   const auto [width, depth, height] = object.size;
   switch (object.shape) {
     case Shape::kCylinder:

@@ -8,8 +8,8 @@
 
 #include "files/embedded.h"
 #include "files/text.h"
-#include "somato/files/toml_file.h"
-#include "somato/files/whole_file.h"
+#include "files/toml_file.h"
+#include "files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -46,7 +46,7 @@ std::vector<std::string> keys_of(Shape shape) {
 Result<Shape> shape_of(const Table& line, const std::string& where) {
   const Table::Entry* entry = line.find("shape");
   if (!entry) {
-    return refuse("'shape' is missing", where, "write shape = \"cylinder\" or another one");
+    return refuse("'shape' is missing", where, "write for example shape = \"cylinder\"");
   }
   return read_parameters<ObjectLine>(Table{where, {*entry}}).map([](const ObjectLine& only) {
     return only.shape;
@@ -71,7 +71,7 @@ Result<void> check_keys(const Table& line, Shape shape, const std::string& where
   return {};
 }
 
-// An optional size says "automatic" while it has none, which no size may be here.
+// An optional size without a value is "automatic", which is not a valid size here.
 Result<void> check_given(const ObjectLine& line, const std::string& where) {
   const std::vector<std::pair<std::string, const std::optional<double>*>> sizes{
       {"diameter", &line.diameter},
@@ -81,7 +81,7 @@ Result<void> check_given(const ObjectLine& line, const std::string& where) {
   const std::vector<std::string>& needed = shape_keys(line.shape).needed;
   for (const auto& [key, size] : sizes) {
     if (*size || std::find(needed.begin(), needed.end(), key) == needed.end()) continue;
-    return refuse(fmt::format("'{}' must be a number", key), where, "give it in mm");
+    return refuse(fmt::format("'{}' must be a number", key), where, "write it in mm");
   }
   return {};
 }
@@ -95,7 +95,7 @@ Result<void> check_proportions(const ObjectLine& line, const std::string& where)
   if (line.shape == Shape::kCapsule && *line.height < *line.diameter) {
     return refuse(fmt::format("the capsule is {} mm high, less than its diameter of {} mm",
                               *line.height, *line.diameter),
-                  where, "the height counts both ends; take a sphere or an ellipsoid");
+                  where, "the height includes both ends; use a sphere or an ellipsoid");
   }
   return {};
 }
@@ -113,27 +113,27 @@ bool has_mesh_ending(const std::string& file) {
   return ending == ".stl" || ending == ".obj";
 }
 
-// The absolute path of a mesh that lies beside the table `table`.
+// The absolute path of a mesh relative to the folder of the table `table`.
 Result<std::string> mesh_of(const ObjectLine& line, std::string_view table,
                             const std::string& where) {
   namespace fs = std::filesystem;
   if (!has_mesh_ending(line.file) || line.file.find('\0') != std::string::npos) {
     return refuse(fmt::format("{} is not a mesh", shown(line.file)), where,
-                  "give a file that ends in .stl or .obj");
+                  "use a file with the extension .stl or .obj");
   }
   std::error_code ignored;
   const fs::path beside = fs::path(table).parent_path() / line.file;
   std::string path = fs::absolute(beside, ignored).lexically_normal().string();
   // A pipe or device would keep the reader waiting.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
-    return fail(ErrorKind::kData, fmt::format("{} is no regular file", shown(path)), where,
-                "give a file that ends in .stl or .obj");
+    return fail(ErrorKind::kData, fmt::format("{} is not a regular file", shown(path)), where,
+                "use a file with the extension .stl or .obj");
   }
   Result<std::string> bytes = read_whole(path, kLargestMesh);
   if (bytes && !bytes->empty()) return path;
   if (bytes) return fail(ErrorKind::kData, shown(path) + " is empty", where, "export it again");
   return fail(bytes.error().kind, to_string(bytes.error()), where,
-              "files of meshes are looked for beside the table");
+              "paths of meshes are relative to the folder of the table");
 }
 
 class TableReader {
@@ -146,7 +146,7 @@ class TableReader {
     for (const std::string_view kind : {"material", "object"}) {
       for (const Table::Entry& entry : root.entries) {
         if (entry.name != kind) continue;
-        if (auto done = read_all(entry); !done) return fail(std::move(done.error()));
+        SOMATO_TRY_VOID(read_all(entry));
       }
     }
     for (const Table::Entry& entry : root.entries) {
@@ -155,7 +155,7 @@ class TableReader {
     }
     if (!table_.objects.empty() || !table_.materials.empty()) return std::move(table_);
     return refuse("there are neither objects nor materials", root.where,
-                  "add [object] with a line an object");
+                  "add [object] with one line per object");
   }
 
  private:
@@ -163,8 +163,8 @@ class TableReader {
     const Table* all = std::get_if<Table>(&entry.content);
     if (!all) {
       return refuse(fmt::format("'{}' must be a table", entry.name), entry.where,
-                    entry.name == "object" ? "write [object] on a line of its own, objects below"
-                                           : "write [material.NAME] on a line of its own");
+                    entry.name == "object" ? "write [object] on a separate line, objects below"
+                                           : "write [material.NAME] on a separate line");
     }
     const bool objects = entry.name == "object";
     for (const Table::Entry& one : all->entries) {
@@ -180,11 +180,11 @@ class TableReader {
     const Table* keys = std::get_if<Table>(&entry.content);
     if (!keys) {
       return refuse(fmt::format("material '{}' must be a table", entry.name), entry.where,
-                    fmt::format("write [material.{}] on a line of its own", entry.name));
+                    fmt::format("write [material.{}] on a separate line", entry.name));
     }
     if (find_material(declared_, entry.name)) {
       return refuse(fmt::format("material '{}' is declared already", entry.name), entry.where,
-                    "give yours another name");
+                    "use another name");
     }
     return somato::read_material(entry.name, *keys).map([&](Material&& read) {
       materials_.push_back(read);
@@ -204,9 +204,8 @@ class TableReader {
   }
 
   static Result<ObjectLine> line_of(const Table& keys, const std::string& where) {
-    const auto shape = shape_of(keys, where);
-    if (!shape) return fail(shape.error());
-    if (auto checked = check_keys(keys, *shape, where); !checked) return fail(checked.error());
+    SOMATO_TRY(const auto shape, shape_of(keys, where));
+    SOMATO_TRY_VOID(check_keys(keys, shape, where));
     Result<ObjectLine> line = read_parameters<ObjectLine>(keys);
     if (!line) return line;
     auto checked =
@@ -229,9 +228,8 @@ class TableReader {
     object.material = std::move(*material);
     object.mesh_scale = line.scale;
     if (line.shape == Shape::kMesh) {
-      auto path = mesh_of(line, file_, entry.where);
-      if (!path) return fail(std::move(path.error()));
-      object.mesh_file = std::move(*path);
+      SOMATO_TRY(auto path, mesh_of(line, file_, entry.where));
+      object.mesh_file = std::move(path);
     }
     const bool known = line.mass || line.shape == Shape::kMesh;
     object.mass = known ? line.mass.value_or(0.0) : mass_of(object.material, volume(object));
@@ -256,22 +254,22 @@ const Declarations<ObjectLine>& ObjectLine::declarations() {
   using P = ObjectLine;
   static const auto declared =
       Declarations<P>()
-          .add("shape", &P::shape, "", Range::any(), "What the object looks like. Has to be given.")
+          .add("shape", &P::shape, "", Range::any(), "Shape of the object. Required.")
           .add("diameter", &P::diameter, "mm", kSize,
-               "Of a sphere, cylinder or capsule; of a cone at its foot.")
-          .add("width", &P::width, "mm", kSize, "Of a block or ellipsoid.")
-          .add("depth", &P::depth, "mm", kSize, "Of a block or ellipsoid.")
+               "Diameter of a sphere, cylinder or capsule, or of a cone at its base.")
+          .add("width", &P::width, "mm", kSize, "Width of a block or ellipsoid.")
+          .add("depth", &P::depth, "mm", kSize, "Depth of a block or ellipsoid.")
           .add("height", &P::height, "mm", kSize,
-               "Of all but spheres and meshes; of a capsule with both ends.")
+               "Height of any shape except spheres and meshes; for a capsule including both ends.")
           .add("top_diameter", &P::top_diameter, "mm", Range::between(0, kSize.high),
-               "Of a cone at its top; 0: it has a point.")
+               "Diameter of a cone at its top; 0: a point.")
           .add("file", &P::file, "", Range::any(),
-               "File of a mesh, STL or OBJ, seen from the table's folder.")
-          .add("scale", &P::scale, "mm", kSize, "What a unit of the mesh's file means.")
-          .add("material", &P::material, "", Range::any(),
-               "Name of what it is made of. Has to be given.")
+               "File of a mesh, STL or OBJ, relative to the folder of the table.")
+          .add("scale", &P::scale, "mm", kSize, "Length of a unit of the mesh's file.")
+          .add("material", &P::material, "", Range::any(), "Name of the material. Required.")
           .add("mass", &P::mass, "kg", Range::between(1e-6, 1e4),
-               "automatic: from the volume and the material's density.");
+               "Mass of the object; automatic: computed from the volume and the material's "
+               "density.");
   return declared;
 }
 

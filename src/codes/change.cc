@@ -1,4 +1,4 @@
-#include "somato/codes/change.h"
+#include "codes/change.h"
 
 #include <utility>
 #include <vector>
@@ -7,7 +7,7 @@ namespace somato {
 
 Result<Signal> change_of(const Matrix<float>& frames) {
   if (frames.rows() == 0) {
-    return fail(ErrorKind::kData, "there are no frames to take a change of", {},
+    return fail(ErrorKind::kData, "the channel has no frames", {},
                 "leave the exploration out, or repair it");
   }
   std::vector<float> change(frames.columns());

@@ -13,48 +13,52 @@ namespace {
 
 constexpr std::size_t kMostElements = std::numeric_limits<std::uint32_t>::max();
 
-std::size_t total_size(std::span<const Signal> inputs) {
+std::size_t total_size(std::span<const SignalView> inputs) {
   std::size_t total = 0;
-  for (const Signal& input : inputs) {
-    require(input.size() <= kMostElements - total,
+  for (const SignalView& input : inputs) {
+    require(input.size <= kMostElements - total,
             "a concatenation can have at most 2^32 - 1 elements");
-    total += input.size();
+    total += input.size;
   }
   return total;
 }
 
-Signal sparse_concatenation(std::span<const Signal> inputs, std::size_t size) {
-  std::vector<std::uint32_t> indices;
-  std::vector<float> values;
-  std::size_t start = 0;
-  for (const Signal& input : inputs) {
-    for (const std::uint32_t index : input.indices()) {
-      indices.push_back(static_cast<std::uint32_t>(start + index));
+void write_sparse(std::span<const SignalView> inputs, SignalBuffer& out) {
+  std::uint32_t start = 0;
+  for (const SignalView& input : inputs) {
+    for (std::size_t i = 0; i < input.indices.size(); ++i) {
+      out.add(start + input.indices[i], input.values[i]);
     }
-    values.insert(values.end(), input.values().begin(), input.values().end());
-    start += input.size();
+    start += static_cast<std::uint32_t>(input.size);
   }
-  return Signal::sparse({size}, std::move(indices), std::move(values));
 }
 
-Signal dense_concatenation(std::span<const Signal> inputs, std::size_t size) {
-  std::vector<float> values(size);
-  std::span<float> rest = values;
-  for (const Signal& input : inputs) {
-    write_dense(input.view(), rest.first(input.size()));
-    rest = rest.subspan(input.size());
+void write_all(std::span<const SignalView> inputs, std::span<float> out) {
+  for (const SignalView& input : inputs) {
+    write_dense(input, out.first(input.size));
+    out = out.subspan(input.size);
   }
-  return Signal::dense(std::move(values));
 }
 
 }  // namespace
 
-Signal concatenation(std::span<const Signal> inputs) {
+void concatenation(std::span<const SignalView> inputs, SignalBuffer& out) {
   require(!inputs.empty(), "a concatenation needs at least one signal");
   const std::size_t size = total_size(inputs);
   const bool sparse = std::all_of(inputs.begin(), inputs.end(),
-                                  [](const Signal& input) { return input.is_sparse(); });
-  return sparse ? sparse_concatenation(inputs, size) : dense_concatenation(inputs, size);
+                                  [](const SignalView& input) { return input.sparse; });
+  if (!sparse) return write_all(inputs, out.begin_dense(size));
+  out.begin_sparse(size);
+  write_sparse(inputs, out);
+}
+
+Signal concatenation(std::span<const Signal> inputs) {
+  std::vector<SignalView> views;
+  views.reserve(inputs.size());
+  for (const Signal& input : inputs) views.push_back(input.view());
+  SignalBuffer out;
+  concatenation(views, out);
+  return Signal::copy_of(out.view());
 }
 
 }  // namespace somato

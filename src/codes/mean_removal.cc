@@ -1,4 +1,4 @@
-#include "somato/codes/mean_removal.h"
+#include "codes/mean_removal.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "somato/codes/missing_values.h"
+#include "codes/missing_values.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ bool is_complete(std::span<const float> row) {
   return std::none_of(row.begin(), row.end(), [](float value) { return std::isnan(value); });
 }
 
-// The columns that a row knows, and by what their differences are divided.
+// The columns with a known value in a row, and the divisors of their differences.
 struct KnownColumns {
   std::vector<std::size_t> columns;
   std::vector<double> factors;
@@ -81,7 +81,7 @@ Result<void> KnownValues::take(const Samples& part) {
   std::vector<float> row(part.size());
   for (std::size_t i = 0; i < part.count(); ++i) {
     write_dense(part[i], row);
-    if (auto taken = take(row); !taken) return taken;
+    SOMATO_TRY_VOID(take(row));
   }
   return {};
 }
@@ -165,14 +165,15 @@ Result<Samples> filled_from_nearest(const Samples& samples, std::span<const doub
     (is_complete(rows.row(i)) ? complete : incomplete).push_back(i);
   }
   if (complete.empty()) {
-    return fail(ErrorKind::kData, "no row is complete, so there is none to fill others from", {},
-                "pass --missing mean, or leave columns out with --skip");
+    return fail(ErrorKind::kData,
+                "no row is complete, so missing values cannot be filled from the nearest row", {},
+                "use --missing mean, or leave columns out with --skip");
   }
   for (std::size_t done = 0; done < incomplete.size(); ++done) {
     const std::span<float> row = rows.row(incomplete[done]);
     fill_row(row, rows.row(nearest_complete(rows, complete, row, scale)));
     if (progress && !progress(done + 1, incomplete.size())) {
-      return fail(ErrorKind::kInterrupted, "filling missing values was stopped before its end");
+      return fail(ErrorKind::kInterrupted, "filling missing values was interrupted");
     }
   }
   return Samples(std::move(rows));

@@ -36,20 +36,19 @@ const Declarations<NumberCodeParameters>& NumberCodeParameters::declarations() {
   using P = NumberCodeParameters;
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add(
-              "code", &P::code, "", Range::any(),
-              "How a level is written: as its binary digits (P11's raw bits), in the Gray code, or "
-              "as a thermometer.")
+          .add("code", &P::code, "", Range::any(),
+               "Code of a level: its binary digits (P11's raw bits), a Gray code, or "
+               "a thermometer code.")
           .add("low", &P::low, "unit of the value", Range::any(),
                "Lower end of the first level. Not given in the paper.")
           .add("high", &P::high, "unit of the value", Range::any(),
                "Upper end of the last level. Not given in the paper.")
           .add("bits", &P::bits, "", Range::between(1, static_cast<double>(kMostBits)),
-               "Number of elements, most significant first; 18 in P11, at most 24 but for a "
+               "Number of elements, most significant first; 18 in P11, at most 24 except for a "
                "thermometer.")
           .add("outside", &P::outside, "", Range::any(),
-               "What happens to a value outside the range: it is an error, or belongs to the "
-               "nearest level. Not given in the paper.");
+               "Treatment of a value outside the range: an error, or the nearest level. Not given "
+               "in the paper.");
   return kAll;
 }
 
@@ -86,14 +85,14 @@ float NumberCode::edge(std::uint32_t level) const {
 
 Result<std::uint32_t> NumberCode::level(float value) const {
   if (std::isnan(value)) {
-    return fail(ErrorKind::kData, "a value to be coded is not a number", {},
-                "take the frame out of the recording, or repair it");
+    return fail(ErrorKind::kData, "the value to be encoded is not a number", {},
+                "remove the frame from the recording, or repair it");
   }
   const bool outside =
       value < static_cast<float>(parameters_.low) || value > static_cast<float>(parameters_.high);
   if (outside && parameters_.outside == OutsideRange::kRefuse) {
     return fail(ErrorKind::kData,
-                fmt::format("the value {} lies outside the range {} to {} of its {} code", value,
+                fmt::format("the value {} is outside the range {} to {} of its {} code", value,
                             parameters_.low, parameters_.high, choice_name(parameters_.code)),
                 {}, "widen 'low' and 'high', or set outside = \"clamp\"");
   }
@@ -104,16 +103,21 @@ Result<std::uint32_t> NumberCode::level(float value) const {
 }
 
 Result<Signal> NumberCode::encode(float value) const {
-  return level(value).map([&](std::uint32_t level) {
-    const bool gray = parameters_.code == NumberCodeKind::kGray;
-    const std::uint32_t number = gray ? level ^ (level >> 1U) : level;
-    std::vector<float> elements(bits());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      elements[i] = has_digits(parameters_.code) ? digit(number, elements.size() - 1 - i)
-                                                 : static_cast<float>(i < level);
-    }
-    return Signal::dense(std::move(elements));
-  });
+  std::vector<float> elements(bits());
+  SOMATO_TRY_VOID(encode(value, elements));
+  return Signal::dense(std::move(elements));
+}
+
+Result<void> NumberCode::encode(float value, std::span<float> out) const {
+  require(out.size() == bits(), "a number code needs room for its bits");
+  SOMATO_TRY(const auto level, this->level(value));
+  const bool gray = parameters_.code == NumberCodeKind::kGray;
+  const std::uint32_t number = gray ? level ^ (level >> 1U) : level;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = has_digits(parameters_.code) ? digit(number, out.size() - 1 - i)
+                                          : static_cast<float>(i < level);
+  }
+  return {};
 }
 
 }  // namespace somato

@@ -48,7 +48,7 @@ const Declarations<OneHotParameters>& OneHotParameters::declarations() {
                Range::between(1, static_cast<double>(kMostOneHotElements)),
                "Bins for each element of the input; 10 in the papers.")
           .add("outside", &P::outside, "", Range::any(),
-               "What becomes of a value outside the range: an error, or the nearest bin.");
+               "Treatment of a value outside the range: an error, or the nearest bin.");
   return kAll;
 }
 
@@ -62,14 +62,14 @@ OneHot::OneHot(const OneHotParameters& parameters) : parameters_(parameters) {
 
 Result<std::uint32_t> OneHot::bin(float value) const {
   if (std::isnan(value)) {
-    return fail(ErrorKind::kData, "a value to be coded is not a number", {},
-                "take the frame out of the recording, or repair it");
+    return fail(ErrorKind::kData, "the value to be encoded is not a number", {},
+                "remove the frame from the recording, or repair it");
   }
   const bool outside = value < edges_.front() || value > edges_.back();
   if (outside && parameters_.outside == OutsideRange::kRefuse) {
     return fail(ErrorKind::kData,
-                fmt::format("the value {} lies outside the range {} to {} of its one-hot code",
-                            value, parameters_.low, parameters_.high),
+                fmt::format("the value {} is outside the range {} to {} of its one-hot code", value,
+                            parameters_.low, parameters_.high),
                 {}, "widen 'low' and 'high', or set outside = \"clamp\"");
   }
   const auto inner = edges_.begin() + 1;
@@ -86,16 +86,14 @@ OneHotSequence::OneHotSequence(const std::vector<OneHotParameters>& joints)
   require(!joints.empty(), "a one-hot sequence needs at least one joint");
   for (const OneHotParameters& joint : joints) {
     require(joint.elements == joints.front().elements,
-            "the joints of a one-hot sequence must have equally many elements");
+            "the joints of a one-hot sequence must have equal numbers of elements");
   }
 }
 
 Result<Signal> OneHotSequence::encode(std::span<const float> values) const {
   SignalBuffer code;
-  if (auto encoded = encode(values, code); !encoded) return fail(std::move(encoded.error()));
-  const auto indices = code.view().indices;
-  return Signal::sparse({joints(), codes_.front().elements()}, {indices.begin(), indices.end()},
-                        std::vector<float>(joints(), 1.0F));
+  SOMATO_TRY_VOID(encode(values, code));
+  return Signal::copy_of(code.view(), {joints(), codes_.front().elements()});
 }
 
 Result<void> OneHotSequence::encode(std::span<const float> values, SignalBuffer& out) const {

@@ -1,4 +1,4 @@
-#include "somato/codes/onset.h"
+#include "codes/onset.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ std::string elements_text(const OnsetParameters& parameters) {
 
 Error no_onset(const Matrix<float>& frames, const OnsetParameters& parameters, double greatest) {
   const std::string seen =
-      frames.empty() ? "there are no frames" : fmt::format("the greatest is {:.6g}", greatest);
+      frames.empty() ? "there are no frames" : fmt::format("the maximum is {:.6g}", greatest);
   return {ErrorKind::kData,
           fmt::format("there is no onset: the {} of {} never reaches the threshold {:.6g}; {}",
                       choice_name(parameters.quantity), elements_text(parameters),
@@ -52,7 +52,7 @@ Error no_onset(const Matrix<float>& frames, const OnsetParameters& parameters, d
 Error beyond_frames(const Matrix<float>& frames, const OnsetParameters& parameters,
                     std::size_t onset) {
   return {ErrorKind::kData,
-          fmt::format("the window of {} frames from {} before the onset in frame {} reaches beyond "
+          fmt::format("the window of {} frames from {} before the onset in frame {} extends beyond "
                       "the {} frames of the exploration",
                       parameters.length, parameters.before, onset + 1, frames.rows()),
           {},
@@ -85,31 +85,32 @@ const Declarations<OnsetParameters>& OnsetParameters::declarations() {
   using P = OnsetParameters;
   static const Declarations<P> kAll =
       Declarations<P>()
-          .add("element", &P::element, "", Range::at_least(0),
-               "The element whose onset is looked for, counted from 1; 0 for whichever is first. "
-               "Not given in the paper.")
+          .add(
+              "element", &P::element, "", Range::at_least(0),
+              "Element whose onset is detected, counted from 1; 0: the first onset of any element. "
+              "Not given in the paper.")
           .add("quantity", &P::quantity, "", Range::any(),
-               "What is held against the threshold: the element's value, its magnitude, or its "
+               "Quantity compared with the threshold: the element's value, its magnitude, or its "
                "distance from its value in the first frame. Not given in the paper.")
           .add("threshold", &P::threshold, "unit of the frames", Range::any(),
                "The onset is the first frame whose quantity is at least this. Not given in the "
                "paper.")
           .add("before", &P::before, "frames", Range::between(0, kMostFrames),
-               "How many frames before the onset the window starts. Not given in the paper.")
+               "Number of frames of the window before the onset. Not given in the paper.")
           .add("length", &P::length, "frames", Range::between(1, kMostFrames),
                "Number of frames of the window. Not given in the paper.")
           .add("beyond", &P::beyond, "", Range::any(),
-               "What happens where the window reaches beyond the frames: it is an error, or the "
-               "first or last frame is held. Not given in the paper.");
+               "Treatment of a window that extends beyond the frames: an error, or the "
+               "first or last frame is repeated. Not given in the paper.");
   return kAll;
 }
 
 Result<std::size_t> find_onset(const Matrix<float>& frames, const OnsetParameters& parameters) {
   if (parameters.element > frames.columns()) {
     return fail(ErrorKind::kUsage,
-                fmt::format("there is no element {} to find an onset of: the frames have {}",
+                fmt::format("element {} of the onset does not exist: the frames have {}",
                             parameters.element, frames.columns()),
-                {}, "elements are counted from 1; 'element' 0 takes any");
+                {}, "elements are counted from 1; 'element' 0 means any");
   }
   double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t frame = 0; frame < frames.rows(); ++frame) {
@@ -122,14 +123,13 @@ Result<std::size_t> find_onset(const Matrix<float>& frames, const OnsetParameter
 Result<Matrix<float>> window_at_onset(const Matrix<float>& frames,
                                       const OnsetParameters& parameters) {
   require(parameters.length > 0, "the window at an onset needs a frame");
-  Result<std::size_t> onset = find_onset(frames, parameters);
-  if (!onset) return fail(std::move(onset.error()));
-  if (parameters.beyond == BeyondFrames::kRefuse && reaches_beyond(frames, parameters, *onset)) {
-    return fail(beyond_frames(frames, parameters, *onset));
+  SOMATO_TRY(const std::size_t onset, find_onset(frames, parameters));
+  if (parameters.beyond == BeyondFrames::kRefuse && reaches_beyond(frames, parameters, onset)) {
+    return fail(beyond_frames(frames, parameters, onset));
   }
   Matrix<float> window(parameters.length, frames.columns());
   for (std::size_t i = 0; i < window.rows(); ++i) {
-    const std::size_t place = *onset + i;  // `before` frames too far on
+    const std::size_t place = onset + i;  // `before` frames too far on
     const std::size_t frame = place < parameters.before ? 0 : place - parameters.before;
     std::ranges::copy(frames.row(std::min(frame, frames.rows() - 1)), window.row(i).begin());
   }

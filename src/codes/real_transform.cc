@@ -26,7 +26,7 @@ RealTransform::RealTransform(std::size_t length)
 
 void RealTransform::squares(std::span<const double> values, std::span<double> squares) {
   require(values.size() == length_ && squares.size() == bins(),
-          "a transform takes as many values as it is long and gives one square a bin");
+          "a transform takes as many values as its length and returns one square per bin");
   is_even(length_) ? transform_even(values) : transform_odd(values);
   for (std::size_t k = 0; k < squares.size(); ++k) {
     const std::complex<double> x = output_[k];

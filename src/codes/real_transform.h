@@ -9,7 +9,7 @@
 namespace somato {
 
 /// The discrete Fourier transform of real values, X_k = sum_i x_i exp(-2 pi i k / length), in
-/// double precision. The plan holds scratch memory: a thread works on a copy of its own.
+/// double precision. The plan contains scratch memory: each thread requires a copy.
 class RealTransform {
  public:
   /// Throws InvalidArgument for the length 0.

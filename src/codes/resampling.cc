@@ -1,4 +1,4 @@
-#include "somato/codes/resampling.h"
+#include "codes/resampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ float between(float first, float second, double share) {
   return static_cast<float>(std::fma(share, double{second} - double{first}, double{first}));
 }
 
-// Point `point` of `points` stands `rest / gaps` of the way from frame `frame` to the next one; in
-// whole numbers, so that the last point is the last frame and not nearly so.
+// Point `point` of `points` is at the fraction `rest / gaps` between frame `frame` and the next
+// one; computed with integers, so that the last point is exactly the last frame.
 void write_point(const Matrix<float>& frames, std::size_t point, Matrix<float>& points) {
   const std::size_t gaps = points.rows() - 1;
   const std::size_t place = point * (frames.rows() - 1);
@@ -32,7 +32,7 @@ const Declarations<ResamplingParameters>& ResamplingParameters::declarations() {
   using P = ResamplingParameters;
   static const Declarations<P> kAll = Declarations<P>().add(
       "points", &P::points, "", Range::between(2, static_cast<double>(std::size_t{1} << 20)),
-      "Number of frames afterwards, from the first to the last. Not given in the paper.");
+      "Number of frames of the result, from the first to the last. Not given in the paper.");
   return kAll;
 }
 

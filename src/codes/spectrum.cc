@@ -11,7 +11,7 @@
 
 #include "codes/frequency_bands.h"
 #include "codes/real_transform.h"
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
 
 namespace somato {
 namespace {
@@ -52,7 +52,7 @@ Result<void> check_finite(const Matrix<float>& frames) {
     for (std::size_t j = 0; j < frames.columns(); ++j) {
       if (std::isfinite(frames(i, j))) continue;
       return fail(ErrorKind::kData,
-                  fmt::format("frame {} holds {} in element {}", i + 1, frames(i, j), j + 1), {},
+                  fmt::format("frame {} contains {} in element {}", i + 1, frames(i, j), j + 1), {},
                   "leave the exploration out, or repair it");
     }
   }
@@ -72,12 +72,12 @@ Result<void> check_frames(const Matrix<float>& frames, const SpectrumParameters&
     return fail(ErrorKind::kData,
                 fmt::format("{} frames are too many for a transform of {}", frames.rows(),
                             *parameters.transform_length),
-                {}, "raise 'transform_length', or give 'segment_length'");
+                {}, "raise 'transform_length', or set 'segment_length'");
   }
   return check_finite(frames);
 }
 
-// What one unit of the axis is in Hz: 1, or |speed| where it counts in cycles per millimetre.
+// The size of one unit of the axis in Hz: 1, or |speed| for cycles per millimetre.
 Result<double> axis_unit(const SpectrumParameters& parameters, std::optional<double> speed) {
   if (!speed) return 1.0;
   if (parameters.bands == 0 || !parameters.high) {
@@ -87,35 +87,35 @@ Result<double> axis_unit(const SpectrumParameters& parameters, std::optional<dou
   const double unit = std::fabs(*speed);
   if (unit > 0.0 && std::isfinite(unit)) return unit;
   return fail(ErrorKind::kData, fmt::format("a spectrum cannot be divided by the speed {}", *speed),
-              {}, "leave out the frames in which nothing moves");
+              {}, "leave out the frames without movement");
 }
 
 Error bands_beyond(double low, double high, double limit, double rate,
                    std::optional<double> speed) {
   const std::string_view unit = speed ? "cycles/mm" : "Hz";
   const std::string at_speed = speed ? fmt::format(" and {:.6g} mm/s", *speed) : std::string();
-  return {ErrorKind::kData,
-          fmt::format("bands from {:.6g} to {:.6g} {} reach beyond what frames at {:.6g} Hz{} can "
-                      "show, {:.6g} {}",
-                      low, high, unit, rate, at_speed, limit, unit),
-          {},
-          "lower 'low' and 'high'"};
+  return {
+      ErrorKind::kData,
+      fmt::format("bands from {:.6g} to {:.6g} {} exceed the range that frames at {:.6g} Hz{} can "
+                  "represent, {:.6g} {}",
+                  low, high, unit, rate, at_speed, limit, unit),
+      {},
+      "lower 'low' and 'high'"};
 }
 
 // The edges of the bands, in bins; none where every bin is taken.
 Result<std::vector<double>> edges_in_bins(const SpectrumParameters& parameters, double rate,
                                           std::optional<double> speed,
                                           std::size_t transform_length) {
-  Result<double> unit = axis_unit(parameters, speed);
-  if (!unit) return fail(std::move(unit.error()));
+  SOMATO_TRY(const double unit, axis_unit(parameters, speed));
   if (parameters.bands == 0) return std::vector<double>{};
   if (rate <= 0.0 || !std::isfinite(rate)) {
-    return fail(ErrorKind::kData, "bands need the frame rate, and it is not known", {},
-                "record times or a rate, or take every bin with 'bands' 0");
+    return fail(ErrorKind::kData, "bands require the frame rate, which is unknown", {},
+                "record times or a rate, or use every bin with 'bands' 0");
   }
-  const double limit = rate / 2.0 / *unit;
+  const double limit = rate / 2.0 / unit;
   const double high = parameters.high.value_or(limit);
-  // A rate that was worked out from times is nearly what it should be.
+  // A rate that was computed from times has a small error.
   if (high > limit * (1.0 + 1e-6) || parameters.low >= high) {
     return fail(bands_beyond(parameters.low, high, limit, rate, speed));
   }
@@ -207,18 +207,15 @@ std::size_t Spectrum::bands() const {
 
 Result<Signal> Spectrum::apply(const Matrix<float>& frames, double rate,
                                std::optional<double> speed) const {
-  if (Result<void> checked = check_frames(frames, parameters_); !checked) {
-    return fail(std::move(checked.error()));
-  }
+  SOMATO_TRY_VOID(check_frames(frames, parameters_));
   const std::size_t segment_length = parameters_.segment_length.value_or(frames.rows());
   RealTransform transform = plan_ ? *plan_ : RealTransform(std::bit_ceil(segment_length));
-  auto edges = edges_in_bins(parameters_, rate, speed, transform.length());
-  if (!edges) return fail(std::move(edges.error()));
+  SOMATO_TRY(auto edges, edges_in_bins(parameters_, rate, speed, transform.length()));
   SegmentPowers powers(parameters_, segment_length, std::move(transform));
   std::vector<float> values;
   values.reserve(frames.columns() * bands());
   for (std::size_t element = 0; element < frames.columns(); ++element) {
-    for (const double power : bands_between(*edges, powers.of(frames, element))) {
+    for (const double power : bands_between(edges, powers.of(frames, element))) {
       values.push_back(written(parameters_, power));
     }
   }

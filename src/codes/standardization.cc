@@ -16,7 +16,7 @@ std::string column_text(std::size_t column, const std::vector<std::string>& name
   return fmt::format("column {} ('{}')", column + 1, names[column]);
 }
 
-// What one pass tells of a column.
+// The result of one pass for a column.
 struct Column {
   float first = 0.0F;
   bool constant = true;
@@ -56,7 +56,7 @@ Error too_few(std::size_t samples) {
   return {ErrorKind::kData,
           fmt::format("a standardization needs at least 2 training samples, not {}", samples),
           {},
-          "record more, or train without standardization"};
+          "record more explorations, or train without standardization"};
 }
 
 Error not_finite(const Column& column, const std::string& name) {
@@ -99,7 +99,7 @@ const Declarations<StandardizationParameters>& StandardizationParameters::declar
   using P = StandardizationParameters;
   static const Declarations<P> kAll = Declarations<P>().add(
       "constant_columns", &P::constant_columns, "", Range::any(),
-      "What happens to a column that never changes in the training samples: it is an error, or it "
+      "Treatment of a column that is constant in the training samples: an error, or it "
       "becomes 0. Not given in the paper.");
   return kAll;
 }
@@ -121,8 +121,7 @@ Result<Standardization> Standardization::fit(SampleSource& samples,
     columns[d].take(sample, value);
   });
   if (!counted) return fail(counted.error());
-  auto usable = check_columns(columns, *counted, parameters.constant_columns, column_names);
-  if (!usable) return fail(std::move(usable.error()));
+  SOMATO_TRY_VOID(check_columns(columns, *counted, parameters.constant_columns, column_names));
   const auto count = static_cast<double>(*counted);
   Standardization fitted;
   fitted.means.reserve(columns.size());

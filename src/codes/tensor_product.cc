@@ -75,11 +75,7 @@ Signal tensor_product(std::span<const Signal> inputs) {
   SignalBuffer scratch;
   SignalBuffer out;
   tensor_product(views, scratch, out);
-  const SignalView all = out.view();
-  std::vector<float> values(all.values.begin(), all.values.end());
-  if (!all.sparse) return Signal::dense(std::move(shape), std::move(values));
-  return Signal::sparse(std::move(shape), {all.indices.begin(), all.indices.end()},
-                        std::move(values));
+  return Signal::copy_of(out.view(), std::move(shape));
 }
 
 }  // namespace somato

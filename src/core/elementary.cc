@@ -1,4 +1,4 @@
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "core/kernels.h"
-#include "somato/core/lane_matrix.h"
+#include "kernels/kernels.h"
+#include "somato/core/matrix.h"
 
 namespace somato {
 

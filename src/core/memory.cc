@@ -1,4 +1,4 @@
-#include "somato/core/memory.h"
+#include "core/memory.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -33,7 +33,7 @@ std::optional<std::size_t> number_in(const std::string& path) {
   return number;
 }
 
-// The number behind a word in a file of lines such as "MemAvailable:  1234 kB".
+// The number after a key in a file of lines such as "MemAvailable:  1234 kB".
 std::optional<std::size_t> number_after(const std::string& path, const std::string& word) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -45,7 +45,7 @@ std::optional<std::size_t> number_after(const std::string& path, const std::stri
   return std::nullopt;
 }
 
-// One control group's limit, less what it uses except for caches of files.
+// The limit of one control group, minus its usage except for caches of files.
 std::size_t of_group(const std::string& folder, bool free) {
   const auto limit = number_in(folder + "/memory.max");
   if (!limit || !free) return limit.value_or(kUnknown);

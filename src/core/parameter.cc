@@ -30,7 +30,7 @@ std::optional<Number> parse(std::string_view text) {
   return number;
 }
 
-// A flag's argument says no type, so the parameter's type decides how it is read.
+// A flag's argument has no type, so it is read according to the parameter's type.
 Value scalar_from_text(std::string_view type, std::string_view text) {
   if (type == "switch" && text == "true") return {true};
   if (type == "switch" && text == "false") return {false};
@@ -74,9 +74,8 @@ Result<void> read_scalar(const ParameterInfo& info, const Value& value, T& field
   constexpr auto kMost = std::in_range<std::int64_t>(std::numeric_limits<T>::max())
                              ? static_cast<std::int64_t>(std::numeric_limits<T>::max())
                              : std::numeric_limits<std::int64_t>::max();
-  const auto whole = detail::read_integer(info, value, kLeast, kMost);
-  if (!whole) return fail(whole.error());
-  field = static_cast<T>(*whole);
+  SOMATO_TRY(const auto whole, detail::read_integer(info, value, kLeast, kMost));
+  field = static_cast<T>(whole);
   return {};
 }
 
@@ -117,7 +116,7 @@ bool is_automatic(const Value& value) {
 
 Result<void> or_automatic(Result<void> read) {
   if (!read && read.error().advice.empty()) {
-    read.error().advice = "\"automatic\" is possible too";
+    read.error().advice = "\"automatic\" is also accepted";
   }
   return read;
 }
@@ -210,7 +209,7 @@ void DeclaredFields::add_from(const void* part, const DeclaredFields& declared,
 }
 
 void DeclaredFields::add(ParameterInfo info, const FieldType& type, const void* field) {
-  // As numbers, since pointers into different structs have no difference.
+  // As numbers, since pointers into different structs cannot be subtracted.
   const std::size_t offset =
       reinterpret_cast<std::uintptr_t>(field) - reinterpret_cast<std::uintptr_t>(defaults_);
   require(offset < size_ && type.size <= size_ - offset, "a parameter is a field of its struct");

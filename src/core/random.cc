@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/product_kernels.h"
+#include "core/elementary.h"
+#include "kernels/product_kernels.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
@@ -83,7 +83,7 @@ double Random::normal() {
 
 namespace {
 
-// The four numbers that stand at columns 4 quarter .. 4 quarter + 3 of a row.
+// The four numbers of columns 4 quarter .. 4 quarter + 3 of a row.
 std::array<float, 4> four_uniform(std::uint64_t seed, Stream stream, std::uint32_t row,
                                   std::uint32_t quarter) {
   const auto words =
@@ -111,7 +111,7 @@ void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span
 
 void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row,
                  std::span<const std::uint32_t> columns, std::span<float> out) {
-  require(columns.size() == out.size(), "uniform_row needs room for a number a column");
+  require(columns.size() == out.size(), "uniform_row needs space for one number per column");
   std::array<float, 4> numbers{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::uint32_t quarter = columns[i] / 4;

@@ -1,4 +1,4 @@
-#include "somato/core/rank_correlation.h"
+#include "core/rank_correlation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 }
 
 double correlation_of_centred_ranks(const std::vector<double>& a, const std::vector<double>& b) {
-  require(a.size() == b.size(), "a rank correlation needs as many values on either side");
+  require(a.size() == b.size(), "a rank correlation needs two lists of equal length");
   const double spread = std::sqrt(sum_of_squares(a) * sum_of_squares(b));
   if (spread <= 0.0) return 0.0;
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0) / spread;

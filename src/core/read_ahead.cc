@@ -1,4 +1,4 @@
-#include "somato/core/read_ahead.h"
+#include "core/read_ahead.h"
 
 namespace somato {
 
@@ -6,7 +6,7 @@ void ReadAhead::fetch() {
   coming_ = std::async(std::launch::async, [this] { return source_.next(); });
 }
 
-// Nothing may be under way when the source is used otherwise, or gone.
+// No read may be in progress when the source is used directly, or destroyed.
 void ReadAhead::forget() {
   if (coming_.valid()) coming_.wait();
   coming_ = {};

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/kernels.h"
+#include "kernels/kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -15,7 +15,7 @@ std::size_t element_count(const std::vector<std::size_t>& shape) {
   std::size_t count = 1;
   for (const std::size_t extent : shape) {
     require(extent == 0 || count <= std::numeric_limits<std::size_t>::max() / extent,
-            "a signal's shape has more elements than can be counted");
+            "a signal's shape has too many elements");
     count *= extent;
   }
   return count;
@@ -69,9 +69,13 @@ Signal Signal::dense(std::vector<float> values) {
 }
 
 Signal Signal::copy_of(const SignalView& view) {
+  return copy_of(view, {view.size});
+}
+
+Signal Signal::copy_of(const SignalView& view, std::vector<std::size_t> shape) {
   std::vector<float> values(view.values.begin(), view.values.end());
-  if (!view.sparse) return dense(std::move(values));
-  return sparse({view.size}, {view.indices.begin(), view.indices.end()}, std::move(values));
+  if (!view.sparse) return dense(std::move(shape), std::move(values));
+  return sparse(std::move(shape), {view.indices.begin(), view.indices.end()}, std::move(values));
 }
 
 Signal Signal::sparse(std::vector<std::size_t> shape, std::vector<std::uint32_t> indices,
@@ -110,6 +114,28 @@ double inner_product(const SignalView& a, const SignalView& b) {
   if (a.sparse) return sparse_by_dense(a, b);
   if (b.sparse) return sparse_by_dense(b, a);
   return dense_by_dense(a, b);
+}
+
+std::vector<float>& SignalBuffer::begin_dense(std::size_t size) {
+  size_ = size;
+  sparse_ = false;
+  indices_.clear();
+  values_.resize(size);
+  return values_;
+}
+
+void SignalBuffer::begin_sparse(std::size_t size) {
+  size_ = size;
+  sparse_ = true;
+  indices_.clear();
+  values_.clear();
+}
+
+void SignalBuffer::assign(const SignalView& signal) {
+  size_ = signal.size;
+  sparse_ = signal.sparse;
+  indices_.assign(signal.indices.begin(), signal.indices.end());
+  values_.assign(signal.values.begin(), signal.values.end());
 }
 
 }  // namespace somato

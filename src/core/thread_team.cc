@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "core/first_exception.h"
-#include "somato/core/threads.h"
+#include "core/threads.h"
 
 namespace somato {
 namespace {
@@ -19,10 +19,10 @@ constexpr std::uint32_t kJob = 0x10000;
 // Falling asleep and being woken takes about as long.
 constexpr std::chrono::microseconds kAwake{50};
 
-// As long as it takes to hear of a job.
+// The time for which a member waits awake for a job.
 constexpr std::chrono::microseconds kLate{1};
 
-// So many between two looks at the clock.
+// Number of polls between two readings of the clock.
 constexpr int kPauses = 4;
 
 using Clock = std::chrono::steady_clock;
@@ -85,7 +85,7 @@ void ThreadTeam::for_each(std::size_t count, const std::function<void(std::size_
   exception.rethrow();
 }
 
-// Nobody is in a job that is closed, so nobody reads what is written here.
+// No thread is in a closed job, so no thread reads what is written here.
 void ThreadTeam::open(std::size_t count, const std::function<void(std::size_t)>& work, Order order,
                       FirstException& exception) {
   work_ = &work;
@@ -122,11 +122,11 @@ void ThreadTeam::help(std::size_t member) {
 
 // Waits for another job than the one `seen`, or the end; true if the helper is in a job.
 bool ThreadTeam::enter(std::uint32_t& seen) {
-  const auto goes_on = [&](std::uint32_t state) {
+  const auto should_continue = [&](std::uint32_t state) {
     return job_of(state) != seen || (state & kEnds) != 0;
   };
-  if (!wait_awake([&] { return goes_on(state_); }, kAwake)) {
-    for (std::uint32_t state = state_; !goes_on(state); state = state_) state_.wait(state);
+  if (!wait_awake([&] { return should_continue(state_); }, kAwake)) {
+    for (std::uint32_t state = state_; !should_continue(state); state = state_) state_.wait(state);
   }
   std::uint32_t state = state_;
   seen = job_of(state);
@@ -152,14 +152,16 @@ void ThreadTeam::work_from(std::size_t member) {
   for (std::size_t i = 1; i < size(); ++i) take_over(parts_[(member + i) % size()], patience);
 }
 
-// Leaves the tasks to the one whose they are as long as that goes on with them.
+// Leaves the tasks to their own member as long as it continues with them.
 void ThreadTeam::take_over(Part& part, std::chrono::nanoseconds patience) {
   const auto attended = [&] { return part.attended.load(std::memory_order_relaxed); };
   if (!wait_awake(attended, kLate)) patience = {};
   std::size_t begun = part.begun.load(std::memory_order_relaxed);
   while (begun < part.end - part.begin) {
-    const auto goes_on = [&] { return part.begun.load(std::memory_order_relaxed) != begun; };
-    if (!wait_awake(goes_on, patience)) {
+    const auto should_continue = [&] {
+      return part.begun.load(std::memory_order_relaxed) != begun;
+    };
+    if (!wait_awake(should_continue, patience)) {
       while (work_on(part)) continue;
       return;
     }

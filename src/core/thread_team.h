@@ -12,16 +12,17 @@ namespace somato {
 
 class FirstException;
 
-/// Threads for jobs of a few microseconds that come one after the other: between two jobs the
-/// members wait, first awake, then asleep. The first job worth sharing starts them.
+/// Threads for consecutive jobs of a few microseconds: between two jobs the members wait, first
+/// awake, then asleep. The first job worth sharing starts them.
 ///
-/// Each member has tasks of its own, the same ones in each job of as many, so that what they work
-/// on stays in the caches of its core. One that has done its own takes over those that others have
-/// not begun; nobody waits for a member that is asleep or whose core is busy, only for tasks begun.
+/// Each member has fixed tasks, the same ones in each job with the same number of tasks, so that
+/// their data remain in the caches of its core. A member that has completed its tasks takes over
+/// tasks of others that have not been started; a job only waits for tasks that have been started,
+/// not for a member that is asleep or whose core is busy.
 class ThreadTeam {
  public:
-  /// The order in which a member takes its tasks. Going up and down in turn, it finds in the caches
-  /// what it used last.
+  /// The order in which a member runs its tasks. By alternating the direction, it finds the most
+  /// recent data in the caches.
   enum class Order : std::uint8_t { kUp, kDown };
 
   /// With the calling thread it has `threads` members; at least 1.
@@ -37,14 +38,14 @@ class ThreadTeam {
 
   std::size_t size() const { return parts_.size(); }
 
-  /// Calls `work(task)` for 0 .. count-1, and returns when all are done. An exception of any task
-  /// is rethrown then; tasks not yet begun are left out. While a job is under way, others (of its
-  /// own tasks, or of other threads) are done by their calling thread alone.
+  /// Calls `work(task)` for 0 .. count-1, and returns when all are done. An exception of a task is
+  /// then rethrown; tasks that have not been started are omitted. During a job, other jobs (of its
+  /// tasks, or of other threads) are run by their calling thread only.
   void for_each(std::size_t count, const std::function<void(std::size_t task)>& work,
                 Order order = Order::kUp);
 
  private:
-  // The tasks of one member, on a cache line of its own.
+  // The tasks of one member, on a separate cache line.
   struct alignas(64) Part {
     std::atomic<std::size_t> begun = 0;
     std::atomic<bool> attended = false;  // by the member whose tasks they are

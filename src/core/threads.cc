@@ -1,4 +1,4 @@
-#include "somato/core/threads.h"
+#include "core/threads.h"
 
 #include <algorithm>
 #include <atomic>

@@ -88,7 +88,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 std::string name_advice(std::string_view name, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(name, known);
   if (!nearest.empty()) return fmt::format("did you mean '{}'?", nearest);
-  if (known.empty()) return "there are none";
+  if (known.empty()) return "none are known";
   constexpr std::size_t kMostListed = 30;
   const auto end = known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), kMostListed));
   const std::string listed = fmt::format("known are: {}", fmt::join(known.begin(), end, ", "));

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "somato/drawing/svg.h"
+#include "drawing/svg.h"
 #include "somato/maps/grid.h"
 
 namespace somato {
@@ -14,11 +14,12 @@ inline double real(std::size_t number) {
   return static_cast<double>(number);
 }
 
-/// Where the cells of a map lie: squares, or hexagons that stand on a corner, without gaps.
+/// The positions of the cells of a map: squares, or hexagons with a corner at the top, without
+/// gaps.
 ///
-/// Corners are whole numbers of units, unit().x pixels wide and unit().y high: half a cell, or on
-/// a hexagonal grid half a cell and a quarter of its height. So the corner that cells share is
-/// exactly the same point.
+/// Corners are integer multiples of units, unit().x pixels wide and unit().y high: half a cell, or
+/// on a hexagonal grid half a cell and a quarter of its height. Cells therefore share exactly the
+/// same corner points.
 class Cells {
  public:
   /// Cells `pixels` wide.

@@ -11,7 +11,7 @@ struct Decoded {
   std::size_t bytes = 1;
 };
 
-// How many bytes a character takes that starts with `first`; 0 when none does.
+// The number of bytes of a character that starts with `first`; 0 if there is none.
 std::size_t length_from(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;

@@ -5,7 +5,7 @@
 
 namespace somato {
 
-/// What stands for a character that cannot be shown.
+/// The replacement for a character that cannot be shown.
 constexpr char32_t kReplacement = 0xFFFD;
 
 /// The characters of UTF-8 text as they may be shown: every byte that is not part of a character,

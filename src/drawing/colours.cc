@@ -1,4 +1,4 @@
-#include "somato/drawing/colours.h"
+#include "drawing/colours.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {

@@ -9,8 +9,8 @@
 #include "drawing/legend.h"
 #include "drawing/marker.h"
 #include "drawing/text_layout.h"
+#include "maps/areas.h"
 #include "somato/core/check.h"
-#include "somato/maps/areas.h"
 #include "somato/maps/labels.h"
 
 namespace somato {
@@ -20,7 +20,7 @@ constexpr double kLeastRadius = 1.8;
 constexpr double kGreatestRadius = 7.0;
 constexpr double kWidestTooltipName = 600.0;
 
-// How many samples of each class a neuron wins, by class number.
+// The number of samples of each class that a neuron wins, by class number.
 using Won = std::map<std::size_t, std::size_t>;
 
 std::vector<Won> won_by_neuron(const LabelPanel& panel) {
@@ -55,7 +55,7 @@ class MarkerSquare {
 
   double spacing() const { return spacing_; }
 
-  /// Where a marker lies from the middle of the square; short rows are centred.
+  /// The offset of a marker from the middle of the square; short rows are centred.
   Point offset(std::size_t marker) const {
     const std::size_t row = marker / columns_;
     const std::size_t rows = (markers_ + columns_ - 1) / columns_;
@@ -70,7 +70,7 @@ class MarkerSquare {
   double spacing_ = 0.0;
 };
 
-// A marker that stands for `samples` samples of one class.
+// A marker that represents `samples` samples of one class.
 struct Marker {
   std::size_t class_number = 0;
   std::size_t samples = 1;
@@ -221,7 +221,7 @@ std::string note_of(const LabelPanel& panel, const Cells& cells) {
       std::all_of(won.begin(), won.end(), [&](const Won& at) { return fit_one_by_one(at, cells); });
   if (all_fit) return panel.note;
   return (panel.note.empty() ? "" : panel.note + " ") +
-         "Where samples lie too close, one marker stands for all of a class; a number counts them.";
+         "If samples lie too close, one marker represents all of a class, with their number.";
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void Legend::draw(SvgWriter& svg, Point corner) const {
   }
   if (shown_ < names_.size()) {
     svg.text({0, height() - 5},
-             fmt::format("and {} more, with the same marks again", names_.size() - shown_),
+             fmt::format("and {} more, with repeated marks", names_.size() - shown_),
              {.size = kNameSize});
   }
   svg.close_group();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "somato/drawing/svg.h"
+#include "drawing/svg.h"
 
 namespace somato {
 
@@ -23,7 +23,7 @@ class Legend {
   std::size_t columns_ = 1;
 };
 
-/// A class's name as it may be shown: one that is empty or blank says so.
+/// The displayed name of a class; an empty or blank name is described.
 std::string shown_name(const std::string& name);
 
 }  // namespace somato

@@ -5,10 +5,10 @@
 
 #include "drawing/label_panel.h"
 #include "drawing/panel_frame.h"
+#include "drawing/svg.h"
 #include "drawing/text_layout.h"
 #include "drawing/value_panel.h"
 #include "somato/core/check.h"
-#include "somato/drawing/svg.h"
 
 namespace somato {
 namespace {
@@ -97,7 +97,7 @@ ValuePanel hits_panel(const Grid& grid, const std::vector<std::size_t>& hits) {
           .grid = grid,
           .values = std::vector<double>(hits.begin(), hits.end()),
           .write_values = true,
-          .note = "The number of samples that each neuron wins."};
+          .note = "Number of samples won by each neuron."};
 }
 
 std::string draw_picture(const std::string& title, const std::string& caption,

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "somato/drawing/colours.h"
-#include "somato/drawing/svg.h"
+#include "drawing/colours.h"
+#include "drawing/svg.h"
 
 namespace somato {
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "drawing/cells.h"
-#include "somato/drawing/colours.h"
-#include "somato/drawing/svg.h"
+#include "drawing/colours.h"
+#include "drawing/svg.h"
 
 namespace somato {
 
-/// What panels of every kind have: a title, a map, a foot (colour bar or legend) and a note, from
+/// The common parts of all panels: a title, a map, a footer (colour bar or legend) and a note, from
 /// top to bottom.
 struct PanelFrame {
   std::string title;
@@ -29,7 +29,7 @@ struct PanelFrame {
 /// without neurons.
 PanelFrame make_frame(const std::string& title, const Grid& grid);
 
-/// Adds a note, which says too when the map is a torus.
+/// Adds a note, which also states if the map is a torus.
 void add_note(PanelFrame& frame, const std::string& note);
 
 /// Draws the title and the note.

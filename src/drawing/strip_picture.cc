@@ -1,14 +1,14 @@
-#include "somato/drawing/strip_picture.h"
+#include "drawing/strip_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/colours.h"
+#include "drawing/svg.h"
 #include "drawing/text_layout.h"
 #include "somato/core/check.h"
-#include "somato/drawing/colours.h"
-#include "somato/drawing/svg.h"
 
 namespace somato {
 namespace {
@@ -36,8 +36,9 @@ void check(const Strip& strip) {
   const auto is_share = [](const std::optional<double>& share) {
     return !share || (*share >= 0.0 && *share <= 1.0);
   };
-  require(is_share(strip.mark.place), "a mark stands on its strip");
-  for (const StripCell& cell : strip.cells) require(is_share(cell.share), "a share is 0 to 1");
+  require(is_share(strip.mark.place), "a mark must lie on its strip");
+  for (const StripCell& cell : strip.cells)
+    require(is_share(cell.share), "a share must be from 0 to 1");
 }
 
 // Lines of text one below the other.
@@ -98,7 +99,7 @@ void draw_cell(SvgWriter& svg, const StripCell& cell, double left, double width)
             .fill = within ? to_string(readable_on(colour)) : "#222222"});
 }
 
-// As many texts as fit, from the left; the last one always.
+// As many texts as fit, from the left; the last one is always included.
 void draw_edges(SvgWriter& svg, const std::vector<std::string>& edges) {
   const double width = kStripWidth / static_cast<double>(edges.size() - 1);
   const double last = kStripWidth - text_width(edges.back(), kSmall) / 2;

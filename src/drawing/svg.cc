@@ -1,4 +1,4 @@
-#include "somato/drawing/svg.h"
+#include "drawing/svg.h"
 
 #include <fmt/format.h>
 

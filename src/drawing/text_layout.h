@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "somato/drawing/svg.h"
+#include "drawing/svg.h"
 
 namespace somato {
 
-/// How much wider bold text is.
+/// Width of bold text relative to normal text.
 constexpr double kBoldness = 1.1;
 
 /// About how many pixels wide a line of text is; on the wide side, for the reader's font is

@@ -21,7 +21,7 @@ struct Extent {
 
   bool is_constant() const { return least == greatest; }
 
-  /// Where `value` lies, from 0 to 1; in the middle when there is one value only.
+  /// The position of `value`, from 0 to 1; in the middle if there is only one value.
   double place_of(double value) const {
     if (is_constant()) return 0.5;
     const double length = greatest - least;
@@ -75,7 +75,7 @@ void draw_bar(SvgWriter& svg, const PanelFrame& frame, const Extent& range) {
   svg.open_group("bar");
   if (range.is_constant()) {
     svg.rectangle(corner, width, kBarHeight, {.fill = to_string(sequential_colour(0.5))});
-    svg.text({corner.x, base_line}, "every value is " + number(range.least), {kNumberSize});
+    svg.text({corner.x, base_line}, "all values are " + number(range.least), {kNumberSize});
   } else {
     draw_gradient(svg, corner, width);
     svg.text({corner.x, base_line}, number(range.least), {kNumberSize});
@@ -88,7 +88,7 @@ void draw_bar(SvgWriter& svg, const PanelFrame& frame, const Extent& range) {
 
 PanelFrame frame_of(const ValuePanel& panel) {
   PanelFrame frame = make_frame(panel.title, panel.grid);
-  require(panel.values.size() == panel.grid.size(), "a panel needs one value a neuron");
+  require(panel.values.size() == panel.grid.size(), "a panel needs one value per neuron");
   const auto is_finite = [](double value) { return std::isfinite(value); };
   require(std::all_of(panel.values.begin(), panel.values.end(), is_finite),
           "a panel's values must be finite");

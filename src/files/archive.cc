@@ -1,4 +1,4 @@
-#include "somato/files/archive.h"
+#include "files/archive.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "files/checksum.h"
 #include "files/little_endian.h"
 #include "files/text.h"
+#include "files/whole_file.h"
 #include "somato/core/check.h"
-#include "somato/files/checksum.h"
-#include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -52,7 +52,7 @@ std::optional<std::uint64_t> product(const std::vector<std::uint64_t>& shape) {
   return count;
 }
 
-// Whether content may stand in an archive.
+// Whether an archive may contain the content.
 struct Validity {
   bool operator()(const std::string& text) const { return is_utf8(text); }
 
@@ -137,7 +137,7 @@ class Reader {
 
   std::string_view take(std::uint64_t count) {
     if (count > rest_.size()) {
-      refuse("the content goes past the end of the file");
+      refuse("the content extends beyond the end of the file");
       return {};
     }
     const std::string_view taken = rest_.substr(0, count);
@@ -161,7 +161,7 @@ class Reader {
 
   std::string_view name(std::uint32_t length) {
     const std::string_view taken = padded(length);
-    if (!is_name(taken)) refuse("a name is no text of 1 to 255 bytes");
+    if (!is_name(taken)) refuse("a name is not a text of 1 to 255 bytes");
     return taken;
   }
 
@@ -231,7 +231,7 @@ void read_entry(Reader& reader, Archive& archive) {
   const std::string name(reader.name(reader.number<std::uint32_t>()));
   if (reader.failed()) return;
   reader.set_place(fmt::format("entry {}", shown(name)));
-  if (archive.find(name)) reader.refuse("the entry is there twice");
+  if (archive.find(name)) reader.refuse("the entry occurs twice");
   Archive::Content content = read_content(reader, type, read_shape(reader, dimensions));
   if (!reader.failed()) archive.add(name, std::move(content));
 }
@@ -248,7 +248,7 @@ Result<Archive> read_body(std::string_view body, std::uint32_t count, std::uint3
     read_entry(reader, archive);
   }
   reader.set_place({});
-  if (reader.remaining() > 0) reader.refuse("something follows the last entry");
+  if (reader.remaining() > 0) reader.refuse("there is data after the last entry");
   if (reader.failed()) return fail(std::move(reader).error());
   return archive;
 }
@@ -261,7 +261,7 @@ std::uint32_t stored_checksum(std::string_view bytes) {
   return little_endian<std::uint32_t>(bytes.data() + bytes.size() - kChecksumSize);
 }
 
-// What must hold before anything inside is looked at.
+// Conditions that are checked before the content is read.
 Result<void> check_whole(std::string_view bytes, std::string_view where) {
   if (!bytes.starts_with(kMagic)) {
     return refuse_file(where, "this is not a model file of Somato", "check the path");
@@ -273,11 +273,13 @@ Result<void> check_whole(std::string_view bytes, std::string_view where) {
   const auto version = little_endian<std::uint32_t>(bytes.data() + 12);
   if (version > kVersion) {
     return refuse_file(
-        where, fmt::format("written by a newer Somato (format {}, known is {})", version, kVersion),
+        where,
+        fmt::format("written by a newer version of Somato (format {}, supported is {})", version,
+                    kVersion),
         "update Somato");
   }
   if (version != kVersion) {
-    return refuse_file(where, fmt::format("there is no format {}", version), again);
+    return refuse_file(where, fmt::format("format {} does not exist", version), again);
   }
   const auto length = little_endian<std::uint64_t>(bytes.data() + 16);
   if (length != bytes.size()) {
@@ -298,10 +300,10 @@ Archive::Archive(std::string kind) : kind_(std::move(kind)) {
 
 void Archive::add(std::string name, Content content) {
   require(is_name(name), "an entry's name is a text of 1 to 255 bytes");
-  require(!find(name), fmt::format("the entry '{}' is there already", name));
+  require(!find(name), fmt::format("the entry '{}' exists already", name));
   require(entries_.size() < kMostEntries, "an archive has at most 1000 entries");
   require(std::visit(Validity{}, content),
-          fmt::format("the entry '{}' is no UTF-8 text, or its shape does not fit", name));
+          fmt::format("the entry '{}' is not UTF-8 text, or its shape does not fit", name));
   entries_.push_back({std::move(name), std::move(content)});
 }
 
@@ -337,7 +339,7 @@ std::string encode_archive(const Archive& archive) {
 }
 
 Result<Archive> decode_archive(std::string_view bytes, std::string_view where) {
-  if (Result<void> whole = check_whole(bytes, where); !whole) return fail(whole.error());
+  SOMATO_TRY_VOID(check_whole(bytes, where));
   const auto count = little_endian<std::uint32_t>(bytes.data() + 24);
   const auto kind_length = little_endian<std::uint32_t>(bytes.data() + 28);
   bytes.remove_prefix(kHeaderSize);

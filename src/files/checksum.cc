@@ -1,4 +1,4 @@
-#include "somato/files/checksum.h"
+#include "files/checksum.h"
 
 #include <array>
 #include <cstddef>

@@ -30,7 +30,7 @@ Result<void> ColumnPrecision::check(const std::vector<std::string>& names,
     const std::string name = i < names.size() ? fmt::format(" ({})", shown(names[i])) : "";
     return fail(
         ErrorKind::kData,
-        fmt::format("column {}{} loses its digits: 32-bit numbers near {} are {:g} apart, "
+        fmt::format("column {}{} loses precision: 32-bit numbers near {} are {:g} apart, "
                     "and its standard deviation is {:g}",
                     i + 1, name, column.example,
                     std::nextafter(std::fabs(static_cast<float>(column.example)), INFINITY) -

@@ -9,11 +9,11 @@
 
 namespace somato {
 
-/// What single precision leaves of the columns of a table: of times since 1970, whole minutes have
-/// the same number.
+/// Checks the loss of single precision in the columns of a table: times since 1970, for example,
+/// are equal within minutes.
 class ColumnPrecision {
  public:
-  /// Takes a number of a column, as it stands in the file and as it is kept.
+  /// Adds a number of a column, as in the file and as stored.
   void take(std::size_t column, double exact, float kept);
 
   /// Fails (kData) when what rounding changes in a column has a root mean square above a twentieth

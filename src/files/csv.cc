@@ -8,9 +8,9 @@
 
 #include "files/csv_number.h"
 #include "files/text.h"
+#include "files/whole_file.h"
 #include "files/whole_table.h"
 #include "somato/core/check.h"
-#include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -20,7 +20,7 @@ bool is_plain(char c) {
          c == '-' || c == '.';
 }
 
-// As a field that parse_csv() can read again.
+// As a field that parse_csv() can read.
 std::string written(const std::string& text) {
   require(is_utf8(text) && text.find('\0') == std::string::npos, "a text is not UTF-8");
   return csv_field(text);
@@ -84,7 +84,7 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string format_csv(const NumberTable& table) {
-  require(sizes_match(table), "a table needs values, a name a column and a label a row");
+  require(sizes_match(table), "a table needs values, one name per column and one label per row");
   std::string out;
   if (!table.names.empty()) append_header(out, table);
   for (std::size_t row = 0; row < table.values.rows(); ++row) append_row(out, table, row);

@@ -31,7 +31,7 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
-// What T cannot tell from zero is zero; what lies beyond it is too large.
+// Numbers too small for T are rounded to zero; numbers too large are errors.
 template <typename T>
 CsvReading<T> out_of_range(std::string_view text) {
   double number = 0.0;
@@ -81,11 +81,11 @@ tl::unexpected<Error> no_csv_number(const CsvField& field, CsvMeaning meaning,
     case CsvMeaning::kInfinite:
       return fail(ErrorKind::kData,
                   field.text.empty() ? "the field is empty"
-                                     : fmt::format("{} is no finite number", shown(field.text)),
+                                     : fmt::format("{} is not a finite number", shown(field.text)),
                   place, "leave the row out or fill in a number");
     case CsvMeaning::kTooLarge:
       return fail(ErrorKind::kData,
-                  fmt::format("{} is beyond what a 32-bit number holds", shown(field.text)), place,
+                  fmt::format("{} exceeds the range of 32-bit numbers", shown(field.text)), place,
                   "scale the column");
     case CsvMeaning::kNumber:
     case CsvMeaning::kText:

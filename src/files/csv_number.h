@@ -7,10 +7,10 @@
 
 namespace somato {
 
-/// What a field of a CSV file says.
+/// The meaning of a field of a CSV file.
 enum class CsvMeaning {
   kNumber,    ///< A finite number.
-  kMissing,   ///< Nothing, or a word that stands for it: NA, NaN, null, none, ?, -.
+  kMissing,   ///< Empty, or a marker of a missing number: NA, NaN, null, none, ?, -.
   kInfinite,  ///< A number that is not finite.
   kTooLarge,  ///< A number beyond what T holds.
   kText,      ///< Anything else.
@@ -29,7 +29,7 @@ CsvReading<T> read_csv_number(std::string_view field);
 /// Whether a field is a number once its only comma is a point, such as 1,5 (or 1,000).
 bool has_decimal_comma(std::string_view field);
 
-/// Whether a field holds no number, nor a word for a missing one.
+/// Whether a field contains neither a number nor a marker of a missing one.
 bool is_csv_text(std::string_view field);
 
 /// Why the field at `place` is no number of its column. Caller mistake (asserted): it is one.

@@ -43,8 +43,8 @@ void CsvRecords::skip_what_is_no_record() {
   }
 }
 
-// Moves the window on to text behind what it holds, from where a record begins: it has to be read
-// again. False when there is no more.
+// Moves the window to the text after its content, from the start of a record, which is read again.
+// Returns false at the end.
 Result<bool> CsvRecords::read_on(const Position& from) {
   position_ = from;
   if (!window_) return false;
@@ -102,7 +102,7 @@ Result<void> CsvRecords::quoted_text(CsvField& field) {
       field.text += text_[position_.offset++];
     }
   }
-  return fail(ErrorKind::kData, "the quotation mark is never closed", place(field),
+  return fail(ErrorKind::kData, "the quotation mark is not closed", place(field),
               "close it, or write it twice if it belongs to the text");
 }
 
@@ -112,7 +112,7 @@ Result<CsvField> CsvRecords::field(char separator) {
   field.line = position_.line;
   field.column = position_.offset - position_.line_start + 1;
   if (!at_end() && here() == '"') {
-    if (Result<void> read = quoted_text(field); !read) return fail(read.error());
+    SOMATO_TRY_VOID(quoted_text(field));
   } else {
     const std::size_t start = position_.offset;
     while (!at_line_end() && !at_separator(separator)) ++position_.offset;
@@ -122,21 +122,21 @@ Result<CsvField> CsvRecords::field(char separator) {
   skip_blanks(separator);
   if (!at_line_end() && !at_separator(separator) && !separated) {
     return fail(ErrorKind::kData, "text follows the closing quotation mark", place(field),
-                "put all of the field in quotation marks");
+                "put the whole field in quotation marks");
   }
   return field;
 }
 
-// What ends where the text in memory ends may go on behind it, even a line end of two characters.
+// An item at the end of the text in memory may continue after it, even a line end of two
+// characters.
 Result<void> CsvRecords::next(char separator, std::vector<CsvField>& fields) {
   if (failure_) return fail(*failure_);
   for (;;) {
     const Position start = position_;
     Result<void> read = record(separator, fields);
     if (!window_ || !at_end()) return read;
-    const Result<bool> more = read_on(start);
-    if (!more) return fail(more.error());
-    if (!*more) return record(separator, fields);
+    SOMATO_TRY(const bool more, read_on(start));
+    if (!more) return record(separator, fields);
   }
 }
 
@@ -145,9 +145,8 @@ Result<void> CsvRecords::record(char separator, std::vector<CsvField>& fields) {
   skip_what_is_no_record();
   if (at_end()) return {};
   for (;;) {
-    Result<CsvField> read = field(separator);
-    if (!read) return fail(std::move(read.error()));
-    fields.push_back(std::move(*read));
+    SOMATO_TRY(CsvField read, field(separator));
+    fields.push_back(std::move(read));
     if (at_line_end()) break;
     if (separator != ' ') ++position_.offset;
   }

@@ -27,13 +27,13 @@ class CsvRecords {
   /// `text` is `where`; it must outlive this object.
   CsvRecords(std::string_view text, std::string_view where) : text_(text), where_(where) {}
 
-  /// The same for the text of `window`, of which no more than a record needs to be in memory; it
-  /// must outlive this object.
+  /// The same for the text of `window`, of which only one record needs to be in memory; it must
+  /// outlive this object.
   CsvRecords(TextWindow& window, std::string_view where)
       : window_(&window), text_(window.text()), where_(where) {}
 
-  /// The separator that the next record seems to use: the first of `candidates` that stands in it
-  /// outside quotes, otherwise a comma.
+  /// The probable separator of the next record: the first of `candidates` that occurs in it outside
+  /// quotation marks, otherwise a comma.
   char guess_separator(std::string_view candidates = "\t;, ");
 
   /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
@@ -43,7 +43,7 @@ class CsvRecords {
   std::string place(const CsvField& field) const;
 
  private:
-  // Where reading is.
+  // The current position.
   struct Position {
     std::size_t offset = 0;
     std::size_t line = 1;
@@ -68,7 +68,7 @@ class CsvRecords {
   std::string_view text_;
   std::string where_;
   Position position_;
-  std::optional<Error> failure_;  // Of the window; nothing is read after it.
+  std::optional<Error> failure_;  // Of the window; no further text is read.
 };
 
 }  // namespace somato

@@ -11,8 +11,8 @@ Result<std::unique_ptr<NumberSource>> CsvSource::begin(UnchangedFile file,
   return source->rewind().map([&]() -> std::unique_ptr<NumberSource> { return std::move(source); });
 }
 
-// A number is at least a digit and a separator, a missing one a separator, as is what is left out;
-// a list of unknown length doubles as it grows.
+// A number has at least a digit and a separator, a missing or skipped one a separator; a list of
+// unknown length doubles its capacity.
 double CsvSource::memory_of_all() const {
   const auto text = static_cast<double>(file_.size());
   const auto features = static_cast<double>(size());
@@ -27,12 +27,12 @@ double CsvSource::share_read() const {
 
 // The names stay the same as long as the file does.
 Result<void> CsvSource::rewind() {
-  if (auto same = file_.check(); !same) return same;
+  SOMATO_TRY_VOID(file_.check());
   auto window = std::make_unique<TextWindow>(file_.file(), file_.path());
   auto reader =
       std::make_unique<CsvTableReader>(CsvRecords(*window, file_.path()), file_.path(), options_);
   if (is_known_) reader->trust_precision();
-  if (auto begun = reader->begin(); !begun) return begun;
+  SOMATO_TRY_VOID(reader->begin());
   reader_ = std::move(reader);
   window_ = std::move(window);
   return {};
@@ -43,7 +43,7 @@ Result<std::shared_ptr<const NumberPart>> CsvSource::next_part() {
   Result<NumberTable> table = reader_->rows(std::max<std::size_t>(1, rows));
   if (!table || table->values.empty()) {
     // A fault, or an end, that a change has made is no fault of the file.
-    if (auto same = file_.check(); !same) return fail(std::move(same.error()));
+    SOMATO_TRY_VOID(file_.check());
     if (!table) return fail(std::move(table.error()));
     is_known_ = true;
     return std::shared_ptr<const NumberPart>();

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "files/csv_table_reader.h"
+#include "files/number_source.h"
 #include "files/text_window.h"
 #include "files/unchanged_file.h"
-#include "somato/files/number_source.h"
 
 namespace somato {
 

@@ -26,7 +26,7 @@ bool has_point(const CsvField& field) {
   return field.text.find('.') != std::string::npos;
 }
 
-// Single precision holds what few digits say as well as it need be.
+// Single precision is sufficient for numbers with few digits.
 double exact_number(std::string_view field, float rounded) {
   constexpr std::size_t kFewDigits = 7;
   return field.size() <= kFewDigits ? double{rounded} : read_csv_number<double>(field).number;
@@ -35,7 +35,8 @@ double exact_number(std::string_view field, float rounded) {
 }  // namespace
 
 Result<void> CsvTableReader::begin() {
-  require(options_.decimal == '.' || options_.decimal == ',', "decimals have a point or a comma");
+  require(options_.decimal == '.' || options_.decimal == ',',
+          "the decimal separator is a point or a comma");
   const std::string_view candidates = options_.decimal == ',' ? "\t; ," : "\t;, ";
   separator_ = options_.separator ? *options_.separator : records_.guess_separator(candidates);
   return next()
@@ -48,9 +49,10 @@ Result<void> CsvTableReader::begin() {
 Result<void> CsvTableReader::check_separator() {
   if (options_.decimal != ',' || separator_ != ',') return {};
   if (fields_.size() > 1) {
-    return fail(ErrorKind::kUsage, "commas separate the fields, so they cannot mark decimals",
+    return fail(ErrorKind::kUsage,
+                "commas separate the fields, so they cannot be decimal separators",
                 fmt::format("{}:{}", where_, fields_[0].line),
-                "separate the fields by semicolons or tabs, or leave --decimal comma out");
+                "separate the fields by semicolons or tabs, or omit --decimal comma");
   }
   separator_ = ';';
   return {};
@@ -92,7 +94,7 @@ Result<void> CsvTableReader::find_label_column() {
   if (named != names.end() && options_.header.value_or(true) && !is_number) {
     if (std::count(named, names.end(), wanted) > 1) {
       return fail(ErrorKind::kUsage, fmt::format("two columns are named {}", shown(wanted)), where_,
-                  "rename one of them, or give the number of the column");
+                  "rename one of them, or use the number of the column");
     }
     columns_.label = static_cast<std::size_t>(named - names.begin());
     named_label_ = true;
@@ -114,7 +116,7 @@ Result<void> CsvTableReader::choose() {
 Result<void> CsvTableReader::read_first_record() {
   columns_.width = fields_.size();
   if (fields_.empty()) return no_rows();
-  if (Result<void> found = find_label_column(); !found) return found;
+  SOMATO_TRY_VOID(find_label_column());
   const bool header = options_.header.value_or(named_label_ || seems_header());
   if (!header) return choose();
   for (const CsvField& field : fields_) columns_.names.push_back(field.text);
@@ -181,19 +183,19 @@ Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) {
   Error error = no_csv_number(field, meaning, records_.place(field), {}).value();
   if (meaning == CsvMeaning::kText) error.advice = advice_for_text(field);
   if (meaning == CsvMeaning::kMissing) {
-    error.advice = "leave the row out, fill in a number, or pass --missing mean or nearest";
+    error.advice = "leave the row out, fill in a number, or use --missing mean or nearest";
   }
   return error;
 }
 
-// In the first row text is what a column holds, later it is a mistake.
+// Text in the first row is the type of a column, later it is an error.
 std::string CsvTableReader::advice_for_text(const CsvField& field) {
   if (options_.decimal == ',' && has_point(field)) {
     return "numbers are read with a decimal comma: write them without a point";
   }
   if (options_.decimal == '.' && has_decimal_comma(field.text)) {
-    return "write decimals with a point and thousands without a mark, or pass --decimal comma if "
-           "commas mark decimals";
+    return "write decimals with a point and thousands without a separator, or use --decimal comma "
+           "for decimal commas";
   }
   std::vector<std::string> columns;
   for (const std::size_t i : columns_.features) {
@@ -201,11 +203,12 @@ std::string CsvTableReader::advice_for_text(const CsvField& field) {
     columns.push_back(columns_.names.empty() ? std::to_string(i + 1) : columns_.names[i]);
   }
   if (columns_.names.empty() || columns.empty()) {
-    return "correct it, or name the column as the label column or leave it out with --skip";
+    return "correct it, use the column for labels, or leave it out with --skip";
   }
-  return fmt::format("{}: choose the labels with --label-column, leave others out with --skip '{}'",
-                     columns.size() == 1 ? "the column holds text" : "these columns hold text",
-                     fmt::join(columns, ","));
+  return fmt::format(
+      "{}: select the labels with --label-column, leave others out with --skip '{}'",
+      columns.size() == 1 ? "the column contains text" : "these columns contain text",
+      fmt::join(columns, ","));
 }
 
 Result<void> CsvTableReader::no_rows() const {

@@ -9,6 +9,7 @@
 #include "files/column_precision.h"
 #include "files/csv_number.h"
 #include "files/csv_records.h"
+#include "files/table_columns.h"
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
 
@@ -26,7 +27,7 @@ class CsvTableReader {
   /// Reads up to the first row of numbers, which has to be there.
   Result<void> begin();
 
-  /// What the columns are for.
+  /// The roles of the columns.
   const TableColumns& columns() const { return columns_; }
 
   /// The next rows, at most `most`, which is above 0, without names; none when there are no more.

@@ -17,7 +17,7 @@ std::size_t token_length(std::string_view text) {
     if (first == '"' && text[i] == '\\') {
       ++i;
     } else if (text.substr(i).starts_with(end)) {
-      // A string of many lines may end in one or two quotation marks of its own.
+      // A multi-line string may end with one or two additional quotation marks.
       const std::size_t stop = text.find_first_not_of(first, i);
       return many_lines ? std::min({stop, text.size(), i + 5}) : i + 1;
     }

@@ -76,7 +76,8 @@ class OperatingSystem final : public FileSystem {
     return counted(::write(file, bytes.data(), bytes.size()));
   }
 
-  // Giving a file away is mostly the superuser's privilege; where it is refused the file is ours.
+  // Changing the owner of a file usually requires the superuser; otherwise the file belongs to this
+  // user.
   Outcome<void> set_permissions(int file, const FileStatus& like) override {
     [[maybe_unused]] const int refused = ::fchown(file, like.owner, like.group);
     return done(::fchmod(file, like.permissions));

@@ -8,11 +8,11 @@
 
 namespace somato {
 
-/// What an operation on files yields, or the system's error number (`ENOSPC`, ...).
+/// The result of an operation on files, or the system's error number (`ENOSPC`, ...).
 template <typename T>
 using Outcome = tl::expected<T, int>;
 
-/// What is behind an open file.
+/// Information about an open file.
 struct FileStatus {
   enum class Kind { kRegular, kDirectory, kOther };
   Kind kind = Kind::kRegular;
@@ -23,7 +23,7 @@ struct FileStatus {
   unsigned group = 0;
 };
 
-/// How a file is opened.
+/// Mode of opening a file.
 enum class Opening {
   kRead,
   kOverwrite,  ///< An existing file for writing, its content kept until written over.
@@ -32,8 +32,8 @@ enum class Opening {
   kFolder,     ///< A folder, to be flushed.
 };
 
-/// The operations of the operating system that reading and saving stand on: a seam at which tests
-/// let any of them fail. Each is one system call and does not try again.
+/// The operations of the operating system for reading and saving: an interface at which tests can
+/// inject failures. Each is one system call without retries.
 class FileSystem {
  public:
   FileSystem() = default;

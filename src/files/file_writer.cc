@@ -1,4 +1,4 @@
-#include "somato/files/file_writer.h"
+#include "files/file_writer.h"
 
 #include <utility>
 
@@ -13,9 +13,8 @@ FileWriter& FileWriter::operator=(FileWriter&&) noexcept = default;
 FileWriter::~FileWriter() = default;
 
 Result<FileWriter> FileWriter::begin(const std::string& path) {
-  auto replacement = Replacement::begin(operating_system(), path);
-  if (!replacement) return fail(std::move(replacement.error()));
-  return FileWriter(std::make_unique<Replacement>(std::move(*replacement)));
+  SOMATO_TRY(auto replacement, Replacement::begin(operating_system(), path));
+  return FileWriter(std::make_unique<Replacement>(std::move(replacement)));
 }
 
 Result<void> FileWriter::write(std::string_view bytes) {

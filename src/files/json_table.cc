@@ -1,29 +1,22 @@
-#include "somato/files/json_table.h"
+#include "files/json_table.h"
 
-#include <nlohmann/json.hpp>
+#include "files/value_json.h"
 
 namespace somato {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Value& value);
 Json json_of(const Table& table);
 
-template <typename Content>
-Json json_of(const Content& content) {
-  return content;
-}
-
-template <typename Content>
-Json json_of(const std::vector<Content>& list) {
-  Json json = Json::array();
-  for (const Content& one : list) json.push_back(json_of(one));
-  return json;
-}
-
 Json json_of(const Value& value) {
-  return std::visit([](const auto& content) { return json_of(content); }, value.content);
+  return to_json_value(value);
+}
+
+Json json_of(const std::vector<Table>& tables) {
+  Json json = Json::array();
+  for (const Table& one : tables) json.push_back(json_of(one));
+  return json;
 }
 
 Json json_of(const Table& table) {

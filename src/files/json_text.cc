@@ -8,8 +8,8 @@
 namespace somato {
 namespace {
 
-// Where the text is nested too deeply: before it is parsed, which would ask for a hundred times the
-// memory of the text.
+// The position at which the text is nested too deeply; checked before parsing, which would require
+// a hundred times the memory of the text.
 std::size_t place_of_deep_nesting(std::string_view text) {
   int depth = 0;
   bool quoted = false;
@@ -38,7 +38,7 @@ Result<Json> parse_json(std::string_view text, const std::string& where,
   const std::size_t deep = place_of_deep_nesting(text);
   if (deep != std::string_view::npos) {
     return fail(ErrorKind::kData,
-                fmt::format("the JSON is nested more than {} deep", kDeepestNesting),
+                fmt::format("the JSON has more than {} levels of nesting", kDeepestNesting),
                 at_byte(where, text, deep), advice);
   }
   try {
@@ -48,7 +48,7 @@ Result<Json> parse_json(std::string_view text, const std::string& where,
     return fail(ErrorKind::kData, is_cut ? "not valid JSON: it ends too early" : "not valid JSON",
                 at_byte(where, text, error.byte > 0 ? error.byte - 1 : 0), advice);
   } catch (const typename Json::out_of_range&) {
-    return fail(ErrorKind::kData, "a number is larger than any that can be read", where, advice);
+    return fail(ErrorKind::kData, "a number is out of range", where, advice);
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace somato {
 
-/// How deeply lists, objects and tables of a file may lie inside each other, in JSON and in TOML.
-/// Parsers and copies of what they made call themselves once a level.
+/// Maximum nesting of lists, objects and tables of a file, in JSON and in TOML. Parsers and copies
+/// of their results recurse once per level.
 inline constexpr int kDeepestNesting = 16;
 
 /// The JSON in a text that comes from elsewhere, as nlohmann::json or nlohmann::ordered_json.

@@ -1,9 +1,9 @@
-#include "somato/files/labels.h"
+#include "files/labels.h"
 
 #include <fmt/format.h>
 
 #include "files/text.h"
-#include "somato/files/whole_file.h"
+#include "files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -19,12 +19,11 @@ std::string_view take_line(std::string_view& text) {
 }  // namespace
 
 Result<std::vector<std::string>> parse_labels(std::string_view text, std::string_view where) {
-  Result<std::string_view> rest = text_of(text, where);
-  if (!rest) return fail(rest.error());
+  SOMATO_TRY(std::string_view rest, text_of(text, where));
   std::vector<std::string> labels;
   std::size_t empty_line = 0;
-  for (std::size_t line = 1; !rest->empty(); ++line) {
-    const std::string_view label = take_line(*rest);
+  for (std::size_t line = 1; !rest.empty(); ++line) {
+    const std::string_view label = take_line(rest);
     if (label.empty() && empty_line == 0) empty_line = line;
     if (label.empty()) continue;
     if (empty_line > 0) {

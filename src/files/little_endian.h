@@ -27,7 +27,7 @@ T little_endian(const char* bytes) {
   return std::bit_cast<T>(bits);
 }
 
-/// The same, most significant byte first.
+/// The same for big-endian order.
 template <typename T>
 T big_endian(const char* bytes) {
   char turned[sizeof(T)];

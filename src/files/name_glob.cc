@@ -5,7 +5,7 @@
 namespace somato {
 namespace {
 
-// Of the UTF-8 character at `place`, in bytes.
+// Length of the UTF-8 character at `place`, in bytes.
 std::size_t bytes_of_character(std::string_view text, std::size_t place) {
   std::size_t end = place + 1;
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
@@ -14,7 +14,7 @@ std::size_t bytes_of_character(std::string_view text, std::size_t place) {
 
 }  // namespace
 
-// Where the rest does not fit, the last `*` takes one character more.
+// If the rest does not match, the last `*` matches one more character.
 bool matches_glob(std::string_view pattern, std::string_view name) {
   std::size_t at = 0;
   std::size_t place = 0;

@@ -6,7 +6,7 @@
 
 #include "files/little_endian.h"
 #include "files/npy_layout.h"
-#include "somato/files/whole_file.h"
+#include "files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -41,10 +41,9 @@ bool is_npy(std::string_view bytes) {
 }
 
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where) {
-  const Result<NpyLayout> layout = npy_layout(bytes, bytes.size(), where);
-  if (!layout) return fail(layout.error());
-  return npy_reading(*layout, {}, std::string(where)).and_then([&](const NpyReading& all) {
-    return npy_matrix(bytes, *layout, all, where);
+  SOMATO_TRY(const NpyLayout layout, npy_layout(bytes, bytes.size(), where));
+  return npy_reading(layout, {}, std::string(where)).and_then([&](const NpyReading& all) {
+    return npy_matrix(bytes, layout, all, where);
   });
 }
 

@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-// Reads the little of Python that numpy writes. Every function says whether it succeeded.
+// Parses the subset of Python that numpy writes. Every function returns whether it succeeded.
 class HeaderParser {
  public:
   explicit HeaderParser(std::string_view text) : rest_(text) {}
@@ -98,9 +98,9 @@ class HeaderParser {
     if (!take('(')) return false;
     while (!take(')')) {
       if (!size(sizes)) return false;
-      const bool goes_on = take(',');
+      const bool should_continue = take(',');
       const bool ends = at(')') && sizes.size() > 1;
-      if (!goes_on && !ends) return false;
+      if (!should_continue && !ends) return false;
     }
     return true;
   }
@@ -129,7 +129,7 @@ Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where
   NpyHeader header;
   if (!HeaderParser(text).parse(header)) {
     return fail(ErrorKind::kData,
-                fmt::format("the header {} is not as numpy writes it", shown(text)),
+                fmt::format("the header {} is not in the format of numpy", shown(text)),
                 std::string(where), "save the array again with numpy.save");
   }
   return header;

@@ -10,9 +10,9 @@
 
 namespace somato {
 
-/// What an NPY file says about its array.
+/// The description of an NPY file's array.
 struct NpyHeader {
-  std::string type;  ///< As numpy writes it: "<f4", "|b1"; "structured" for a list of fields.
+  std::string type;  ///< In numpy's notation: "<f4", "|b1"; "structured" for a list of fields.
   bool fortran_order = false;
   std::vector<std::uint64_t> shape;
 };

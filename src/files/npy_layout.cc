@@ -32,7 +32,7 @@ double read_big(const char* bytes) {
   return static_cast<double>(big_endian<T>(bytes));
 }
 
-// A byte of a boolean that is neither 0 nor 1 is no number, nor does it stand for a missing one.
+// A byte of a boolean that is neither 0 nor 1 is invalid, and not a missing value.
 double read_bool(const char* byte) {
   return *byte == 0 || *byte == 1 ? *byte : std::numeric_limits<double>::infinity();
 }
@@ -79,7 +79,7 @@ Result<Size> size_of(const NpyHeader& header, std::string_view where) {
   const std::size_t dimensions = header.shape.size();
   if (dimensions < 1 || dimensions > 2) {
     return refuse(where, fmt::format("the array has {} dimensions instead of 1 or 2", dimensions),
-                  "reshape it to one row a sample: array.reshape(samples, -1)");
+                  "reshape it to one row per sample: array.reshape(samples, -1)");
   }
   const Size size{header.shape[0], dimensions == 2 ? header.shape[1] : 1};
   if (size.rows == 0 || size.columns == 0) {
@@ -95,29 +95,29 @@ Result<void> check_length(const Size& size, std::size_t number_size, std::size_t
   const std::size_t most = available / number_size;
   if (size.columns > most / size.rows) {
     return refuse(where,
-                  fmt::format("the file is cut short: {} bytes for {} x {} numbers", available,
+                  fmt::format("the file is truncated: {} bytes for {} x {} numbers", available,
                               size.rows, size.columns),
                   "copy or save it again");
   }
   const std::size_t trailing = available - size.rows * size.columns * number_size;
   if (trailing > 0) {
     return refuse(where, fmt::format("{} bytes follow the last number", trailing),
-                  "save the array alone, with numpy.save");
+                  "save only the array, with numpy.save");
   }
   return {};
 }
 
 tl::unexpected<Error> not_a_float(double value, std::size_t row, std::size_t column,
                                   std::string_view where) {
-  return refuse(where,
-                fmt::format("{} in row {}, column {} (counted from 1) is no finite 32-bit number",
-                            value, row + 1, column + 1),
-                std::isnan(value)
-                    ? "leave the row out, fill in a number, or pass --missing mean or nearest"
-                    : "leave the row out or fill in a number");
+  return refuse(
+      where,
+      fmt::format("{} in row {}, column {} (counted from 1) is not a finite 32-bit number", value,
+                  row + 1, column + 1),
+      std::isnan(value) ? "leave the row out, fill in a number, or use --missing mean or nearest"
+                        : "leave the row out or fill in a number");
 }
 
-// Plain copying is enough for what the machine itself would write.
+// Data in the machine's own format can be copied.
 bool is_plain(const NpyLayout& layout) {
   return std::endian::native == std::endian::little && layout.type->name == "<f4" &&
          !layout.fortran_order;
@@ -154,33 +154,30 @@ Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_siz
 
 Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
                              std::string_view where) {
-  const Result<std::size_t> start = npy_header_size(bytes, file_size, where);
-  if (!start) return fail(start.error());
-  if (*start > bytes.size()) return cut_within_header(where);
+  SOMATO_TRY(const std::size_t start, npy_header_size(bytes, file_size, where));
+  if (start > bytes.size()) return cut_within_header(where);
   const std::size_t before = bytes[6] == 1 ? 10 : 12;
-  const Result<NpyHeader> header = parse_npy_header(bytes.substr(before, *start - before), where);
-  if (!header) return fail(header.error());
-  const NpyType* type = find_type(header->type);
+  SOMATO_TRY(const NpyHeader header, parse_npy_header(bytes.substr(before, start - before), where));
+  const NpyType* type = find_type(header.type);
   if (!type) {
-    return refuse(where, fmt::format("arrays of type {} are not read", shown(header->type)),
+    return refuse(where, fmt::format("arrays of type {} are not supported", shown(header.type)),
                   "convert it first: array.astype('float32')");
   }
-  const Result<Size> size = size_of(*header, where);
+  const Result<Size> size = size_of(header, where);
   if (!size) return fail(size.error());
-  const Result<void> fits = check_length(*size, type->size, file_size - *start, where);
-  if (!fits) return fail(fits.error());
-  return NpyLayout{type, size->rows, size->columns, header->fortran_order, *start};
+  SOMATO_TRY_VOID(check_length(*size, type->size, file_size - start, where));
+  return NpyLayout{type, size->rows, size->columns, header.fortran_order, start};
 }
 
 Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,
                                const std::string& where) {
   if (!options.label_column.empty()) {
     return fail(ErrorKind::kUsage, "an NPY file has no label column", where,
-                "give the labels in a file of their own, one a line");
+                "use --labels with a text file, one label per line");
   }
   if (options.decimal != '.') {
     return fail(ErrorKind::kUsage, "an NPY file has no decimal comma", where,
-                "leave --decimal out; it is for text");
+                "omit --decimal, which applies to text files");
   }
   TableColumns columns;
   columns.width = layout.columns;

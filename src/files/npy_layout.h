@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "files/column_precision.h"
+#include "files/table_columns.h"
 #include "somato/core/matrix.h"
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
@@ -19,7 +20,7 @@ struct NpyType {
   double (*read)(const char*);  ///< Turns them into the nearest double.
 };
 
-/// Where an NPY file has its numbers, and which.
+/// Position and type of the numbers of an NPY file.
 struct NpyLayout {
   const NpyType* type = nullptr;
   std::size_t rows = 0;
@@ -28,13 +29,13 @@ struct NpyLayout {
   std::size_t start = 0;  ///< Bytes before the first number.
 };
 
-/// What is read of an NPY file.
+/// The parts of an NPY file that are read.
 struct NpyReading {
   TableColumns columns;
   bool keeps_missing = false;  ///< NaN is kept, not refused.
 };
 
-/// As many bytes as tell how long the header is.
+/// The number of bytes that contain the length of the header.
 inline constexpr std::size_t kNpyStart = 12;
 
 /// The bytes before the first number of a file of `file_size` bytes that begins with `bytes`, of
@@ -46,17 +47,16 @@ Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_siz
 /// Errors: kData at `where`.
 Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size, std::string_view where);
 
-/// What `options` say is to be read of a file of that layout. Errors (kUsage, at `where`): a label
-/// column, a decimal comma, those of choose_columns().
+/// The parts of a file with that layout that are selected by `options`. Errors (kUsage, at
+/// `where`): a label column, a decimal comma, those of choose_columns().
 Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,
                                const std::string& where);
 
 /// Writes the numbers of `bytes`, rows of layout.columns numbers beginning with row `first`, to
-/// `out`, row by row: those of the columns that are read. In Fortran order `bytes` hold these rows
-/// column by column. Errors: kData,
-/// with row and column, for a value that is not a finite float32; after the last row
-/// those of ColumnPrecision::check(), which knows the rows read before by `precision`,
-/// unless that is nullptr.
+/// `out`, row by row: those of the columns that are read. In Fortran order `bytes` contain these
+/// rows column by column. Errors: kData, with row and column, for a value that is not a finite
+/// float32; after the last row those of ColumnPrecision::check(), with the preceding rows in
+/// `precision`, unless that is nullptr.
 Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
                            const NpyReading& reading, std::size_t first, std::span<float> out,
                            std::string_view where, ColumnPrecision* precision);

@@ -8,11 +8,11 @@ namespace {
 // All that npy_layout() needs to see.
 Result<std::string> header_of(const UnchangedFile& file) {
   std::string bytes(std::min(kNpyStart, file.size()), '\0');
-  if (auto read = file.read(0, bytes.data(), bytes.size()); !read) return fail(read.error());
+  SOMATO_TRY_VOID(file.read(0, bytes.data(), bytes.size()));
   const Result<std::size_t> size = npy_header_size(bytes, file.size(), file.path());
   if (!size) return fail(size.error());
   bytes.resize(std::max(*size, bytes.size()));
-  if (auto read = file.read(0, bytes.data(), bytes.size()); !read) return fail(read.error());
+  SOMATO_TRY_VOID(file.read(0, bytes.data(), bytes.size()));
   return bytes;
 }
 
@@ -21,15 +21,12 @@ Result<std::string> header_of(const UnchangedFile& file) {
 Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file,
                                                        const CsvOptions& options,
                                                        std::size_t part_bytes) {
-  const Result<std::string> header = header_of(file);
-  if (!header) return fail(header.error());
-  const Result<NpyLayout> layout = npy_layout(*header, file.size(), file.path());
-  if (!layout) return fail(layout.error());
-  auto reading = npy_reading(*layout, options, file.path());
-  if (!reading) return fail(std::move(reading.error()));
-  const std::size_t rows = part_bytes / sizeof(float) / layout->columns;
-  return std::make_unique<NpySource>(std::move(file), *layout, std::move(*reading),
-                                     std::clamp<std::size_t>(rows, 1, layout->rows));
+  SOMATO_TRY(const std::string header, header_of(file));
+  SOMATO_TRY(const NpyLayout layout, npy_layout(header, file.size(), file.path()));
+  SOMATO_TRY(auto reading, npy_reading(layout, options, file.path()));
+  const std::size_t rows = part_bytes / sizeof(float) / layout.columns;
+  return std::make_unique<NpySource>(std::move(file), layout, std::move(reading),
+                                     std::clamp<std::size_t>(rows, 1, layout.rows));
 }
 
 // A list that grows is there twice when it doubles.
@@ -60,7 +57,7 @@ Result<void> NpySource::fetch(std::size_t count, char* bytes) const {
 
 Result<Matrix<float>> NpySource::rows(std::size_t count) {
   bytes_.resize(count * layout_.columns * layout_.type->size);
-  if (auto fetched = fetch(count, bytes_.data()); !fetched) return fail(fetched.error());
+  SOMATO_TRY_VOID(fetch(count, bytes_.data()));
   Matrix<float> matrix(count, size());
   return read_npy_rows(bytes_, layout_, reading_, row_, matrix.values(), file_.path(),
                        is_known_ ? nullptr : &precision_)
@@ -75,7 +72,7 @@ Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
   }
   Result<Matrix<float>> values = rows(count);
   if (!values) {
-    if (auto same = file_.check(); !same) return fail(std::move(same.error()));
+    SOMATO_TRY_VOID(file_.check());
     return fail(std::move(values.error()));
   }
   row_ += count;

@@ -7,8 +7,8 @@
 
 #include "files/column_precision.h"
 #include "files/npy_layout.h"
+#include "files/number_source.h"
 #include "files/unchanged_file.h"
-#include "somato/files/number_source.h"
 
 namespace somato {
 

@@ -1,9 +1,9 @@
-#include "somato/files/number_file.h"
+#include "files/number_file.h"
 
 #include <utility>
 
+#include "files/whole_file.h"
 #include "files/whole_table.h"
-#include "somato/files/whole_file.h"
 
 namespace somato {
 Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options,

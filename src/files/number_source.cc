@@ -1,4 +1,4 @@
-#include "somato/files/number_source.h"
+#include "files/number_source.h"
 
 #include <utility>
 
@@ -36,13 +36,12 @@ Result<std::unique_ptr<NumberSource>> detail::open_numbers(FileSystem& files,
                                                            const std::string& path,
                                                            const CsvOptions& options,
                                                            std::size_t part_bytes) {
-  auto file = UnchangedFile::open(files, path);
-  if (!file) return fail(std::move(file.error()));
+  SOMATO_TRY(auto file, UnchangedFile::open(files, path));
   char start[kNpyStart];
-  const std::size_t size = std::min(sizeof start, file->size());
-  if (auto read = file->read(0, start, size); !read) return fail(std::move(read.error()));
-  if (!is_npy({start, size})) return CsvSource::begin(std::move(*file), options, part_bytes);
-  return NpySource::begin(std::move(*file), options, part_bytes);
+  const std::size_t size = std::min(sizeof start, file.size());
+  SOMATO_TRY_VOID(file.read(0, start, size));
+  if (!is_npy({start, size})) return CsvSource::begin(std::move(file), options, part_bytes);
+  return NpySource::begin(std::move(file), options, part_bytes);
 }
 
 }  // namespace somato

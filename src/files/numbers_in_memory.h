@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "files/number_source.h"
 #include "files/whole_table.h"
-#include "somato/files/number_source.h"
 
 namespace somato {
 

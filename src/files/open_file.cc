@@ -15,20 +15,20 @@ std::string advice_for(int error) {
     case ENOTDIR:
       return "check the path; a part of it is not a folder";
     case EEXIST:
-      return "remove the file or name another";
+      return "remove the file or use another name";
     case EISDIR:
       return "name a file, not a folder";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose another place or change the permissions";
+      return "use another place or change the permissions";
     case ENOSPC:
     case EDQUOT:
-      return "make room or choose another place";
+      return "free disk space or use another place";
     case EFBIG:
-      return "raise the limit on file sizes (ulimit -f) or choose another place";
+      return "raise the limit on file sizes (ulimit -f) or use another place";
     case ELOOP:
-      return "the symbolic links lead round in a circle";
+      return "the symbolic links form a loop";
     default:
       return {};
   }

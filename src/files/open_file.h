@@ -39,7 +39,7 @@ class OpenFile {
   Outcome<FileStatus> status() const;
   Outcome<std::size_t> read(char* bytes, std::size_t count) const;
 
-  /// Reads on until `count` bytes from `place` are there or the file ends; tells how many came.
+  /// Reads until `count` bytes from `place` are read or the file ends; returns the number of bytes.
   Outcome<std::size_t> read_all_at(std::size_t place, char* bytes, std::size_t count) const;
 
   Outcome<void> write_all(std::string_view bytes) const;

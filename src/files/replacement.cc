@@ -19,7 +19,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-// `/dev/stdout` ends in a link below /proc that stands for an open file, not for its name.
+// `/dev/stdout` ends in a link below /proc that refers to an open file, not to its name.
 bool stands_for_an_open_file(const std::string& link) {
   std::error_code ignored;
   const std::string folder = std::filesystem::canonical(folder_of(link), ignored).string();
@@ -28,7 +28,7 @@ bool stands_for_an_open_file(const std::string& link) {
 
 struct Target {
   std::string path;
-  bool direct = false;  // To be written to whatever it is, never replaced.
+  bool direct = false;  // Written directly, never replaced.
 };
 
 // Follows symbolic links, also to a file that does not exist yet.
@@ -129,7 +129,7 @@ Result<void> Replacement::commit() {
   if (!saved) return system_failure("cannot save", path_, saved.error());
   beside_.clear();
   const Outcome<void> kept = flush_folder(*files_, folder_of(path_));
-  if (!kept) return system_failure("saved, but a power cut may undo it", path_, kept.error());
+  if (!kept) return system_failure("saved, but a power failure may undo it", path_, kept.error());
   return {};
 }
 

@@ -8,9 +8,9 @@
 
 namespace somato {
 
-/// New content for the file at `path`, written piece by piece, that takes the file's place wholly
-/// or not at all; see save_whole(). Without commit() everything stays as it was, except that what
-/// is not a regular file (a pipe, a device) is written to directly.
+/// New content for the file at `path`, written incrementally, that replaces the file atomically;
+/// see save_whole(). Without commit() nothing changes, except that a file that is not regular (a
+/// pipe, a device) is written directly.
 class Replacement {
  public:
   /// Errors: kSystem with the system's reason.

@@ -1,4 +1,4 @@
-#include "somato/files/table_columns.h"
+#include "files/table_columns.h"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ std::optional<NumberRange> number_range(std::string_view item) {
   return NumberRange{*first, *last};
 }
 
-// The columns that an item stands for, and whether it names a single one.
+// The columns selected by an item, and whether it names a single one.
 struct Named {
   Columns columns;
   bool exactly = true;
@@ -83,7 +83,7 @@ Result<Named> by_name(const std::string& item, const std::vector<std::string>& n
   const bool number = number_range(item).has_value();
   return unusable_choice(
       fmt::format("there is no column {}", shown(item)), where,
-      number ? "its columns have names: choose them by name" : name_advice(item, names));
+      number ? "its columns have names: select them by name" : name_advice(item, names));
 }
 
 // Takes items one after the other into a choice of columns.
@@ -98,13 +98,14 @@ class Chooser {
     return find(item).and_then([&](const Named& named) -> Result<void> {
       for (const std::size_t column : named.columns) {
         if (named.exactly && named_[column]) {
-          return unusable_choice(fmt::format("column {} is chosen twice", shown(item)), where_,
+          return unusable_choice(fmt::format("column {} is selected twice", shown(item)), where_,
                                  "name it once");
         }
         if (named.exactly && column == table_.label) {
           return unusable_choice(
-              fmt::format("column {} holds the labels and cannot be used as numbers", shown(item)),
-              where_, "leave it out of --columns-to-use, or choose another label column");
+              fmt::format("column {} contains the labels and cannot be used as a feature",
+                          shown(item)),
+              where_, "remove it from --columns-to-use, or use another label column");
         }
         chosen_[column] = true;
         if (named.exactly) named_[column] = true;
@@ -118,13 +119,13 @@ class Chooser {
       for (const std::size_t column : named.columns) {
         if (named_[column]) {
           return unusable_choice(
-              fmt::format("column {} is both to be used and to be skipped", name(column)), where_,
+              fmt::format("column {} is both selected and skipped", name(column)), where_,
               "name it in --columns-to-use or in --skip");
         }
         if (named.exactly && column == table_.label) {
           return unusable_choice(
-              fmt::format("column {} holds the labels and cannot be skipped", shown(item)), where_,
-              "leave it out of --skip; the map does not learn from labels");
+              fmt::format("column {} contains the labels and cannot be skipped", shown(item)),
+              where_, "remove it from --skip; labels are not used for training");
         }
         chosen_[column] = false;
       }
@@ -160,9 +161,9 @@ tl::unexpected<Error> missing_feature(const std::string& name, const TableColumn
                                       std::string_view where) {
   const bool there = std::count(table.names.begin(), table.names.end(), name) > 0;
   return fail(ErrorKind::kData,
-              fmt::format("column {} is needed, but {}", shown(name),
-                          there ? "is left out or holds the labels" : "is not there"),
-              std::string(where), there ? "choose it too" : name_advice(name, table.names));
+              fmt::format("column {} is required, but {}", shown(name),
+                          there ? "is left out or contains the labels" : "is missing"),
+              std::string(where), there ? "select it too" : name_advice(name, table.names));
 }
 
 // The columns of the features among those that are left.
@@ -211,16 +212,16 @@ Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns tab
   Chooser chooser(table, where);
   if (choice.use.empty()) chooser.take_all();
   for (const std::string& item : choice.use) {
-    if (auto used = chooser.use(item); !used) return fail(std::move(used.error()));
+    SOMATO_TRY_VOID(chooser.use(item));
   }
   for (const std::string& item : choice.skip) {
-    if (auto skipped = chooser.skip(item); !skipped) return fail(std::move(skipped.error()));
+    SOMATO_TRY_VOID(chooser.skip(item));
   }
   table.features = chooser.chosen();
   if (table.features.empty()) {
     const bool chosen = !choice.use.empty() || !choice.skip.empty();
     return fail(
-        chosen ? ErrorKind::kUsage : ErrorKind::kData, "there is no column of numbers left",
+        chosen ? ErrorKind::kUsage : ErrorKind::kData, "no numeric column is left",
         std::string(where),
         chosen ? "use more columns, or skip fewer" : "check the separator and the label column");
   }

@@ -66,7 +66,7 @@ std::size_t first_byte_of_no_text(std::string_view bytes) {
 tl::unexpected<Error> no_text(std::string_view bytes, std::size_t bad, std::size_t lines_before,
                               std::string_view where) {
   const auto ends = std::count(bytes.begin(), bytes.begin() + static_cast<long>(bad), '\n');
-  return fail(ErrorKind::kData, fmt::format("byte 0x{:02X} is no UTF-8 text", byte_at(bytes, bad)),
+  return fail(ErrorKind::kData, fmt::format("byte 0x{:02X} is not UTF-8 text", byte_at(bytes, bad)),
               fmt::format("{}:{}", where, 1 + lines_before + static_cast<std::size_t>(ends)),
               "save the file as UTF-8 text, or check that it is the right file");
 }

@@ -15,10 +15,10 @@ inline bool is_utf8(std::string_view text) {
   return first_invalid_utf8(text) == std::string_view::npos;
 }
 
-/// What some programs begin a UTF-8 file with.
+/// The byte order mark of some UTF-8 files.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Whether `text` may name a thing: UTF-8, 1 to 255 bytes, no control characters.
+/// Whether `text` is a valid name: UTF-8, 1 to 255 bytes, no control characters.
 bool is_name(std::string_view text);
 
 /// The text of a file's `bytes` without its byte order mark. Errors (kData, with `where` and the

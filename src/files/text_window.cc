@@ -26,7 +26,7 @@ void TextWindow::rewind() {
   lines_ = 0;
 }
 
-// Takes in what was read; a character that is not whole waits for the rest.
+// Appends the bytes that were read; an incomplete character remains for the next call.
 Result<void> TextWindow::check(bool ended) {
   const std::string_view fresh = std::string_view(text_).substr(checked_);
   const std::size_t bad = first_byte_of_no_text(fresh);
@@ -54,7 +54,7 @@ Result<bool> TextWindow::extend() {
   text_.resize(old + *got);
   const bool beginning = place_ == 0;
   place_ += *got;
-  if (auto checked = check(*got < room); !checked) return fail(std::move(checked.error()));
+  SOMATO_TRY_VOID(check(*got < room));
   if (beginning && text().starts_with(kByteOrderMark)) drop(kByteOrderMark.size());
   return *got > 0;
 }

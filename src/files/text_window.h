@@ -9,7 +9,8 @@
 
 namespace somato {
 
-/// The text of a regular file, of which only some is in memory: what has been read and not dropped.
+/// The text of a regular file, of which only a part is in memory: the part that was read and not
+/// dropped.
 class TextWindow {
  public:
   /// The most that may be in memory, in bytes: no record of a file of numbers is longer.
@@ -42,7 +43,7 @@ class TextWindow {
   std::string text_;         // text() and perhaps the beginning of a character.
   std::size_t checked_ = 0;  // Bytes of it that are text.
   std::size_t place_ = 0;    // In the file, behind text_.
-  std::size_t lines_ = 0;    // Ends of lines in what was read and is text.
+  std::size_t lines_ = 0;    // Line ends in the part that was read and validated as text.
 };
 
 }  // namespace somato

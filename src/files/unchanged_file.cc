@@ -13,15 +13,15 @@ Result<UnchangedFile> UnchangedFile::open(FileSystem& files, const std::string& 
     return system_failure("cannot read", path, EISDIR);
   }
   if (status->kind != FileStatus::Kind::kRegular) {
-    return fail(ErrorKind::kSystem, "what is no file on a disk cannot be read again and again",
-                path, "save it as a file first");
+    return fail(ErrorKind::kSystem, "only a regular file can be read repeatedly", path,
+                "save it as a file first");
   }
   return UnchangedFile(std::move(*file), path, *status);
 }
 
 tl::unexpected<Error> UnchangedFile::changed() const {
-  return fail(ErrorKind::kData, "the file has changed while it was read", path_,
-              "do it again once nothing writes to it");
+  return fail(ErrorKind::kData, "the file changed while it was read", path_,
+              "try again when no program is writing to it");
 }
 
 Result<void> UnchangedFile::check() const {

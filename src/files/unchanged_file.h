@@ -11,7 +11,7 @@ namespace somato {
 /// An open regular file that is read again and again and has to stay as it was when it was opened.
 class UnchangedFile {
  public:
-  /// Errors: kSystem with the system's reason; for a folder or what is not a regular file.
+  /// Errors: kSystem with the system's reason; for a folder or a file that is not regular.
   static Result<UnchangedFile> open(FileSystem& files, const std::string& path);
 
   const OpenFile& file() const { return file_; }

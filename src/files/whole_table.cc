@@ -14,10 +14,9 @@ namespace {
 
 Result<WholeTable> npy_table(const std::string& bytes, const std::string& where,
                              const CsvOptions& options) {
-  const Result<NpyLayout> layout = npy_layout(bytes, bytes.size(), where);
-  if (!layout) return fail(layout.error());
-  return npy_reading(*layout, options, where).and_then([&](NpyReading&& reading) {
-    return npy_matrix(bytes, *layout, reading, where).map([&](Matrix<float>&& values) {
+  SOMATO_TRY(const NpyLayout layout, npy_layout(bytes, bytes.size(), where));
+  return npy_reading(layout, options, where).and_then([&](NpyReading&& reading) {
+    return npy_matrix(bytes, layout, reading, where).map([&](Matrix<float>&& values) {
       return WholeTable{{{}, std::move(values), {}}, std::move(reading.columns)};
     });
   });

@@ -3,13 +3,13 @@
 #include <string>
 #include <string_view>
 
+#include "files/table_columns.h"
 #include "somato/core/result.h"
 #include "somato/files/csv.h"
-#include "somato/files/number_table.h"
 
 namespace somato {
 
-/// A table and what the columns of its file are for.
+/// A table and the roles of its file's columns.
 struct WholeTable {
   NumberTable table;
   TableColumns columns;

@@ -1,4 +1,4 @@
-#include "somato/graph/channel_planes.h"
+#include "graph/channel_planes.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ ChannelPlanes frame_of(const System& system, std::size_t module) {
   return {own.name, {}, own.output.shape, numbered(own.output.size()), {}, {}};
 }
 
-// So many elements that nobody could look at them all: means of neighbours.
+// Too many elements to display: means of neighbours.
 void group(ChannelPlanes& planes) {
   const std::size_t all = planes.elements.size();
   if (all <= kMostElements) return;
@@ -97,7 +97,7 @@ detail::FoldedWeights weights_of(const Som& som, std::size_t neuron) {
   return weights;
 }
 
-// All elements of what the map hears.
+// All elements of the map's input.
 ChannelPlanes input_planes(const System& system, std::size_t input, const Som& som) {
   const SystemModule& module = system.modules()[input];
   ChannelPlanes planes{module.name, {}, module.output.shape, numbered(som.input_size()), {}, {}};
@@ -119,7 +119,7 @@ bool keeps_units(const Som& som) {
 
 std::vector<ChannelPlanes> channel_planes(const System& system, std::size_t map) {
   const Som* som = som_of(system, map);
-  require(som != nullptr && som->neurons() > 0, "planes need a map that has learned");
+  require(som != nullptr && som->neurons() > 0, "planes need a trained map");
   const std::size_t input = system.modules()[map].inputs.front();
   const detail::WeightFolding folding(system, input, keeps_units(*som));
   std::vector<ChannelPlanes> all;

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <utility>
 
-#include "graph/exploration_run.h"
-#include "somato/core/memory.h"
-#include "somato/core/threads.h"
+#include "core/memory.h"
+#include "core/threads.h"
+#include "graph/walk.h"
 
 namespace somato {
 namespace {
@@ -35,22 +37,21 @@ class FirstError {
   std::optional<Error> error_;
 };
 
-// What is kept of all explorations must fit into the memory that was free at the start: a system
-// that takes more would end the program without a word.
+// The stored outputs of all explorations must fit into the memory that was free at the start;
+// otherwise the program could be killed without a message.
 class MemoryBudget {
  public:
   Result<void> take(const System& system, std::size_t module, const Sequence& output) {
     const std::size_t taken = taken_ += output.values.bytes();
     if (taken <= free_) return {};
     is_spent_ = true;
-    return fail(system.at_module(
-        {ErrorKind::kSystem,
-         fmt::format("what is kept of its output and others takes more than {} of memory, all that "
-                     "was free",
-                     memory_text(static_cast<double>(free_))),
-         {},
-         "give it fewer elements, or use fewer explorations"},
-        module));
+    return fail(system.at_module({ErrorKind::kSystem,
+                                  fmt::format("its output, with that of other modules, needs more "
+                                              "than the {} of memory that were free",
+                                              memory_text(static_cast<double>(free_))),
+                                  {},
+                                  "reduce the number of its elements, or use fewer explorations"},
+                                 module));
   }
 
   bool is_spent() const { return is_spent_; }
@@ -67,24 +68,25 @@ Result<void> evaluate(const System& system, const Recording& recording,
                       std::span<const std::size_t> explorations,
                       const std::vector<std::size_t>& wanted, std::size_t threads,
                       Activations& activations) {
-  std::vector<bool> is_wanted(system.modules().size(), false);
-  for (const std::size_t module : wanted) is_wanted[module] = true;
   FirstError first;
   MemoryBudget budget;
   for_each_task(explorations.size(), threads, [&](std::size_t task) {
     if (budget.is_spent()) return;
     const std::size_t exploration = explorations[task];
-    ExplorationRun run(system, &recording.explorations[exploration],
-                       [&](std::size_t module) { return activations.find(module, exploration); });
-    if (auto computed = run.compute(is_wanted); !computed) {
-      Error error = std::move(computed.error());
+    const auto known = [&](std::size_t module) { return activations.find(module, exploration); };
+    Walk walk(system, wanted, Outputs::kAll,
+              [&](std::size_t module) { return known(module) != nullptr; });
+    auto walked = walk.start(&recording.explorations[exploration], known);
+    if (walked) walked = walk.run();
+    if (!walked) {
+      Error error = std::move(walked.error());
       error.where = place_of(recording, exploration) + ", " + error.where;
       first.keep(exploration, std::move(error));
       return;
     }
     for (const std::size_t module : wanted) {
       if (activations.find(module, exploration)) continue;
-      auto output = run.take(module);
+      auto output = std::make_shared<const Sequence>(walk.take(module));
       if (auto fits = budget.take(system, module, *output); !fits) {
         first.keep(exploration, std::move(fits.error()));
         return;
@@ -94,6 +96,33 @@ Result<void> evaluate(const System& system, const Recording& recording,
   });
   if (first.error()) return fail(*first.error());
   return {};
+}
+
+std::vector<std::size_t> ExplorationValues::places_of(std::span<const std::size_t> wanted) const {
+  std::vector<std::size_t> places;
+  places.reserve(wanted.size());
+  for (const std::size_t one : wanted) {
+    const auto place = std::lower_bound(explorations.begin(), explorations.end(), one);
+    places.push_back(static_cast<std::size_t>(place - explorations.begin()));
+  }
+  return places;
+}
+
+const ExplorationValues& Activations::values_of(std::size_t module) {
+  std::vector<std::size_t> explorations;
+  for (std::size_t exploration = 0; exploration < known_[module].size(); ++exploration) {
+    if (known_[module][exploration]) explorations.push_back(exploration);
+  }
+  auto& values = values_[module];
+  if (values && values->explorations == explorations) return *values;
+  std::vector<Signal> signals;
+  signals.reserve(explorations.size());
+  for (const std::size_t exploration : explorations) {
+    signals.push_back(Signal::copy_of(known_[module][exploration]->values[0]));
+  }
+  values = std::make_shared<const ExplorationValues>(
+      ExplorationValues{std::move(explorations), Samples::from_signals(signals)});
+  return *values;
 }
 
 std::vector<std::size_t> fixed_inputs(const System& system, const std::vector<std::size_t>& also) {

@@ -12,7 +12,7 @@ Result<void> check_finite(const SignalView& output) {
                                   [](float value) { return std::isfinite(value); });
   if (finite) return {};
   return fail(ErrorKind::kData, "its output is too large for single precision", {},
-              "scale what comes in");
+              "scale its input");
 }
 
 Result<void> check_finite(const Sequence& output) {

@@ -11,7 +11,7 @@
 
 namespace somato::detail {
 
-/// A system as GraphData of web/src/parts/data.ts: `map` is the module that answers, and
+/// A system as GraphData of web/schema/parts.json: `map` is the module that answers, and
 /// `parameters` makes the object of a module's parameters.
 nlohmann::ordered_json graph_json(
     const System& system, const std::string& map,
@@ -20,7 +20,7 @@ nlohmann::ordered_json graph_json(
 /// A grid as GridData.
 nlohmann::ordered_json grid_json(const Grid& grid);
 
-/// Whether the text of a parameter says that no paper gives it.
+/// Whether the text of a parameter states that no paper gives it.
 bool is_not_given(const ParameterInfo& parameter);
 
 }  // namespace somato::detail

@@ -24,15 +24,14 @@ Array<std::int64_t> labels_array(const NeuronLabels& labels) {
 
 Result<NeuronLabels> labels_from(const Archive& archive, std::size_t neurons, std::size_t classes,
                                  const std::string& where) {
-  const auto array = archive.get<Array<std::int64_t>>("labels", where);
-  if (!array) return fail(array.error());
-  if ((*array)->shape != std::vector<std::uint64_t>{neurons}) {
+  SOMATO_TRY(const auto array, archive.get<Array<std::int64_t>>("labels", where));
+  if (array->shape != std::vector<std::uint64_t>{neurons}) {
     return damaged_model("the labels do not fit the map", where);
   }
   std::vector<std::optional<std::size_t>> class_of_neuron;
-  for (const std::int64_t label : (*array)->values) {
+  for (const std::int64_t label : array->values) {
     if (label < kNoLabel || std::cmp_greater_equal(label, classes)) {
-      return damaged_model("a neuron has the label of a class that is not there", where);
+      return damaged_model("a neuron has the label of an unknown class", where);
     }
     class_of_neuron.push_back(label == kNoLabel ? std::optional<std::size_t>{}
                                                 : static_cast<std::size_t>(label));

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "files/archive.h"
 #include "somato/core/result.h"
-#include "somato/files/archive.h"
 #include "somato/maps/labels.h"
 
 namespace somato {

@@ -1,9 +1,9 @@
-#include "somato/graph/learned_parts.h"
+#include "graph/learned_parts.h"
 
 #include <string>
 
-#include "somato/files/archive.h"
-#include "somato/maps/t_mpsom_archive.h"
+#include "files/archive.h"
+#include "maps/t_mpsom_archive.h"
 
 namespace somato {
 namespace {
@@ -14,7 +14,7 @@ bool is_a(const System& system, std::size_t module, const std::string& type) {
   return system.modules()[module].type->name == type;
 }
 
-// What the module learned, by the names that a model file has for it.
+// The learned values of the module, by their names in a model file.
 Archive parts_of(const System& system, std::size_t module) {
   Archive archive("parts");
   const Learner* learner = system.modules()[module].module->learner();

@@ -4,11 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "graph/exploration_run.h"
-#include "graph/finite.h"
 #include "graph/modules/sum_of_frames.h"
 #include "graph/sum_reading.h"
-#include "graph/wiring.h"
+#include "graph/walk.h"
 #include "somato/core/check.h"
 #include "somato/graph/system_model.h"
 
@@ -18,227 +16,136 @@ namespace {
 // A memory of more elements would be as large as all else.
 constexpr std::size_t kMostFollowed = std::size_t{1} << 26;
 
-template <typename Kind>
-const Kind* as(const System& system, std::size_t module) {
-  return dynamic_cast<const Kind*>(system.modules()[module].module.get());
+const Module& module_at(const System& system, std::size_t module) {
+  return *system.modules()[module].module;
 }
 
 // A sum of sparse frames that the map reads, divided by its norm or as it is.
 struct FollowedSum {
-  std::size_t frames = 0;  ///< The module whose frames are added.
+  std::size_t frames = 0;  // the module whose frames are added
   Norm norm = Norm::kNone;
 };
 
 std::optional<FollowedSum> followed_sum(const System& system, std::size_t map) {
   std::size_t module = system.modules()[map].inputs.front();
   FollowedSum sum;
-  if (const auto* divided = as<modules::DividedByNorm>(system, module)) {
-    sum.norm = divided->norm();
+  if (const auto norm = modules::norm_divided_by(module_at(system, module))) {
+    sum.norm = *norm;
     module = system.modules()[module].inputs.front();
   }
-  if (!as<modules::SumOfFrames>(system, module) || !SumReading::follows(sum.norm)) return {};
+  if (!modules::adds_frames(module_at(system, module)) || !SumReading::follows(sum.norm)) return {};
   sum.frames = system.modules()[module].inputs.front();
   const PortType& frames = system.modules()[sum.frames].output;
-  if (!frames.sparse || frames.size() > kMostFollowed) return {};
+  const bool is_whole = system.modules()[module].output.rate == Rate::kExploration;
+  if (!is_whole || !frames.sparse || frames.size() > kMostFollowed) return {};
   return sum;
 }
 
-// A module at work.
-struct Working {
-  std::size_t module = 0;
-  const Source* source = nullptr;
-  std::size_t channel = 0;  ///< Of a source.
-  std::unique_ptr<Stepper> stepper;
-  SignalBuffer taken;              ///< By a source.
-  std::vector<SignalView> inputs;  ///< Of the present frame.
-};
-
 }  // namespace
 
-struct LiveSystem::State {
-  State(const System& its_system, std::size_t map)
-      : system(its_system), som(*som_of(its_system, map)), outputs(its_system.modules().size()) {}
-
-  const System& system;
-  const Som& som;
-  std::vector<std::string> channels;
-  std::vector<std::size_t> elements;  // of each channel
-  std::vector<Working> working;       // in the order in which they run
-  std::vector<SignalView> outputs;    // of each module, for the present frame
-  std::size_t last = 0;               // the module that brings what is read
-  std::optional<SumReading> sum;      // reads a sum, or else
-  SomWorkspace workspace;             // the map itself is asked
-  bool has_frame = false;
-
-  void add_all(std::size_t map);
-  bool is_working(std::size_t module) const;
-  Result<void> add(std::size_t module);
-  Result<void> add_source(Working& added);
-  void start();
-  Result<void> step(std::span<const std::span<const float>> frame);
-  Result<SignalView> output_of(Working& one, std::span<const std::span<const float>> frame);
-  SignalView input() const {
-    require(has_frame, "a live system has met no frame yet");
-    return outputs[last];
+class LiveSystem::Impl {
+ public:
+  Impl(const System& system, std::size_t map)
+      : som_(*som_of(system, map)),
+        input_(system.modules()[map].inputs.front()),
+        walk_(system, {input_}, Outputs::kLatest),
+        followed_(followed_sum(system, map)) {
+    if (followed_) sum_.emplace(som_, followed_->norm);
   }
+
+  Result<void> open(const System& system);
+  void start(double frame_rate);
+  Result<void> step(std::span<const std::span<const float>> frame);
+  Result<std::size_t> winner();
+  const std::vector<std::string>& channels() const { return channels_; }
+
+ private:
+  const Som& som_;
+  std::size_t input_;  // the module whose value the map reads
+  Walk walk_;
+  std::vector<std::string> channels_;
+  Exploration present_;  // of one frame
+  std::optional<FollowedSum> followed_;
+  std::optional<SumReading> sum_;
+  SomWorkspace workspace_;
 };
 
-Result<void> LiveSystem::State::add(std::size_t module) {
-  Working added{module, as<Source>(system, module), 0, nullptr, {}, {}};
-  if (added.source) {
-    if (auto opened = add_source(added); !opened) return opened;
-  } else if (!system.modules()[module].module->start_live()) {
-    return fail(system.at_module({ErrorKind::kUsage,
-                                  "it needs explorations as a whole, and cannot run live",
-                                  {},
-                                  "put it out of what the map sees"},
-                                 module));
+// A frame holds all channels, so they have to come together.
+Result<void> LiveSystem::Impl::open(const System& system) {
+  const auto together = walk_.channels();
+  if (together.size() != 1) {
+    return fail(ErrorKind::kUsage,
+                "the frames of '" + together.front().front() + "' and of '" +
+                    together.back().front() + "' are not recorded together",
+                {}, "record the channels together, frame by frame");
   }
-  added.inputs.resize(system.modules()[module].inputs.size());
-  working.push_back(std::move(added));
+  channels_ = together.front();
+  for (const std::string& name : channels_) {
+    Channel channel;
+    channel.name = name;
+    for (const SystemModule& module : system.modules()) {
+      const auto* source = dynamic_cast<const Source*>(module.module.get());
+      if (source == nullptr || source->channel() != name) continue;
+      channel.frames = Matrix<float>(1, source->channel_elements());
+    }
+    present_.channels.push_back(std::move(channel));
+  }
   return {};
 }
 
-bool LiveSystem::State::is_working(std::size_t module) const {
-  return std::any_of(working.begin(), working.end(),
-                     [&](const Working& one) { return one.module == module; });
+void LiveSystem::Impl::start(double frame_rate) {
+  for (Channel& channel : present_.channels) channel.rate = frame_rate;
+  require(walk_.start(&present_).has_value(), "a live system has the channels of its system");
+  if (sum_) sum_->start();
 }
 
-// Those that nothing needs, as far as they can run; what they listen to is at work before them.
-void LiveSystem::State::add_all(std::size_t map) {
-  for (const auto& group : system.wiring().groups()) {
-    const std::size_t module = group.front();
-    if (system.wiring().is_loop(group) || module == map || is_working(module)) continue;
-    const std::vector<std::size_t>& inputs = system.modules()[module].inputs;
-    const bool heard = std::all_of(inputs.begin(), inputs.end(),
-                                   [&](std::size_t input) { return is_working(input); });
-    if (heard) (void)add(module);
-  }
-}
-
-Result<void> LiveSystem::State::add_source(Working& added) {
-  const std::string& clock = system.modules()[added.module].output.clock;
-  for (const Working& other : working) {
-    if (!other.source || system.modules()[other.module].output.clock == clock) continue;
-    return fail(system.at_module(
-        {ErrorKind::kUsage,
-         "its frames are not taken together with those of '" + other.source->channel() + "'",
-         {},
-         "record the channels together, frame by frame"},
-        added.module));
-  }
-  const auto found = std::find(channels.begin(), channels.end(), added.source->channel());
-  added.channel = static_cast<std::size_t>(found - channels.begin());
-  if (found != channels.end()) return {};
-  channels.push_back(added.source->channel());
-  elements.push_back(added.source->channel_elements());
-  return {};
-}
-
-void LiveSystem::State::start() {
-  for (Working& one : working) {
-    if (!one.source) one.stepper = system.modules()[one.module].module->start_live();
-  }
-  if (sum) sum->start();
-  has_frame = false;
-}
-
-Result<void> LiveSystem::State::step(std::span<const std::span<const float>> frame) {
-  require(frame.size() == channels.size(), "a frame needs the values of each channel");
+Result<void> LiveSystem::Impl::step(std::span<const std::span<const float>> frame) {
+  require(frame.size() == channels_.size(), "a frame needs the values of every channel");
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    require(frame[i].size() == elements[i], "a channel has another number of elements");
+    const std::span<float> row = present_.channels[i].frames.row(0);
+    require(frame[i].size() == row.size(), "a channel has the wrong number of elements");
+    std::copy(frame[i].begin(), frame[i].end(), row.begin());
   }
-  for (Working& one : working) {
-    auto output = output_of(one, frame);
-    if (output) {
-      if (auto finite = check_finite(*output); !finite) output = fail(std::move(finite.error()));
-    }
-    if (!output) return fail(system.at_module(std::move(output.error()), one.module));
-    outputs[one.module] = *output;
-  }
-  if (sum) sum->add(outputs[last]);
-  has_frame = true;
+  SOMATO_TRY_VOID(walk_.step(0));
+  if (sum_) sum_->add(*walk_.output(followed_->frames));
   return {};
 }
 
-Result<SignalView> LiveSystem::State::output_of(Working& one,
-                                                std::span<const std::span<const float>> frame) {
-  if (one.source) {
-    one.source->take(frame[one.channel], one.taken);
-    return one.taken.view();
-  }
-  const std::vector<std::size_t>& inputs = system.modules()[one.module].inputs;
-  for (std::size_t i = 0; i < inputs.size(); ++i) one.inputs[i] = outputs[inputs[i]];
-  return one.stepper->advance(one.inputs);
+Result<std::size_t> LiveSystem::Impl::winner() {
+  require(walk_.has_frames(), "a live system has not received a frame yet");
+  if (const auto winner = sum_ ? sum_->winner() : std::nullopt) return *winner;
+  SOMATO_TRY_VOID(walk_.settle());
+  return som_.winner(*walk_.output(input_), workspace_);
 }
 
-Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map, LiveModules modules) {
+Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map) {
   const Som* som = som_of(system, map);
-  require(som != nullptr && som->neurons() > 0, "a live system needs a map that has learned");
-  auto state = std::make_unique<State>(system, map);
-  const auto sum = followed_sum(system, map);
-  state->last = sum ? sum->frames : system.modules()[map].inputs.front();
-  if (sum) state->sum.emplace(*som, sum->norm);
-  std::vector<bool> wanted(system.modules().size(), false);
-  wanted[state->last] = true;
-  const std::vector<bool> needed = needed_for(system, wanted, [](std::size_t) { return false; });
-  for (const auto& group : system.wiring().groups()) {
-    if (!needed[group.front()]) continue;
-    if (system.wiring().is_loop(group)) {
-      return fail(system.at_module(
-          {ErrorKind::kUsage, "it is part of a loop, which does not run live", {}, {}},
-          group.front()));
-    }
-    if (auto added = state->add(group.front()); !added) return fail(std::move(added.error()));
-  }
-  if (modules == LiveModules::kAll) state->add_all(map);
-  state->start();
-  return LiveSystem(std::move(state));
+  require(som != nullptr && som->neurons() > 0, "a live system needs a trained map");
+  auto impl = std::make_unique<Impl>(system, map);
+  if (auto opened = impl->open(system); !opened) return fail(system.at_module(opened.error(), map));
+  impl->start(0.0);
+  return LiveSystem(std::move(impl));
 }
 
-LiveSystem::LiveSystem(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LiveSystem::LiveSystem(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 LiveSystem::LiveSystem(LiveSystem&&) noexcept = default;
 LiveSystem& LiveSystem::operator=(LiveSystem&&) noexcept = default;
 LiveSystem::~LiveSystem() = default;
 
 const std::vector<std::string>& LiveSystem::channels() const {
-  return state_->channels;
+  return impl_->channels();
 }
 
-void LiveSystem::start() {
-  state_->start();
+void LiveSystem::start(double frame_rate) {
+  impl_->start(frame_rate);
 }
 
 Result<void> LiveSystem::step(std::span<const std::span<const float>> frame) {
-  return state_->step(frame);
+  return impl_->step(frame);
 }
 
-std::optional<SignalView> LiveSystem::output(std::size_t module) const {
-  if (!state_->has_frame || !state_->is_working(module)) return {};
-  return state_->outputs[module];
-}
-
-std::size_t LiveSystem::winner() {
-  const SignalView input = state_->input();
-  return state_->sum ? state_->sum->winner() : state_->som.winner(input, state_->workspace);
-}
-
-std::size_t LiveSystem::winner_among(std::span<const std::size_t> candidates) {
-  const SignalView input = state_->input();
-  return state_->sum ? state_->sum->winner_among(candidates)
-                     : state_->som.winner_among(candidates, input, state_->workspace);
-}
-
-double LiveSystem::distance(std::size_t neuron) {
-  const SignalView input = state_->input();
-  return state_->sum ? state_->sum->distance(neuron)
-                     : state_->som.distance(input, neuron, state_->workspace);
-}
-
-void LiveSystem::activity(std::span<float> out) {
-  const SignalView input = state_->input();
-  if (state_->sum) return state_->sum->activity(out);
-  state_->som.activity(input, state_->workspace, out);
+Result<std::size_t> LiveSystem::winner() {
+  return impl_->winner();
 }
 
 }  // namespace somato

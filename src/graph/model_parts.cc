@@ -6,8 +6,8 @@ namespace somato {
 
 Result<void> check_kind(const Archive& archive, const std::string& kind, const std::string& where) {
   if (archive.kind() == kind) return {};
-  return fail(ErrorKind::kData, "the file holds '" + archive.kind() + "', not '" + kind + "'",
-              where, "give the file of another model");
+  return fail(ErrorKind::kData, "the file contains '" + archive.kind() + "', not '" + kind + "'",
+              where, "use the file of another model");
 }
 
 Result<void> check_parts(const Archive& archive, const std::set<std::string>& known,

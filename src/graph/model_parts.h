@@ -3,8 +3,8 @@
 #include <set>
 #include <string>
 
+#include "files/archive.h"
 #include "somato/core/result.h"
-#include "somato/files/archive.h"
 
 namespace somato {
 

@@ -10,7 +10,7 @@ std::vector<ModuleType> all_types() {
   std::vector<ModuleType> all;
   for (auto group : {modules::source_types(), modules::code_types(), modules::scaling_types(),
                      modules::frame_types(), modules::feature_types(), modules::memory_types(),
-                     modules::map_types()}) {
+                     modules::som_types(), modules::t_mpsom_types(), modules::winner_types()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;
@@ -18,17 +18,21 @@ std::vector<ModuleType> all_types() {
 
 }  // namespace
 
-Result<void> Learner::learn(const Lesson& /*lesson*/, const TrainingInputs& /*explorations*/) {
-  return fail(ErrorKind::kUsage, "it cannot learn all at once");
+Result<Sequence> Module::run(std::span<const Sequence* const> /*inputs*/) const {
+  return fail(ErrorKind::kUsage, "the module runs frame by frame");
 }
 
-Result<std::uint64_t> Learner::begin(const Lesson& /*lesson*/,
+Result<void> Learner::learn(const LearningPlan& /*plan*/, const TrainingInputs& /*explorations*/) {
+  return fail(ErrorKind::kUsage, "it cannot learn from all samples at once");
+}
+
+Result<std::uint64_t> Learner::begin(const LearningPlan& /*plan*/,
                                      const TrainingInputs& /*explorations*/) {
-  return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
+  return fail(ErrorKind::kUsage, "it cannot learn one draw at a time");
 }
 
 Result<void> Learner::step(std::span<const SignalView> /*inputs*/, std::uint64_t /*draw*/) {
-  return fail(ErrorKind::kUsage, "it cannot learn draw by draw");
+  return fail(ErrorKind::kUsage, "it cannot learn one draw at a time");
 }
 
 void Learner::turn_to(std::size_t /*exploration*/) {}

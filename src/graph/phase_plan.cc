@@ -19,16 +19,13 @@ class Planner {
   explicit Planner(const System& system) : system_(system), planned_(system.modules().size()) {}
 
   Result<std::vector<Phase>> plan() {
-    const auto named = find_named();
-    if (!named) return fail(named.error());
-    for (std::size_t i = 0; i < named->size(); ++i) {
-      if (auto added = add(system_.description().phases[i], (*named)[i], *named); !added) {
-        return fail(std::move(added.error()));
-      }
+    SOMATO_TRY(const auto named, find_named());
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      SOMATO_TRY_VOID(add(system_.description().phases[i], named[i], named));
     }
     for (const std::size_t module : in_order()) {
       if (!learns(module) || planned_[module]) continue;
-      if (auto added = add_own(module); !added) return fail(std::move(added.error()));
+      SOMATO_TRY_VOID(add_own(module));
     }
     return std::move(phases_);
   }
@@ -56,8 +53,7 @@ class Planner {
     std::vector<std::size_t> all;
     for (const PhaseDescription& phase : system_.description().phases) {
       if (phase.learn.empty()) {
-        return refuse(phase, "the phase does not say which modules learn",
-                      "write learn = [\"NAME\", ...]");
+        return refuse(phase, "'learn' is missing or empty", "write learn = [\"NAME\", ...]");
       }
       named.emplace_back();
       for (const std::string& module_name : phase.learn) {
@@ -65,11 +61,11 @@ class Planner {
         if (!module) return fail(module.error());
         if (!learns(*module)) {
           return refuse(phase, "'" + module_name + "' has nothing to learn",
-                        "leave it out of 'learn'");
+                        "remove it from 'learn'");
         }
         if (contains(all, *module)) {
-          return refuse(phase, "'" + module_name + "' is to learn twice",
-                        "name each module once in all phases");
+          return refuse(phase, "'" + module_name + "' is listed twice",
+                        "list each module once in all phases");
         }
         all.push_back(*module);
         named.back().push_back(*module);
@@ -86,7 +82,8 @@ class Planner {
     });
   }
 
-  // Whatever the learners depend on learns before them: by itself when no phase names it.
+  // Modules that the learners depend on learn before them: in a separate phase if no phase names
+  // them.
   Result<void> add(const PhaseDescription& description, const std::vector<std::size_t>& learners,
                    const std::vector<std::vector<std::size_t>>& named) {
     for (const std::size_t before : in_order()) {
@@ -101,7 +98,7 @@ class Planner {
               "'" + name(after) + "' learns before '" + name(before) + "', which it depends on",
               "put the phase of '" + name(before) + "' first, or name both in one phase");
         }
-        if (auto added = add_own(before); !added) return added;
+        SOMATO_TRY_VOID(add_own(before));
         break;
       }
     }
@@ -115,10 +112,10 @@ class Planner {
   }
 
   Result<void> add_phase(Phase phase, const PhaseDescription& description) {
-    if (auto ready = check_ready(phase, description); !ready) return ready;
-    if (auto rate = find_rate(phase, description); !rate) return rate;
-    if (auto possible = check_learners(phase, description); !possible) return possible;
-    if (auto once = check_said_once(phase); !once) return once;
+    SOMATO_TRY_VOID(check_ready(phase, description));
+    SOMATO_TRY_VOID(find_rate(phase, description));
+    SOMATO_TRY_VOID(check_learners(phase, description));
+    SOMATO_TRY_VOID(check_said_once(phase));
     for (const std::size_t module : phase.learners) planned_[module] = true;
     phases_.push_back(std::move(phase));
     return {};
@@ -132,7 +129,7 @@ class Planner {
         if (!system_.wiring().reaches(before, after)) continue;
         return refuse(description,
                       "'" + name(after) + "' and '" + name(before) + "' depend on each other",
-                      "name both in one [[phase]]");
+                      "list both in one [[phase]]");
       }
     }
     return {};
@@ -153,43 +150,46 @@ class Planner {
         if (clock_of(module) == clock_of(phase.learners.front())) continue;
         return refuse(description,
                       "'" + name(phase.learners.front()) + "' and '" + name(module) +
-                          "' cannot learn together: their frames are not taken together",
-                      "give each a phase of its own");
+                          "' cannot learn together, because their frames are not recorded together",
+                      "use a separate phase for each");
       }
       return refuse(description,
                     "'" + name(phase.learners.front()) + "' and '" + name(module) +
-                        "' cannot learn together: one learns frames, the other explorations",
-                    "give each a phase of its own");
+                        "' cannot learn together, because one learns from frames and the other "
+                        "from explorations",
+                    "use a separate phase for each");
     }
     if (!description.of || *description.of == phase.of) return {};
     return refuse(description,
                   "'" + name(phase.learners.front()) + "' learns " + choice_name(phase.of) +
                       ", not " + choice_name(*description.of),
-                  "write of = \"" + choice_name(phase.of) + "\", or leave it out");
+                  "write of = \"" + choice_name(phase.of) + "\", or remove 'of'");
   }
 
   Result<void> check_learners(const Phase& phase, const PhaseDescription& description) const {
     if (phase.learners.size() == 1 && learner(phase.learners.front()).learns_at_once() &&
         !in_loop(phase.learners.front())) {
-      return check_alone(phase, description);
+      return check_separate(phase, description);
     }
     for (const std::size_t module : phase.learners) {
       if (learner(module).learns_by_draws()) continue;
-      return refuse(description,
-                    "'" + name(module) + "' learns from everything at once, which it cannot do " +
-                        (phase.learners.size() > 1 ? "together with others" : "here"),
-                    phase.learners.size() > 1
-                        ? "leave it out of this phase: it then learns as soon as it can"
-                        : "bring its input to one value an exploration, and out of loops");
+      return refuse(
+          description,
+          "'" + name(module) + "' learns from all samples at once, which it cannot do " +
+              (phase.learners.size() > 1 ? "together with other modules" : "here"),
+          phase.learners.size() > 1
+              ? "remove it from this phase; it then learns before the modules that depend on it"
+              : "reduce its input to one value per exploration, and remove it from loops");
     }
     if (phase.learners.size() > 1 && !phase.draws) {
-      return refuse(description, "the phase does not say how long its modules learn",
+      return refuse(description, "the phase does not specify how long its modules learn",
                     "write draws = ...");
     }
     return check_between(phase, description);
   }
 
-  // What a phase says, its modules cannot say as well; and where it draws, its modules do not.
+  // A setting of a phase cannot be set in its modules as well; and if a phase draws, its modules do
+  // not.
   Result<void> check_said_once(const Phase& phase) const {
     for (const std::size_t module : phase.learners) {
       const bool phase_draws =
@@ -200,8 +200,7 @@ class Planner {
         const Table::Entry* entry = system_.description().modules[module].settings.find(key);
         if (!elsewhere || !entry) continue;
         return fail(system_.at_module(
-            without_effect(key,
-                           std::string("that is for its [[phase]] to say, as '") + of_phase + "'",
+            without_effect(key, std::string("it is set by its [[phase]], as '") + of_phase + "'",
                            entry->where),
             module));
       }
@@ -211,13 +210,13 @@ class Planner {
 
   bool in_loop(std::size_t module) const { return system_.wiring().reaches(module, module); }
 
-  Result<void> check_alone(const Phase& phase, const PhaseDescription& description) const {
+  Result<void> check_separate(const Phase& phase, const PhaseDescription& description) const {
     if (learner(phase.learners.front()).learns_by_draws()) return {};
     if (!description.draws && !description.order) return {};
     return refuse(
         description,
-        "'" + name(phase.learners.front()) + "' learns from everything at once: nothing is drawn",
-        "leave out 'draws' and 'order'");
+        "'" + name(phase.learners.front()) + "' learns from all samples at once, without draws",
+        "remove 'draws' and 'order'");
   }
 
   // Frames are computed one after the other, so that nothing in between may need them all.
@@ -227,9 +226,9 @@ class Planner {
       if (system_.modules()[module].module->is_stepped()) continue;
       return refuse(description,
                     "'" + name(module) +
-                        "' needs explorations as a whole, so the modules before and after it "
-                        "cannot learn frames together",
-                    "give each a phase of its own");
+                        "' requires whole explorations, so the modules before and after it cannot "
+                        "learn from frames together",
+                    "use a separate phase for each");
     }
     return {};
   }

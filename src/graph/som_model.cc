@@ -4,13 +4,13 @@
 #include <set>
 #include <utility>
 
+#include "files/archive.h"
+#include "files/toml_file.h"
 #include "graph/labels_part.h"
 #include "graph/model_parts.h"
 #include "maps/map_parts.h"
+#include "maps/som_archive.h"
 #include "somato/core/check.h"
-#include "somato/files/archive.h"
-#include "somato/files/toml_file.h"
-#include "somato/maps/som_archive.h"
 
 namespace somato {
 namespace {
@@ -38,9 +38,8 @@ Result<std::vector<std::string>> read_names(const Archive& archive, const std::s
                                             const std::string& where) {
   std::vector<std::string> names;
   if (!archive.find(name)) return names;
-  auto text = archive.get<std::string>(name, where);
-  if (!text) return fail(std::move(text.error()));
-  const Result<Table> table = parse_toml(**text, where);
+  SOMATO_TRY(auto text, archive.get<std::string>(name, where));
+  const Result<Table> table = parse_toml(*text, where);
   const Table::Entry* entry = table ? table->find("names") : nullptr;
   const Value* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
   const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
@@ -65,16 +64,15 @@ Array<double> standardization_array(const Standardization& standardization) {
 Result<void> read_standardization(const Archive& archive, const std::string& where,
                                   SomModel& model) {
   if (!archive.find("standardization")) return {};
-  auto array = archive.get<Array<double>>("standardization", where);
-  if (!array) return fail(std::move(array.error()));
-  const std::vector<double>& values = (*array)->values;
+  SOMATO_TRY(auto array, archive.get<Array<double>>("standardization", where));
+  const std::vector<double>& values = array->values;
   const std::size_t size = model.som.input_size();
-  if ((*array)->shape != std::vector<std::uint64_t>{2, size}) {
+  if (array->shape != std::vector<std::uint64_t>{2, size}) {
     return damaged_model("the standardization does not fit the map", where);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]) || (i >= size && values[i] < 0.0)) {
-      return damaged_model("the standardization holds an impossible number", where);
+      return damaged_model("the standardization contains an invalid number", where);
     }
   }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(size);
@@ -84,14 +82,13 @@ Result<void> read_standardization(const Archive& archive, const std::string& whe
 
 Result<void> read_means(const Archive& archive, const std::string& where, SomModel& model) {
   if (!archive.find("means")) return {};
-  auto array = archive.get<Array<double>>("means", where);
-  if (!array) return fail(std::move(array.error()));
-  const std::vector<double>& values = (*array)->values;
-  if ((*array)->shape != std::vector<std::uint64_t>{model.som.input_size()}) {
+  SOMATO_TRY(auto array, archive.get<Array<double>>("means", where));
+  const std::vector<double>& values = array->values;
+  if (array->shape != std::vector<std::uint64_t>{model.som.input_size()}) {
     return damaged_model("the means do not fit the map", where);
   }
   for (const double value : values) {
-    if (!std::isfinite(value)) return damaged_model("the means hold an impossible number", where);
+    if (!std::isfinite(value)) return damaged_model("the means contain an invalid number", where);
   }
   model.means = values;
   return {};
@@ -105,18 +102,19 @@ Result<void> read_labels(const Archive& archive, const std::string& where, SomMo
   return {};
 }
 
-// What could be saved but not be loaded again.
+// Refuses models that could be saved but not be loaded.
 void require_fit(const SomModel& model) {
   const std::size_t size = model.som.input_size();
   require(model.features.empty() || model.features.size() == size,
-          "a model needs a name for each input element, or none");
+          "a model needs one name for each input element, or none");
   require(!model.standardization || (model.standardization->means.size() == size &&
                                      model.standardization->deviations.size() == size),
           "a model's standardization needs as many columns as the map");
   require(model.means.empty() || model.means.size() == size,
           "a model's means need as many columns as the map");
   require(model.labels.neurons() == (model.classes.empty() ? 0 : model.som.neurons()),
-          "a model with classes needs a label or none for each neuron, one without nothing");
+          "a model with classes needs a label or none for each neuron; a model without classes "
+          "needs none");
   require(model.classes.empty() || !model.labels.labelled().empty(),
           "a model with classes needs a neuron with a label");
   for (const std::size_t neuron : model.labels.labelled()) {
@@ -153,23 +151,21 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
 }
 
 Result<SomModel> load_som_model(const std::string& path) {
-  auto archive = load_archive(path);
-  if (!archive) return fail(std::move(archive.error()));
-  if (auto right = check_kind(*archive, kSomKind, path); !right) return fail(right.error());
-  if (auto known = check_parts(*archive, kKnownParts, path); !known) return fail(known.error());
-  auto som = som_from(*archive, kSomPrefix, path);
+  SOMATO_TRY(auto archive, load_archive(path));
+  SOMATO_TRY_VOID(check_kind(archive, kSomKind, path));
+  SOMATO_TRY_VOID(check_parts(archive, kKnownParts, path));
+  auto som = som_from(archive, kSomPrefix, path);
   if (!som) return fail(std::move(som.error()));
-  auto features = read_names(*archive, "features", path);
+  auto features = read_names(archive, "features", path);
   if (!features) return fail(std::move(features.error()));
-  auto classes = read_names(*archive, "classes", path);
-  if (!classes) return fail(std::move(classes.error()));
-  SomModel model{std::move(*som), std::move(*features), {}, std::move(*classes), {}, {}};
+  SOMATO_TRY(auto classes, read_names(archive, "classes", path));
+  SomModel model{std::move(*som), std::move(*features), {}, std::move(classes), {}, {}};
   if (!model.features.empty() && model.features.size() != model.som.input_size()) {
     return damaged_model("the names of the features do not fit the map", path);
   }
-  if (auto read = read_standardization(*archive, path, model); !read) return fail(read.error());
-  if (auto read = read_labels(*archive, path, model); !read) return fail(read.error());
-  if (auto read = read_means(*archive, path, model); !read) return fail(read.error());
+  SOMATO_TRY_VOID(read_standardization(archive, path, model));
+  SOMATO_TRY_VOID(read_labels(archive, path, model));
+  SOMATO_TRY_VOID(read_means(archive, path, model));
   return model;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/kernels.h"
-#include "maps/activity.h"
+#include "kernels/kernels.h"
 #include "somato/core/check.h"
 
 // With the sum m, its factor f = 1 / |m| and the weights w of a neuron,
@@ -27,7 +27,7 @@ SumReading::SumReading(const Som& som, Norm norm)
       places_(som.input_size(), static_cast<std::uint32_t>(som.elements().count())),
       sums_(som.input_size()),
       products_(som.neurons()) {
-  require(follows(norm), "the largest element of a sum is not followed");
+  require(follows(norm), "the largest element of a sum is not tracked");
   for (std::size_t place = 0; place < weights_.rows(); ++place) {
     const StoredElements& stored = som.elements();
     places_[stored.all() ? place : stored.listed()[place]] = static_cast<std::uint32_t>(place);
@@ -37,6 +37,7 @@ SumReading::SumReading(const Som& som, Norm norm)
       squared_lengths_[neuron] += double{weight} * double{weight};
     }
   }
+  greatest_length_ = std::sqrt(*std::max_element(squared_lengths_.begin(), squared_lengths_.end()));
 }
 
 void SumReading::start() {
@@ -47,7 +48,7 @@ void SumReading::start() {
 }
 
 void SumReading::add(const SignalView& frame) {
-  require(frame.size == sums_.size(), "a frame has another size than the map's input");
+  require(frame.size == sums_.size(), "the size of a frame differs from the map's input size");
   for (std::size_t i = 0; i < frame.values.size(); ++i) {
     add_element(frame.sparse ? frame.indices[i] : i, double{frame.values[i]});
   }
@@ -63,7 +64,7 @@ void SumReading::add_element(std::size_t element, double value) {
                                      products_.data());
 }
 
-// What the sum is multiplied by before the map sees it. Zeros stay.
+// The factor of the sum in the map's input. Zeros are unchanged.
 double SumReading::factor() const {
   const double length = std::sqrt(std::max(0.0, squared_length_));
   const double norm = norm_ == Norm::kL1 ? magnitude_ : norm_ == Norm::kL2 ? length : 1.0;
@@ -71,57 +72,37 @@ double SumReading::factor() const {
   return divisor > 0.0 ? 1.0 / divisor : 1.0;
 }
 
-// Rounding may leave a difference of equals below 0.
-double SumReading::squared_distance(std::size_t neuron, double factor) const {
-  const double of_sum = factor * factor * squared_length_ - 2.0 * factor * products_[neuron];
-  return std::max(0.0, of_sum + squared_lengths_[neuron]);
+// A bound on the effect of rounding on the difference of two neurons' scores. The input of the map
+// is x + d for the sum x, with |d| < 2^-21 |x|: its elements are rounded in the summation, in the
+// division by the norm and in the normalization of the map. That changes the difference of two
+// scores, 2 x . (v - w), by less than 2 |d| (|v| + |w|). Sums in double precision have much smaller
+// errors.
+double SumReading::margin(double factor) const {
+  constexpr double kRounding = 0x1p-21;
+  const double length = factor * std::sqrt(std::max(0.0, squared_length_));
+  return 4.0 * kRounding * length * greatest_length_;
 }
 
-// The least is the most similar.
-double SumReading::score(std::size_t neuron, double factor) const {
-  const bool dot_product = som_.parameters().similarity == Similarity::kDotProduct;
-  return dot_product ? -factor * products_[neuron]
-                     : squared_lengths_[neuron] - 2.0 * factor * products_[neuron];
-}
-
-std::size_t SumReading::winner() const {
+std::optional<std::size_t> SumReading::winner() const {
   const double scale = factor();
+  const bool dot_product = som_.parameters().similarity == Similarity::kDotProduct;
+  const auto score = [&](std::size_t neuron) {
+    const double product = -2.0 * scale * products_[neuron];
+    return dot_product ? product : squared_lengths_[neuron] + product;
+  };
   std::size_t best = 0;
-  double least = score(0, scale);
-  for (std::size_t neuron = 1; neuron < products_.size(); ++neuron) {
-    const double value = score(neuron, scale);
+  double least = std::numeric_limits<double>::infinity();
+  double next = least;
+  for (std::size_t neuron = 0; neuron < products_.size(); ++neuron) {
+    const double value = score(neuron);
+    if (value >= next) continue;
+    next = std::max(value, least);
     if (value >= least) continue;
     least = value;
     best = neuron;
   }
+  if (next - least <= margin(scale)) return {};
   return best;
-}
-
-std::size_t SumReading::winner_among(std::span<const std::size_t> candidates) const {
-  require(!candidates.empty(), "winner_among needs at least one candidate");
-  const double scale = factor();
-  std::size_t best = candidates.front();
-  for (const std::size_t neuron : candidates) {
-    require(neuron < products_.size(), "winner_among: no such neuron");
-    if (score(neuron, scale) < score(best, scale)) best = neuron;
-  }
-  return best;
-}
-
-double SumReading::distance(std::size_t neuron) const {
-  require(neuron < products_.size(), "there is no such neuron");
-  return std::sqrt(squared_distance(neuron, factor()));
-}
-
-void SumReading::activity(std::span<float> out) const {
-  require(out.size() == products_.size(), "an activity needs room for a value a neuron");
-  const double scale = factor();
-  const bool dot_product = som_.parameters().similarity == Similarity::kDotProduct;
-  for (std::size_t neuron = 0; neuron < out.size(); ++neuron) {
-    out[neuron] = dot_product ? static_cast<float>(scale * products_[neuron])
-                              : similarity_at(squared_distance(neuron, scale));
-  }
-  activity_of_similarities(som_.parameters(), out);
 }
 
 }  // namespace somato

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "somato/codes/normalization.h"
@@ -12,7 +12,7 @@
 
 namespace somato {
 
-/// What a map says of a sum of sparse frames, divided by its norm, without putting the sum
+/// The winner of a map for a sum of sparse frames, divided by its norm, without putting the sum
 /// together. The map must outlive it and not change.
 class SumReading {
  public:
@@ -29,22 +29,20 @@ class SumReading {
   /// Adds a frame of as many elements as an input of the map has.
   void add(const SignalView& frame);
 
-  /// As Som's for the sum as it is.
-  std::size_t winner() const;
-  std::size_t winner_among(std::span<const std::size_t> candidates) const;
-  double distance(std::size_t neuron) const;
-  void activity(std::span<float> out) const;
+  /// Som::winner() for the sum in single precision, divided by its norm; nothing where another
+  /// neuron is so close that the rounding of the sum could decide.
+  std::optional<std::size_t> winner() const;
 
  private:
   void add_element(std::size_t element, double value);
   double factor() const;
-  double squared_distance(std::size_t neuron, double factor) const;
-  double score(std::size_t neuron, double factor) const;
+  double margin(double factor) const;
 
   const Som& som_;
   Norm norm_;
   Matrix<float> weights_;                // stored elements x neurons
   std::vector<double> squared_lengths_;  // of the neurons' weights
+  double greatest_length_ = 0.0;         // of them
   std::vector<std::uint32_t> places_;    // of each element among the stored ones, or their number
   std::vector<double> sums_;             // of each element
   std::vector<double> products_;         // of the sum with each neuron's weights

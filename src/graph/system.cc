@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "files/toml_file.h"
 #include "graph/modules/delay.h"
 #include "graph/phase_plan.h"
 #include "graph/wiring.h"
-#include "somato/files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -22,7 +22,7 @@ Result<std::string> type_of(const ModuleDescription& module) {
   const Value* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
   const auto* type = value ? std::get_if<std::string>(&value->content) : nullptr;
   if (type) return *type;
-  return fail(ErrorKind::kUsage, "the module does not say what it is",
+  return fail(ErrorKind::kUsage, "'type' is missing or not a text",
               entry ? entry->where : module.settings.where,
               "write type = \"...\"; 'somato modules' lists the types");
 }
@@ -84,14 +84,15 @@ Result<std::vector<std::string>> names_at(const InputPort& port, const Table::En
     names.push_back(*name);
   }
   if (!names.empty() && names.size() == list->size()) return names;
-  return fail(ErrorKind::kUsage,
-              port.many ? "it takes the names of modules" : "it takes the name of one module",
-              entry.where,
-              port.many ? "write " + port.name + " = [\"NAME\", ...]"
-                        : "write " + port.name + " = \"NAME\"");
+  return fail(
+      ErrorKind::kUsage,
+      port.many ? "the port takes the names of modules" : "the port takes the name of one module",
+      entry.where,
+      port.many ? "write " + port.name + " = [\"NAME\", ...]"
+                : "write " + port.name + " = \"NAME\"");
 }
 
-// What a builder puts together must be possible as a text too, which is what a model file keeps.
+// A description must be representable as text, which is stored in a model file.
 Result<void> check_text(const SystemDescription& description) {
   const std::string text = to_toml(description);
   auto again =
@@ -99,7 +100,7 @@ Result<void> check_text(const SystemDescription& description) {
   if (again && to_toml(*again) == text && again->modules.size() == description.modules.size()) {
     return {};
   }
-  if (again) return fail(ErrorKind::kUsage, "the description cannot be written down");
+  if (again) return fail(ErrorKind::kUsage, "the description cannot be represented as TOML");
   return fail(std::move(again.error()));
 }
 
@@ -113,7 +114,7 @@ Result<void> check_parts(const std::vector<SystemModule>& modules, const SystemD
     }
     if (parts <= kMostParts) continue;
     return fail(ErrorKind::kUsage, "the learning modules have too many inputs for a model file",
-                all.modules[i].settings.where, "put inputs together with 'concatenation'");
+                all.modules[i].settings.where, "combine inputs with 'concatenation'");
   }
   return {};
 }
@@ -152,8 +153,7 @@ Result<void> System::make_modules() {
     modules_.push_back({module.name, module.settings.where, nullptr, nullptr, {}, {}, {}});
     if (!names.insert(module.name).second) {
       return fail(at_module(
-          {ErrorKind::kUsage, "there are two modules of this name", {}, "rename one of them"},
-          number));
+          {ErrorKind::kUsage, "two modules have this name", {}, "rename one of them"}, number));
     }
     const auto type_name = type_of(module);
     if (!type_name) return fail(at_module(type_name.error(), number));
@@ -177,7 +177,7 @@ Result<void> System::connect_ports() {
       if (!entry && !port.required) continue;
       if (!entry) {
         return fail(at_port(
-            {ErrorKind::kUsage, "nothing is connected", {}, "write " + port.name + " = \"NAME\""},
+            {ErrorKind::kUsage, "no module is connected", {}, "write " + port.name + " = \"NAME\""},
             i, port.name));
       }
       const auto names = names_at(port, *entry);
@@ -206,9 +206,9 @@ Result<void> System::wire() {
   for (const std::size_t module : wiring_->endless_loop()) way += modules_[module].name + " -> ";
   way += modules_[wiring_->endless_loop().front()].name;
   return fail(at_module({ErrorKind::kUsage,
-                         "a loop needs a delay: " + way,
+                         "a loop requires a delay: " + way,
                          {},
-                         "put a module of type \"delay\" between two of them"},
+                         "insert a module of type \"delay\" between two of its modules"},
                         wiring_->endless_loop().front()));
 }
 
@@ -229,7 +229,7 @@ Result<void> System::infer_types() {
   return {};
 }
 
-// A loop's delays promise their shapes; the frames are those that come in from outside.
+// The delays of a loop declare their shapes; the frames are those of the inputs from outside.
 Result<void> System::infer_loop(const std::vector<std::size_t>& group) {
   std::string clock;
   for (const std::size_t member : group) {
@@ -240,40 +240,39 @@ Result<void> System::infer_loop(const std::vector<std::size_t>& group) {
   }
   if (clock.empty()) {
     return fail(at_module({ErrorKind::kUsage,
-                           "no frames come into its loop from outside",
+                           "its loop receives no frames from outside",
                            {},
                            "connect a channel to one of its modules"},
                           group.front()));
   }
   for (const std::size_t member : group) {
-    if (auto promised = promise(member, clock); !promised) return promised;
+    SOMATO_TRY_VOID(promise(member, clock));
   }
   for (const bool delays : {false, true}) {
     for (const std::size_t member : group) {
       if ((delay_of(modules_[member]) != nullptr) != delays) continue;
-      if (auto inferred = infer_module(member); !inferred) return inferred;
+      SOMATO_TRY_VOID(infer_module(member));
     }
   }
   return {};
 }
 
-// What a member of a loop puts out before its input is known.
+// The output of a member of a loop before its input is known.
 Result<void> System::promise(std::size_t member, const std::string& clock) {
   if (!modules_[member].module->is_stepped()) {
     return fail(at_module({ErrorKind::kUsage,
-                           "it needs explorations as a whole, so it cannot "
-                           "stand in a loop",
+                           "it requires whole explorations, so it cannot be part of a loop",
                            {},
-                           "take it out of the loop"},
+                           "remove it from the loop"},
                           member));
   }
   const modules::Delay* delay = delay_of(modules_[member]);
   if (delay == nullptr) return {};
   if (delay->promised_shape().empty()) {
     return fail(at_module({ErrorKind::kUsage,
-                           "a delay in a loop needs its 'shape'",
+                           "a delay in a loop requires 'shape'",
                            {},
-                           "write shape = [...], the shape of what comes in"},
+                           "write shape = [...], the shape of its input"},
                           member));
   }
   auto promised = modules::checked_size({Rate::kFrame, delay->promised_shape(), false, clock}, {});
@@ -307,9 +306,8 @@ Result<void> System::infer_module(std::size_t number) {
 }
 
 Result<void> System::plan_phases() {
-  auto phases = somato::plan_phases(*this);
-  if (!phases) return fail(std::move(phases.error()));
-  phases_ = std::move(*phases);
+  SOMATO_TRY(auto phases, somato::plan_phases(*this));
+  phases_ = std::move(phases);
   return {};
 }
 
@@ -331,7 +329,7 @@ bool System::is_fixed(std::size_t module) const {
 }
 
 Error System::at_module(Error error, std::size_t module) const {
-  // A description's error knows its line; one of the data, such as an element, is inside.
+  // An error of a description has its line; one of the data, such as an element, is included.
   const bool inside = error.kind == ErrorKind::kData;
   const std::string& own = modules_[module].where;
   const std::string& line = error.where.empty() || inside ? own : error.where;

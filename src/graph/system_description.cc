@@ -23,7 +23,7 @@ Result<void> read_name(const Table::Entry& entry, SystemDescription& description
   const Table* table = std::get_if<Table>(&entry.content);
   if (!table) {
     return refuse("'system' must be a table", entry.where,
-                  "write [system] on a line of its own, its keys below");
+                  "write [system] on a separate line, its keys below");
   }
   for (const Table::Entry& key : table->entries) {
     const Value* value = std::get_if<Value>(&key.content);
@@ -39,13 +39,13 @@ Result<void> read_modules(const Table::Entry& entry, SystemDescription& descript
   const Table* modules = std::get_if<Table>(&entry.content);
   if (!modules) {
     return refuse("'module' must hold tables", entry.where,
-                  "write [module.NAME] on a line of its own, its keys below");
+                  "write [module.NAME] on a separate line, its keys below");
   }
   for (const Table::Entry& module : modules->entries) {
     const Table* settings = std::get_if<Table>(&module.content);
     if (!settings) {
       return refuse("'" + module.name + "' must be a table", module.where,
-                    "write [module." + module.name + "] on a line of its own, its keys below");
+                    "write [module." + module.name + "] on a separate line, its keys below");
     }
     if (!std::all_of(module.name.begin(), module.name.end(), is_plain) || module.name.empty() ||
         module.name.size() > kLongestName) {
@@ -62,25 +62,24 @@ Result<void> read_phases(const Table::Entry& entry, SystemDescription& descripti
   const auto* phases = std::get_if<std::vector<Table>>(&entry.content);
   if (!phases) {
     return refuse("'phase' must be a list of tables", entry.where,
-                  "write [[phase]] on a line of its own, its keys below");
+                  "write [[phase]] on a separate line, its keys below");
   }
   for (const Table& table : *phases) {
-    auto phase = read_parameters<PhaseDescription>(table);
-    if (!phase) return fail(std::move(phase.error()));
-    phase->where = table.where;
-    description.phases.push_back(std::move(*phase));
+    SOMATO_TRY(auto phase, read_parameters<PhaseDescription>(table));
+    phase.where = table.where;
+    description.phases.push_back(std::move(phase));
   }
   return {};
 }
 
 Result<void> check_count(const SystemDescription& description, const std::string& where) {
   if (description.modules.empty()) {
-    return refuse("there are no modules", where, "add [module.NAME] with a type");
+    return refuse("the description has no modules", where, "add [module.NAME] with a type");
   }
   if (description.modules.size() <= kMostModules) return {};
-  return refuse(fmt::format("there are {} modules, and {} are the most", description.modules.size(),
-                            kMostModules),
-                where, "leave some out");
+  return refuse(
+      fmt::format("{} modules exceed the maximum of {}", description.modules.size(), kMostModules),
+      where, "remove some of them");
 }
 
 std::string settings_to_toml(const Table& settings) {
@@ -108,19 +107,18 @@ const Declarations<PhaseDescription>& PhaseDescription::declarations() {
   using P = PhaseDescription;
   static const auto declared =
       Declarations<P>()
-          .add(
-              "learn", &P::learn, "", Range::any(),
-              "Names of the modules that learn, all at the same time; all others stay as they are. "
-              "Has to be given.")
+          .add("learn", &P::learn, "", Range::any(),
+               "Names of the modules that learn, all at the same time; all others remain "
+               "unchanged. Required.")
           .add("draws", &P::draws, "", Range::between(1, 1e15),
-               "How many frames or explorations are drawn; automatic: as the module itself says. "
-               "Needed where several modules learn.")
+               "Number of frames or explorations drawn; automatic: the module's own setting. "
+               "Required if several modules learn.")
           .add("order", &P::order, "", Range::any(),
-               "How explorations are drawn; automatic: as the module itself says, or with "
+               "Order of the explorations drawn; automatic: the module's own setting, or with "
                "replacement. Not given in the paper.")
           .add("of", &P::of, "", Range::any(),
-               "What is drawn: explorations, or frames, which are those of drawn explorations one "
-               "after the other; automatic: by what comes in at the modules.");
+               "Unit of a draw: explorations, or frames, which are those of drawn explorations in "
+               "order; automatic: according to the inputs of the modules.");
   return declared;
 }
 
@@ -141,7 +139,7 @@ Result<SystemDescription> read_system(const Table& file, const std::vector<std::
     }
     if (!read) return fail(std::move(read.error()));
   }
-  if (auto count = check_count(description, file.where); !count) return fail(count.error());
+  SOMATO_TRY_VOID(check_count(description, file.where));
   return description;
 }
 

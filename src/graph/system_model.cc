@@ -3,13 +3,13 @@
 #include <set>
 #include <utility>
 
+#include "files/archive.h"
+#include "files/toml_file.h"
 #include "graph/labels_part.h"
 #include "graph/model_parts.h"
 #include "graph/modules/som_module.h"
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
-#include "somato/files/archive.h"
-#include "somato/files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -40,7 +40,7 @@ struct ChannelPart {
                 "Names of the elements.")
             .add(
                 "clock", [](P& p) -> auto& { return p.channel.clock; }, "", Range::any(),
-                "Whose frames go together with its own.");
+                "Channels with the same clock have frames recorded together.");
     return declared;
   }
 };
@@ -59,7 +59,7 @@ Result<RecordingLayout> read_layout(const std::string& text, const std::string& 
   RecordingLayout layout;
   for (const Table::Entry& entry : table->entries) {
     const auto* channels = std::get_if<std::vector<Table>>(&entry.content);
-    if (!channels || entry.name != "channel") return damaged_model("the layout is none", where);
+    if (!channels || entry.name != "channel") return damaged_model("the layout is invalid", where);
     for (const Table& channel : *channels) {
       auto part = read_parameters<ChannelPart>(channel);
       if (!part) return damaged_model(std::move(part.error()), where);
@@ -100,15 +100,14 @@ void require_fit(const System& system, const SystemAnswer& answer) {
 
 Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
                                  const std::string& where) {
-  auto part = parameters_from<AnswerPart>(archive, "answer", where);
-  if (!part) return fail(std::move(part.error()));
-  const auto module = system.find(part->answer.map, where);
+  SOMATO_TRY(auto part, parameters_from<AnswerPart>(archive, "answer", where));
+  const auto module = system.find(part.answer.map, where);
   const Som* som = module ? som_of(system, *module) : nullptr;
-  if (som == nullptr) return damaged_model("the map that answers is not there", where);
-  auto labels = labels_from(archive, som->neurons(), part->answer.classes.size(), where);
+  if (som == nullptr) return damaged_model("the output map is missing", where);
+  auto labels = labels_from(archive, som->neurons(), part.answer.classes.size(), where);
   if (!labels) return fail(std::move(labels.error()));
-  part->answer.labels = std::move(*labels);
-  return std::move(part->answer);
+  part.answer.labels = std::move(*labels);
+  return std::move(part.answer);
 }
 
 Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer) {
@@ -127,17 +126,14 @@ Archive archive_of(const System& system, const std::optional<SystemAnswer>& answ
 }
 
 Result<System> build(const Archive& archive, const std::string& where) {
-  const auto description = archive.get<std::string>("description", where);
-  if (!description) return fail(description.error());
-  const auto layout_text = archive.get<std::string>("layout", where);
-  if (!layout_text) return fail(layout_text.error());
-  const auto table = parse_toml(**description, where);
+  SOMATO_TRY(const auto description, archive.get<std::string>("description", where));
+  SOMATO_TRY(const auto layout_text, archive.get<std::string>("layout", where));
+  const auto table = parse_toml(*description, where);
   if (!table) return damaged_model(table.error(), where);
   auto read = read_system(*table);
   if (!read) return damaged_model(std::move(read.error()), where);
-  auto layout = read_layout(**layout_text, where);
-  if (!layout) return fail(std::move(layout.error()));
-  auto system = System::build(std::move(*read), std::move(*layout));
+  SOMATO_TRY(auto layout, read_layout(*layout_text, where));
+  auto system = System::build(std::move(*read), std::move(layout));
   if (!system) return damaged_model(std::move(system.error()), where);
   return system;
 }
@@ -162,26 +158,25 @@ Result<void> save_system(const std::string& path, const System& system,
 }
 
 Result<SystemModel> load_system(const std::string& path) {
-  const auto archive = load_archive(path);
-  if (!archive) return fail(archive.error());
-  if (auto right = check_kind(*archive, kSystemKind, path); !right) return fail(right.error());
-  auto system = build(*archive, path);
+  SOMATO_TRY(const auto archive, load_archive(path));
+  SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
+  auto system = build(archive, path);
   if (!system) return fail(std::move(system.error()));
   for (const SystemModule& module : system->modules()) {
     Learner* learner = module.module->learner();
     if (learner == nullptr) continue;
-    auto loaded = learner->load(*archive, prefix_of(module), path);
+    auto loaded = learner->load(archive, prefix_of(module), path);
     if (!loaded) return damaged_model(std::move(loaded.error()), path);
   }
   SystemModel model{std::move(*system), {}};
-  if (archive->find("answer")) {
-    auto answer = read_answer(*archive, model.system, path);
+  if (archive.find("answer")) {
+    auto answer = read_answer(archive, model.system, path);
     if (!answer) return fail(std::move(answer.error()));
     model.answer = std::move(*answer);
   }
   // Saving again must give the same parts, neither more nor fewer.
-  if (archive_of(model.system, model.answer) == *archive) return model;
-  return damaged_model("the parts do not belong together", path);
+  if (archive_of(model.system, model.answer) == archive) return model;
+  return damaged_model("the parts do not fit together", path);
 }
 
 }  // namespace somato

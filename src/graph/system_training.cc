@@ -1,18 +1,16 @@
 #include "somato/graph/system_training.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
-#include "graph/exploration_run.h"
-#include "graph/frame_walk.h"
-#include "graph/modules/som_module.h"
 #include "graph/phase_plan.h"
+#include "graph/walk.h"
 #include "graph/wiring.h"
-#include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/maps/som_training.h"
+#include "somato/graph/system_model.h"
 
 namespace somato {
 namespace {
@@ -27,24 +25,24 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
   return ((std::uint64_t{words[0]} << 32U) | words[1]) & kBits49;
 }
 
-Lesson lesson_for(const System& system, std::size_t module, const Phase& phase,
-                  std::uint64_t seed) {
+LearningPlan learning_plan_for(const System& system, std::size_t module, const Phase& phase,
+                               std::uint64_t seed) {
   std::uint64_t index = 0;
   for (std::size_t i = 0; i < module; ++i) {
     index += system.modules()[i].module->learner() != nullptr ? 1 : 0;
   }
-  return {seed_of(seed, index), phase.draws, phase.order, {}, false, false};
+  LearningPlan plan;
+  plan.seed = seed_of(seed, index);
+  plan.draws = phase.draws;
+  plan.order = phase.order;
+  return plan;
 }
 
-bool learns_alone(const System& system, const Phase& phase) {
+bool learns_separately(const System& system, const Phase& phase) {
   const std::size_t module = phase.learners.front();
   return phase.learners.size() == 1 &&
          system.modules()[module].module->learner()->learns_at_once() &&
          !system.wiring().reaches(module, module);
-}
-
-modules::SomModule* map_of(const System& system, std::size_t module) {
-  return dynamic_cast<modules::SomModule*>(system.modules()[module].module.get());
 }
 
 class Trainer {
@@ -59,15 +57,13 @@ class Trainer {
 
   Result<void> train() {
     if (explorations_.empty()) {
-      return fail(ErrorKind::kData, "there are no explorations to learn from", {},
-                  "give at least one");
+      return fail(ErrorKind::kData, "no explorations to learn from", {}, "provide at least one");
     }
     for (const Phase& phase : system_.phases()) {
-      if (training_.without == phase.learners.front()) continue;
       const std::vector<std::size_t> computed = computed_in(system_, phase);
-      if (auto ready = compute_inputs_of(computed); !ready) return ready;
-      Result<void> learned =
-          learns_alone(system_, phase) ? learn_alone(phase) : learn_together(phase, computed);
+      SOMATO_TRY_VOID(compute_inputs_of(computed));
+      Result<void> learned = learns_separately(system_, phase) ? learn_separately(phase)
+                                                               : learn_together(phase, computed);
       if (!learned) return learned;
     }
     return {};
@@ -78,7 +74,7 @@ class Trainer {
     return *system_.modules()[module].module->learner();
   }
 
-  // What comes into a phase's modules from frozen ones.
+  // The outputs of frozen modules that are inputs of a phase's modules.
   Result<void> compute_inputs_of(const std::vector<std::size_t>& computed) {
     std::vector<std::size_t> wanted;
     for (const std::size_t module : computed) {
@@ -90,20 +86,46 @@ class Trainer {
     return evaluate(system_, recording_, explorations_, wanted, training_.threads, activations_);
   }
 
-  Lesson lesson_for(std::size_t module, const Phase& phase) const {
-    Lesson lesson = somato::lesson_for(system_, module, phase, training_.seed);
-    lesson.progress = training_.progress;
-    return lesson;
+  LearningPlan learning_plan_for(std::size_t module, const Phase& phase) const {
+    LearningPlan plan = somato::learning_plan_for(system_, module, phase, training_.seed);
+    plan.progress = training_.progress;
+    return plan;
   }
 
-  Result<void> learn_alone(const Phase& phase) {
+  Result<void> learn_separately(const Phase& phase) {
     const std::size_t module = phase.learners.front();
     TrainingInputs inputs;
     for (const std::size_t exploration : explorations_) {
-      inputs.push_back(run_on(exploration).inputs_of(module));
+      inputs.push_back(inputs_of(module, activations_, exploration));
     }
-    auto learned = learner(module).learn(lesson_for(module, phase), inputs);
+    LearningPlan plan = learning_plan_for(module, phase);
+    if (som_of(system_, module)) {
+      SOMATO_TRY_VOID(give_known(module, plan));
+    }
+    auto learned = learner(module).learn(plan, inputs);
     if (!learned) return fail(place(std::move(learned.error()), module));
+    return {};
+  }
+
+  // Additional inputs of a map that learns separately.
+  Result<void> give_known(std::size_t module, LearningPlan& plan) {
+    const std::size_t input = system_.modules()[module].inputs.front();
+    std::vector<std::size_t> unknown;
+    std::copy_if(training_.tested.begin(), training_.tested.end(), std::back_inserter(unknown),
+                 [&](std::size_t tested) { return !activations_.find(input, tested); });
+    if (!unknown.empty()) {
+      auto evaluated =
+          evaluate(system_, recording_, unknown, {input}, training_.threads, activations_);
+      if (!evaluated) return evaluated;
+    }
+    const ExplorationValues& values = activations_.values_of(input);
+    plan.known = values.samples;
+    plan.training = values.places_of(explorations_);
+    if (training_.observer) {
+      plan.observer = [this, module](const TrainingMoment& moment) {
+        return training_.observer(module, moment);
+      };
+    }
     return {};
   }
 
@@ -112,10 +134,33 @@ class Trainer {
                                                  : system_.at_module(std::move(error), module);
   }
 
-  ExplorationRun run_on(std::size_t exploration) const {
-    return {
-        system_, &recording_.explorations[exploration],
-        [this, exploration](std::size_t module) { return activations_.find(module, exploration); }};
+  std::vector<const Sequence*> inputs_of(std::size_t module, const Activations& known,
+                                         std::size_t exploration) const {
+    std::vector<const Sequence*> inputs;
+    for (const std::size_t input : system_.modules()[module].inputs) {
+      inputs.push_back(known.find(input, exploration));
+    }
+    return inputs;
+  }
+
+  // Over what these modules listen to, as far as it is not frozen.
+  Walk walk_before(const std::vector<std::size_t>& listeners, Outputs outputs) const {
+    const auto is_known = [&](std::size_t module) {
+      return activations_.find(module, explorations_.front()) != nullptr;
+    };
+    std::vector<std::size_t> wanted;
+    for (const std::size_t listener : listeners) {
+      for (const std::size_t input : system_.modules()[listener].inputs) {
+        if (!is_known(input)) wanted.push_back(input);
+      }
+    }
+    return {system_, wanted, outputs, is_known};
+  }
+
+  Result<void> start(Walk& walk, std::size_t exploration) const {
+    return walk.start(
+        &recording_.explorations[exploration],
+        [this, exploration](std::size_t module) { return activations_.find(module, exploration); });
   }
 
   Result<void> learn_together(const Phase& phase, const std::vector<std::size_t>& computed) {
@@ -126,11 +171,12 @@ class Trainer {
       if (!begun) return fail(place(begun.error(), module));
       draws = *begun;
     }
-    const Lesson lesson = lesson_for(phase.learners.front(), phase);
-    DrawSequence order(lesson.order.value_or(Draws::kWithReplacement), explorations_.size(),
-                       lesson.seed);
-    auto learned = phase.of == Rate::kFrame ? learn_frames(phase, computed, draws, order)
-                                            : learn_explorations(phase, computed, draws, order);
+    const LearningPlan plan = learning_plan_for(phase.learners.front(), phase);
+    DrawSequence order(plan.order.value_or(Draws::kWithReplacement), explorations_.size(),
+                       plan.seed);
+    Walk walk = walk_before(phase.learners, Outputs::kLatest);
+    auto learned = phase.of == Rate::kFrame ? learn_frames(phase, walk, draws, order)
+                                            : learn_explorations(phase, walk, draws, order);
     if (!learned) return learned;
     for (const std::size_t module : phase.learners) learner(module).finish();
     return {};
@@ -151,84 +197,87 @@ class Trainer {
     for (const std::size_t module : turned_) learner(module).turn_to(number);
   }
 
-  // A module meets its inputs as they are before anything is learned; one that hears itself cannot
-  // have any yet.
+  // A module receives its inputs from before any learning; one that depends on its own output has
+  // none yet.
   Result<std::uint64_t> begin(std::size_t module, const Phase& phase,
                               const std::vector<std::size_t>& computed) {
-    Lesson lesson = lesson_for(module, phase);
-    lesson.inputs_unknown = system_.wiring().reaches(module, module);
-    lesson.inputs_fixed = has_fixed_inputs(module, phase, computed);
-    if (lesson.inputs_unknown || learner(module).begins_without_inputs()) {
-      return learner(module).begin(lesson, {});
+    LearningPlan plan = learning_plan_for(module, phase);
+    plan.inputs_unknown = system_.wiring().reaches(module, module);
+    plan.inputs_fixed = has_fixed_inputs(module, phase, computed);
+    if (plan.inputs_unknown || learner(module).begins_without_inputs()) {
+      return learner(module).begin(plan, {});
     }
-    std::vector<bool> wanted(system_.modules().size(), false);
-    for (const std::size_t input : system_.modules()[module].inputs) wanted[input] = true;
-    std::vector<ExplorationRun> runs;
-    runs.reserve(explorations_.size());
+    Walk walk = walk_before({module}, Outputs::kAll);
+    Activations computed_now = activations_;
     TrainingInputs inputs;
     for (std::size_t number = 0; number < explorations_.size(); ++number) {
       turn_to(number);
-      runs.push_back(run_on(explorations_[number]));
-      if (auto ran = runs.back().compute(wanted); !ran) return fail(ran.error());
-      inputs.push_back(runs.back().inputs_of(module));
+      const std::size_t exploration = explorations_[number];
+      auto walked = start(walk, exploration).and_then([&] { return walk.run(); });
+      if (!walked) return fail(walked.error());
+      for (const std::size_t input : system_.modules()[module].inputs) {
+        if (computed_now.find(input, exploration)) continue;
+        computed_now.set(input, exploration, std::make_shared<const Sequence>(walk.take(input)));
+      }
+      inputs.push_back(inputs_of(module, computed_now, exploration));
     }
-    const auto begun = learner(module).begin(lesson, inputs);
-    if (begun && lesson.inputs_fixed) turned_.push_back(module);
+    const auto begun = learner(module).begin(plan, inputs);
+    if (begun && plan.inputs_fixed) turned_.push_back(module);
     return begun;
   }
 
-  Result<void> learn_frames(const Phase& phase, const std::vector<std::size_t>& computed,
-                            std::uint64_t draws, DrawSequence& order) {
-    const std::vector<bool> heard = heard_among(computed);
-    std::vector<std::size_t> walked;
-    std::copy_if(computed.begin(), computed.end(), std::back_inserter(walked),
-                 [&](std::size_t module) { return heard[module]; });
-    FrameWalk walk(system_, walked, phase.learners);
+  Result<void> learn_frames(const Phase& phase, Walk& walk, std::uint64_t draws,
+                            DrawSequence& order) {
     for (std::uint64_t draw = 0; draw < draws;) {
-      const std::size_t exploration = explorations_[order.next()];
-      auto started =
-          walk.start([&](std::size_t module) { return activations_.find(module, exploration); });
-      if (!started) return started;
-      for (std::size_t frame = 0; frame < walk.frames() && draw < draws; ++frame, ++draw) {
-        if (auto stepped = walk.step(); !stepped) return stepped;
-        for (const std::size_t module : phase.learners) {
-          auto learned = learner(module).step(walk.inputs_of(module), draw);
-          if (!learned) return fail(place(std::move(learned.error()), module));
-        }
-        if (auto going = go_on(draw + 1, draws); !going) return going;
+      SOMATO_TRY_VOID(start(walk, explorations_[order.next()]));
+      SOMATO_TRY(const auto frames, frames_into(walk, phase.learners));
+      for (std::size_t frame = 0; frame < frames && draw < draws; ++frame, ++draw) {
+        SOMATO_TRY_VOID(walk.step(frame));
+        SOMATO_TRY_VOID(learn(phase, walk, draw, draws));
       }
     }
     return {};
   }
 
-  Result<void> learn_explorations(const Phase& phase, const std::vector<std::size_t>& computed,
-                                  std::uint64_t draws, DrawSequence& order) {
-    const std::vector<bool> wanted = heard_among(computed);
+  // All modules that learn together meet as many frames.
+  Result<std::size_t> frames_into(Walk& walk, const std::vector<std::size_t>& learners) const {
+    std::optional<std::size_t> common;
+    for (const std::size_t module : learners) {
+      auto frames = walk.frames_into(module);
+      if (!frames) return frames;
+      if (common.value_or(*frames) != *frames) {
+        Error error{
+            ErrorKind::kData,
+            fmt::format("{} frames arrive at one input, but {} at another", *frames, *common),
+            {},
+            "record the channels together, frame by frame"};
+        return fail(system_.at_module(std::move(error), module));
+      }
+      common = *frames;
+    }
+    return common.value_or(0);
+  }
+
+  Result<void> learn_explorations(const Phase& phase, Walk& walk, std::uint64_t draws,
+                                  DrawSequence& order) {
     for (std::uint64_t draw = 0; draw < draws; ++draw) {
       const std::size_t number = order.next();
       turn_to(number);
-      ExplorationRun run = run_on(explorations_[number]);
-      if (auto ran = run.compute(wanted); !ran) return ran;
-      for (const std::size_t module : phase.learners) {
-        std::vector<SignalView> inputs;
-        for (const Sequence* input : run.inputs_of(module)) inputs.push_back(input->values[0]);
-        auto learned = learner(module).step(inputs, draw);
-        if (!learned) return fail(place(std::move(learned.error()), module));
-      }
-      if (auto going = go_on(draw + 1, draws); !going) return going;
+      auto walked = start(walk, explorations_[number]).and_then([&] { return walk.run(); });
+      if (!walked) return walked;
+      SOMATO_TRY_VOID(learn(phase, walk, draw, draws));
     }
     return {};
   }
 
-  // The computed modules that others of them listen to.
-  std::vector<bool> heard_among(const std::vector<std::size_t>& computed) const {
-    std::vector<bool> heard(system_.modules().size(), false);
-    std::vector<bool> inside(system_.modules().size(), false);
-    for (const std::size_t module : computed) inside[module] = true;
-    for (const std::size_t module : computed) {
-      for (const std::size_t input : system_.modules()[module].inputs) heard[input] = inside[input];
+  // All modules learn from outputs with the weights before this draw.
+  Result<void> learn(const Phase& phase, const Walk& walk, std::uint64_t draw,
+                     std::uint64_t draws) {
+    for (const std::size_t module : phase.learners) {
+      auto learned = learner(module).step(walk.inputs_of(module), draw);
+      if (!learned) return fail(place(std::move(learned.error()), module));
     }
-    return heard;
+    return go_on(draw + 1, draws);
   }
 
   Result<void> go_on(std::uint64_t done, std::uint64_t draws) const {
@@ -252,28 +301,6 @@ Result<void> train_system(System& system, const Recording& recording,
                           std::span<const std::size_t> explorations, const SystemTraining& training,
                           Activations& activations) {
   return Trainer(system, recording, explorations, training, activations).train();
-}
-
-std::optional<SomParameters> parameters_alone(const System& system, std::size_t module,
-                                              std::uint64_t seed) {
-  const modules::SomModule* map = map_of(system, module);
-  if (!map) return {};
-  for (const Phase& phase : system.phases()) {
-    for (const std::size_t learner : phase.learners) {
-      if (learner != module && system.wiring().reaches(module, learner)) return {};
-    }
-  }
-  for (const Phase& phase : system.phases()) {
-    if (phase.learners.front() != module || !learns_alone(system, phase)) continue;
-    return map->parameters_for(lesson_for(system, module, phase, seed));
-  }
-  return {};
-}
-
-void set_map(System& system, std::size_t module, Som som) {
-  modules::SomModule* map = map_of(system, module);
-  require(map != nullptr, "only a module of type som is given a map");
-  map->set_som(std::move(som));
 }
 
 }  // namespace somato

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "somato/graph/learned_parts.h"
+#include "graph/learned_parts.h"
 
 namespace somato::detail {
 namespace {
@@ -69,19 +69,19 @@ std::vector<double> dense(const FoldedWeights& weights) {
   return values;
 }
 
-// Shares of what a neuron hears from each element, by arbor and weights.
-Matrix<float> shares(Matrix<float> heard, const Matrix<float>& arbor) {
-  for (std::size_t neuron = 0; neuron < heard.rows(); ++neuron) {
+// Shares of a neuron's input from each element, by arbor and weights.
+Matrix<float> shares(Matrix<float> receptive, const Matrix<float>& arbor) {
+  for (std::size_t neuron = 0; neuron < receptive.rows(); ++neuron) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < heard.columns(); ++k) {
-      heard(neuron, k) = std::max(0.0F, heard(neuron, k) * arbor(neuron, k));
-      sum += double{heard(neuron, k)};
+    for (std::size_t k = 0; k < receptive.columns(); ++k) {
+      receptive(neuron, k) = std::max(0.0F, receptive(neuron, k) * arbor(neuron, k));
+      sum += double{receptive(neuron, k)};
     }
-    for (float& share : heard.row(neuron)) {
+    for (float& share : receptive.row(neuron)) {
       share = sum > 0.0 ? static_cast<float>(double{share} / sum) : 0.0F;
     }
   }
-  return heard;
+  return receptive;
 }
 
 }  // namespace
@@ -122,10 +122,10 @@ void WeightFolding::remember(std::size_t module) {
   if (auto found = standardization_of(system_, module)) {
     standardizations_[module] = std::move(*found);
   }
-  if (heard_.contains(module)) return;
+  if (receptive_.contains(module)) return;
   const auto map = t_mpsom_of(system_, module);
   for (std::size_t i = 0; map && i < map->parameters().input_sizes.size(); ++i) {
-    heard_[module].push_back(shares(map->weights(i), map->arbor(i)));
+    receptive_[module].push_back(shares(map->weights(i), map->arbor(i)));
   }
 }
 
@@ -187,11 +187,11 @@ void WeightFolding::fold_concatenation(std::size_t module, const FoldedWeights& 
 void WeightFolding::fold_t_mpsom(std::size_t module, const FoldedWeights& weights, Way way,
                                  std::size_t depth, Rows& rows) const {
   way.single = false;
-  const std::vector<Matrix<float>>& heard = heard_.at(module);
-  for (std::size_t a = 0; a < heard.size(); ++a) {
-    std::vector<double> sums(heard[a].columns());
+  const std::vector<Matrix<float>>& receptive = receptive_.at(module);
+  for (std::size_t a = 0; a < receptive.size(); ++a) {
+    std::vector<double> sums(receptive[a].columns());
     for (std::size_t i = 0; i < weights.values.size(); ++i) {
-      const auto shares = heard[a].row(place(weights, i));
+      const auto shares = receptive[a].row(place(weights, i));
       for (std::size_t k = 0; k < sums.size(); ++k)
         sums[k] += weights.values[i] * double{shares[k]};
     }
@@ -220,7 +220,7 @@ std::vector<double> WeightFolding::bin_centres(std::size_t module,
   return means;
 }
 
-// As it was before a standardization, or a factor and an offset.
+// Before a standardization, or a factor and an offset.
 std::vector<double> WeightFolding::undone(std::size_t module, const FoldedWeights& weights) const {
   std::vector<double> values = dense(weights);
   const auto found = standardizations_.find(module);

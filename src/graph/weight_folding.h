@@ -11,38 +11,39 @@
 
 namespace somato::detail {
 
-/// A weight for each element of what a module gives, or for those at `places` alone, which ascend;
-/// all others are 0.
+/// A weight for each element of a module's output, or only for those at `places`, which ascend; all
+/// others are 0.
 struct FoldedWeights {
   std::size_t size = 0;
   std::vector<std::uint32_t> places;  ///< Empty: `values` has all elements.
   std::vector<double> values;
 };
 
-/// Where folding ends: a module, and whether its weights are in the unit of what it gives.
+/// An end of the projection: a module, and whether its weights are in the unit of its output.
 struct FoldingEnd {
   std::size_t module = 0;
   bool unit = false;
 };
 
-/// The way of weights from what the module `input` gives back to channels; see channel_planes().
+/// The projection of weights from the output of the module `input` back to channels; see
+/// channel_planes().
 class WeightFolding {
  public:
   /// `unit`: whether the weights are in the unit of the input. The system must have learned,
   /// outlive this object, and not change.
   WeightFolding(const System& system, std::size_t input, bool unit);
 
-  /// In the order of fold(); the input alone where more than 256 ways lead back from it.
+  /// In the order of fold(); only the input if more than 256 paths lead back from it.
   const std::vector<FoldingEnd>& ends() const { return ends_; }
 
   /// Whether every element of the input is one of an end.
   bool is_plain() const { return plain_; }
 
-  /// For each end what the weights come to at its elements.
+  /// For each end the projected weights at its elements.
   std::vector<std::vector<double>> fold(FoldedWeights weights) const;
 
  private:
-  // What was met on the way from the map: whether weights are in a unit, and still single ones.
+  // Properties of the path from the map: whether weights are in a unit, and still single ones.
   struct Way {
     bool unit = false;
     bool single = true;
@@ -72,7 +73,8 @@ class WeightFolding {
   // By module.
   std::map<std::size_t, Standardization> standardizations_;
   std::map<std::size_t, std::vector<std::pair<double, double>>> ranges_;
-  std::map<std::size_t, std::vector<Matrix<float>>> heard_;  // by input: shares that add up to 1
+  std::map<std::size_t, std::vector<Matrix<float>>>
+      receptive_;  // by input: shares that add up to 1
 };
 
 }  // namespace somato::detail

@@ -14,9 +14,10 @@ using Inputs = std::vector<std::vector<std::size_t>>;
 std::vector<std::size_t> find_loop(const std::vector<std::size_t>& left, const Inputs& inputs) {
   std::vector<std::size_t> way{left.front()};
   for (;;) {
-    const std::vector<std::size_t>& heard = inputs[way.back()];
-    const std::size_t next = *std::find_if(
-        heard.begin(), heard.end(), [&](std::size_t module) { return contains(left, module); });
+    const std::vector<std::size_t>& predecessors = inputs[way.back()];
+    const std::size_t next =
+        *std::find_if(predecessors.begin(), predecessors.end(),
+                      [&](std::size_t module) { return contains(left, module); });
     const auto before = std::find(way.begin(), way.end(), next);
     if (before == way.end()) {
       way.push_back(next);
@@ -82,7 +83,7 @@ void Wiring::order_group(std::vector<std::size_t>& group, const Inputs& inputs,
   std::vector<std::size_t> left = group;
   const auto is_ready = [&](std::size_t module) {
     return delays[module] || std::none_of(inputs[module].begin(), inputs[module].end(),
-                                          [&](std::size_t heard) { return contains(left, heard); });
+                                          [&](std::size_t input) { return contains(left, input); });
   };
   while (!left.empty()) {
     const auto next = std::find_if(left.begin(), left.end(), is_ready);

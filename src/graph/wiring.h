@@ -7,18 +7,18 @@
 
 namespace somato {
 
-/// Which module leads to which, and the order in which they can run.
+/// The connections of modules, and the order in which they can run.
 class Wiring {
  public:
-  /// `inputs[i]` lists the modules that module i listens to; `delays[i]` says whether its output
-  /// does not depend on its present input.
+  /// `inputs[i]` lists the inputs of module i; `delays[i]` states whether its output does not
+  /// depend on its present input.
   Wiring(const std::vector<std::vector<std::size_t>>& inputs, const std::vector<bool>& delays);
 
   /// Whether there is a way of at least one connection.
   bool reaches(std::size_t from, std::size_t to) const { return reaches_(from, to) != 0; }
 
-  /// The modules in groups: those of a loop together, all others alone; a group comes after what it
-  /// listens to, and within a group, delays left out, a module too.
+  /// The modules in groups: those of a loop together, all others separately; a group follows its
+  /// inputs, and within a group, without the delays, so does a module.
   const std::vector<std::vector<std::size_t>>& groups() const { return groups_; }
 
   /// Whether the modules of the group form a loop.

@@ -1,4 +1,4 @@
-#include "somato/live/address.h"
+#include "live/address.h"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -37,8 +37,8 @@ Result<Address> parse_address(const std::string& text) {
   if (inet_pton(AF_INET6, text.c_str(), &v6) == 1) {
     return Address{text_of(AF_INET6, &v6), reach_of(v6)};
   }
-  return fail(ErrorKind::kUsage, fmt::format("'{}' is no address", text), {},
-              "give one in digits, such as 127.0.0.1");
+  return fail(ErrorKind::kUsage, fmt::format("'{}' is not a numeric IP address", text), {},
+              "use an address such as 127.0.0.1");
 }
 
 }  // namespace somato

@@ -18,9 +18,9 @@ EventHub::Text EventHub::latest(EventKind kind) const {
   return latest_[static_cast<std::size_t>(kind)].text;
 }
 
-std::size_t EventHub::lookers_on() const {
+std::size_t EventHub::viewers() const {
   const std::scoped_lock lock(mutex_);
-  return lookers_on_;
+  return viewers_;
 }
 
 void EventHub::close() {
@@ -36,20 +36,20 @@ bool EventHub::is_closed() const {
   return closed_;
 }
 
-std::unique_ptr<EventHub::Seat> EventHub::take_seat(std::size_t most) {
+std::unique_ptr<EventHub::Subscription> EventHub::subscribe(std::size_t most) {
   {
     const std::scoped_lock lock(mutex_);
-    if (lookers_on_ >= most || closed_) return nullptr;
-    ++lookers_on_;
+    if (viewers_ >= most || closed_) return nullptr;
+    ++viewers_;
   }
   if (changed_) changed_();
-  return std::make_unique<Seat>(*this);
+  return std::make_unique<Subscription>(*this);
 }
 
 void EventHub::leave() {
   {
     const std::scoped_lock lock(mutex_);
-    --lookers_on_;
+    --viewers_;
   }
   if (changed_) changed_();
 }
@@ -61,7 +61,7 @@ bool EventHub::has_news(const std::array<std::uint64_t, kEventKinds>& seen) cons
   return false;
 }
 
-std::optional<std::vector<EventHub::Event>> EventHub::Seat::next(
+std::optional<std::vector<EventHub::Event>> EventHub::Subscription::next(
     std::chrono::milliseconds patience) {
   std::unique_lock lock(hub_.mutex_);
   hub_.news_.wait_for(lock, patience, [&] { return hub_.closed_ || hub_.has_news(seen_); });

@@ -15,18 +15,19 @@
 
 namespace somato::live {
 
-/// What is told to those who look on, in the order in which it is told when there is more than one.
+/// Kinds of events, in the order in which a viewer gets them when there are several.
 enum class EventKind { kState, kScene, kTraining, kFrame };
 inline constexpr std::size_t kEventKinds = 4;
 
-/// Hands the latest of each kind of event to any number of lookers-on. Whoever publishes never
-/// waits: a looker-on that is slow misses what came in between.
+/// Hands the latest of each kind of event to any number of viewers. Publishing never waits: a slow
+/// viewer misses what came in between.
 class EventHub {
  public:
   using Text = std::shared_ptr<const std::string>;
   using Event = std::pair<EventKind, Text>;
 
-  /// Called whenever the number of lookers-on has changed, by their threads; before anyone is here.
+  /// Called whenever the number of viewers has changed, by their threads; to be set before the
+  /// first.
   void on_change(std::function<void()> changed) { changed_ = std::move(changed); }
 
   void publish(EventKind kind, std::string text);
@@ -34,24 +35,24 @@ class EventHub {
   /// The latest of a kind; nullptr before the first.
   Text latest(EventKind kind) const;
 
-  std::size_t lookers_on() const;
+  std::size_t viewers() const;
 
-  /// Makes everybody leave, now and later.
+  /// Ends all subscriptions, now and later.
   void close();
   bool is_closed() const;
 
-  /// Somebody who looks on; used by one thread. It must not outlive the hub.
-  class Seat {
+  /// A viewer's subscription; used by one thread. It must not outlive the hub.
+  class Subscription {
    public:
-    explicit Seat(EventHub& hub) : hub_(hub) {}
-    Seat(const Seat&) = delete;
-    Seat(Seat&&) = delete;
-    Seat& operator=(const Seat&) = delete;
-    Seat& operator=(Seat&&) = delete;
-    ~Seat() { hub_.leave(); }
+    explicit Subscription(EventHub& hub) : hub_(hub) {}
+    Subscription(const Subscription&) = delete;
+    Subscription(Subscription&&) = delete;
+    Subscription& operator=(const Subscription&) = delete;
+    Subscription& operator=(Subscription&&) = delete;
+    ~Subscription() { hub_.leave(); }
 
-    /// What has come since the last call: of each kind the latest alone. Empty when nothing has
-    /// come for `patience`; nothing once the hub is closed.
+    /// The events since the last call: only the latest of each kind. Empty after `patience` without
+    /// events; nothing once the hub is closed.
     std::optional<std::vector<Event>> next(std::chrono::milliseconds patience);
 
    private:
@@ -59,8 +60,8 @@ class EventHub {
     std::array<std::uint64_t, kEventKinds> seen_{};
   };
 
-  /// A seat, or nullptr when `most` are taken.
-  std::unique_ptr<Seat> take_seat(std::size_t most);
+  /// A subscription, or nullptr when there are `most` already.
+  std::unique_ptr<Subscription> subscribe(std::size_t most);
 
  private:
   struct Latest {
@@ -75,7 +76,7 @@ class EventHub {
   std::condition_variable news_;
   std::array<Latest, kEventKinds> latest_;
   std::uint64_t published_ = 0;
-  std::size_t lookers_on_ = 0;
+  std::size_t viewers_ = 0;
   bool closed_ = false;
   std::function<void()> changed_;
 };

@@ -1,38 +1,51 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "somato/bodies/body.h"
-#include "somato/recording/recording.h"
+#include "live/body_thread.h"
+#include "live/kept_scene.h"
+#include "live/played_exploration.h"
 
 namespace somato::live {
 
-/// An exploration as far as a body has come with it.
+/// The exploration of a body that still explores, as far as it has been shown: it is played like
+/// any other, but its end moves. Used by one thread.
 class GrowingExploration {
  public:
-  /// The end of a step whose readings belong to the exploration.
-  struct Moment {
-    double time = 0.0;                ///< s, by the body's clock.
-    std::vector<std::size_t> frames;  ///< That each channel had given by then.
-  };
+  /// It will be the exploration with that index.
+  GrowingExploration(std::size_t index, const BodyDescription& body,
+                     std::shared_ptr<const Scene> scene);
 
-  /// Of no body.
-  GrowingExploration() = default;
-  explicit GrowingExploration(const BodyDescription& body);
+  /// Takes a step. If its readings are recorded there is one moment more; that takes constant time
+  /// on average.
+  void append(BodyStep step);
 
-  /// Adds the frames that were taken during the last step: one moment.
-  void append(const BodyState& state);
+  /// Seconds from the last step to this one.
+  double seconds_to(const BodyStep& step) const;
 
-  const Exploration& so_far() const { return exploration_; }
-  const std::vector<std::size_t>& frames() const { return frames_; }  ///< Of each channel.
-  std::size_t moments() const { return moments_.size(); }
-  const Moment& moment(std::size_t number) const { return moments_[number]; }
+  /// The last step; its time counts from the first one. A sensor that read nothing during the step
+  /// has its readings of before.
+  const BodyStep& last() const { return last_; }
+
+  /// Valid as long as this lives.
+  PlayedExploration played() const { return {index_, &exploration_, timeline_, scene_, false}; }
+
+  /// What was seen at its moments.
+  const std::shared_ptr<KeptScene>& scene() const { return scene_; }
 
  private:
+  void append_frames(const BodyState& state);
+
+  std::size_t index_;
   Exploration exploration_;
-  std::vector<std::size_t> frames_;
-  std::vector<Moment> moments_;
+  std::shared_ptr<Timeline> timeline_;
+  std::shared_ptr<KeptScene> scene_;
+  std::vector<std::size_t> frames_;  // of each channel
+  std::optional<double> begun_;      // by the body's clock
+  BodyStep last_;
 };
 
 }  // namespace somato::live

@@ -27,21 +27,22 @@ HttpAccess::HttpAccess(std::vector<std::string> hosts, std::string token)
 HttpResult<void> HttpAccess::check_host(const HttpRequest& request) const {
   const auto host = request.header("host");
   if (host && std::find(hosts_.begin(), hosts_.end(), *host) != hosts_.end()) return {};
-  return refuse(403, "This server answers to its own address alone.");
+  return refuse(403, "The Host header does not match the address of this server.");
 }
 
 HttpResult<void> HttpAccess::check_origin(const HttpRequest& request) const {
   const auto origin = request.header("origin");
   const auto is_own = [&](const std::string& host) { return *origin == "http://" + host; };
   if (origin && std::any_of(hosts_.begin(), hosts_.end(), is_own)) return {};
-  return refuse(403, "Commands are taken from the page of this server alone.");
+  return refuse(403, "Commands are accepted only from pages of this server.");
 }
 
 HttpResult<void> HttpAccess::check_token(const HttpRequest& request) const {
   const auto sent = request.header("x-somato-token");
   const auto token = sent ? sent : request.parameter("token");
   if (token && equal_in_constant_time(*token, token_)) return {};
-  return refuse(403, "Open the start address that the program has printed.");
+  return refuse(403,
+                "The token is missing or wrong; open the start address that the program printed.");
 }
 
 std::optional<std::string> new_token() {

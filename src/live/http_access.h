@@ -16,8 +16,8 @@ namespace somato::live {
 /// another name of those two that it may stand for.
 std::vector<std::string> hosts_at(const std::string& address, std::uint16_t port);
 
-/// Who may ask a server of this machine: only those who came by its start address. A page of
-/// somebody else can send requests to this machine too, and can make its own name point here.
+/// Restricts access to clients with the start address. Pages of other origins can send requests to
+/// this machine as well, and can make their own name resolve to it.
 class HttpAccess {
  public:
   /// `hosts` are those that the server answers to, with their ports, exactly as a Host header has

@@ -46,7 +46,7 @@ HttpResult<HttpRequest> HttpConnection::read(const HttpLimits& limits) {
   std::string bytes;
   std::size_t end = std::string::npos;
   while ((end = bytes.find("\r\n\r\n")) == std::string::npos && bytes.size() <= limits.head) {
-    if (!receive(bytes, until)) return refuse(408, "The request took too long, or ended too soon.");
+    if (!receive(bytes, until)) return refuse(408, "The request was incomplete, or took too long.");
     if (auto line = check_first_line(bytes); !line) return tl::unexpected(std::move(line.error()));
   }
   const std::size_t head = end == std::string::npos ? bytes.size() : end + 4;
@@ -54,7 +54,7 @@ HttpResult<HttpRequest> HttpConnection::read(const HttpLimits& limits) {
   if (!request) return request;
   bytes.erase(0, head);
   while (bytes.size() < request->content_length) {
-    if (!receive(bytes, until)) return refuse(408, "The body took too long, or ended too soon.");
+    if (!receive(bytes, until)) return refuse(408, "The body was incomplete, or took too long.");
   }
   bytes.resize(request->content_length);
   request->body = std::move(bytes);
@@ -79,13 +79,13 @@ bool HttpConnection::write(const HttpResponse& response, bool head_only) {
   } else if (taken && !head_only) {
     taken = send_all(response.body);
   }
-  // Whoever has been silent for too long has nothing left to say.
+  // The client has exceeded the time limit.
   if (response.status != 408) leave();
   return taken;
 }
 
-// What is still coming is taken and dropped for a while: closing at once would take the response
-// away from whoever is not done with asking.
+// Remaining data are received and discarded for a while: closing immediately would discard the
+// response of a client that is still sending.
 void HttpConnection::leave() const {
   constexpr std::size_t kMost = std::size_t{32} << 20;
   ::shutdown(socket_, SHUT_WR);

@@ -29,7 +29,8 @@ class HttpConnection {
   /// Sends the response; for HEAD without its body. Returns whether all was taken.
   bool write(const HttpResponse& response, bool head_only);
 
-  /// Makes whoever reads or writes here stop; from any thread, as long as this object lives.
+  /// Stops readers and writers of this connection; can be called from any thread during the
+  /// lifetime of this object.
   void interrupt() const;
 
  private:

@@ -88,7 +88,7 @@ HttpResult<Fields> parse_parameters(std::string_view query) {
     query.remove_prefix(std::min(query.size(), pair.size() + 1));
     const std::size_t equals = std::min(pair.find('='), pair.size());
     const auto value = decoded(pair.substr(std::min(equals + 1, pair.size())));
-    if (!value) return refuse(400, "A parameter of the address is not written as it should be.");
+    if (!value) return refuse(400, "Malformed query parameter.");
     fields.emplace_back(pair.substr(0, equals), *value);
   }
   return fields;
@@ -96,7 +96,7 @@ HttpResult<Fields> parse_parameters(std::string_view query) {
 
 HttpResult<void> parse_target(std::string_view target, HttpRequest& request) {
   if (!target.starts_with('/') || !std::all_of(target.begin(), target.end(), is_printable)) {
-    return refuse(400, "Ask for a path that begins with a slash.");
+    return refuse(400, "The path must begin with a slash.");
   }
   const std::size_t mark = std::min(target.find('?'), target.size());
   request.path = target.substr(0, mark);
@@ -109,20 +109,20 @@ HttpResult<void> parse_target(std::string_view target, HttpRequest& request) {
 HttpResult<void> check_method(std::string_view method) {
   if (method == "GET" || method == "HEAD" || method == "POST") return {};
   if (method.empty() || !std::all_of(method.begin(), method.end(), is_name_character)) {
-    return refuse(400, "This is no request of HTTP.");
+    return refuse(400, "Malformed HTTP request.");
   }
-  return refuse(405, "Only GET, HEAD and POST are answered.");
+  return refuse(405, "Only GET, HEAD and POST are supported.");
 }
 
 HttpResult<void> parse_first_line(std::string_view line, HttpRequest& request) {
   const std::size_t first = line.find(' ');
   const std::size_t last = line.rfind(' ');
   if (first == std::string_view::npos || first == last) {
-    return refuse(400, "This is no request of HTTP/1.1.");
+    return refuse(400, "Malformed HTTP/1.1 request.");
   }
   const std::string_view version = line.substr(last + 1);
   if (version != "HTTP/1.1" && version != "HTTP/1.0") {
-    return refuse(400, "This is no request of HTTP/1.1.");
+    return refuse(400, "Unsupported HTTP version.");
   }
   request.method = line.substr(0, first);
   if (auto known = check_method(request.method); !known) return known;
@@ -134,12 +134,12 @@ HttpResult<void> parse_header(std::string_view line, HttpRequest& request) {
   const std::string_view name = line.substr(0, std::min(colon, line.size()));
   if (colon == std::string_view::npos || name.empty() ||
       !std::all_of(name.begin(), name.end(), is_name_character)) {
-    return refuse(400, "A header is not written as it should be.");
+    return refuse(400, "Malformed header.");
   }
   const std::string_view value = trimmed(line.substr(colon + 1));
   const auto fits = [](char c) { return is_printable(c) || c == ' ' || c == '\t'; };
   if (!std::all_of(value.begin(), value.end(), fits)) {
-    return refuse(400, "A header holds characters that it must not.");
+    return refuse(400, "A header contains an invalid character.");
   }
   request.headers.emplace_back(in_small_letters(name), value);
   return {};
@@ -155,32 +155,32 @@ HttpResult<void> check_once(const HttpRequest& request) {
        {"host", "origin", "content-length", "content-type", "x-somato-token"}) {
     if (!is_there(request, name) || request.header(name)) continue;
     return refuse(name == "host" || name == "origin" ? 403 : 400,
-                  fmt::format("The header {} may be sent once.", name));
+                  fmt::format("The header {} must occur only once.", name));
   }
   return {};
 }
 
 HttpResult<void> parse_length(HttpRequest& request, const HttpLimits& limits) {
   if (is_there(request, "transfer-encoding")) {
-    return refuse(411, "Send the body as a whole, with its length.");
+    return refuse(411, "Transfer encodings are not supported; send Content-Length.");
   }
-  if (is_there(request, "expect")) return refuse(417, "Send the body without asking first.");
+  if (is_there(request, "expect")) return refuse(417, "The header Expect is not supported.");
   const auto length = request.header("content-length");
   if (!length) {
     if (request.method != "POST") return {};
-    return refuse(411, "Send the length of the body.");
+    return refuse(411, "Content-Length is required.");
   }
   const char* end = length->data() + length->size();
   const auto [stop, error] = std::from_chars(length->data(), end, request.content_length);
-  if (error == std::errc::result_out_of_range) return refuse(413, "The body is too long.");
+  if (error == std::errc::result_out_of_range) return refuse(413, "The body is too large.");
   if (error != std::errc() || stop != end) {
-    return refuse(400, "The length of the body is no number.");
+    return refuse(400, "Content-Length is not a number.");
   }
   if (request.content_length > limits.body) {
-    return refuse(413, fmt::format("A body has at most {} bytes.", limits.body));
+    return refuse(413, fmt::format("The body must have at most {} bytes.", limits.body));
   }
   if (request.method == "POST" || request.content_length == 0) return {};
-  return refuse(400, "Only POST has a body.");
+  return refuse(400, "Only POST requests may have a body.");
 }
 
 HttpResult<void> parse_headers(std::string_view text, HttpRequest& request,
@@ -188,11 +188,11 @@ HttpResult<void> parse_headers(std::string_view text, HttpRequest& request,
   while (const auto line = take_line(text)) {
     if (line->empty()) return {};
     if (request.headers.size() == limits.headers) {
-      return refuse(431, fmt::format("There may be at most {} headers.", limits.headers));
+      return refuse(431, fmt::format("At most {} headers are allowed.", limits.headers));
     }
     if (auto parsed = parse_header(*line, request); !parsed) return parsed;
   }
-  return refuse(400, "The headers have no end.");
+  return refuse(400, "The headers are incomplete.");
 }
 
 }  // namespace
@@ -213,11 +213,11 @@ HttpResult<void> check_first_line(std::string_view bytes) {
 
 HttpResult<HttpRequest> parse_http_head(std::string_view head, const HttpLimits& limits) {
   if (head.size() > limits.head) {
-    return refuse(431, fmt::format("Headers may have at most {} bytes.", limits.head));
+    return refuse(431, fmt::format("The headers must have at most {} bytes.", limits.head));
   }
   HttpRequest request;
   const auto line = take_line(head);
-  if (!line) return refuse(400, "This is no request of HTTP/1.1.");
+  if (!line) return refuse(400, "Malformed HTTP/1.1 request.");
   const auto parsed = parse_first_line(*line, request)
                           .and_then([&] { return parse_headers(head, request, limits); })
                           .and_then([&] { return check_once(request); })

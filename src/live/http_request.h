@@ -51,8 +51,8 @@ struct HttpRequest {
 /// and POST.
 HttpResult<HttpRequest> parse_http_head(std::string_view head, const HttpLimits& limits = {});
 
-/// Whether what has come so far can still become a request: nobody waits for the headers of one
-/// whose first line is refused.
+/// Whether the data so far can still become a request: the headers are not awaited if the first
+/// line is refused.
 HttpResult<void> check_first_line(std::string_view bytes);
 
 }  // namespace somato::live

@@ -36,7 +36,7 @@ std::string_view reason_of(int status) {
   }
 }
 
-// What a browser is told with everything: nothing from elsewhere, nothing kept, nobody around it.
+// Headers of every response: no external resources, no caching, no framing.
 constexpr std::string_view kSafety =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; connect-src "
     "'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors "

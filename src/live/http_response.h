@@ -12,7 +12,7 @@ namespace somato::live {
 
 /// What is answered. With `stream` the body is what that writes, until it returns.
 struct HttpResponse {
-  /// Sends a part of the body; false once nobody takes it any more.
+  /// Sends a part of the body; returns false if the client does not receive any more.
   using Write = std::function<bool(std::string_view)>;
 
   int status = 200;
@@ -22,11 +22,11 @@ struct HttpResponse {
   std::function<void(const Write&)> stream = {};
 };
 
-/// The response that tells a refusal.
+/// The response for an error.
 HttpResponse response_of(const HttpRefusal& refusal);
 
-/// Its first line and headers, with the empty line that ends them: what a browser is told with
-/// everything is among them.
+/// The status line and headers, with the empty line that ends them; includes the headers of every
+/// response.
 std::string head_of(const HttpResponse& response);
 
 }  // namespace somato::live

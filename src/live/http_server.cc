@@ -16,7 +16,7 @@
 namespace somato::live {
 namespace {
 
-constexpr std::size_t kTurnedAway = 64;  // that are told so at a time
+constexpr std::size_t kTurnedAway = 64;  // that receive this response at a time
 
 // An address of either family as the system wants it.
 struct SocketAddress {
@@ -42,14 +42,14 @@ Result<SocketAddress> socket_address(const std::string& text, std::uint16_t port
     address.size = sizeof(sockaddr_in6);
     return address;
   }
-  return fail(ErrorKind::kUsage, fmt::format("'{}' is no address", text), {},
-              "give one in digits, such as 127.0.0.1");
+  return fail(ErrorKind::kUsage, fmt::format("'{}' is not a numeric IP address", text), {},
+              "use an address such as 127.0.0.1");
 }
 
 tl::unexpected<Error> system_refused(const HttpServer::Settings& settings) {
   return fail(ErrorKind::kSystem, std::generic_category().message(errno),
               fmt::format("{}:{}", settings.address, settings.port),
-              errno == EADDRINUSE ? "take another port, or none for any that is free" : "");
+              errno == EADDRINUSE ? "use another port, or omit it to use any free port" : "");
 }
 
 }  // namespace
@@ -61,18 +61,17 @@ HttpServer::~HttpServer() {
 
 Result<void> HttpServer::bind(const Settings& settings) {
   settings_ = settings;
-  auto address = socket_address(settings.address, settings.port);
-  if (!address) return fail(std::move(address.error()));
-  socket_ = ::socket(address->storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  SOMATO_TRY(auto address, socket_address(settings.address, settings.port));
+  socket_ = ::socket(address.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (socket_ < 0) return system_refused(settings);
-  // A port that was ours a minute ago may be ours again.
+  // A port that this program used shortly before can be used again.
   const int yes = 1;
   ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  if (::bind(socket_, address->get(), address->size) != 0) return system_refused(settings);
+  if (::bind(socket_, address.get(), address.size) != 0) return system_refused(settings);
   if (::listen(socket_, SOMAXCONN) != 0) return system_refused(settings);
-  if (::getsockname(socket_, address->get(), &address->size) != 0) return system_refused(settings);
+  if (::getsockname(socket_, address.get(), &address.size) != 0) return system_refused(settings);
   // The port stands at the same place in both families.
-  port_ = ntohs(address->v4().sin_port);
+  port_ = ntohs(address.v4().sin_port);
   return {};
 }
 
@@ -91,7 +90,7 @@ void HttpServer::stop() {
 }
 
 void HttpServer::accept_all() {
-  constexpr int kLook = 50;  // ms; how often it is asked whether to stop
+  constexpr int kLook = 50;  // ms; interval of checks whether to stop
   while (!stopping_) {
     pollfd waiting{socket_, POLLIN, 0};
     if (::poll(&waiting, 1, kLook) > 0) accept_one();
@@ -102,7 +101,7 @@ void HttpServer::accept_all() {
 void HttpServer::accept_one() {
   const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
   if (socket < 0) {
-    // Too many files are open: somebody has to leave first.
+    // Too many files are open: a connection must be closed first.
     if (errno == EMFILE || errno == ENFILE) std::this_thread::sleep_for(settings_.patience / 100);
     return;
   }
@@ -124,7 +123,7 @@ void HttpServer::accept_one() {
 
 void HttpServer::turn_away(Visit& visit) {
   try {
-    visit.connection.write(response_of({503, "Too many are here already. Come back soon."}), false);
+    visit.connection.write(response_of({503, "Too many connections; try again later."}), false);
   } catch (const std::exception&) {
     visit.connection.interrupt();
   }
@@ -142,12 +141,12 @@ void HttpServer::serve(Visit& visit) {
   visit.done = true;
 }
 
-// A mistake of ours must not end the run.
+// An internal error must not end the program.
 HttpResponse HttpServer::answer_to(const HttpRequest& request) const {
   try {
     return answer_(request);
   } catch (const std::exception&) {
-    return response_of({500, "Something went wrong here."});
+    return response_of({500, "Internal error."});
   }
 }
 

@@ -15,8 +15,9 @@
 
 namespace somato::live {
 
-/// Answers requests of HTTP, each connection in a thread of its own; see http_request.h for what it
-/// takes. There are at most `connections` at a time: further ones are told to come again.
+/// Answers HTTP requests, each connection in a separate thread; http_request.h describes the
+/// accepted requests. There are at most `connections` at a time: further clients are asked to try
+/// again later.
 class HttpServer {
  public:
   using Answer = std::function<HttpResponse(const HttpRequest&)>;
@@ -35,7 +36,7 @@ class HttpServer {
   HttpServer& operator=(HttpServer&&) = delete;
   ~HttpServer();
 
-  /// Takes the port; nobody is answered yet. Errors: kUsage for an address that is none, kSystem
+  /// Binds the port; no request is answered yet. Errors: kUsage for an invalid address, kSystem
   /// with the system's reason.
   Result<void> bind(const Settings& settings);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recording/recording_json.h"
 #include "somato/graph/evaluation.h"
 
 namespace somato::live {
@@ -61,7 +62,7 @@ Result<void> Inquiries::find_inputs(KnownMap& map) const {
   const std::size_t input = system.modules()[map.module].inputs.front();
   const std::size_t explorations = asked_.recording->explorations.size();
   for (; map.seen < std::min(explorations, kMostExplorationsReplied); ++map.seen) {
-    if (is_over_()) return fail(ErrorKind::kUsage, "the view is about to end");
+    if (is_over_()) return fail(ErrorKind::kUsage, "the view is closing");
     Activations activations(system.modules().size(), explorations);
     const std::array<std::size_t, 1> one{map.seen};
     if (!evaluate(system, *asked_.recording, one, {input}, 1, activations)) continue;
@@ -82,9 +83,10 @@ Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
   Json nearest = Json::array();
   for (std::size_t i = 0; i < std::min(kNearest, distances.size()); ++i) {
     const auto& [distance, exploration] = distances[i];
-    nearest.push_back({{"exploration", exploration},
-                       {"labels", labels_json(asked_.recording->explorations[exploration].labels)},
-                       {"distance", distance}});
+    nearest.push_back(
+        {{"exploration", exploration},
+         {"labels", detail::labels_json(asked_.recording->explorations[exploration].labels)},
+         {"distance", distance}});
   }
   return nearest;
 }
@@ -94,12 +96,12 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
   const std::scoped_lock lock(mutex_);
   turn_to(asked);
   KnownMap* known = find(map);
-  if (known == nullptr) return fail(ErrorKind::kUsage, "there is no such map");
+  if (known == nullptr) return fail(ErrorKind::kUsage, "unknown map");
   const Som& som = *som_of(asked_.model->system, known->module);
   if (neuron >= som.neurons()) {
     return fail(ErrorKind::kUsage, fmt::format("the map has {} neurons", som.neurons()));
   }
-  if (auto found = find_inputs(*known); !found) return fail(std::move(found.error()));
+  SOMATO_TRY_VOID(find_inputs(*known));
   const auto& answer = asked_.model->answer;
   const bool answers = answer && answer->map == map && answer->labels[neuron];
   Json planes = Json::array();
@@ -128,7 +130,8 @@ Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t el
       maps[asked_.model->system.modules()[one.module].name] = std::move(weights);
     }
   }
-  if (maps.empty()) return fail(ErrorKind::kUsage, "no map of this system knows such a taxel");
+  if (maps.empty())
+    return fail(ErrorKind::kUsage, "no map of this system has this taxel in its input");
   return json_text({{"element", element}, {"name", name}, {"maps", std::move(maps)}});
 }
 

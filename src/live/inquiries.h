@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "graph/channel_planes.h"
 #include "live/view_json.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
-#include "somato/graph/channel_planes.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 
 namespace somato::live {
 
-/// A trained system, and the explorations that it is asked about.
+/// A trained system, and the explorations for its queries.
 struct InquiredSystem {
   std::shared_ptr<const SystemModel> model;
   std::shared_ptr<const Recording> recording;
@@ -27,7 +27,7 @@ struct InquiredSystem {
 /// any thread, one at a time; what takes long is kept for the next question about the same system.
 class Inquiries {
  public:
-  /// `is_over` is asked now and then by whoever waits for an answer: then there is none.
+  /// `is_over` is called regularly during a query; if it returns true, there is no answer.
   explicit Inquiries(std::function<bool()> is_over = [] { return false; })
       : is_over_(std::move(is_over)) {}
 

@@ -4,9 +4,6 @@
 
 namespace somato::live {
 
-KeptScene::KeptScene(std::shared_ptr<const Scene> scene, std::vector<std::vector<ScenePose>> poses)
-    : scene_(std::move(scene)), poses_(std::move(poses)) {}
-
 std::vector<ScenePose> KeptScene::poses(const Exploration& exploration, std::size_t frame) {
   std::size_t frames = 1;
   for (const Channel& channel : exploration.channels) {

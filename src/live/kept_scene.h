@@ -12,8 +12,10 @@ namespace somato::live {
 /// A scene that was seen while it happened.
 class KeptScene : public ScenePlayer {
  public:
-  /// `poses` are those of moments evenly spread over the exploration.
-  KeptScene(std::shared_ptr<const Scene> scene, std::vector<std::vector<ScenePose>> poses);
+  explicit KeptScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
+
+  /// Adds the poses of the next moment; moments are evenly spread over the exploration.
+  void append(std::vector<ScenePose> poses) { poses_.push_back(std::move(poses)); }
 
   const Scene& scene() const override { return *scene_; }
   std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) override;

@@ -4,7 +4,7 @@
 
 namespace somato::live {
 
-/// Whether what is shown goes on, how fast, and when its next moment is due.
+/// Whether the display is playing, how fast, and when its next moment is due.
 class Pace {
  public:
   using Clock = std::chrono::steady_clock;

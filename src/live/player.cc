@@ -6,15 +6,15 @@
 #include <exception>
 #include <utility>
 
-#include "live/kept_scene.h"
 #include "live/view_json.h"
 #include "live/view_state.h"
 
 namespace somato::live {
 namespace {
 
-constexpr std::size_t kMostExplorations = 10000;  // of a body
-constexpr double kBetweenExplorations = 1.5;      // s
+constexpr std::size_t kMostExplorations = 10000;        // of a body
+constexpr double kBetweenExplorations = 1.5;            // s
+constexpr auto kSlice = std::chrono::milliseconds(20);  // between two tasks, while it follows
 
 template <typename... Cases>
 struct Overloaded : Cases... {
@@ -31,191 +31,212 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
     : source_(std::move(source)),
       hub_(hub),
       queue_(queue),
-      showing_(hub, [this] { publish_state(); }),
-      replay_(showing_, queue),
+      replay_(hub, pace_),
       system_(source_.system),
-      welcomed_(!settings.wait_for_viewer),
-      thing_(source_.thing) {
-  showing_.pace.speed = settings.speed;
+      had_viewer_(!settings.wait_for_viewer),
+      thing_(source_.thing),
+      body_(queue, {[this](const auto& body, const auto& scene) { grow(body, scene); },
+                    [this](BodyStep step) { coming_ = std::move(step); },
+                    [this](auto explored) { finish(std::move(explored)); }}) {
+  pace_.speed = settings.speed;
   explored_scenes_.resize(source_.recording.explorations.size());
 }
 
 void Player::begin() {
-  guarded([this] { set_out(); });
+  guarded([this] {
+    use_system();
+    wants_exploring_ = source_.explorer && had_viewer_;
+    if (!source_.explorer) {
+      pace_.playing = had_viewer_;
+      begin_exploration(0);
+      replay_.show(0);
+    }
+    publish_state();
+  });
 }
 
 void Player::run() {
-  while (!closed_) guarded([this] { go_on(); });
+  while (!closed_) guarded([this] { turn(); });
+  body_.join();
 }
 
+// A body that is stopped ends its exploration by finish().
 void Player::guarded(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    problem_ = fmt::format("Something went wrong here: {}.", error.what());
-    showing_.pace.playing = false;
+    problem_ = fmt::format("Internal error: {}.", error.what());
+    rest();
     replay_.give_up();
-    live_.reset();
+    body_.stop();
     publish_state();
   }
 }
 
-void Player::set_out() {
-  tell_narrator();
-  if (source_.body) {
-    wants_exploring_ = welcomed_;
-  } else {
-    showing_.pace.playing = welcomed_;
-    begin_exploration(0);
-    replay_.show(0);
+// A task at a time: tasks that keep coming must not hold up what plays.
+void Player::turn() {
+  if (wants_exploring_ && !body_.is_exploring()) explore();
+  closed_ =
+      queue_.wait(replay_.is_behind() ? Pace::Clock::now() : due()) == TaskQueue::Woken::kClosed;
+  if (closed_) return;
+  if (replay_.is_behind()) {
+    replay_.follow(kSlice);
+  } else if (const auto next = due(); next && *next <= Pace::Clock::now()) {
+    pace_.keep(*next);
+    advance();
   }
-  publish_state();
-}
-
-// Tasks that keep coming must not hold up what plays.
-void Player::go_on() {
-  if (wants_exploring_) return explore();
-  if (replay_.is_behind()) return replay_.catch_up();
-  closed_ = queue_.wait(due()) == TaskQueue::Woken::kClosed;
-  const auto next = due();
-  if (!closed_ && next && *next <= Pace::Clock::now()) advance();
+  if (replay_.reader().problem() != shown_system_problem_) publish_state();
 }
 
 Result<void> Player::handle(const ViewCommand& command) {
-  return std::visit(
-      Overloaded{[&](const PlayCommand&) { return play(); },
-                 [&](const PauseCommand&) { return pause(); },
-                 [&](const StepCommand& one) { return step(one.frames); },
-                 [&](const SeekCommand& one) { return seek(one); },
-                 [&](const SpeedCommand& one) -> Result<void> {
-                   showing_.pace.speed = one.speed;
-                   return {};
-                 },
-                 [&](const ThingCommand& one) { return choose_thing(one.name); },
-                 [&](const PlacementCommand& one) { return place(one.placement); },
-                 [&](const ExploreCommand&) { return begin_exploring(); },
-                 [&](const SystemCommand& one) { return choose_system(one.name); },
-                 [&](const auto&) -> Result<void> { return not_now("this is not done here"); }},
-      command);
+  return std::visit(Overloaded{[&](const PlayCommand&) { return play(); },
+                               [&](const PauseCommand&) -> Result<void> {
+                                 rest();
+                                 return {};
+                               },
+                               [&](const StepCommand& one) { return step(one.frames); },
+                               [&](const SeekCommand& one) { return seek(one); },
+                               [&](const SpeedCommand& one) -> Result<void> {
+                                 pace_.speed = one.speed;
+                                 return {};
+                               },
+                               [&](const ThingCommand& one) { return choose_thing(one.name); },
+                               [&](const PlacementCommand& one) { return place(one.placement); },
+                               [&](const ExploreCommand&) { return begin_exploring(); },
+                               [&](const SystemCommand& one) { return choose_system(one.name); },
+                               [&](const auto&) -> Result<void> {
+                                 return not_now("the command is not supported");
+                               }},
+                    command);
 }
 
-void Player::welcome() {
-  if (std::exchange(welcomed_, true)) return;
-  showing_.pace.begin();
-  if (source_.body) {
-    wants_exploring_ = true;
-  } else {
-    showing_.pace.playing = true;
-  }
+void Player::on_first_viewer() {
+  if (std::exchange(had_viewer_, true)) return;
+  pace_.begin();
+  wants_exploring_ = source_.explorer != nullptr;
+  pace_.playing = !wants_exploring_;
 }
 
 void Player::begin_exploration(std::size_t index) {
   const Exploration& chosen = source_.recording.explorations[index];
   std::shared_ptr<ScenePlayer> scene = explored_scenes_[index];
   if (!scene && source_.scenes) scene = source_.scenes(chosen);
-  replay_.begin(index, chosen, std::move(scene));
+  replay_.begin({index, &chosen, std::make_shared<Timeline>(chosen), std::move(scene)});
 }
 
+// When the next moment, step of the body or exploration is to be shown; never while all rests.
 std::optional<Pace::Clock::time_point> Player::due() const {
-  if (!showing_.pace.playing || !replay_.index() || replay_.is_behind()) return {};
-  return showing_.pace.due(replay_.is_over() ? kBetweenExplorations : replay_.pause());
+  if (!pace_.playing && moments_left_ == 0) return {};
+  if (!replay_.is_over()) return pace_.due(replay_.pause());
+  if (coming_) return pace_.due(growing_->seconds_to(*coming_));
+  if (growing_ || replay_.played() == nullptr) return {};
+  return pace_.due(kBetweenExplorations);
 }
 
-// The next moment, or exploration; after the last one everything rests.
+// After the last exploration everything rests.
 void Player::advance() {
-  showing_.pace.keep(*due());
   if (!replay_.is_over()) return replay_.show(replay_.next());
-  if (*replay_.index() + 1 < source_.recording.explorations.size() && !source_.body) {
-    begin_exploration(*replay_.index() + 1);
+  if (coming_) return show_step();
+  const std::size_t next = replay_.played()->index + 1;
+  if (next < source_.recording.explorations.size() && !source_.explorer) {
+    begin_exploration(next);
     replay_.show(0);
   } else {
-    showing_.pace.playing = false;
+    rest();
   }
   publish_state();
 }
 
+void Player::rest() {
+  pace_.playing = false;
+  moments_left_ = 0;
+}
+
 Result<void> Player::play() {
-  if (!replay_.index() && !live_) return begin_exploring();
-  showing_.pace.playing = true;
-  showing_.pace.begin();
-  if (live_ || !replay_.is_over()) return {};
-  const std::size_t index = *replay_.index();
+  if (replay_.played() == nullptr && !body_.is_exploring()) return begin_exploring();
+  pace_.playing = true;
+  pace_.begin();
+  if (body_.is_exploring() || !replay_.is_over()) return {};
+  const std::size_t index = replay_.played()->index;
   const bool is_last = index + 1 == source_.recording.explorations.size();
-  begin_exploration(source_.body ? index : is_last ? 0 : index + 1);
+  begin_exploration(source_.explorer ? index : is_last ? 0 : index + 1);
   replay_.show(0);
   return {};
 }
 
-Result<void> Player::pause() {
-  showing_.pace.playing = false;
-  if (live_) live_->pause();
-  return {};
-}
-
+// Beyond the last explored moment, the body continues.
 Result<void> Player::step(std::int64_t frames) {
-  if (live_) {
-    if (frames < 0) return not_now("while the body explores there is no way back");
-    live_->pause(static_cast<std::size_t>(frames));
-    return {};
+  const auto last = static_cast<std::int64_t>(replay_.moments()) - 1;
+  const std::int64_t wanted = static_cast<std::int64_t>(replay_.next()) - 1 + frames;
+  const bool beyond = growing_ && wanted > last;
+  if (last < 0 && !beyond) return not_now("no frames to step through");
+  rest();
+  if (beyond) {
+    moments_left_ = static_cast<std::size_t>(wanted - last);
+    pace_.begin();
   }
-  if (replay_.timeline().moments() == 0) return not_now("there is nothing to step through");
-  showing_.pace.playing = false;
-  const auto last = static_cast<std::int64_t>(replay_.timeline().moments()) - 1;
-  const auto shown = static_cast<std::int64_t>(replay_.next()) - 1;
-  replay_.show(static_cast<std::size_t>(std::clamp<std::int64_t>(shown + frames, 0, last)));
+  if (!beyond || !replay_.is_over()) {
+    replay_.show(static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, 0, last)));
+  }
   return {};
 }
 
 Result<void> Player::seek(const SeekCommand& seek) {
-  if (live_) return not_now("while the body explores nothing else can be looked at");
-  const auto& explorations = source_.recording.explorations;
-  if (seek.exploration >= explorations.size()) {
-    return not_now(fmt::format("there are {} explorations", explorations.size()));
+  const bool is_played = replay_.played() != nullptr && seek.exploration == replay_.played()->index;
+  if (growing_ && !is_played) {
+    return not_now("another exploration cannot be shown while the body explores");
   }
-  const std::size_t moments = Timeline(explorations[seek.exploration]).moments();
-  if (seek.frame >= moments) return not_now(fmt::format("this exploration has {} frames", moments));
-  if (seek.exploration != replay_.index()) begin_exploration(seek.exploration);
-  showing_.pace.begin();
+  const auto& explorations = source_.recording.explorations;
+  if (!is_played && seek.exploration >= explorations.size()) {
+    return not_now(fmt::format("the recording has {} explorations", explorations.size()));
+  }
+  const std::size_t moments =
+      is_played ? replay_.moments() : Timeline(explorations[seek.exploration]).moments();
+  if (seek.frame >= moments) return not_now(fmt::format("the exploration has {} frames", moments));
+  if (!is_played) begin_exploration(seek.exploration);
+  moments_left_ = 0;
+  pace_.begin();
   replay_.show(seek.frame);
   return {};
 }
 
 Result<void> Player::choose_thing(const std::string& name) {
-  if (!source_.body) return not_now("a recording holds what it holds");
-  const auto& things = source_.body->things();
+  if (!source_.explorer) return not_now("the object of a recording cannot be changed");
+  const auto& things = source_.explorer->things();
   const auto found = std::find_if(things.begin(), things.end(),
-                                  [&](const ShownThing& thing) { return thing.name == name; });
-  if (found == things.end()) return not_now("there is no such thing");
+                                  [&](const ExploredThing& thing) { return thing.name == name; });
+  if (found == things.end()) return not_now("unknown object or material");
   thing_ = static_cast<std::size_t>(found - things.begin());
   return {};
 }
 
 Result<void> Player::place(const Placement& placement) {
-  if (!source_.body || !source_.body->takes_placement()) {
-    return not_now("there is nothing to be placed");
+  if (!source_.explorer || !source_.explorer->things()[thing_].object) {
+    return not_now("no object can be placed");
   }
   placement_ = placement;
   return {};
 }
 
+// What the body was exploring ends first.
 Result<void> Player::begin_exploring() {
-  if (!source_.body) return not_now("only a body can explore");
+  if (!source_.explorer) return not_now("only a body can explore");
   if (source_.recording.explorations.size() >= kMostExplorations) {
-    return not_now(fmt::format("{} explorations are kept, and no more", kMostExplorations));
+    return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
   }
-  if (live_) live_->abandon();
+  body_.stop();
   replay_.give_up();
   wants_exploring_ = true;
-  welcomed_ = true;
+  had_viewer_ = true;
   return {};
 }
 
 Result<void> Player::choose_system(const std::string& name) {
   const auto found = std::find_if(source_.systems.begin(), source_.systems.end(),
                                   [&](const ViewSystem& one) { return one.name == name; });
-  if (found == source_.systems.end()) return not_now("there is no such system");
+  if (found == source_.systems.end()) return not_now("unknown system");
   system_ = static_cast<std::size_t>(found - source_.systems.begin());
-  tell_narrator();
+  use_system();
   return {};
 }
 
@@ -224,20 +245,13 @@ void Player::take_trained(const std::string& name,
   for (ViewSystem& one : source_.systems) {
     if (one.name == name) one.trained = model;
   }
-  if (system() != nullptr && system()->name == name) tell_narrator();
+  if (system() != nullptr && system()->name == name) use_system();
 }
 
-// It hears what has come so far at once.
-void Player::tell_narrator() {
+void Player::use_system() {
   const Recording& recording = source_.recording;
-  showing_.narrator.choose(system(), recording.explorations.empty()
-                                         ? std::optional<RecordingLayout>()
-                                         : layout_of(recording));
-  if (live_) {
-    live_->follow_anew();
-  } else {
-    replay_.follow_anew();
-  }
+  replay_.choose(system(), recording.explorations.empty() ? std::optional<RecordingLayout>()
+                                                          : layout_of(recording));
 }
 
 void Player::show_training(bool training) {
@@ -251,70 +265,80 @@ void Player::show_problem(std::string problem) {
 }
 
 std::optional<Strips> Player::strips() const {
-  if (live_) return strips_of(live_->grown(), live_->index(), live_->begun());
-  if (!replay_.index()) return {};
-  return strips_of(*replay_.exploration(), *replay_.index(), replay_.timeline());
+  if (replay_.played() == nullptr) return {};
+  return strips_of(*replay_.played());
 }
 
 void Player::publish_state() {
-  ViewState state{source_, showing_.narrator.picture(),
-                  live_ ? &live_->grown().so_far() : replay_.exploration(),
-                  live_ ? std::optional(live_->index()) : replay_.index()};
-  state.frame = live_ ? live_->grown().moments() : replay_.next();
-  const Timeline& timeline = replay_.timeline();
-  if (timeline.moments() > 0) {
-    state.frames = timeline.moments();
-    state.duration = timeline.time(timeline.moments() - 1);
-  }
-  state.playing = showing_.pace.playing;
-  state.speed = showing_.pace.speed;
-  state.live = live_ != nullptr;
+  shown_system_problem_ = replay_.reader().problem();
+  ViewState state{source_, replay_.reader().picture(), replay_.played()};
+  state.frame = replay_.next();
+  state.playing = pace_.playing;
+  state.speed = pace_.speed;
   state.thing = thing_;
   state.placement = placement_;
   state.system = system_;
-  state.system_problem = showing_.narrator.problem();
+  state.system_problem = shown_system_problem_;
   state.training = training_;
-  state.clients = hub_.lookers_on();
+  state.clients = hub_.viewers();
   state.problem = problem_;
-  showing_.state(state);
+  hub_.publish(EventKind::kState, json_text(state_json(state)));
 }
 
 void Player::explore() {
   wants_exploring_ = false;
   problem_.clear();
   replay_.end();
-  live_ =
-      std::make_unique<LiveExploration>(source_.recording.explorations.size(), showing_, queue_);
-  showing_.pace.playing = true;
-  auto kept = source_.body->explore({thing_, trials_++, placement_}, *live_)
-                  .and_then([this](Exploration one) { return keep_explored(std::move(one)); });
-  live_.reset();
-  showing_.pace.playing = false;
-  if (kept) {
-    begin_exploration(source_.recording.explorations.size() - 1);
-    replay_.show(replay_.timeline().moments() - 1);
-  } else if (kept.error().kind != ErrorKind::kInterrupted) {
-    problem_ = sentence_of(kept.error());
-  }
-  publish_state();
-}
-
-Result<void> Player::keep_explored(Exploration exploration) {
-  auto& explorations = source_.recording.explorations;
-  explorations.push_back(std::move(exploration));
-  if (auto valid = validate(source_.recording); !valid) {
-    explorations.pop_back();
-    return valid;
-  }
-  explored_scenes_.push_back(kept_scene());
-  return {};
+  pace_.playing = true;
+  moments_left_ = 0;
+  body_.start(*source_.explorer, thing_, trials_++, placement_);
 }
 
 // The scene of a thing is the same each time.
-std::shared_ptr<ScenePlayer> Player::kept_scene() {
-  std::shared_ptr<const Scene>& kept = kept_scenes_[json_text(scene_json(live_->scene()))];
-  if (!kept) kept = std::make_shared<const Scene>(live_->scene());
-  return std::make_shared<KeptScene>(kept, live_->take_poses());
+void Player::grow(const BodyDescription& body, const Scene& scene) {
+  std::shared_ptr<const Scene>& kept = kept_scenes_[json_text(scene_json(scene))];
+  if (!kept) kept = std::make_shared<const Scene>(scene);
+  growing_.emplace(source_.recording.explorations.size(), body, kept);
+  pace_.begin();
+  replay_.begin(growing_->played());
+  publish_state();
+}
+
+// The body takes its next step meanwhile.
+void Player::show_step() {
+  const BodyStep step = *std::exchange(coming_, std::nullopt);
+  growing_->append(step);
+  body_.go_on();
+  if (step.readings == Readings::kLeftOut) return replay_.show_between(growing_->last());
+  if (moments_left_ > 0) --moments_left_;
+  replay_.show(replay_.next());
+}
+
+void Player::finish(std::future<Result<Exploration>> explored) {
+  const std::shared_ptr<ScenePlayer> scene = growing_ ? growing_->scene() : nullptr;
+  replay_.end();
+  growing_.reset();
+  coming_.reset();
+  rest();
+  const auto kept = explored.get().and_then(
+      [&](Exploration exploration) { return keep(std::move(exploration), scene); });
+  if (!kept && kept.error().kind != ErrorKind::kInterrupted) problem_ = sentence_of(kept.error());
+  publish_state();
+}
+
+// Those before are valid.
+Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene) {
+  auto& explorations = source_.recording.explorations;
+  Recording single{{std::move(exploration)}};
+  const Exploration& first = explorations.empty() ? single.explorations[0] : explorations[0];
+  auto valid =
+      validate(single).and_then([&] { return check_alike(single.explorations[0], first); });
+  if (!valid) return valid;
+  explorations.push_back(std::move(single.explorations[0]));
+  explored_scenes_.push_back(std::move(scene));
+  begin_exploration(explorations.size() - 1);
+  replay_.show(replay_.moments() - 1);
+  return source_.sink ? source_.sink(Exploration(explorations.back())) : Result<void>();
 }
 
 }  // namespace somato::live

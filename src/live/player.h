@@ -2,25 +2,28 @@
 
 #include <cstddef>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "live/body_thread.h"
 #include "live/event_hub.h"
-#include "live/live_exploration.h"
+#include "live/growing_exploration.h"
+#include "live/pace.h"
 #include "live/replay.h"
-#include "live/showing.h"
 #include "live/strips.h"
 #include "live/task_queue.h"
 #include "live/view_command.h"
-#include "somato/live/view_source.h"
+#include "live/view_source.h"
 
 namespace somato::live {
 
-/// Plays explorations, or lets a body explore, and publishes what is to be seen. All of it happens
-/// in one thread, which calls run(); others speak to it through the queue.
+/// Plays explorations, those of a recording or one that a body still makes, and publishes what is
+/// to be seen. All of it happens in one thread, which calls run(); others speak to it through the
+/// queue.
 class Player {
  public:
   Player(ViewSource source, const ViewSettings& settings, EventHub& hub, TaskQueue& queue);
@@ -28,7 +31,8 @@ class Player {
   /// Shows what there is before anything plays; before run().
   void begin();
 
-  /// Plays until the queue is closed; a mistake of ours is told as a problem and does not end it.
+  /// Plays until the queue is closed; an internal error is reported as a problem and does not end
+  /// it.
   void run();
 
   /// What follows is for the thread of run(), by tasks. Errors (kUsage): what cannot be done now.
@@ -39,7 +43,7 @@ class Player {
   /// The system that is chosen, or nullptr.
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
 
-  /// What the strips over time show of what plays or grows, or nothing.
+  /// What the strips over time show of the exploration that is played, or nothing.
   std::optional<Strips> strips() const;
 
   /// A system that was trained; it is used when it is the one that is chosen.
@@ -48,50 +52,55 @@ class Player {
   void show_problem(std::string problem);
   void publish_state();
 
-  /// Begins to play, once, where that waited for somebody to look on.
-  void welcome();
+  /// Begins to play, once, where that waited for the first viewer.
+  void on_first_viewer();
 
  private:
-  void set_out();
-  void go_on();
+  void turn();
   void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t index);
   void advance();
+  void rest();
   std::optional<Pace::Clock::time_point> due() const;
 
   Result<void> play();
-  Result<void> pause();
   Result<void> step(std::int64_t frames);
   Result<void> seek(const SeekCommand& seek);
   Result<void> choose_thing(const std::string& name);
   Result<void> place(const Placement& placement);
   Result<void> begin_exploring();
   Result<void> choose_system(const std::string& name);
-  void tell_narrator();
+  void use_system();
 
   void explore();
-  Result<void> keep_explored(Exploration exploration);
-  std::shared_ptr<ScenePlayer> kept_scene();
+  void grow(const BodyDescription& body, const Scene& scene);
+  void show_step();
+  void finish(std::future<Result<Exploration>> explored);
+  Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
 
   ViewSource source_;
   EventHub& hub_;
   TaskQueue& queue_;
-  Showing showing_;
+  Pace pace_;
   Replay replay_;
   std::optional<std::size_t> system_;
   std::string problem_;
+  std::string shown_system_problem_;
   bool training_ = false;
   bool closed_ = false;
-  bool welcomed_ = false;
+  bool had_viewer_ = false;
 
   // Of a body.
   Placement placement_;
   std::size_t thing_ = 0;
   std::size_t trials_ = 0;
   bool wants_exploring_ = false;
-  std::unique_ptr<LiveExploration> live_;                            // that goes on, or nullptr
+  std::optional<GrowingExploration> growing_;
+  std::optional<BodyStep> coming_;  // the step that the body has taken, until it is shown
+  std::size_t moments_left_ = 0;    // to be shown though nothing plays
   std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;        // of each, or nullptr
-  std::map<std::string, std::shared_ptr<const Scene>> kept_scenes_;  // by what is told of them
+  std::map<std::string, std::shared_ptr<const Scene>> kept_scenes_;  // by their JSON
+  BodyThread body_;                                                  // ends before the rest
 };
 
 }  // namespace somato::live

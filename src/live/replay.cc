@@ -1,123 +1,128 @@
 #include "live/replay.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
+
+#include "live/body_thread.h"
 
 namespace somato::live {
 namespace {
 
 constexpr double kLongestPause = 1.0;  // s, between two moments: nothing was recorded there
-constexpr auto kSlice = std::chrono::milliseconds(20);          // between two looks at the queue
 constexpr auto kMostFollowed = std::chrono::milliseconds(250);  // that a command waits for
-
-// True as long as this lives.
-class Raised {
- public:
-  explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
-  Raised(const Raised&) = delete;
-  Raised(Raised&&) = delete;
-  Raised& operator=(const Raised&) = delete;
-  Raised& operator=(Raised&&) = delete;
-  ~Raised() { flag_ = false; }
-
- private:
-  bool& flag_;
-};
 
 }  // namespace
 
-void Replay::begin(std::size_t index, const Exploration& exploration,
-                   std::shared_ptr<ScenePlayer> scene) {
-  index_ = index;
-  exploration_ = &exploration;
-  scene_ = std::move(scene);
-  timeline_ = Timeline(exploration);
+void Replay::begin(PlayedExploration played) {
+  played_ = std::move(played);
   next_ = 0;
   followed_ = 0;
   wanted_.reset();
-  showing_.narrator.start();
-  showing_.scene(scene_ ? &scene_->scene() : nullptr);
+  reader_.start();
+  publish_scene();
 }
 
 void Replay::end() {
-  index_.reset();
-  exploration_ = nullptr;
-  timeline_ = {};
+  played_.reset();
   next_ = 0;
   wanted_.reset();
 }
 
-// Whoever follows already goes there instead of where it was going.
+// A page redraws its scene for each new one.
+void Replay::publish_scene() const {
+  std::string text =
+      played_->scene != nullptr ? json_text(scene_json(played_->scene->scene())) : "null";
+  const EventHub::Text before = hub_.latest(EventKind::kScene);
+  if (!before || *before != text) hub_.publish(EventKind::kScene, std::move(text));
+}
+
+void Replay::choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout) {
+  reader_.choose(system, layout);
+  followed_ = 0;
+  if (played_) show(next_ == 0 ? 0 : next_ - 1);
+}
+
 void Replay::show(std::size_t moment) {
-  if (timeline_.moments() == 0) return;
+  if (moments() == 0) return;
   wanted_ = moment;
   next_ = moment + 1;
-  if (!following_) catch_up();
+  follow(kMostFollowed);
 }
 
-void Replay::show_again() {
-  if (exploration_ != nullptr) show(next_ == 0 ? 0 : next_ - 1);
-}
-
-void Replay::follow_anew() {
-  followed_ = 0;
-  show_again();
-}
-
-// Tasks are done in between, which may want another moment or exploration.
-void Replay::catch_up() {
-  const auto until = Pace::Clock::now() + kMostFollowed;
-  const Raised following(following_);
-  while (wanted_ && Pace::Clock::now() < until) {
-    if (follow_to(*wanted_)) {
-      tell(*std::exchange(wanted_, std::nullopt));
-    } else if (queue_.wait(Pace::Clock::now()) == TaskQueue::Woken::kClosed) {
-      give_up();
-    }
-  }
-}
-
-// Returns whether it is there.
-bool Replay::follow_to(std::size_t moment) {
-  if (moment + 1 < followed_) {
-    showing_.narrator.start();
+void Replay::follow(std::chrono::milliseconds patience) {
+  if (*wanted_ + 1 < followed_) {
+    reader_.start();
     followed_ = 0;
   }
-  const auto until = Pace::Clock::now() + kSlice;
-  std::vector<std::size_t> come(exploration_->channels.size());
-  do {
-    if (followed_ > moment) return true;
-    for (std::size_t i = 0; i < come.size(); ++i) come[i] = timeline_.frames(i, followed_);
-    showing_.narrator.follow(*exploration_, come);
+  const auto until = Pace::Clock::now() + patience;
+  std::vector<std::size_t> come(played_->exploration->channels.size());
+  while (followed_ <= *wanted_) {
+    if (Pace::Clock::now() > until) return;
     ++followed_;
-  } while (Pace::Clock::now() < until);
-  return followed_ > moment;
+    for (std::size_t i = 0; i < come.size(); ++i) come[i] = frames(i, followed_);
+    reader_.follow(*played_->exploration, come);
+  }
+  tell(*std::exchange(wanted_, std::nullopt));
+}
+
+std::size_t Replay::frames(std::size_t channel, std::size_t moments) const {
+  return moments == 0 ? 0 : played_->timeline->frames(channel, moments - 1);
+}
+
+// What is shown when so many moments have passed.
+ShownMoment Replay::shown_after(std::size_t moments) const {
+  const Timeline& timeline = *played_->timeline;
+  ShownMoment shown;
+  shown.exploration = played_->index;
+  shown.frame = moments == 0 ? 0 : moments - 1;
+  if (played_->has_ended) {
+    shown.frames = timeline.moments();
+    shown.last = moments == timeline.moments();
+  }
+  const auto& channels = played_->exploration->channels;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    shown.channels.emplace_back(channels[i].name,
+                                shown_values(channels[i], timeline.rate(i), frames(i, moments)));
+  }
+  return shown;
 }
 
 void Replay::tell(std::size_t moment) {
-  ShownMoment shown{*index_,
-                    moment,
-                    timeline_.moments(),
-                    timeline_.time(moment),
-                    moment + 1 == timeline_.moments(),
-                    {},
-                    {}};
-  std::size_t frame = 0;
-  for (std::size_t i = 0; i < exploration_->channels.size(); ++i) {
-    const Channel& channel = exploration_->channels[i];
-    const std::size_t come = timeline_.frames(i, moment);
-    frame = std::max(frame, come);
-    shown.channels.emplace_back(channel.name, shown_values(channel, timeline_.rate(i), come));
+  ShownMoment shown = shown_after(moment + 1);
+  shown.time = played_->timeline->time(moment);
+  if (played_->scene) {
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < shown.channels.size(); ++i) {
+      most = std::max(most, frames(i, moment + 1));
+    }
+    shown.poses = played_->scene->poses(*played_->exploration, most - 1);
   }
-  if (scene_) shown.poses = scene_->poses(*exploration_, frame - 1);
-  showing_.frame(shown, [&] { return cut_at(*exploration_, timeline_, moment); });
+  publish(shown);
+}
+
+// Stretches stay those of the exploration.
+void Replay::show_between(const BodyStep& step) {
+  ShownMoment shown = shown_after(moments());
+  shown.time = step.state.time;
+  shown.poses = step.poses;
+  for (std::size_t i = 0; i < shown.channels.size(); ++i) {
+    const Matrix<float>& read = step.state.readings[i];
+    auto& values = shown.channels[i].second;
+    if (values.size() <= read.columns() && read.rows() > 0) values = read.row(read.rows() - 1);
+  }
+  publish(shown);
+}
+
+void Replay::publish(const ShownMoment& shown) {
+  const Reading* reading = reader_.read(shown.last || !pace_.playing);
+  hub_.publish(EventKind::kFrame, frame_text(shown, reader_.model(), reading));
 }
 
 double Replay::pause() const {
-  const double before = next_ == 0 ? 0.0 : timeline_.time(next_ - 1);
-  return std::clamp(timeline_.time(next_) - before, 0.0, kLongestPause);
+  const Timeline& timeline = *played_->timeline;
+  const double before = next_ == 0 ? 0.0 : timeline.time(next_ - 1);
+  return std::clamp(timeline.time(next_) - before, 0.0, kLongestPause);
 }
 
 }  // namespace somato::live

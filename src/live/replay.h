@@ -1,72 +1,79 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
-#include <memory>
+#include <functional>
 #include <optional>
 
-#include "live/showing.h"
-#include "live/task_queue.h"
-#include "live/timeline.h"
-#include "somato/bodies/scene.h"
-#include "somato/recording/recording.h"
+#include "live/event_hub.h"
+#include "live/live_reader.h"
+#include "live/pace.h"
+#include "live/played_exploration.h"
+#include "live/view_json.h"
 
 namespace somato::live {
 
-/// Shows the moments of an exploration that was recorded, to and fro. Used by one thread.
+struct BodyStep;
+
+/// Shows the moments of an exploration, forwards and back, and what the chosen system makes of
+/// them. Used by one thread.
 class Replay {
  public:
-  /// `queue` is looked at while the system follows a long way.
-  Replay(Showing& showing, TaskQueue& queue) : showing_(showing), queue_(queue) {}
+  /// `pace` says whether a moment will be followed by the next one.
+  Replay(EventHub& hub, const Pace& pace) : hub_(hub), pace_(pace) {}
 
-  /// Begins an exploration, the one with that index, at its first moment; it must live until
-  /// another begins, or end(). `scene` may be nullptr.
-  void begin(std::size_t index, const Exploration& exploration, std::shared_ptr<ScenePlayer> scene);
+  /// Begins an exploration at its first moment; it must live until another begins, or end().
+  void begin(PlayedExploration played);
 
   /// Shows nothing any more.
   void end();
 
-  /// Shows a moment, or the one that is shown once more. It may be a long way there: what the
-  /// system remembers depends on every moment before. Then is_behind() holds afterwards.
+  /// Shows a moment. What the system remembers depends on every moment before, so that this may
+  /// take long: it ends early, and is_behind() holds until follow() has shown the moment.
   void show(std::size_t moment);
-  void show_again();
 
-  /// Goes on with a way that was long, for a while.
   bool is_behind() const { return wanted_.has_value(); }
-  void catch_up();
+
+  /// Follows the exploration to the moment that is to be shown, but no longer than `patience`.
+  void follow(std::chrono::milliseconds patience);
 
   /// Leaves it at the moment that is shown.
   void give_up() { wanted_.reset(); }
 
-  /// Has the system, another one, follow from the first moment.
-  void follow_anew();
+  /// Shows a step of the body after the last moment, which is not recorded itself.
+  void show_between(const BodyStep& step);
 
-  /// The exploration's index and itself; nothing without one.
-  std::optional<std::size_t> index() const { return index_; }
-  const Exploration* exploration() const { return exploration_; }
+  /// Chooses the system that reads, or none with nullptr, and shows the moment again.
+  void choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout);
 
-  const Timeline& timeline() const { return timeline_; }
+  const LiveReader& reader() const { return reader_; }
+
+  /// What is played; nullptr without anything.
+  const PlayedExploration* played() const { return played_ ? &*played_ : nullptr; }
+
+  std::size_t moments() const { return played_ ? played_->timeline->moments() : 0; }
 
   /// The moment to come.
   std::size_t next() const { return next_; }
-  bool is_over() const { return next_ >= timeline_.moments(); }
+  bool is_over() const { return next_ >= moments(); }
 
   /// Seconds from the moment that is shown to the next one.
   double pause() const;
 
  private:
-  bool follow_to(std::size_t moment);
+  void publish_scene() const;
+  std::size_t frames(std::size_t channel, std::size_t moments) const;
+  ShownMoment shown_after(std::size_t moments) const;
   void tell(std::size_t moment);
+  void publish(const ShownMoment& shown);
 
-  Showing& showing_;
-  TaskQueue& queue_;
-  std::optional<std::size_t> index_;
-  const Exploration* exploration_ = nullptr;
-  std::shared_ptr<ScenePlayer> scene_;
-  Timeline timeline_;
+  EventHub& hub_;
+  const Pace& pace_;
+  LiveReader reader_;
+  std::optional<PlayedExploration> played_;
   std::size_t next_ = 0;
   std::size_t followed_ = 0;           // moments
   std::optional<std::size_t> wanted_;  // the moment to be shown once all before is followed
-  bool following_ = false;
 };
 
 }  // namespace somato::live

@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "live/growing_exploration.h"
-#include "live/timeline.h"
-#include "somato/recording/recording.h"
+#include "live/played_exploration.h"
 
 namespace somato::live {
 
-/// What the strips over time show of an exploration: moments of it, all or evenly chosen, as frames
-/// tell them. Channels that come in stretches are left out.
+/// The data of the strips over time for an exploration: all moments or an evenly spaced selection,
+/// in the form of frames. Channels with several samples per moment are left out.
 struct Strips {
   struct Channel {
     std::string name;
@@ -20,17 +18,14 @@ struct Strips {
   };
 
   std::size_t exploration = 0;
-  std::optional<std::size_t> frames = {};  ///< None while it goes on.
+  std::optional<std::size_t> frames = {};  ///< None while a body still explores.
   std::vector<std::size_t> frame = {};     ///< Of each moment.
   std::vector<double> time = {};           ///< Of each moment, s.
   std::vector<Channel> channels = {};
 };
 
-/// All of an exploration; `number` is what it is called by.
-Strips strips_of(const Exploration& exploration, std::size_t number, const Timeline& timeline);
-
-/// What a body has felt so far; `begun` is the time of its clock that counts as 0.
-Strips strips_of(const GrowingExploration& growing, std::size_t number, double begun);
+/// Those of an exploration, as far as it has come.
+Strips strips_of(const PlayedExploration& played);
 
 /// As docs/formats/view.md has it.
 std::string strips_text(const Strips& strips);

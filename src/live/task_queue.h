@@ -21,7 +21,7 @@ class TaskQueue {
   /// From any thread. Returns whether it will be done: not once the queue is closed.
   bool post(Task task);
 
-  /// From any thread: whatever is posted later is not done, nobody waits any more.
+  /// From any thread: later tasks are not run, and no thread waits for them.
   void close();
 
   /// Waits for a task and does it, until the queue is closed, or that moment; for ever without one.

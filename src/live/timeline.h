@@ -1,41 +1,44 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "somato/recording/recording.h"
 
 namespace somato::live {
 
-/// An exploration in moments that follow each other as one looks on: the frames of its channel with
-/// most frames, or stretches of them where there are more than sixty a second.
+/// The moments of an exploration, one after the other as they are shown. More may come.
 class Timeline {
  public:
-  /// Nothing at all.
-  Timeline() = default;
+  /// Without moments; the channels have these rates, frames a second, or 0 where they have none.
+  explicit Timeline(std::vector<double> rates) : rates_(std::move(rates)) {}
+
+  /// Those of a whole exploration: the frames of its channel with most frames, or stretches of them
+  /// where there are more than sixty a second.
   explicit Timeline(const Exploration& exploration);
 
-  std::size_t moments() const { return moments_; }
+  /// Adds a moment: its time, and how many frames each channel has given until then.
+  void append(double time, std::span<const std::size_t> frames);
 
-  /// Seconds from the first moment's beginning; where nobody knows, ten moments a second.
+  std::size_t moments() const { return times_.size(); }
+
+  /// Seconds from the first moment's beginning; ten moments per second if unknown.
   double time(std::size_t moment) const { return times_[moment]; }
 
-  /// Frames a second of the channel; 0 where nobody knows.
+  /// Frames per second of the channel; 0 if unknown.
   double rate(std::size_t channel) const { return rates_[channel]; }
 
   /// How many frames of the channel have come when that moment is over.
-  std::size_t frames(std::size_t channel, std::size_t moment) const;
+  std::size_t frames(std::size_t channel, std::size_t moment) const {
+    return frames_[moment * rates_.size() + channel];
+  }
 
  private:
-  std::size_t moments_ = 0;
-  std::size_t stretch_ = 1;                  ///< Frames a moment, of the channel with most.
-  std::vector<std::size_t> channel_frames_;  ///< Of each channel.
-  std::vector<double> rates_;                ///< Of each channel.
-  std::size_t most_frames_ = 0;
+  std::vector<double> rates_;  // of each channel
   std::vector<double> times_;
+  std::vector<std::size_t> frames_;  // moments x channels
 };
-
-/// The exploration as far as it went: what had come when that moment was over.
-Exploration cut_at(const Exploration& exploration, const Timeline& timeline, std::size_t moment);
 
 }  // namespace somato::live

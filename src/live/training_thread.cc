@@ -10,7 +10,7 @@
 namespace somato::live {
 namespace {
 
-Json training_json(const std::string& system, const TrainingLook& look) {
+Json training_json(const std::string& system, const TrainingSnapshot& look) {
   Json winners = Json::array();
   for (std::size_t i = 0; i < look.winners.size(); ++i) {
     winners.push_back({{"sample", i}, {"winner", look.winners[i]}, {"class", look.classes[i]}});
@@ -36,15 +36,15 @@ void TrainingThread::start(ViewSystem system, std::shared_ptr<const Recording> r
                          done = std::move(done)] { done(train(system, *recording, seed)); });
 }
 
-// A mistake of ours must not end the run.
+// An internal error must not end the program.
 Result<std::shared_ptr<const SystemModel>> TrainingThread::train(const ViewSystem& system,
                                                                  const Recording& recording,
                                                                  std::uint64_t seed) {
   try {
-    const auto eyes = [&](const TrainingLook& look) { return show(system.name, look); };
-    return train_visibly(system, recording, seed, eyes, [&] { return !stopping_; });
+    const auto observer = [&](const TrainingSnapshot& look) { return show(system.name, look); };
+    return train_visibly(system, recording, seed, observer, [&] { return !stopping_; });
   } catch (const std::exception& error) {
-    return fail(ErrorKind::kData, fmt::format("the training went wrong: {}", error.what()));
+    return fail(ErrorKind::kData, fmt::format("the training failed: {}", error.what()));
   }
 }
 
@@ -53,8 +53,9 @@ void TrainingThread::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-// A look at the map is worth a pause; that other modules learn is told ten times a second.
-bool TrainingThread::show(const std::string& system, const TrainingLook& look) {
+// A snapshot of the map is shown with a pause; the progress of other modules is reported ten times
+// per second.
+bool TrainingThread::show(const std::string& system, const TrainingSnapshot& look) {
   constexpr auto kSeldom = std::chrono::milliseconds(100);
   const auto now = std::chrono::steady_clock::now();
   if (!look.winners.empty() || now - shown_at_ >= kSeldom) {

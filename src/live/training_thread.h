@@ -31,7 +31,7 @@ class TrainingThread {
   void start(ViewSystem system, std::shared_ptr<const Recording> recording, std::uint64_t seed,
              Done done);
 
-  /// Asks it to stop; it will be done soon.
+  /// Requests a stop, which takes effect soon.
   void ask_to_stop() { stopping_ = true; }
 
   /// Stops and waits.
@@ -40,7 +40,7 @@ class TrainingThread {
  private:
   Result<std::shared_ptr<const SystemModel>> train(const ViewSystem& system,
                                                    const Recording& recording, std::uint64_t seed);
-  bool show(const std::string& system, const TrainingLook& look);
+  bool show(const std::string& system, const TrainingSnapshot& look);
 
   EventHub& hub_;
   std::chrono::duration<double> pause_;

@@ -52,7 +52,7 @@ class CommandFields {
   Result<void> finish() {
     for (const auto& [name, field] : json_.items()) {
       if (std::find(taken_.begin(), taken_.end(), name) == taken_.end()) {
-        keep("there is a field too many");
+        keep("the command has an unknown field");
       }
     }
     if (problem_.empty()) return {};
@@ -128,16 +128,16 @@ bool is_flat(std::string_view text) {
 
 Result<ViewCommand> parse_view_command(std::string_view text) {
   const SortedJson json = is_flat(text) ? SortedJson::parse(text, nullptr, false) : SortedJson();
-  if (!json.is_object()) return fail(ErrorKind::kUsage, "a command is an object in JSON");
+  if (!json.is_object()) return fail(ErrorKind::kUsage, "a command must be a JSON object");
   CommandFields fields(json);
   const std::string name = fields.text("command");
   for (const auto& [known, read] : readers()) {
     if (known != name) continue;
     ViewCommand command = read(fields);
-    if (auto finished = fields.finish(); !finished) return fail(std::move(finished.error()));
+    SOMATO_TRY_VOID(fields.finish());
     return command;
   }
-  return fail(ErrorKind::kUsage, "there is no such command");
+  return fail(ErrorKind::kUsage, "unknown command");
 }
 
 }  // namespace somato::live

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "bodies/material_colour.h"
 #include "graph/graph_json.h"
 #include "live/json_writer.h"
-#include "somato/bodies/material_colour.h"
 
 namespace somato::live {
 namespace {
@@ -26,13 +26,6 @@ Json parameters_json(const ModuleType& type, const Table& settings) {
     parameters[entry.name] = to_toml(*value);
   }
   return parameters;
-}
-
-Json elements_json(const Channel& channel) {
-  if (!channel.element_names.empty()) return channel.element_names;
-  Json names = Json::array();
-  for (std::size_t i = 1; i <= channel.frames.columns(); ++i) names.push_back(std::to_string(i));
-  return names;
 }
 
 Json geom_json(const SceneGeom& geom) {
@@ -66,10 +59,10 @@ void add_poses(JsonWriter& text, const std::vector<ScenePose>& poses) {
   text.close(']');
 }
 
-void add_modules(JsonWriter& text, const SystemModel* model, const Saying* saying) {
+void add_modules(JsonWriter& text, const SystemModel* model, const Reading* reading) {
   text.key("modules").open('{');
-  if (saying != nullptr) {
-    for (const auto& [module, output] : saying->modules) {
+  if (reading != nullptr) {
+    for (const auto& [module, output] : reading->modules) {
       text.key(model->system.modules()[module].name).open('{');
       text.key("shape").add("[{}]", fmt::join(output.shape, ","));
       text.key("values").numbers(output.values);
@@ -80,10 +73,10 @@ void add_modules(JsonWriter& text, const SystemModel* model, const Saying* sayin
   text.close('}');
 }
 
-void add_maps(JsonWriter& text, const SystemModel* model, const Saying* saying) {
+void add_maps(JsonWriter& text, const SystemModel* model, const Reading* reading) {
   text.key("maps").open('{');
-  if (saying != nullptr) {
-    for (const auto& [module, map] : saying->maps) {
+  if (reading != nullptr) {
+    for (const auto& [module, map] : reading->maps) {
       text.key(model->system.modules()[module].name).open('{');
       text.key("winner").add("{}", map.winner);
       text.key("activity").numbers(map.activity);
@@ -93,19 +86,19 @@ void add_maps(JsonWriter& text, const SystemModel* model, const Saying* saying) 
   text.close('}');
 }
 
-void add_reading(JsonWriter& text, const SystemModel* model, const Saying* saying) {
+void add_reading(JsonWriter& text, const SystemModel* model, const Reading* reading) {
   text.key("reading");
-  if (saying == nullptr || saying->candidates.empty()) {
+  if (reading == nullptr || reading->candidates.empty()) {
     text.add("null");
     return;
   }
   const std::vector<std::string>& classes = model->answer->classes;
   const auto name = [&](const Candidate& one) { return json_text(Json(classes[one.number])); };
   text.open('{');
-  text.key("answer").add("{}", name(saying->candidates.front()));
-  text.key("confidence").finite("{:.6g}", saying->confidence());
+  text.key("answer").add("{}", name(reading->candidates.front()));
+  text.key("confidence").finite("{:.6g}", reading->confidence());
   text.key("candidates").open('[');
-  for (const Candidate& one : saying->candidates) {
+  for (const Candidate& one : reading->candidates) {
     text.separate();
     text.add(R"({{"name":{},"distance":)", name(one)).finite("{:.6g}", one.distance).add("}}");
   }
@@ -131,20 +124,7 @@ std::span<const float> shown_values(const Channel& channel, double rate, std::si
   return channel.frames.values().subspan((come - shown) * columns, shown * columns);
 }
 
-Json labels_json(const std::vector<Label>& labels) {
-  Json json = Json::object();
-  for (const Label& label : labels) json[label.name] = label.value;
-  return json;
-}
-
-Json channel_json(const Channel& channel) {
-  return {{"name", channel.name},
-          {"unit", channel.unit},
-          {"elements", elements_json(channel)},
-          {"shape", channel.frame_shape()}};
-}
-
-Json thing_json(const ShownThing& thing) {
+Json thing_json(const ExploredThing& thing) {
   const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
@@ -197,7 +177,8 @@ Json scene_json(const Scene& scene) {
           {"camera", {{"position", scene.camera}, {"target", scene.target}}}};
 }
 
-std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying) {
+std::string frame_text(const ShownMoment& moment, const SystemModel* model,
+                       const Reading* reading) {
   JsonWriter text;
   text.open('{');
   text.key("exploration").add("{}", moment.exploration);
@@ -209,9 +190,9 @@ std::string frame_text(const ShownMoment& moment, const SystemModel* model, cons
   for (const auto& [name, values] : moment.channels) text.key(name).exact_numbers(values);
   text.close('}');
   add_poses(text, moment.poses);
-  add_modules(text, model, saying);
-  add_maps(text, model, saying);
-  add_reading(text, model, saying);
+  add_modules(text, model, reading);
+  add_maps(text, model, reading);
+  add_reading(text, model, reading);
   text.close('}');
   return std::move(text).take();
 }

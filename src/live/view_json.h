@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "live/system_reading.h"
+#include "somato/bodies/explorer.h"
 #include "somato/bodies/scene.h"
-#include "somato/bodies/watched_body.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/layout.h"
 #include "somato/recording/recording.h"
@@ -19,10 +19,8 @@ namespace somato::live {
 
 using Json = nlohmann::ordered_json;
 
-/// The parts of what a page is told (docs/formats/view.md), each as JSON.
-Json labels_json(const std::vector<Label>& labels);
-Json channel_json(const Channel& channel);
-Json thing_json(const ShownThing& thing);
+/// The parts of the messages to a page (docs/formats/view.md), each as JSON.
+Json thing_json(const ExploredThing& thing);
 Json graph_json(const System& system, const std::string& map);
 Json maps_json(const System& system, const std::optional<SystemAnswer>& answer);
 Json scene_json(const Scene& scene);
@@ -49,6 +47,6 @@ std::span<const float> shown_values(const Channel& channel, double rate, std::si
 std::string json_text(const Json& json);
 
 /// A frame as text in JSON: put together by hand, as it is many numbers many times a second.
-std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Saying* saying);
+std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Reading* reading);
 
 }  // namespace somato::live

@@ -1,4 +1,4 @@
-#include "somato/live/view_server.h"
+#include "live/view_server.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include "live/address.h"
 #include "live/event_hub.h"
 #include "live/http_access.h"
 #include "live/http_server.h"
 #include "live/view_json.h"
-#include "somato/live/address.h"
 
 namespace somato {
 
@@ -74,23 +74,23 @@ std::optional<std::size_t> number_in(const HttpRequest& request, std::string_vie
 
 }  // namespace
 
-class ViewServer::Works {
+class ViewServer::Impl {
  public:
-  Works(ViewSession& session, std::vector<ViewPage> pages, ViewServerSettings settings)
+  Impl(ViewSession& session, std::vector<ViewPage> pages, ViewServerSettings settings)
       : session_(session), pages_(std::move(pages)), settings_(std::move(settings)) {}
 
   Result<void> start() {
-    const auto address = parse_address(settings_.address);
-    if (!address) return fail(address.error());
+    SOMATO_TRY(const auto address, parse_address(settings_.address));
     auto token = live::new_token();
     if (!token) {
-      return fail(ErrorKind::kSystem, "the system gave no random numbers", "getrandom");
+      return fail(ErrorKind::kSystem, "the operating system provided no random numbers",
+                  "getrandom");
     }
     token_ = std::move(*token);
-    auto bound = http_.bind({address->text, settings_.port, settings_.connections,
+    auto bound = http_.bind({address.text, settings_.port, settings_.connections,
                              std::chrono::milliseconds(settings_.patience)});
     if (!bound) return bound;
-    hosts_ = live::hosts_at(address->text, http_.port());
+    hosts_ = live::hosts_at(address.text, http_.port());
     access_.emplace(hosts_, token_);
     http_.start([this](const HttpRequest& request) { return answer(request); });
     return {};
@@ -108,7 +108,7 @@ class ViewServer::Works {
   const std::string& token() const { return token_; }
 
  private:
-  // The page's own files hold nothing secret: they alone need no token.
+  // The page's own files contain no secrets: they do not require a token.
   HttpResponse answer(const HttpRequest& request) {
     auto allowed = access_->check_host(request);
     if (!allowed) return response_of(allowed.error());
@@ -125,18 +125,18 @@ class ViewServer::Works {
     const auto allowed =
         access_->check_origin(request).and_then([&] { return access_->check_token(request); });
     if (!allowed) return response_of(allowed.error());
-    if (request.path != "/api/command") return refused(404, "There is no such thing to be told.");
+    if (request.path != "/api/command") return refused(404, "Unknown path for POST.");
     if (request.header("content-type") != "application/json") {
-      return refused(415, "Send a command as application/json.");
+      return refused(415, "Commands must have the content type application/json.");
     }
     const auto done = session_.command(request.body);
     return done ? json_response(R"({"ok":true})") : error_response(done.error());
   }
 
   HttpResponse answer_get(const HttpRequest& request) {
-    // Nobody would be told anything at the seat that it takes.
+    // Its subscription would never be read.
     if (request.method == "HEAD" && request.path == "/api/events") {
-      return refused(405, "Events are listened to by GET.");
+      return refused(405, "Events require GET.");
     }
     if (request.path == "/api/state") return latest(EventKind::kState);
     if (request.path == "/api/scene") return latest(EventKind::kScene);
@@ -144,8 +144,8 @@ class ViewServer::Works {
     if (request.path == "/api/taxel") return taxel(request);
     if (request.path == "/api/strips") return answer_of(session_.strips());
     if (request.path == "/api/events") return events();
-    if (request.path == "/api/command") return refused(405, "A command is told by POST.");
-    return refused(404, "There is nothing here.");
+    if (request.path == "/api/command") return refused(405, "Commands require POST.");
+    return refused(404, "Not found.");
   }
 
   HttpResponse latest(EventKind kind) {
@@ -156,28 +156,32 @@ class ViewServer::Works {
   HttpResponse neuron(const HttpRequest& request) {
     const auto map = request.parameter("map");
     const auto number = number_in(request, "neuron");
-    if (!map || !number) return refused(400, "Ask for map=NAME&neuron=NUMBER.");
+    if (!map || !number)
+      return refused(400, "The parameters map=NAME and neuron=NUMBER are required.");
     return answer_of(session_.neuron(*map, *number));
   }
 
   HttpResponse taxel(const HttpRequest& request) {
     const auto number = number_in(request, "element");
-    if (!number) return refused(400, "Ask for element=NUMBER.");
+    if (!number) return refused(400, "The parameter element=NUMBER is required.");
     return answer_of(session_.taxel(*number));
   }
 
-  // A seat is taken here and left when the stream ends, or nobody took it.
+  // The subscription ends with the stream, also with one that never began.
   HttpResponse events() {
-    const std::shared_ptr<EventHub::Seat> seat = session_.hub().take_seat(settings_.viewers);
-    if (!seat) return refused(503, "As many as may look on at a time are here already.");
+    const std::shared_ptr<EventHub::Subscription> subscription =
+        session_.hub().subscribe(settings_.viewers);
+    if (!subscription) return refused(503, "Too many viewers are connected; try again later.");
     HttpResponse response;
     response.type = "text/event-stream";
-    response.stream = [seat](const HttpResponse::Write& write) { tell(*seat, write); };
+    response.stream = [subscription](const HttpResponse::Write& write) {
+      tell(*subscription, write);
+    };
     return response;
   }
 
-  static void tell(EventHub::Seat& seat, const HttpResponse::Write& write) {
-    while (const auto events = seat.next(kBetweenPings)) {
+  static void tell(EventHub::Subscription& subscription, const HttpResponse::Write& write) {
+    while (const auto events = subscription.next(kBetweenPings)) {
       if (events->empty() && !write("event: ping\ndata: {}\n\n")) return;
       for (const auto& [kind, text] : *events) {
         const std::string told = fmt::format("event: {}\ndata: {}\n\n", name_of(kind), *text);
@@ -198,27 +202,27 @@ class ViewServer::Works {
 Result<std::unique_ptr<ViewServer>> ViewServer::start(ViewSession& session,
                                                       std::vector<ViewPage> pages,
                                                       const ViewServerSettings& settings) {
-  auto works = std::make_unique<Works>(session, std::move(pages), settings);
-  if (auto started = works->start(); !started) return fail(std::move(started.error()));
+  auto works = std::make_unique<Impl>(session, std::move(pages), settings);
+  SOMATO_TRY_VOID(works->start());
   return std::unique_ptr<ViewServer>(new ViewServer(std::move(works)));
 }
 
-ViewServer::ViewServer(std::unique_ptr<Works> works) : works_(std::move(works)) {}
+ViewServer::ViewServer(std::unique_ptr<Impl> works) : impl_(std::move(works)) {}
 
 ViewServer::~ViewServer() {
-  works_->stop();
+  impl_->stop();
 }
 
 std::string ViewServer::start_address() const {
-  return works_->start_address();
+  return impl_->start_address();
 }
 
 std::uint16_t ViewServer::port() const {
-  return works_->port();
+  return impl_->port();
 }
 
 const std::string& ViewServer::token() const {
-  return works_->token();
+  return impl_->token();
 }
 
 }  // namespace somato

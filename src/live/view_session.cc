@@ -1,4 +1,4 @@
-#include "somato/live/view_session.h"
+#include "live/view_session.h"
 
 #include <fmt/format.h>
 
@@ -22,20 +22,20 @@ namespace somato {
 
 using live::TaskQueue;
 
-class ViewSession::Works {
+class ViewSession::Impl {
  public:
-  Works(ViewSource source, const ViewSettings& settings)
+  Impl(ViewSource source, const ViewSettings& settings)
       : player_(std::move(source), settings, hub_, queue_),
         training_(hub_, std::chrono::duration<double>(settings.training_pause)) {
     hub_.on_change([this] {
       queue_.post([this] {
-        if (hub_.lookers_on() > 0) player_.welcome();
+        if (hub_.viewers() > 0) player_.on_first_viewer();
         player_.publish_state();
       });
     });
   }
 
-  // Whoever asks once this is done is told what there is.
+  // Requests after this point receive the initial state.
   void start() {
     player_.begin();
     thread_ = std::thread([this] { player_.run(); });
@@ -59,7 +59,7 @@ class ViewSession::Works {
     });
   }
 
-  // What takes long is done by the thread that asks.
+  // Long computations run in the calling thread.
   Result<std::string> neuron(const std::string& map, std::size_t neuron) {
     return asked_system().and_then(
         [&](const live::InquiredSystem& asked) { return inquiries_.neuron(asked, map, neuron); });
@@ -91,18 +91,18 @@ class ViewSession::Works {
     });
     if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
       *forgotten = true;
-      return fail(ErrorKind::kUsage, "the view is busy or about to end");
+      return fail(ErrorKind::kUsage, "the view is busy or closing");
     }
     return result.get();
   }
 
-  // A mistake of ours must not end the run.
+  // An internal error must not end the program.
   template <typename T>
   static Result<T> answer_to(const std::function<Result<T>()>& question) {
     try {
       return question();
     } catch (const std::exception& error) {
-      return fail(ErrorKind::kData, fmt::format("something went wrong here: {}", error.what()));
+      return fail(ErrorKind::kData, fmt::format("internal error: {}", error.what()));
     }
   }
 
@@ -112,7 +112,7 @@ class ViewSession::Works {
       if (system != nullptr && system->trained) {
         return live::InquiredSystem{system->trained, to_learn_from()};
       }
-      return fail(ErrorKind::kUsage, "no system that has learned is chosen");
+      return fail(ErrorKind::kUsage, "no trained system is selected");
     });
   }
 
@@ -128,7 +128,7 @@ class ViewSession::Works {
   // What a body has explored grows meanwhile; a recording stays as it is.
   std::shared_ptr<const Recording> to_learn_from() {
     const ViewSource& source = player_.source();
-    if (!source.body) return {std::shared_ptr<const Recording>(), &source.recording};
+    if (!source.explorer) return {std::shared_ptr<const Recording>(), &source.recording};
     const std::size_t explorations = source.recording.explorations.size();
     if (!explored_ || explored_->explorations.size() != explorations) {
       explored_ = std::make_shared<const Recording>(source.recording);
@@ -138,13 +138,13 @@ class ViewSession::Works {
 
   Result<void> train() {
     const ViewSystem* system = player_.system();
-    if (system == nullptr) return fail(ErrorKind::kUsage, "choose a system first");
+    if (system == nullptr) return fail(ErrorKind::kUsage, "select a system first");
     if (system->description.modules.empty()) {
-      return fail(ErrorKind::kUsage, "this system has learned already");
+      return fail(ErrorKind::kUsage, "this system is already trained");
     }
-    if (is_training_) return fail(ErrorKind::kUsage, "a system is being trained already");
+    if (is_training_) return fail(ErrorKind::kUsage, "a system is already being trained");
     if (player_.source().recording.explorations.empty()) {
-      return fail(ErrorKind::kUsage, "there is nothing to learn from yet");
+      return fail(ErrorKind::kUsage, "no explorations to learn from yet");
     }
     player_.show_problem({});
     is_training_ = true;
@@ -172,49 +172,49 @@ class ViewSession::Works {
   live::Player player_;
   live::TrainingThread training_;
   live::Inquiries inquiries_{[this] { return hub_.is_closed(); }};
-  // For the thread of the player alone.
+  // Only for the player's thread.
   bool is_training_ = false;
   std::shared_ptr<const Recording> explored_;
   std::thread thread_;
 };
 
 ViewSession::ViewSession(ViewSource source, const ViewSettings& settings)
-    : works_(std::make_unique<Works>(std::move(source), settings)) {}
+    : impl_(std::make_unique<Impl>(std::move(source), settings)) {}
 
 ViewSession::~ViewSession() {
   stop();
 }
 
 void ViewSession::start() {
-  works_->start();
+  impl_->start();
 }
 
 void ViewSession::stop() {
-  works_->stop();
+  impl_->stop();
 }
 
 const Recording& ViewSession::recording() const {
-  return works_->recording();
+  return impl_->recording();
 }
 
 Result<void> ViewSession::command(std::string_view json) {
-  return works_->command(json);
+  return impl_->command(json);
 }
 
 Result<std::string> ViewSession::neuron(const std::string& map, std::size_t neuron) {
-  return works_->neuron(map, neuron);
+  return impl_->neuron(map, neuron);
 }
 
 Result<std::string> ViewSession::taxel(std::size_t element) {
-  return works_->taxel(element);
+  return impl_->taxel(element);
 }
 
 Result<std::string> ViewSession::strips() {
-  return works_->strips();
+  return impl_->strips();
 }
 
 live::EventHub& ViewSession::hub() {
-  return works_->hub();
+  return impl_->hub();
 }
 
 }  // namespace somato

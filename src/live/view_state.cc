@@ -2,13 +2,10 @@
 
 #include <utility>
 
+#include "recording/recording_json.h"
+
 namespace somato::live {
 namespace {
-
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 
 Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
@@ -18,16 +15,25 @@ Json explorations_json(const Recording& recording) {
   Json explorations = Json::array();
   for (const Exploration& one : recording.explorations) {
     const std::size_t index = explorations.size();
-    explorations.push_back({{"index", index}, {"labels", labels_json(one.labels)}});
+    explorations.push_back({{"index", index}, {"labels", detail::labels_json(one.labels)}});
   }
   return explorations;
 }
 
-Json channels_json(const Exploration* exploration) {
+Json channels_json(const PlayedExploration* played) {
   Json channels = Json::array();
-  if (exploration == nullptr) return channels;
-  for (const Channel& channel : exploration->channels) channels.push_back(channel_json(channel));
+  if (played == nullptr) return channels;
+  for (const Channel& one : played->exploration->channels)
+    channels.push_back(detail::channel_json(one));
   return channels;
+}
+
+// The length of what a body still explores is not known.
+void add_length(const PlayedExploration* played, Json& json) {
+  const std::size_t moments =
+      played != nullptr && played->has_ended ? played->timeline->moments() : 0;
+  json["frames"] = moments > 0 ? Json(moments) : Json();
+  json["duration"] = moments > 0 ? Json(played->timeline->time(moments - 1)) : Json();
 }
 
 // Of a recording there is nothing to choose.
@@ -35,11 +41,11 @@ void add_things(const ViewState& state, Json& json) {
   json["things"] = Json::array();
   json["thing"] = nullptr;
   json["placement"] = nullptr;
-  if (!state.source.body) return;
-  const auto& things = state.source.body->things();
-  for (const ShownThing& thing : things) json["things"].push_back(thing_json(thing));
+  if (!state.source.explorer) return;
+  const auto& things = state.source.explorer->things();
+  for (const ExploredThing& thing : things) json["things"].push_back(thing_json(thing));
   json["thing"] = things[state.thing].name;
-  if (!state.source.body->takes_placement()) return;
+  if (!things[state.thing].object) return;
   const Placement& placement = state.placement;
   json["placement"] = {{"x", placement.x}, {"y", placement.y}, {"turn", placement.turn}};
 }
@@ -62,17 +68,16 @@ void add_systems(const ViewState& state, Json& json) {
 
 Json state_json(const ViewState& state) {
   Json json{{"version", 1},
-            {"source", state.source.body ? "body" : "recording"},
+            {"source", state.source.explorer ? "body" : "recording"},
             {"name", state.source.name},
             {"explorations", explorations_json(state.source.recording)},
-            {"exploration", or_null(state.exploration)},
-            {"frame", state.frame},
-            {"frames", or_null(state.frames)},
-            {"duration", or_null(state.duration)},
-            {"playing", state.playing},
-            {"speed", state.speed},
-            {"live", state.live},
-            {"channels", channels_json(state.shown)}};
+            {"exploration", state.played != nullptr ? Json(state.played->index) : Json()},
+            {"frame", state.frame}};
+  add_length(state.played, json);
+  json["playing"] = state.playing;
+  json["speed"] = state.speed;
+  json["live"] = state.played != nullptr && !state.played->has_ended;
+  json["channels"] = channels_json(state.played);
   add_things(state, json);
   add_systems(state, json);
   json["training"] = state.training;

@@ -4,25 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "live/played_exploration.h"
 #include "live/view_json.h"
+#include "live/view_source.h"
 #include "live/viewed_system.h"
 #include "somato/bodies/placement.h"
-#include "somato/live/view_source.h"
 
 namespace somato::live {
 
-/// What a page is told besides frames. It refers to what it is made of.
+/// The state that is sent to a page in addition to frames. It refers to its sources.
 struct ViewState {
   const ViewSource& source;
   const SystemPicture& picture;
-  const Exploration* shown = nullptr;  ///< That plays or grows, or nullptr.
-  std::optional<std::size_t> exploration = {};
+  const PlayedExploration* played = nullptr;  ///< Or nothing.
   std::size_t frame = 0;
-  std::optional<std::size_t> frames = {};
-  std::optional<double> duration = {};  ///< s.
   bool playing = false;
   double speed = 1.0;
-  bool live = false;
   std::size_t thing = 0;
   Placement placement = {};
   std::optional<std::size_t> system = {};

@@ -9,14 +9,13 @@ namespace {
 
 // The channels must be what they were when the system learned.
 Result<void> check_layout(const System& system, const RecordingLayout& layout) {
-  const auto other = System::build(system.description(), layout);
-  if (!other) return fail(other.error());
-  for (std::size_t i = 0; i < other->modules().size(); ++i) {
-    const SystemModule& module = other->modules()[i];
+  SOMATO_TRY(const auto other, System::build(system.description(), layout));
+  for (std::size_t i = 0; i < other.modules().size(); ++i) {
+    const SystemModule& module = other.modules()[i];
     const PortType& then = system.modules()[i].output;
     if (module.output.shape == then.shape) continue;
     return fail(ErrorKind::kData,
-                fmt::format("module '{}' gives {}, but {} when it learned", module.name,
+                fmt::format("module '{}' gives {}, but gave {} in training", module.name,
                             to_string(module.output), to_string(then)));
   }
   return {};
@@ -57,7 +56,7 @@ SystemPicture picture_of(const ViewSystem& system, const std::optional<Recording
   }
   picture.graph = graph_json(*built, *map);
   picture.maps = maps_json(*built, {});
-  picture.problem = "This system has not learned yet: let it be trained.";
+  picture.problem = "This system is not trained yet.";
   return picture;
 }
 

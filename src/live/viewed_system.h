@@ -5,9 +5,9 @@
 #include <string>
 
 #include "live/view_json.h"
+#include "live/view_source.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_model.h"
-#include "somato/live/view_source.h"
 #include "somato/recording/layout.h"
 
 namespace somato::live {
@@ -15,7 +15,7 @@ namespace somato::live {
 /// The map of a system that answers: the one that is named, or else its last.
 Result<std::string> answering_map(const System& system, const std::string& named);
 
-/// What a page is told of a chosen system before it has read anything.
+/// The description of a selected system for a page before any evaluation.
 struct SystemPicture {
   Json graph;  ///< null where it cannot be built.
   Json maps = Json::array();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
 
 namespace somato {
 namespace {

@@ -1,14 +1,14 @@
-#include "somato/maps/batch_training.h"
+#include "maps/batch_training.h"
 #include "core/lanes.h"
 
 #include <algorithm>
 #include <span>
 
-#include "core/batch_kernels.h"
+#include "core/threads.h"
+#include "kernels/batch_kernels.h"
 #include "maps/map_rows.h"
 #include "maps/neighbourhood_mixing.h"
 #include "maps/winner_search.h"
-#include "somato/core/threads.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {
@@ -19,7 +19,9 @@ constexpr double kLeastReach = 0x1p-1000;
 }  // namespace
 
 BatchEpoch::BatchEpoch(Som& som, std::size_t threads)
-    : som_(som), threads_(threads), sums_(som.elements().count() + 1, som.neurons()) {}
+    : som_(som), threads_(threads), sums_(som.elements().count() + 1, som.neurons()) {
+  weights_to_change(som);  // before threads read them
+}
 
 std::vector<std::size_t> BatchEpoch::add(const Samples& samples) {
   Samples storage;
@@ -88,10 +90,11 @@ void BatchEpoch::move_block(std::size_t block, std::span<const double> sums,
                             std::span<const double> totals) {
   const std::size_t first = block * kDoubleLanes;
   const std::size_t count = std::min(kDoubleLanes, som_.elements().count() - first);
+  LaneMatrix<float>& weights = weights_to_change(som_);
   for (std::size_t neuron = 0; neuron < totals.size(); ++neuron) {
     if (totals[neuron] < kLeastReach) continue;
     for (std::size_t i = 0; i < count; ++i) {
-      som_.weights()(neuron, first + i) =
+      weights(neuron, first + i) =
           static_cast<float>(sums[neuron * kDoubleLanes + i] / totals[neuron]);
     }
   }
@@ -115,7 +118,7 @@ void BatchEpoch::finish(double radius) {
   });
   if (som_.parameters().similarity == Similarity::kDotProduct) {
     AlignedVector<float> factors;
-    normalize_rows(som_.weights(), factors);
+    normalize_rows(weights_to_change(som_), factors);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "maps/dense_learner.h"
 
-// The last kPending updates are put off. Until they are made, neuron k has the weights
+// The last kPending updates are deferred. Until they are applied, neuron k has the weights
 //
 //     w_k = c_k v_k + sum_j A_kj x_j,
 //
@@ -12,9 +12,9 @@
 //
 // and a normalization divides them by sqrt(n_k). So one input costs the products v_k . x, from
 // which g_k = c_k (v_k . x) + sum_j A_kj (x_j . x) follows: a pass that only reads. All pending
-// updates are made in one pass, which measures n_k anew, so that its rounding does not add up, and
-// takes the next inputs' products on its way where they are known. Coefficients are in double
-// precision.
+// updates are applied in one pass, which computes n_k again, so that rounding errors do not
+// accumulate, and computes the products of the next inputs if they are known. Coefficients are in
+// double precision.
 //
 // v_k is read as 16-bit integers where it can be, with an error of length e_k at most. That changes
 // c_k (v_k . x) by no more than |c_k| e_k |x|, and n_k by no more than 2 |c_k| e_k m_k (m_k as
@@ -28,10 +28,10 @@
 //
 // for m_k = |c_k| |v_k| + sum_j |A_kj| |x_j| >= |w_k|:
 //
-// u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2),
-// 2 u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
+// u R m_k^2 for n_k (by induction, as (1-a)^2 m^2 + 2 a (1-a) m |x| + a^2 |x|^2 is the next m^2), 2
+// u R m_k |x| for g_k, and 2 d |rounding of w_k| with |rounding of w_k| <= (kPending + 2) u m_k.
 // Where weights below kNegligible become 0, d^2 changes by no more than u d^2 + kNegligible^2
-// elements / u. Neurons within these bounds of the best are told apart in double precision.
+// elements / u. Neurons within these bounds of the best are compared in double precision.
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/batch_kernels.h"
 #include "core/lanes.h"
+#include "kernels/batch_kernels.h"
+#include "maps/map_rows.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -63,7 +64,7 @@ constexpr std::size_t kWorthRounding = 4;
 // have left the range of single precision long before.
 constexpr std::uint64_t kLearnedBetweenClearings = 64;
 
-// Where so much cancels out, the length of what is left is measured, not computed.
+// In case of cancellation, the remaining length is measured instead of computed.
 constexpr double kMostCancellation = 32.0;
 
 // Shorter than those of the plain formula, so that few scores are too close to call; long enough
@@ -110,9 +111,9 @@ DenseLearner::DenseLearner(Som& som, ThreadTeam& team)
       new_gains_(som.neurons()),
       neighbours_(som.neurons()),
       scratch_row_(slots_.padded()) {
+  weights_to_change(som);  // before threads read them
   AlignedVector<float> squares(stride());
-  kernels::table<float>().squared_norms(kernels::lanes(std::as_const(som_).weights()),
-                                        squares.data());
+  kernels::table<float>().squared_norms(kernels::lanes(som_.weights()), squares.data());
   std::copy(squares.begin(), squares.end(), squared_lengths_.begin());
   forget_pending();
 }
@@ -145,12 +146,13 @@ void DenseLearner::expect(const std::vector<std::span<const float>>& inputs) {
   ahead_ = std::min(2 * ahead_, kPending);
 }
 
-// Never beyond the input at which what is pending is made, however many are known ahead.
+// Never beyond the input at which pending updates are applied, regardless of the number of known
+// inputs.
 std::size_t DenseLearner::ahead() const {
   return std::min(ahead_, pending_ == kPending ? kPending : kPending - pending_);
 }
 
-// Makes the pending updates and goes on with those expected.
+// Applies the pending updates and continues with the expected inputs.
 void DenseLearner::rebase_expected() {
   std::vector<std::span<const float>> left(expected_);
   for (std::size_t i = 0; i < expected_; ++i) left[i] = slots_.input(pending_ + i);
@@ -158,7 +160,7 @@ void DenseLearner::rebase_expected() {
   rebase(expected_);
 }
 
-// Makes the pending updates and goes on with the first `count` of the other slots.
+// Applies the pending updates and continues with the first `count` of the other slots.
 void DenseLearner::rebase(std::size_t count) {
   const bool rounds = !dot_product() && pending_ >= kWorthRounding;
   rounds_all_ = rounds && !reads_rounded_;
@@ -174,6 +176,21 @@ void DenseLearner::settle() {
   if (std::find(moved_.begin(), moved_.end(), 1) == moved_.end()) return;
   SOMATO_ASSERT(expected_ == 0);
   rebase(0);
+}
+
+Som DenseLearner::look() {
+  const LaneMatrix<float>& before = som_.weights();
+  LaneMatrix<float> weights = before;
+  alignas(64) float squares[kFloatLanes] = {};
+  for (std::size_t block = 0; block < blocks(); ++block) {
+    if (moved_[block] == 0) continue;
+    write_coefficients(block);
+    for (std::size_t start = 0; start < before.columns(); start += chunk_) {
+      float* to = weights.data() + (block * before.columns() + start) * kFloatLanes;
+      combine_tile(block, start, std::min(chunk_, before.columns() - start), to, squares);
+    }
+  }
+  return Som(som_.parameters(), std::move(weights), som_.elements());
 }
 
 // Single precision for the pass that makes the updates.
@@ -252,7 +269,7 @@ void DenseLearner::pass_in_tiles(std::size_t block, const InputSlots& next, std:
   if (rounds) rounded_.begin(block);
   for (std::size_t start = 0; start < columns; start += chunk_) {
     const std::size_t width = std::min(chunk_, columns - start);
-    float* weights = som_.weights().data() + (block * columns + start) * kFloatLanes;
+    float* weights = weights_to_change(som_).data() + (block * columns + start) * kFloatLanes;
     if (moves) combine_tile(block, start, width, weights, squares);
     if (rounds) rounded_.write(block, start, width, weights);
     if (count > 0) multiply_tile(block, start, width, next, first, count);
@@ -272,12 +289,12 @@ void DenseLearner::multiply_tile(std::size_t block, std::size_t start, std::size
     kernels.multiply_integers(rounded_.block(block) + start * kFloatLanes, columns, inputs, count,
                               products, product_stride);
   } else {
-    kernels.multiply(std::as_const(som_).weights().data() + at * kFloatLanes, columns, inputs,
-                     count, products, product_stride);
+    kernels.multiply(som_.weights().data() + at * kFloatLanes, columns, inputs, count, products,
+                     product_stride);
   }
 }
 
-// The same for a single input, as fast as reading is.
+// The same for a single input, limited by reading memory.
 void DenseLearner::multiply_block(std::size_t block, const float* input, std::size_t slot) {
   const auto& kernels = kernels::online_table();
   const std::size_t columns = som_.weights().columns();
@@ -285,12 +302,12 @@ void DenseLearner::multiply_block(std::size_t block, const float* input, std::si
   if (reads_rounded_) {
     kernels.multiply_block_of_integers(rounded_.block(block), columns, chunk_, input, products);
   } else {
-    kernels.multiply_block(std::as_const(som_).weights().data() + block * columns * kFloatLanes,
-                           columns, chunk_, input, products);
+    kernels.multiply_block(som_.weights().data() + block * columns * kFloatLanes, columns, chunk_,
+                           input, products);
   }
 }
 
-// Of the weights once the updates are made.
+// Of the weights after the updates.
 void DenseLearner::bound_magnitudes(std::size_t block) {
   for (std::size_t neuron = block * kFloatLanes; neuron < (block + 1) * kFloatLanes; ++neuron) {
     double bound = std::fabs(kept_[neuron]) * rounded_.greatest(neuron);

@@ -7,13 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "core/online_kernels.h"
 #include "core/thread_team.h"
+#include "kernels/online_kernels.h"
 #include "maps/input_slots.h"
+#include "maps/neighbourhood.h"
 #include "maps/rounded_weights.h"
-#include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
-#include "somato/maps/neighbourhood.h"
 #include "somato/maps/som.h"
 
 namespace somato {
@@ -23,14 +22,14 @@ namespace somato {
 /// give the same bits for every number of threads and however many of them are known ahead.
 class DenseLearner {
  public:
-  /// Nobody else may change the map's weights as long as it is trained here.
+  /// The map's weights must not be changed elsewhere during training.
   DenseLearner(Som& som, ThreadTeam& team);
 
   /// Makes the next inputs known, as the map sees them: at least one, at most kPending. They are
   /// then learned in this order.
   void expect(const std::vector<std::span<const float>>& inputs);
 
-  /// How many inputs are best made known at once.
+  /// The best number of inputs to announce at once.
   std::size_t ahead() const;
 
   /// Learns the next expected input; returns the winner, which is the one that Som::winner() finds
@@ -39,6 +38,9 @@ class DenseLearner {
 
   /// Makes all pending updates.
   void settle();
+
+  /// The map as settle() would leave it; nothing changes here.
+  Som look();
 
  private:
   bool dot_product() const;
@@ -91,7 +93,7 @@ class DenseLearner {
   std::size_t pending_ = 0;
   std::size_t expected_ = 0;
   std::size_t ahead_ = kernels::kPending;
-  // Of a slot with the weights in memory, then with the slots; a row a slot.
+  // Products of a slot with the weights in memory, then with the slots; one row per slot.
   AlignedVector<float> products_;
   AlignedVector<double> kept_;
   LaneMatrix<double> gains_;  // neurons x slots

@@ -8,10 +8,10 @@
 
 namespace somato {
 
-/// How many values some samples hold in all; of sparse ones, those that are stored.
+/// The total number of values of some samples; for sparse samples, of stored values.
 std::size_t stored_values(const Samples& samples);
 
-/// The elements where any of some sparse samples holds a value, and where each stands among them.
+/// The elements for which any of some sparse samples has a value, and their positions.
 class ElementSet {
  public:
   explicit ElementSet(const Samples& sparse);
@@ -19,7 +19,7 @@ class ElementSet {
   /// Ascending.
   const std::vector<std::uint32_t>& listed() const { return listed_; }
 
-  /// Where `element`, which is one of them, stands.
+  /// The position of `element`, which must be included.
   std::size_t place_of(std::uint32_t element) const;
 
  private:
@@ -27,8 +27,8 @@ class ElementSet {
   void sort(const Samples& sparse, std::size_t values);
 
   std::vector<std::uint32_t> listed_;
-  // A bit an element, and how many there are before each word; empty where elements are many more
-  // than values.
+  // One bit per element, and the number of set bits before each word; empty if there are many more
+  // elements than values.
   std::vector<std::uint64_t> words_;
   std::vector<std::uint32_t> before_;
 };

@@ -1,4 +1,4 @@
-#include "somato/maps/initial_weights.h"
+#include "maps/initial_weights.h"
 
 #include <algorithm>
 #include <numeric>
@@ -68,7 +68,7 @@ InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, cons
 }
 
 void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const {
-  require(out.size() == samples_.size(), "initial weights need room for a value a feature");
+  require(out.size() == samples_.size(), "initial weights need space for one value per feature");
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     write_dense(samples_[sample_of_neuron_[neuron]], out);
   } else {

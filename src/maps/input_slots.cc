@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kernels.h"
 #include "core/lanes.h"
+#include "kernels/kernels.h"
 
 namespace somato {
 namespace {

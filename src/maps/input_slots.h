@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "core/online_kernels.h"
-#include "somato/core/lane_matrix.h"
+#include "kernels/online_kernels.h"
+#include "somato/core/matrix.h"
 
 namespace somato {
 
-/// Up to kPending inputs, a row each, which starts on a cache line and ends with zeros.
+/// Up to kPending inputs, one per row, which starts on a cache line and is padded with zeros.
 class InputSlots {
  public:
   explicit InputSlots(std::size_t columns);

@@ -36,7 +36,7 @@ NeuronLabels NeuronLabels::by_majority(const std::vector<std::size_t>& winners,
 
 std::size_t NeuronLabels::classify(const Som& som, const SignalView& input,
                                    SomWorkspace& workspace) const {
-  require(!labelled_.empty(), "nothing can be classified before a neuron has a label");
+  require(!labelled_.empty(), "classification requires at least one neuron with a label");
   return *class_of_neuron_[som.winner_among(labelled_, input, workspace)];
 }
 

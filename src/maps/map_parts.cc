@@ -22,9 +22,8 @@ void add_matrix(Archive& archive, std::string name, const Matrix<float>& matrix)
 
 Result<Matrix<float>> matrix_from(const Archive& archive, const std::string& name,
                                   const std::string& where) {
-  Result<const Array<float>*> found = archive.get<Array<float>>(name, where);
-  if (!found) return fail(std::move(found.error()));
-  const Array<float>& array = **found;
+  SOMATO_TRY(const Array<float>* found, archive.get<Array<float>>(name, where));
+  const Array<float>& array = *found;
   if (array.shape.size() != 2) return damaged_model("'" + name + "' is not a matrix", where);
   const auto is_finite = [](float value) { return std::isfinite(value); };
   if (!std::all_of(array.values.begin(), array.values.end(), is_finite)) {

@@ -3,19 +3,19 @@
 #include <string>
 #include <utility>
 
+#include "files/archive.h"
+#include "files/toml_file.h"
 #include "somato/core/matrix.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
-#include "somato/files/archive.h"
-#include "somato/files/toml_file.h"
 
 namespace somato {
 
-/// The failure for a part of a model file that cannot be (kData).
+/// The failure for a part of a model file that cannot be kData.
 tl::unexpected<Error> damaged_model(std::string what, const std::string& where);
 
-/// What a file says is data, whatever read it: the error as kData, at `where` unless it knows its
-/// place.
+/// Errors in a file are data errors: returns the error as kData, at `where` unless it has a
+/// location.
 tl::unexpected<Error> damaged_model(Error error, const std::string& where);
 
 /// Puts a matrix into an archive: an array of float32, rows x columns.
@@ -26,14 +26,13 @@ void add_matrix(Archive& archive, std::string name, const Matrix<float>& matrix)
 Result<Matrix<float>> matrix_from(const Archive& archive, const std::string& name,
                                   const std::string& where);
 
-/// The parameters that stand in an archive as TOML. Errors (kData, at `where`): missing, unknown,
-/// out of range.
+/// The parameters in an archive, in TOML. Errors (kData, at `where`): missing, unknown, out of
+/// range.
 template <typename Parameters>
 Result<Parameters> parameters_from(const Archive& archive, const std::string& name,
                                    const std::string& where) {
-  Result<const std::string*> toml = archive.get<std::string>(name, where);
-  if (!toml) return fail(std::move(toml.error()));
-  Result<Parameters> parameters = parse_toml(**toml, where).and_then([](const Table& table) {
+  SOMATO_TRY(const std::string* toml, archive.get<std::string>(name, where));
+  Result<Parameters> parameters = parse_toml(*toml, where).and_then([](const Table& table) {
     return read_parameters<Parameters>(table);
   });
   if (!parameters) return damaged_model(std::move(parameters.error()), where);

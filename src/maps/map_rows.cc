@@ -9,6 +9,14 @@
 
 namespace somato {
 
+LaneMatrix<float>& weights_to_change(Som& som) {
+  if (som.products_) {
+    som.weights_ = som.formed();
+    som.products_.reset();
+  }
+  return som.weights_;
+}
+
 void normalize_rows(LaneMatrix<float>& weights, AlignedVector<float>& factors) {
   factors.resize(weights.padded_rows());
   const auto& kernels = kernels::table<float>();

@@ -1,15 +1,15 @@
-#include "somato/maps/neighbourhood.h"
+#include "maps/neighbourhood.h"
 
 #include <limits>
 
-#include "core/product_kernels.h"
+#include "core/elementary.h"
+#include "kernels/product_kernels.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
 
-// A neuron at exactly the radius belongs to the bubble whatever the rounding of sqrt(3)/2.
+// A neuron at exactly the radius belongs to the bubble, regardless of the rounding of sqrt(3)/2.
 constexpr double kBubbleTolerance = 1e-9;
 
 // Smaller factors become 0: they are too small to move a weight, and numbers near the end of a
@@ -31,12 +31,6 @@ double exponent(double difference, double radius) {
 double gaussian_factor(double difference, double radius) {
   const double factor = exponential(exponent(difference, radius));
   return factor < kSmallestFactor<double> ? 0.0 : factor;
-}
-
-const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<NeighbourhoodShape>::all() {
-  static const std::vector<std::pair<NeighbourhoodShape, std::string>> choices{
-      {NeighbourhoodShape::kGaussian, "gaussian"}, {NeighbourhoodShape::kBubble, "bubble"}};
-  return choices;
 }
 
 Neighbourhood::Neighbourhood(const Grid& grid, NeighbourhoodShape shape)
@@ -89,7 +83,7 @@ void Neighbourhood::prepare_factors(std::size_t winner, double radius) {
 
 template <typename Real>
 void Neighbourhood::write_around(std::size_t winner, double radius, std::span<Real> out) {
-  require(out.size() >= grid_.size(), "the neighbourhood needs room for a value a neuron");
+  require(out.size() >= grid_.size(), "the neighbourhood needs space for one value per neuron");
   if (shape_ == NeighbourhoodShape::kBubble) {
     const double limit = radius * radius * (1.0 + kBubbleTolerance);
     for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {

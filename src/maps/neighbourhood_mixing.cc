@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/batch_kernels.h"
+#include "kernels/batch_kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -63,7 +63,7 @@ void NeighbourhoodMixing::prepare_by_rows(NeighbourhoodShape shape, double radiu
 void NeighbourhoodMixing::apply(std::span<const double> in, std::span<double> out,
                                 Workspace& workspace) const {
   require(in.size() == grid_.size() * kLanes && out.size() == in.size(),
-          "a neighbourhood is mixed of eight values a neuron");
+          "a neighbourhood mixes eight values per neuron");
   std::fill(out.begin(), out.end(), 0.0);
   if (separable_) {
     apply_separable(in, out, workspace);
@@ -72,8 +72,8 @@ void NeighbourhoodMixing::apply(std::span<const double> in, std::span<double> ou
   }
 }
 
-// Along the columns first, for both parities of the rows they are wanted for; what comes out stands
-// column after column, ready for the second pass along the rows.
+// Along the columns first, for both parities of the requested rows; the result is stored column by
+// column for the second pass along the rows.
 void NeighbourhoodMixing::apply_separable(std::span<const double> in, std::span<double> out,
                                           Workspace& workspace) const {
   const auto& kernels = kernels::batch_table();

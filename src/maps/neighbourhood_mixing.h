@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "somato/core/lane_matrix.h"
+#include "maps/neighbourhood.h"
+#include "somato/core/matrix.h"
 #include "somato/maps/grid.h"
-#include "somato/maps/neighbourhood.h"
 
 namespace somato {
 

@@ -5,12 +5,11 @@
 #include <numeric>
 #include <utility>
 
-#include "core/product_kernels.h"
-#include "maps/known_preparation.h"
+#include "core/threads.h"
+#include "kernels/product_kernels.h"
+#include "maps/initial_weights.h"
 #include "maps/som_preparation.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
-#include "somato/maps/initial_weights.h"
 
 namespace somato {
 namespace {
@@ -26,32 +25,44 @@ std::vector<std::uint32_t> all_below(std::size_t count) {
 }  // namespace
 
 Result<std::shared_ptr<const ProductProblem>> ProductProblem::prepare(
-    const SomParameters& parameters, const KnownSamples& known, std::vector<std::size_t> training,
+    const SomParameters& parameters, const Samples& known, std::vector<std::size_t> training,
     std::size_t threads) {
-  if (auto usable = check_samples(training.size(), known.size()); !usable) {
-    return fail(std::move(usable.error()));
-  }
+  require(std::all_of(training.begin(), training.end(),
+                      [&](std::size_t sample) { return sample < known.count(); }),
+          "a sample to train on does not exist");
+  SOMATO_TRY_VOID(check_samples(training.size(), known.size()));
   Result<SomParameters> resolved = resolve(parameters, training.size(), known.size());
   if (!resolved) return fail(std::move(resolved.error()));
   if (resolved->arithmetic != Arithmetic::kInnerProducts) return nullptr;
   std::shared_ptr<ProductProblem> problem(new ProductProblem());
-  problem->known_ = KnownPreparation::products(known, *resolved->normalize_input, threads);
+  problem->known_ = SampleProducts::of(known, *resolved->normalize_input, threads);
   problem->parameters_ = std::move(*resolved);
   double longest = 0.0;
   problem->trained_.resize(known.count());
-  for (const std::size_t sample : training) {
+  problem->lessons_.resize(known.count());
+  for (std::size_t lesson = 0; lesson < training.size(); ++lesson) {
+    const std::size_t sample = training[lesson];
     problem->trained_[sample] = true;
+    problem->lessons_[sample] = lesson;
     longest = std::max(longest, problem->known_->products()(sample, sample));
   }
-  if (auto fit = check_longest(std::sqrt(longest)); !fit) return fail(std::move(fit.error()));
+  SOMATO_TRY_VOID(check_longest(std::sqrt(longest)));
   problem->training_ = std::move(training);
   problem->elements_ = StoredElements(known.size());
   const bool zero_without = InitialWeightsSource::are_zero_without_samples(problem->parameters_);
-  if (known.samples().is_sparse() && zero_without) {
+  if (known.is_sparse() && zero_without) {
     problem->used_ = problem->used_elements();
     problem->elements_ = StoredElements::worth_storing(known.size(), problem->used_);
   }
+  SOMATO_TRY_VOID(check_memory(problem->parameters_, problem->elements_.count()));
   return std::shared_ptr<const ProductProblem>(std::move(problem));
+}
+
+ProductReading ProductProblem::reading(std::size_t sample, std::span<const double> products,
+                                       std::span<const double> squared_lengths) const {
+  const std::size_t neurons = parameters_.grid().size();
+  return {parameters_.similarity, products.first(neurons), squared_lengths.first(neurons),
+          known_->products()(sample, sample)};
 }
 
 bool ProductProblem::starts_at_random() const {
@@ -148,14 +159,15 @@ ProductStart ProductProblem::start(std::size_t threads) const {
   return start;
 }
 
-Som ProductProblem::form(std::span<const double> of_start, std::span<const double> coefficients,
-                         std::size_t threads) const {
+LaneMatrix<float> ProductProblem::form(std::span<const double> of_start,
+                                       std::span<const double> coefficients,
+                                       std::size_t threads) const {
   const WeightStrips strips = this->strips();
   LaneMatrix<float> weights(parameters_.grid().size(), elements_.count());
   for_each_range(padded() / kRowLanes, threads, [&](std::size_t begin, std::size_t end) {
     strips.form(begin, end, of_start, coefficients, weights);
   });
-  return Som(parameters_, std::move(weights), elements_);
+  return weights;
 }
 
 }  // namespace somato

@@ -1,12 +1,13 @@
 #include "maps/product_state.h"
 
-// Training on few samples of many elements. Every weight vector stays a combination of its start
-// and of the samples,
+// Training on few samples of many elements. Every weight vector remains a combination of its
+// initial value and the samples,
 //
 //     w_j = c_j w_j(0) + sum_s A_js x_s,
 //
-// so it is enough to know the coefficients, the squared lengths n_j and, once for all, the products
-// G_js(0) = w_j(0) . x_s and K_st = x_s . x_t. The products with the sample i of an iteration are
+// so it is sufficient to store the coefficients, the squared lengths n_j and, once for all, the
+// products G_js(0) = w_j(0) . x_s and K_st = x_s . x_t. The products with the sample i of an
+// iteration are
 //
 //     G_ji = c_j G_ji(0) + sum_s A_js K_si,
 //
@@ -23,8 +24,8 @@
 #include <cmath>
 #include <utility>
 
+#include "maps/initial_weights.h"
 #include "somato/core/check.h"
-#include "somato/maps/initial_weights.h"
 
 namespace somato {
 namespace {
@@ -54,7 +55,8 @@ ProductState::ProductState(std::shared_ptr<const ProductProblem> problem, std::s
     : problem_(std::move(problem)),
       grid_(problem_->parameters().grid()),
       padded_(problem_->padded()),
-      lesson_products_(products_of(problem_->training(), problem_->known().products())),
+      lesson_products_(std::make_shared<const Matrix<double>>(
+          products_of(problem_->training(), problem_->known().products()))),
       of_start_(padded_),
       factors_(padded_, 1.0),
       squared_lengths_(padded_),
@@ -86,13 +88,14 @@ bool ProductState::dot_product() const {
 }
 
 void ProductState::start_at_random(std::size_t threads) {
-  start_ = problem_->start(threads);
-  std::copy_n(start_.squared_lengths.begin(), neurons(), squared_lengths_.begin());
+  start_ = std::make_shared<const ProductStart>(problem_->start(threads));
+  std::copy_n(start_->squared_lengths.begin(), neurons(), squared_lengths_.begin());
   std::fill_n(of_start_.begin(), neurons(), 1.0);
 }
 
 void ProductState::start_at_samples() {
-  start_.products.resize(padded_);  // zeros, whatever the sample
+  // Zeros for any sample.
+  start_ = std::make_shared<const ProductStart>(ProductStart{AlignedVector<double>(padded_), {}});
   const auto samples = initial_samples(problem_->parameters(), problem_->training().size());
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
     coefficients_[samples[neuron] * padded_ + neuron] = 1.0;
@@ -107,12 +110,12 @@ kernels::ProductMap ProductState::map() {
 
 const double* ProductState::lesson_products(std::size_t lesson) const {
   const Matrix<double>& products =
-      lesson_products_.empty() ? problem_->known().products() : lesson_products_;
+      lesson_products_->empty() ? problem_->known().products() : *lesson_products_;
   return products.row(lesson).data();
 }
 
 const double* ProductState::initial_products(std::size_t sample) const {
-  return start_.products.data() + (problem_->starts_at_random() ? sample * padded_ : 0);
+  return start_->products.data() + (problem_->starts_at_random() ? sample * padded_ : 0);
 }
 
 void ProductState::products_with_lesson(std::size_t lesson, std::span<double> out) {
@@ -160,7 +163,7 @@ void ProductState::learn_all(double radius) {
   measure_means(totals);
 }
 
-// Of all lessons.
+// Of all inputs.
 std::vector<std::size_t> ProductState::winners() {
   const std::size_t lessons = problem_->training().size();
   const bool known = !all_products_.empty();
@@ -229,7 +232,7 @@ void ProductState::measure_means(std::span<const double> totals) {
   }
 }
 
-Som ProductState::form(std::size_t threads) const {
+LaneMatrix<float> ProductState::form(std::size_t threads) const {
   const auto& training = problem_->training();
   AlignedVector<double> coefficients(problem_->known().samples().count() * padded_);
   for (std::size_t lesson = 0; lesson < training.size(); ++lesson) {

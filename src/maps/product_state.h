@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "core/product_kernels.h"
+#include "kernels/product_kernels.h"
+#include "maps/neighbourhood.h"
 #include "maps/product_problem.h"
-#include "somato/core/lane_matrix.h"
-#include "somato/maps/neighbourhood.h"
+#include "somato/core/matrix.h"
 
 namespace somato {
 
@@ -35,7 +35,7 @@ class ProductState {
   std::span<const double> squared_lengths() const { return squared_lengths_; }
 
   /// The map's weights now.
-  Som form(std::size_t threads) const;
+  LaneMatrix<float> form(std::size_t threads) const;
 
  private:
   bool dot_product() const;
@@ -55,8 +55,11 @@ class ProductState {
   std::shared_ptr<const ProductProblem> problem_;
   Grid grid_;
   std::size_t padded_;
-  ProductStart start_;                     // G(0); where weights start at samples a row of zeros
-  Matrix<double> lesson_products_;         // K of the lessons; empty where they are all the samples
+  // G(0); if initial weights are samples, a row of zeros. Shared by copies, like the following
+  // members.
+  std::shared_ptr<const ProductStart> start_;
+  // K of the lessons; empty where they are all the samples.
+  std::shared_ptr<const Matrix<double>> lesson_products_;
   AlignedVector<double> of_start_;         // c
   AlignedVector<double> factors_;          // f
   AlignedVector<double> squared_lengths_;  // n

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "somato/core/rank_correlation.h"
+#include "core/rank_correlation.h"
 
 namespace somato {
 namespace {
@@ -17,8 +17,8 @@ double length_of(const Position& from_centre) {
   return std::abs(from_centre.x) + std::abs(from_centre.y);
 }
 
-// 0 to 4, growing with the angle: the way round a square that stands on its corner instead of round
-// a circle. Made of divisions alone, so that, unlike std::atan2, it has the same bits everywhere.
+// 0 to 4, increasing with the angle: the position along a square on its corner instead of a circle.
+// It only uses divisions, so that, unlike std::atan2, it has the same bits on all machines.
 double turn_of(const Position& from_centre) {
   const double way = from_centre.y / length_of(from_centre);
   if (from_centre.x < 0.0) return 2.0 - way;

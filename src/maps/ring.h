@@ -12,12 +12,12 @@ struct RingOrder {
   double falling = 0.0;  ///< With falling ones.
 };
 
-/// Individuals around a centre, as a ring that may be cut open between any two angles. Their places
-/// are ranked once; numbers may then be compared with them as often as wanted.
+/// Individuals around a centre, as a ring that can be divided between any two angles. Their places
+/// are ranked once; numbers can then be compared with them repeatedly.
 class Ring {
  public:
-  /// Where the individuals are, seen from the centre. Angles (and lengths) within 1e-9 are equal;
-  /// who is at the centre gets the middle place.
+  /// The positions of the individuals relative to the centre. Angles (and lengths) within 1e-9 are
+  /// equal; an individual at the centre gets the middle place.
   explicit Ring(const std::vector<Position>& from_centre);
 
   /// For the centred ranks of the individuals' numbers; 0 when all are at the centre.

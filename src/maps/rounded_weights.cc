@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/online_kernels.h"
+#include "kernels/online_kernels.h"
 
 namespace somato {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 // Some room below 2^15 for rounding on the way to an integer.
 constexpr float kGreatestRoundedWeight = 32700.0F;
 
-// Half a step, and what is rounded on the way.
+// Half a step, and intermediate rounding errors.
 constexpr double kErrorOfStep = 0.51;
 
 // Steps and their reciprocals stay far within single precision.

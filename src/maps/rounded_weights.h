@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
 
 namespace somato {
 
@@ -12,7 +12,7 @@ namespace somato {
 /// no more than about half a step, for the step of each neuron. In the order of a LaneMatrix.
 class RoundedWeights {
  public:
-  /// Bounds the magnitudes of `weights`; there are no integers yet.
+  /// Computes bounds of the magnitudes of `weights`; there are no integers yet.
   explicit RoundedWeights(const LaneMatrix<float>& weights);
 
   const std::int16_t* block(std::size_t block) const {
@@ -29,7 +29,7 @@ class RoundedWeights {
   /// at most this.
   double error(std::size_t neuron) const { return error_of_step_ * step(neuron); }
 
-  /// Begins to round a block whose weights are not greater than greatest() says.
+  /// Begins to round a block whose weights do not exceed greatest().
   void begin(std::size_t block);
 
   /// Rounds `columns` columns of that block from `start` on.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/product_kernels.h"
+#include "kernels/product_kernels.h"
 #include "somato/core/samples.h"
 
 namespace somato {
@@ -19,7 +19,7 @@ class SampleColumns {
 
   std::span<const std::uint32_t> elements() const { return elements_; }
 
-  /// The values of column `c` stand from starts()[c] to starts()[c + 1].
+  /// The values of column `c` are at starts()[c] to starts()[c + 1].
   std::span<const std::uint32_t> starts() const { return starts_; }
   std::span<const std::uint32_t> samples() const { return samples_; }
   std::span<const float> values() const { return values_; }

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "maps/sample_columns.h"
-#include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
 #include "somato/core/samples.h"
 
@@ -15,9 +14,14 @@ namespace somato {
 /// again and again.
 class SampleProducts {
  public:
-  SampleProducts(std::shared_ptr<const Samples> samples, std::size_t threads);
+  SampleProducts(Samples samples, std::size_t threads);
 
-  const Samples& samples() const { return *samples_; }
+  /// Those of `samples` as they are, or scaled to length 1: computed by the first map that needs
+  /// them, and shared by all that learn these samples or a copy.
+  static std::shared_ptr<const SampleProducts> of(const Samples& samples, bool normalized,
+                                                  std::size_t threads);
+
+  const Samples& samples() const { return samples_; }
 
   /// Of sparse samples; else empty.
   const SampleColumns& columns() const { return columns_; }
@@ -36,7 +40,7 @@ class SampleProducts {
   void write_lines(std::size_t first, std::size_t count, std::size_t first_sample,
                    AlignedVector<double>& lines) const;
 
-  std::shared_ptr<const Samples> samples_;
+  Samples samples_;
   SampleColumns columns_;
   Matrix<double> products_;
 };

@@ -1,6 +1,6 @@
 #include "somato/maps/schedule.h"
 
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
 
 namespace somato {
 
@@ -24,7 +24,7 @@ Result<void> Schedule::validate(const std::string& name) const {
   if (shape != ScheduleShape::kExponential || (start > 0.0 && end > 0.0)) return {};
   return fail(ErrorKind::kUsage,
               "an exponential schedule of the " + name + " cannot start or end at 0", {},
-              "use a linear schedule or values above 0");
+              "use a linear schedule, or values above 0");
 }
 
 }  // namespace somato

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/lanes.h"
-#include "somato/core/threads.h"
+#include "core/threads.h"
 
 namespace somato {
 namespace {
@@ -175,8 +175,8 @@ float ScreenedMap::score_factor(double length) const {
   return static_cast<float>(length / unit_ / double{kGreatestInteger} / double{kGreatestInteger});
 }
 
-// How far a vector of integers is from what it stands for, relative to kGreatestInteger: by what
-// was rounded off, and by the rounding on the way there.
+// The distance of a vector of integers from the represented vector, relative to kGreatestInteger:
+// due to rounding to integers and to intermediate rounding errors.
 double ScreenedMap::relative_error(float rounded_off) const {
   return std::sqrt(double{rounded_off}) * (1.0 + 1e-3) / double{kGreatestInteger} + 0x1p-21;
 }

@@ -5,19 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "core/batch_kernels.h"
-#include "somato/core/lane_matrix.h"
+#include "kernels/batch_kernels.h"
 #include "somato/core/matrix.h"
 #include "somato/maps/som.h"
 
 namespace somato {
 
-/// A map's weights as integers, for screening (core/batch_kernels.h), and by rows, for deciding.
+/// A map's weights as integers, for screening (kernels/batch_kernels.h), and by rows, for deciding.
 ///
-/// Neurons stand in blocks of 16 that lie close together on the map, so that a whole block can be
-/// left out for a sample that is far from it. With the mean c of all weights, unit u (the greatest
-/// |w - c|) and squared distance d of sample x from weights w, a Euclidean map's score is
-/// (d - |x - c|^2) / (2 u^2), and a dot-product map's is (x . c - x . w) / u^2.
+/// Neurons are grouped in blocks of 16 that are close together on the map, so that a whole block
+/// can be skipped for a distant sample. With the mean c of all weights, unit u (the greatest |w -
+/// c|) and squared distance d of sample x from weights w, a Euclidean map's score is (d - |x -
+/// c|^2) / (2 u^2), and a dot-product map's is (x . c - x . w) / u^2.
 class ScreenedMap {
  public:
   ScreenedMap(const Som& som, std::size_t threads);
@@ -50,12 +49,12 @@ class ScreenedMap {
   }
   std::span<const double> radii() const { return radii_; }
 
-  /// A bound on the error of the score of a sample at `distance` (in units) from the centre, of
-  /// whose integers squares adding up to `rounded_off` were rounded off.
+  /// A bound on the error of the score of a sample at `distance` (in units) from the centre;
+  /// `rounded_off` is the sum of the squared rounding errors of its integers.
   double score_error(double distance, float rounded_off) const;
 
-  /// What turns x - c of a sample at distance `length` from the centre into integers, and products
-  /// of these with a neuron's into scores (ScreenedTile::factors).
+  /// The factors that convert x - c of a sample at distance `length` from the centre to integers,
+  /// and their products with those of a neuron to scores (ScreenedTile::factors).
   static float integer_factor(double length);
   float score_factor(double length) const;
 

@@ -21,8 +21,8 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr std::size_t kBlocksWorthSkipping = 32;
 constexpr double kShareWorthSkipping = 0.7;
 
-// All blocks, neighbours far apart from each other: so a good score is soon met, and few after it
-// are better still.
+// All blocks, with neighbours far apart in the order: a good score is found early, and few later
+// ones are better.
 std::vector<std::uint32_t> scattered(std::size_t count) {
   constexpr double kGoldenSection = 0.618;
   std::vector<std::uint32_t> blocks(count);
@@ -181,7 +181,8 @@ void ScreeningRun::screen_near(std::size_t tiles) {
   skipping_ = static_cast<double>(screened) < kShareWorthSkipping * all;
 }
 
-// First the nearest blocks, which tell how far the winner can be; then what can be so near.
+// The nearest blocks first, which bound the distance of the winner; then the blocks within this
+// bound.
 std::size_t ScreeningRun::screen_tile(std::size_t number) {
   const auto& kernels = kernels::batch_table();
   const std::size_t begin = number * kTileSamples;
@@ -207,7 +208,7 @@ std::size_t ScreeningRun::screen_tile(std::size_t number) {
   return done + list_.size();
 }
 
-// Squared distances are 2 score + |x - centre|^2; all in units, with room for what they may be off.
+// Squared distances are 2 score + |x - centre|^2; all in units, with a margin for their errors.
 void ScreeningRun::mark_near(std::size_t i) {
   const Known& known = known_[i];
   const Candidates& candidates = candidates_[i];

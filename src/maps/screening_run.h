@@ -5,21 +5,21 @@
 #include <span>
 #include <vector>
 
-#include "core/batch_kernels.h"
+#include "kernels/batch_kernels.h"
 #include "maps/screened_map.h"
-#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 
 namespace somato {
 
-/// The search of one thread for the winners of dense samples, some hundred of them at a time.
+/// The search of one thread for the winners of dense samples, a few hundred at a time.
 ///
-/// Where samples lie far from most of the map (data with clusters), whole blocks of neurons are
-/// left out: with the mean m of a block's weights and the greatest distance r of any of them from
-/// m, a sample at distance d from m is at least d - r away from all. Samples are then taken in the
-/// order of their nearest blocks, so that those of a tile need the same ones. Where that leaves out
-/// too little, it is given up.
+/// If samples are far from most of the map (data with clusters), whole blocks of neurons are
+/// skipped: with the mean m of a block's weights and the greatest distance r of any of them from m,
+/// a sample at distance d from m is at least d - r away from all. Samples are then processed in the
+/// order of their nearest blocks, so that those of a tile require the same ones. If this skips too
+/// few blocks, it is disabled.
 class ScreeningRun {
  public:
   /// Refers to all of them. With `two`, looks for the two most similar neurons; without `skip`,
@@ -31,7 +31,7 @@ class ScreeningRun {
   void find(std::size_t begin, std::span<Winners> found);
 
  private:
-  // A sample as integers, and what is known of it.
+  // A sample as integers, with its bounds.
   struct Known {
     std::size_t sample = 0;
     double distance = 0.0;  // from the centre, in units

@@ -1,4 +1,4 @@
-#include "somato/maps/size_order.h"
+#include "maps/size_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "core/rank_correlation.h"
 #include "maps/ring.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/core/rank_correlation.h"
 
 namespace somato {
 namespace {
@@ -61,7 +61,7 @@ double order_within(const std::vector<Ranked>& groups) {
   return best_of_both(sum) / static_cast<double>(groups.size());
 }
 
-// What the orders are computed from.
+// The data from which the orders are computed.
 struct Rankings {
   Ranked all;
   std::vector<Ranked> groups;
@@ -119,8 +119,9 @@ std::vector<MappedIndividual> mapped_individuals(const Grid& grid,
                                                  const std::vector<std::size_t>& individuals,
                                                  const std::vector<double>& numbers,
                                                  const std::vector<std::size_t>& groups) {
-  require(winners.size() == individuals.size(), "a map of individuals needs one a winner");
-  require(numbers.size() == groups.size(), "individuals need a number and a group each");
+  require(winners.size() == individuals.size(),
+          "a map of individuals needs one individual per winner");
+  require(numbers.size() == groups.size(), "each individual needs a number and a group");
   std::vector<MappedIndividual> mapped(numbers.size());
   std::vector<double> samples(numbers.size(), 0.0);
   for (std::size_t i = 0; i < winners.size(); ++i) {
@@ -143,8 +144,8 @@ CircularOrder circular_order(const std::vector<MappedIndividual>& individuals) {
   return order_of(rankings_of(individuals));
 }
 
-CircularOrderByLuck circular_order_by_luck(const std::vector<MappedIndividual>& individuals,
-                                           std::size_t shuffles, std::uint64_t seed) {
+CircularOrderByChance circular_order_chance(const std::vector<MappedIndividual>& individuals,
+                                            std::size_t shuffles, std::uint64_t seed) {
   Rankings rankings = rankings_of(individuals);
   const CircularOrder right = order_of(rankings);
   Random random(seed, Stream::kSizeOrder);

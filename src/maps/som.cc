@@ -5,9 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "core/batch_kernels.h"
 #include "core/lanes.h"
+#include "kernels/batch_kernels.h"
 #include "maps/activity.h"
+#include "maps/product_reading.h"
+#include "maps/product_weights.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -34,29 +36,6 @@ float second_least(std::span<const float> scores, float least) {
   return second;
 }
 
-// The two least scores, the earlier neuron first in a tie.
-class BestTwo {
- public:
-  void meet(double score, std::size_t neuron) {
-    if (met_ == 0 || score < first_) {
-      second_ = first_;
-      winners_ = {neuron, met_ == 0 ? neuron : winners_.first};
-      first_ = score;
-    } else if (met_ == 1 || score < second_) {
-      second_ = score;
-      winners_.second = neuron;
-    }
-    ++met_;
-  }
-  const Winners& winners() const { return winners_; }
-
- private:
-  std::size_t met_ = 0;
-  double first_ = 0.0;
-  double second_ = 0.0;
-  Winners winners_;
-};
-
 }  // namespace
 
 Som::Som(SomParameters parameters, const Matrix<float>& weights)
@@ -67,7 +46,7 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights)
       grid_(parameters_.grid()),
       weights_(std::move(weights)),
       elements_(weights_.columns()) {
-  require(weights_.rows() == grid_.size(), "a map needs one row of weights a neuron");
+  require(weights_.rows() == grid_.size(), "a map needs one row of weights per neuron");
 }
 
 Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements elements)
@@ -76,21 +55,37 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements ele
   require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
 }
 
+Som::Som(std::shared_ptr<const ProductWeights> products)
+    : parameters_(products->state().problem().parameters()),
+      grid_(parameters_.grid()),
+      elements_(products->state().problem().elements()),
+      products_(std::move(products)) {}
+
+const LaneMatrix<float>& Som::formed() const {
+  return products_->formed();
+}
+
+bool Som::knows(const Samples& samples) const {
+  return products_ && products_->known().is_same_as(samples);
+}
+
 float Som::weight(std::size_t neuron, std::size_t element) const {
   const auto place = elements_.place_of(element);
-  return place ? weights_(neuron, *place) : 0.0F;
+  return place ? weights()(neuron, *place) : 0.0F;
 }
 
 void Som::store_all() {
   if (elements_.all()) return;
-  LaneMatrix<float> weights(neurons(), input_size());
+  const LaneMatrix<float>& stored = weights();
+  LaneMatrix<float> all(neurons(), input_size());
   for (std::size_t place = 0; place < elements_.count(); ++place) {
     const std::size_t element = elements_.listed()[place];
     for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
-      weights(neuron, element) = weights_(neuron, place);
+      all(neuron, element) = stored(neuron, place);
     }
   }
-  weights_ = std::move(weights);
+  weights_ = std::move(all);
+  products_.reset();
   elements_ = StoredElements(elements_.size());
 }
 
@@ -114,16 +109,21 @@ std::span<const float> Som::scores(const SignalView& input, SomWorkspace& worksp
 }
 
 std::span<const float> Som::scores_of(std::span<const float> x, SomWorkspace& workspace) const {
-  workspace.scores_.resize(weights_.padded_rows());
+  workspace.scores_.resize(weights().padded_rows());
   const auto& kernels = kernels::table<float>();
   const auto compute = parameters_.similarity == Similarity::kEuclidean ? kernels.squared_distances
                                                                         : kernels.inner_products;
-  compute(kernels::lanes(weights_), x.data(), workspace.scores_.data());
+  compute(kernels::lanes(weights()), x.data(), workspace.scores_.data());
   return {workspace.scores_.data(), neurons()};
 }
 
 std::size_t Som::winner(const SignalView& input, SomWorkspace& workspace) const {
   return winner_of(prepare(input, workspace), workspace);
+}
+
+std::size_t Som::winner(std::span<const float> input) const {
+  static thread_local SomWorkspace workspace;
+  return winner(SignalView::dense(input), workspace);
 }
 
 std::size_t Som::winner_of(std::span<const float> prepared, SomWorkspace& workspace) const {
@@ -146,11 +146,11 @@ std::span<const float> Som::ascending_scores_of(std::span<const float> prepared,
   return workspace.scores_;
 }
 
-// How far above the least score in single precision the least one in double precision may be: each
-// is off by at most `rounding` of the squared distance, which is a sum of positive terms, or of
-// |x| |w|, with |w| = 1 in a dot-product map.
+// The maximum difference between the lowest score in single precision and that of the lowest one in
+// double precision: the error of each is at most `rounding` of the squared distance, which is a sum
+// of positive terms, or of |x| |w|, with |w| = 1 in a dot-product map.
 float Som::score_margin(float least, std::span<const float> prepared) const {
-  const auto columns = static_cast<double>(weights_.columns());
+  const auto columns = static_cast<double>(elements_.count());
   constexpr auto kChunk = static_cast<double>(kernels::kChunk);
   const double rounding = (std::min(columns, kChunk) + columns / kChunk + 4.0) * 0x1p-24;
   auto scale = double{least};
@@ -161,10 +161,10 @@ float Som::score_margin(float least, std::span<const float> prepared) const {
   return static_cast<float>(2.5 * rounding * scale);
 }
 
-// Scores in single precision tell who may be the best, scores in double precision who is.
+// Scores in single precision select candidates, scores in double precision decide among them.
 Winners Som::best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const {
   const std::span<const float> scores = ascending_scores_of(prepared, workspace);
-  const std::size_t blocks = weights_.blocks();
+  const std::size_t blocks = weights().blocks();
   const auto& kernels = kernels::batch_table();
   float last = kernels.least(scores.data(), blocks);
   if (two) last = second_least(scores, last);
@@ -182,8 +182,8 @@ Winners Som::best_of(std::span<const float> prepared, bool two, SomWorkspace& wo
 
 double Som::exact_score(std::span<const float> prepared, std::size_t neuron,
                         SomWorkspace& workspace) const {
-  workspace.row_.resize(weights_.columns());
-  weights_.copy_row(neuron, workspace.row_);
+  workspace.row_.resize(elements_.count());
+  weights().copy_row(neuron, workspace.row_);
   const auto& kernels = kernels::batch_table();
   return parameters_.similarity == Similarity::kEuclidean
              ? kernels.squared_distance(workspace.row_.data(), prepared.data(), prepared.size())
@@ -192,19 +192,31 @@ double Som::exact_score(std::span<const float> prepared, std::size_t neuron,
 
 std::size_t Som::winner_among(std::span<const std::size_t> candidates, const SignalView& input,
                               SomWorkspace& workspace) const {
-  require(!candidates.empty(), "winner_among needs at least one candidate");
   const std::span<const float> prepared = prepare(input, workspace);
-  BestTwo best;
-  for (const std::size_t neuron : candidates) {
-    require(neuron < neurons(), "winner_among: no such neuron");
-    best.meet(exact_score(prepared, neuron, workspace), neuron);
-  }
-  return best.winners().first;
+  return best_among(candidates, neurons(),
+                    [&](std::size_t neuron) { return exact_score(prepared, neuron, workspace); });
+}
+
+Winners Som::winners(const Samples& samples, std::size_t sample, SomWorkspace& workspace) const {
+  return knows(samples) ? somato::winners(products_->reading(sample))
+                        : winners(samples[sample], workspace);
+}
+
+std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Samples& samples,
+                              std::size_t sample, SomWorkspace& workspace) const {
+  return knows(samples) ? somato::winner_among(candidates, products_->reading(sample))
+                        : winner_among(candidates, samples[sample], workspace);
+}
+
+double Som::distance(const Samples& samples, std::size_t sample, std::size_t neuron,
+                     SomWorkspace& workspace) const {
+  return knows(samples) ? somato::distance(products_->reading(sample), neuron)
+                        : distance(samples[sample], neuron, workspace);
 }
 
 void Som::similarities(const SignalView& input, SomWorkspace& workspace,
                        std::span<float> out) const {
-  require(out.size() == neurons(), "similarities need room for a value a neuron");
+  require(out.size() == neurons(), "similarities need space for one value per neuron");
   const std::span<const float> all = scores(input, workspace);
   if (parameters_.similarity == Similarity::kDotProduct) {
     std::copy(all.begin(), all.end(), out.begin());
@@ -222,9 +234,10 @@ void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<f
 
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {
   const std::span<const float> x = prepare(input, workspace);
+  const LaneMatrix<float>& weights = this->weights();
   double sum = workspace.left_out_;
   for (std::size_t d = 0; d < x.size(); ++d) {
-    const double difference = double{x[d]} - double{weights_(neuron, d)};
+    const double difference = double{x[d]} - double{weights(neuron, d)};
     sum = std::fma(difference, difference, sum);
   }
   return std::sqrt(sum);

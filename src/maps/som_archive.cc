@@ -1,4 +1,4 @@
-#include "somato/maps/som_archive.h"
+#include "maps/som_archive.h"
 
 #include <cstdint>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace somato {
 namespace {
 
-// Without a parameter that resolve() would decide: what it decides depends on the samples.
+// Parameters must be resolved, since automatic values depend on the samples.
 Result<SomParameters> read_decided(const Archive& archive, const std::string& name,
                                    const std::string& where) {
   auto parameters = parameters_from<SomParameters>(archive, name, where);
@@ -18,7 +18,7 @@ Result<SomParameters> read_decided(const Archive& archive, const std::string& na
                        parameters->radius_start && parameters->radius_reached_at &&
                        parameters->learning_rate_reached_at &&
                        parameters->arithmetic != Arithmetic::kAutomatic;
-  if (!decided) return damaged_model("a parameter of the map is left automatic", where);
+  if (!decided) return damaged_model("a parameter of the map is still automatic", where);
   auto resolved = resolve(*parameters, 1, 1);
   if (!resolved) return damaged_model(std::move(resolved.error()), where);
   return resolved;
@@ -36,26 +36,24 @@ void add_elements(Archive& archive, const std::string& prefix, const StoredEleme
 Result<std::size_t> read_input_size(const Archive& archive, const std::string& name,
                                     const std::string& where) {
   constexpr std::int64_t kLargest = std::int64_t{1} << 32U;
-  const auto found = archive.get<Array<std::int64_t>>(name, where);
-  if (!found) return fail(found.error());
-  const Array<std::int64_t>& array = **found;
+  SOMATO_TRY(const auto found, archive.get<Array<std::int64_t>>(name, where));
+  const Array<std::int64_t>& array = *found;
   if (array.shape != std::vector<std::uint64_t>{1} || array.values[0] < 1 ||
       array.values[0] > kLargest) {
-    return damaged_model("'" + name + "' is not a size that an input can have", where);
+    return damaged_model("'" + name + "' is not a valid input size", where);
   }
   return static_cast<std::size_t>(array.values[0]);
 }
 
 Result<std::vector<std::uint32_t>> read_list(const Archive& archive, const std::string& name,
                                              std::size_t size, const std::string& where) {
-  const auto found = archive.get<Array<std::int64_t>>(name, where);
-  if (!found) return fail(found.error());
-  const Array<std::int64_t>& array = **found;
+  SOMATO_TRY(const auto found, archive.get<Array<std::int64_t>>(name, where));
+  const Array<std::int64_t>& array = *found;
   std::vector<std::uint32_t> listed;
   listed.reserve(array.values.size());
   for (const std::int64_t element : array.values) {
     if (element < 0 || std::cmp_greater_equal(element, size)) {
-      return damaged_model("'" + name + "' holds an element that the input has not", where);
+      return damaged_model("'" + name + "' contains an element outside the input", where);
     }
     listed.push_back(static_cast<std::uint32_t>(element));
   }
@@ -63,7 +61,7 @@ Result<std::vector<std::uint32_t>> read_list(const Archive& archive, const std::
   return damaged_model("'" + name + "' is not an ascending list", where);
 }
 
-// All of `columns` elements where nothing else is said.
+// All of `columns` elements by default.
 Result<StoredElements> read_elements(const Archive& archive, const std::string& prefix,
                                      std::size_t columns, const std::string& where) {
   if (!archive.find(prefix + "elements") && !archive.find(prefix + "input_size")) {
@@ -71,12 +69,11 @@ Result<StoredElements> read_elements(const Archive& archive, const std::string& 
   }
   const auto size = read_input_size(archive, prefix + "input_size", where);
   if (!size) return fail(size.error());
-  auto listed = read_list(archive, prefix + "elements", *size, where);
-  if (!listed) return fail(std::move(listed.error()));
-  if (listed->size() != columns) {
+  SOMATO_TRY(auto listed, read_list(archive, prefix + "elements", *size, where));
+  if (listed.size() != columns) {
     return damaged_model("'" + prefix + "elements' does not fit the map's weights", where);
   }
-  return StoredElements(*size, std::move(*listed));
+  return StoredElements(*size, std::move(listed));
 }
 
 }  // namespace
@@ -88,16 +85,14 @@ void add_som(Archive& archive, const std::string& prefix, const Som& som) {
 }
 
 Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where) {
-  auto parameters = read_decided(archive, prefix + "parameters", where);
-  if (!parameters) return fail(std::move(parameters.error()));
+  SOMATO_TRY(auto parameters, read_decided(archive, prefix + "parameters", where));
   auto weights = matrix_from(archive, prefix + "weights", where);
   if (!weights) return fail(std::move(weights.error()));
-  if (weights->rows() != parameters->grid().size()) {
+  if (weights->rows() != parameters.grid().size()) {
     return damaged_model("the map's weights do not fit its grid", where);
   }
-  auto elements = read_elements(archive, prefix, weights->columns(), where);
-  if (!elements) return fail(std::move(elements.error()));
-  return Som(*parameters, LaneMatrix<float>(*weights), std::move(*elements));
+  SOMATO_TRY(auto elements, read_elements(archive, prefix, weights->columns(), where));
+  return Som(parameters, LaneMatrix<float>(*weights), std::move(elements));
 }
 
 }  // namespace somato

@@ -1,21 +1,21 @@
 #include "somato/maps/som_learner.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include "core/thread_team.h"
-#include "maps/dense_learner.h"
+#include "maps/dense_map.h"
+#include "maps/product_learner.h"
 #include "maps/sparse_learner.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
-// What a sparse value costs more than a dense one.
+// Cost of a sparse value relative to a dense one.
 constexpr std::size_t kEmptyEnough = 16;
 
-// A table of so many elements is small beside their weights.
+// The memory of a table of this size is small compared with that of the weights.
 constexpr std::size_t kMostElements = std::size_t{1} << 26;
 
 // Writing the weights into the map after fewer inputs would take more time than it saves.
@@ -31,89 +31,103 @@ SomLearner::~SomLearner() {
 }
 
 void SomLearner::settle() {
-  if (dense_) dense_->settle();
-  if (!sparse_) return;
-  sparse_->settle();
+  if (!map_) return;
+  map_->settle();
+  if (form_ != Form::kSparse) return;
   read_often_ = learned_since_settled_ < kSeldom;
-  if (read_often_) sparse_.reset();
+  if (read_often_) begin(Form::kNone);
   learned_since_settled_ = 0;
 }
 
-// What it began with it stays with, but for a map that is read after nearly each input.
-bool SomLearner::learns_sparsely(const SignalView& input) const {
-  return input.sparse && !dense_ && !read_often_ && input.size <= kMostElements &&
-         input.values.size() * kEmptyEnough < input.size;
+Som SomLearner::look() const {
+  return map_ ? map_->look() : som_;
 }
 
-std::size_t SomLearner::learn_sparsely(const SignalView& input, const LearningStep& step) {
-  if (!sparse_) sparse_ = std::make_unique<SparseLearner>(som_, *team_);
+// Selects the form. A stream keeps its initial form, except if the map is read after nearly every
+// input, or if inputs have more elements.
+SomLearner::Form SomLearner::form_for(const OnlineInput& input) const {
+  if (input.lesson) return Form::kProducts;
+  const SignalView& x = input.values;
+  const bool is_empty_enough =
+      x.sparse && x.size <= kMostElements && x.values.size() * kEmptyEnough < x.size;
+  return is_empty_enough && form_ != Form::kDense && !read_often_ ? Form::kSparse : Form::kDense;
+}
+
+void SomLearner::begin(Form form) {
+  if (map_) map_->settle();
+  map_.reset();
+  form_ = form;
+  if (form == Form::kProducts) map_ = std::make_unique<ProductLearner>(som_);
+  if (form == Form::kSparse) map_ = std::make_unique<SparseLearner>(som_, *team_);
+  if (form == Form::kDense) map_ = std::make_unique<DenseMap>(som_, *team_);
+}
+
+OnlineMap& SomLearner::map_for(const OnlineInput& input) {
+  const Form form = form_for(input);
+  if (form != form_) begin(form);
+  return *map_;
+}
+
+// The number of inputs that are learned at once.
+Learned SomLearner::learn_first(std::span<const OnlineInput> inputs,
+                                std::span<const LearningStep> steps) {
   ++learned_since_settled_;
-  return sparse_->learn(input, som_.input_factor(input), step.learning_rate, step.radius);
+  const Learned learned = map_for(inputs.front()).learn(inputs, steps);
+  if (learned.inputs > 0) return learned;
+  begin(Form::kNone);  // an element without weights
+  som_.store_all();
+  begin(Form::kDense);
+  return map_->learn(inputs, steps);
 }
 
-// The input as the dense learner takes it, with weights for all that is in it.
-std::span<const float> SomLearner::seen(const SignalView& input) {
-  if (sparse_) sparse_->settle();
-  sparse_.reset();
-  std::span<const float> x = som_.prepare(input, workspace_);
-  if (workspace_.left_out_ > 0.0) {
-    if (dense_) dense_->settle();
-    dense_.reset();
-    som_.store_all();
-    x = som_.prepare(input, workspace_);
+void SomLearner::learn_all(std::span<const OnlineInput> inputs,
+                           std::span<const LearningStep> steps) {
+  require(inputs.size() == steps.size(), "learning several inputs needs one step for each");
+  for (const OnlineInput& input : inputs) {
+    require(input.values.size == som_.input_size(),
+            "an input's size differs from the map's input size");
   }
-  if (!dense_) dense_ = std::make_unique<DenseLearner>(som_, *team_);
-  return x;
+  for (std::size_t done = 0; done < inputs.size();) {
+    done += learn_first(inputs.subspan(done), steps.subspan(done)).inputs;
+  }
 }
 
 std::size_t SomLearner::learn(const SignalView& input, double learning_rate, double radius) {
   require(input.size == som_.input_size(), "the input's size differs from the map's input size");
-  if (learns_sparsely(input)) return learn_sparsely(input, {learning_rate, radius});
-  const std::span<const float> x = seen(input);
-  dense_->expect({x});
-  return dense_->learn(learning_rate, radius);
+  const OnlineInput one{input, {}};
+  const LearningStep step{learning_rate, radius};
+  return learn_first({&one, 1}, {&step, 1}).winner;
 }
 
 void SomLearner::learn(std::span<const SignalView> inputs, std::span<const LearningStep> steps) {
-  require(inputs.size() == steps.size(), "learning several inputs takes a step for each");
-  for (const SignalView& input : inputs) {
-    require(input.size == som_.input_size(), "an input's size differs from the map's input size");
-  }
-  std::size_t done = 0;
-  while (done < inputs.size()) {
-    if (learns_sparsely(inputs[done])) {
-      learn_sparsely(inputs[done], steps[done]);
-      ++done;
-    } else {
-      done += learn_ahead(inputs.subspan(done), steps.subspan(done));
-    }
-  }
+  std::vector<OnlineInput> all;
+  all.reserve(inputs.size());
+  for (const SignalView& input : inputs) all.push_back({input, {}});
+  learn_all(all, steps);
 }
 
-// As many of the first inputs as the dense learner takes at once; returns their number.
-std::size_t SomLearner::learn_ahead(std::span<const SignalView> inputs,
-                                    std::span<const LearningStep> steps) {
-  std::span<const float> x = seen(inputs.front());
-  const std::size_t most = std::min(dense_->ahead(), inputs.size());
-  prepared_.resize(std::max(prepared_.size(), most));
-  std::vector<std::span<const float>> expected;
-  expected.reserve(most);
-  while (true) {
-    std::vector<float>& kept = prepared_[expected.size()];
-    if (x.data() == workspace_.input_.data()) {
-      kept.assign(x.begin(), x.end());
-      x = kept;
-    }
-    expected.push_back(x);
-    if (expected.size() == most) break;
-    x = som_.prepare(inputs[expected.size()], workspace_);
-    if (workspace_.left_out_ > 0.0) break;
+void SomLearner::learn(const Samples& samples, std::span<const std::size_t> numbers,
+                       std::span<const LearningStep> steps) {
+  const bool known = som_.knows(samples);
+  std::vector<OnlineInput> all;
+  all.reserve(numbers.size());
+  for (const std::size_t number : numbers) {
+    require(number < samples.count(), "a sample to learn does not exist");
+    all.push_back({samples[number], known ? som_.products()->state().problem().lesson_of(number)
+                                          : std::optional<std::size_t>()});
   }
-  dense_->expect(expected);
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    dense_->learn(steps[i].learning_rate, steps[i].radius);
+  learn_all(all, steps);
+}
+
+void SomLearner::activity(const Samples& samples, std::size_t sample, std::span<float> out) {
+  require(sample < samples.count() && out.size() == som_.neurons(),
+          "an activity needs one of the samples, and space for one value per neuron");
+  if (som_.knows(samples)) {
+    if (!map_) begin(Form::kProducts);
+    if (map_->write_activity(sample, out)) return;
   }
-  return expected.size();
+  settle();
+  som_.activity(samples[sample], workspace_, out);
 }
 
 }  // namespace somato

@@ -22,6 +22,12 @@ bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
 
 }  // namespace
 
+const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<NeighbourhoodShape>::all() {
+  static const std::vector<std::pair<NeighbourhoodShape, std::string>> choices{
+      {NeighbourhoodShape::kGaussian, "gaussian"}, {NeighbourhoodShape::kBubble, "bubble"}};
+  return choices;
+}
+
 const std::vector<std::pair<Similarity, std::string>>& Choices<Similarity>::all() {
   static const std::vector<std::pair<Similarity, std::string>> choices{
       {Similarity::kEuclidean, "euclidean"}, {Similarity::kDotProduct, "dot_product"}};
@@ -74,40 +80,38 @@ const Declarations<SomParameters>& SomParameters::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("rows", &P::rows, "neurons", Range::between(1, 1 << 24),
-               "Rows of the map; even on a hexagonal torus. Automatic: 5 sqrt(samples) neurons in "
-               "about a square (Vesanto and others 2000).")
+               "Rows of the map; must be even on a hexagonal torus. Automatic: about 5 "
+               "sqrt(samples) neurons in an approximately square map (Vesanto and others 2000).")
           .add("columns", &P::columns, "neurons", Range::between(1, 1 << 24),
                "Columns of the map. Automatic: as for rows.")
           .add("lattice", &P::lattice, "", Range::any(),
-               "Layout of the neurons: four neighbours at right angles, or six. The papers draw "
-               "rectangular "
-               "maps.")
+               "Layout of the neurons: rectangular with four neighbours, or hexagonal with six. "
+               "The papers draw rectangular maps.")
           .add("topology", &P::topology, "", Range::any(),
-               "Whether the map ends at its edges or goes on at the opposite ones.")
+               "Whether the map has borders, or opposite edges are joined.")
           .add("similarity", &P::similarity, "", Range::any(),
-               "What makes a neuron the winner: the least Euclidean distance, or the greatest "
-               "inner product with weights of length 1.")
+               "Criterion for the winner: the smallest Euclidean distance, or the greatest inner "
+               "product with weights of length 1.")
           .add("normalize_input", &P::normalize_input, "", Range::any(),
-               "Scale every input to Euclidean length 1; automatic: with dot_product only. Not "
-               "given in the paper.")
+               "Whether every input is scaled to Euclidean length 1; automatic: with dot_product "
+               "only. Not given in the paper.")
           .add("initial_weights", &P::initial_weights, "", Range::any(),
-               "Where weights start: uniform in [0, 1), uniform in each feature's range, or at "
-               "random samples. Not given in the paper.")
+               "Initial weights: uniform in [0, 1), uniform in each feature's range, or random "
+               "samples. Not given in the paper.")
           .add("training", &P::training, "", Range::any(),
-               "One random sample at a time (the papers'), or all samples an epoch.")
+               "Online training, with one random sample at a time as in the papers, or batch "
+               "training, with all samples in each epoch.")
           .add("iterations", &P::iterations, "samples drawn", Range::between(0, 1e15),
-               "Length of online training; automatic: 2000 as in P11, or 10 a sample if that is "
-               "more; 500 a neuron (Kohonen 1990) where the map's size is automatic.")
+               "Length of online training; automatic: 2000 as in P11, or 10 per sample if that is "
+               "more; 500 per neuron (Kohonen 1990) if the map's size is automatic.")
           .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
                "Length of batch training.")
           .add("draws", &P::draws, "", Range::any(),
                "How samples are drawn in online training. Not given in the paper.")
           .add("neighbourhood", &P::neighbourhood, "", Range::any(),
-               "How much the neurons around a winner learn with it: less with distance, or all "
-               "alike up "
-               "to the radius.")
+               "Neighbourhood function: decreasing with distance, or constant up to the radius.")
           .add("radius_schedule", &P::radius_schedule, "", Range::any(),
-               "How the neighbourhood radius goes from start to end. Not given in the paper.")
+               "Course of the neighbourhood radius from start to end. Not given in the paper.")
           .add("radius_start", &P::radius_start, "neurons", Range::at_least(0),
                "Neighbourhood radius (a Gaussian's sigma) at the start; automatic: half of the "
                "longer side of the map. P11 gives 15 for the texture map, and the "
@@ -116,34 +120,35 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "Neighbourhood radius at the end. About 1 in P11.")
           .add("radius_reached_at", &P::radius_reached_at, "iterations or epochs",
                Range::between(1, 1e15),
-               "When the radius has reached its end, where it stays; automatic: at the end of "
-               "training.")
+               "Iteration or epoch at which the radius reaches its final value, which it then "
+               "keeps; automatic: the end of training.")
           .add("learning_rate_schedule", &P::learning_rate_schedule, "", Range::any(),
-               "How the learning rate goes from start to end. Not given in the paper.")
+               "Course of the learning rate from start to end. Not given in the paper.")
           .add("learning_rate_start", &P::learning_rate_start, "", Range::between(0, 1),
                "Learning rate at the start of online training. Not given in the paper.")
           .add("learning_rate_end", &P::learning_rate_end, "", Range::between(0, 1),
                "Learning rate at the end of online training. Not given in the paper.")
           .add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
                Range::between(1, 1e15),
-               "When the learning rate has reached its end, where it stays; automatic: at the end "
-               "of training. Not given in the paper.")
+               "Iteration at which the learning rate reaches its final value, which it then keeps; "
+               "automatic: the end of training. Not given in the paper.")
           .add("arithmetic", &P::arithmetic, "", Range::any(),
-               "How training computes; the map is the same up to rounding. Automatic: inner "
-               "products "
-               "when there are at least twice as many features, and iterations, as samples, or in "
-               "batch training eight times as many features and 8 epochs; in a system, where the "
-               "samples are whole explorations that nothing changes meanwhile.")
+               "Method of computation in training; the map is the same up to rounding. Automatic: "
+               "inner products if there are at least twice as many features, and iterations, as "
+               "samples, or in batch training eight times as many features and 8 epochs; in a "
+               "system, if the samples are whole explorations and their input does not change "
+               "during training.")
           .add("softmax", &P::softmax, "", Range::any(),
                "Form of the map's activity from its similarities s: s^m or exp(m s). Not given in "
                "the paper.")
           .add("softmax_exponent", &P::softmax_exponent, "", Range::above(0),
                "The m of the activity; 10 in P11.")
           .add("activity_norm", &P::activity_norm, "", Range::any(),
-               "Whether activities add up to 1 or the winner has 1. Not given in the paper.")
+               "Whether activities are divided by their sum or by that of the winner. Not given in "
+               "the paper.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
-               "Seed of initial weights and draws: the same seed gives the same bits. A study has "
-               "first_seed in its place.");
+               "Seed of initial weights and draws: the same seed gives identical results, bit by "
+               "bit. A study uses first_seed instead.");
   return declared;
 }
 
@@ -168,9 +173,7 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
   decide_size(parameters, samples);
   auto& p = parameters;
-  if (auto valid = Grid::validate(*p.rows, *p.columns, p.lattice, p.topology); !valid) {
-    return fail(std::move(valid.error()));
-  }
+  SOMATO_TRY_VOID(Grid::validate(*p.rows, *p.columns, p.lattice, p.topology));
   const auto longer_side = static_cast<double>(std::max(*p.rows, *p.columns));
   p.normalize_input = p.normalize_input.value_or(p.similarity == Similarity::kDotProduct);
   p.iterations = p.iterations.value_or(std::max<std::uint64_t>(2000, 10 * samples));
@@ -184,7 +187,7 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
   }
   for (const auto& [name, schedule] : {std::pair<std::string, Schedule>{"radius", p.radius()},
                                        {"learning rate", p.learning_rate()}}) {
-    if (auto valid = schedule.validate(name); !valid) return fail(valid.error());
+    SOMATO_TRY_VOID(schedule.validate(name));
   }
   return parameters;
 }

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "somato/core/memory.h"
-#include "somato/maps/initial_weights.h"
-#include "somato/maps/sample_range.h"
+#include "core/memory.h"
+#include "maps/initial_weights.h"
+#include "maps/sample_range.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
 
@@ -35,15 +35,15 @@ Samples normalized_dense(const Samples& samples) {
 }  // namespace
 
 // Batch training adds the sums of samples a neuron and their means over the neighbourhood, in
-// double precision, and arranges the weights anew for the search.
+// double precision, and rearranges the weights for the search.
 double training_memory(const SomParameters& parameters, std::size_t elements) {
   const bool batch = parameters.training == Training::kBatch;
   const double of_weight = batch ? 2 * sizeof(float) + 2 * sizeof(double) : sizeof(float);
   return static_cast<double>(parameters.grid().size()) * static_cast<double>(elements) * of_weight;
 }
 
-// Refused before it is asked for: a system that promises more memory than it has would end the
-// program later, without a word.
+// Checked before allocation: on a system that overcommits memory, the program would otherwise be
+// killed later without a message.
 Result<void> check_memory(const SomParameters& parameters, std::size_t elements) {
   const double needed = training_memory(parameters, elements);
   const std::size_t limit = memory_limit();
@@ -63,8 +63,8 @@ Result<void> check_samples(const Samples& samples) {
 
 Result<void> check_samples(std::size_t count, std::size_t size) {
   if (count > 0 && size > 0) return {};
-  return fail(ErrorKind::kData, "there are no samples to train on", {},
-              "give at least one sample of at least one element");
+  return fail(ErrorKind::kData, "no samples to train on", {},
+              "provide at least one sample with at least one element");
 }
 
 double longest_of(const Samples& prepared) {
@@ -81,8 +81,8 @@ Result<void> check_longest(double longest) {
   if (longest <= kLongestSample && (longest >= kShortest || longest == 0.0)) return {};
   return fail(ErrorKind::kData,
               longest > kLongestSample
-                  ? "the samples are too large to be told apart in single precision"
-                  : "the samples are too small to be told apart in single precision",
+                  ? "the samples are too large to be distinguished in single precision"
+                  : "the samples are too small to be distinguished in single precision",
               {}, "scale or standardize them; lengths from 1e-15 to 1e18 can be used");
 }
 
@@ -92,20 +92,17 @@ Result<void> check_range(const Samples& prepared) {
 
 Result<PreparedTraining> prepare_training(const SomParameters& parameters, const Samples& samples,
                                           Samples& storage) {
-  if (auto usable = check_samples(samples); !usable) return fail(std::move(usable.error()));
-  Result<SomParameters> resolved = resolve(parameters, samples.count(), samples.size());
-  if (!resolved) return fail(std::move(resolved.error()));
-  StoredElements elements = worth_storing(*resolved, samples);
-  if (auto fits = check_memory(*resolved, elements.count()); !fits) {
-    return fail(std::move(fits.error()));
-  }
-  const Samples* prepared = &prepared_samples(*resolved, samples, storage);
-  if (auto fit = check_range(*prepared); !fit) return fail(std::move(fit.error()));
+  SOMATO_TRY_VOID(check_samples(samples));
+  SOMATO_TRY(SomParameters resolved, resolve(parameters, samples.count(), samples.size()));
+  StoredElements elements = worth_storing(resolved, samples);
+  SOMATO_TRY_VOID(check_memory(resolved, elements.count()));
+  const Samples* prepared = &prepared_samples(resolved, samples, storage);
+  SOMATO_TRY_VOID(check_range(*prepared));
   if (prepared->is_sparse()) {
     storage = elements.gather(*prepared);
     prepared = &storage;
   }
-  return PreparedTraining{std::move(*resolved), prepared, std::move(elements)};
+  return PreparedTraining{std::move(resolved), prepared, std::move(elements)};
 }
 
 const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,

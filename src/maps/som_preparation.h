@@ -4,8 +4,8 @@
 
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
+#include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
-#include "somato/maps/stored_elements.h"
 
 namespace somato {
 

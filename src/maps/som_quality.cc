@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/threads.h"
 #include "maps/winner_search.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
 
 namespace somato {
 namespace {

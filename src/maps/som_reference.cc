@@ -1,11 +1,11 @@
-#include "somato/maps/som_reference.h"
+#include "maps/som_reference.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "somato/core/elementary.h"
-#include "somato/maps/initial_weights.h"
+#include "core/elementary.h"
+#include "maps/initial_weights.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {

@@ -1,68 +1,86 @@
 #include "somato/maps/som_training.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <numeric>
 #include <utility>
 
-#include "maps/inner_product_training.h"
-#include "maps/map_rows.h"
+#include "maps/batch_training.h"
+#include "maps/product_weights.h"
 #include "maps/som_preparation.h"
+#include "maps/som_start.h"
 #include "maps/source_preparation.h"
 #include "maps/stop.h"
-#include "somato/core/check.h"
-#include "somato/maps/batch_training.h"
-#include "somato/maps/initial_weights.h"
 #include "somato/maps/som_learner.h"
 
 namespace somato {
 namespace {
 
 constexpr std::uint64_t kOnlineIterationsBetweenReports = 64;
+constexpr std::uint64_t kProductIterationsBetweenReports = 256;
 constexpr std::uint64_t kLeastIterationsBetweenReports = 16;  // learned in one pass
 constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
+constexpr std::uint64_t kMoments = 100;
 
-// Fewer on a large map: whoever asks it to stop does not want to wait.
+// Fewer on a large map: a user who stops it does not want to wait.
 std::uint64_t iterations_between_reports(const Som& som) {
+  if (som.products()) return kProductIterationsBetweenReports;
   const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, kLeastIterationsBetweenReports,
                                    kOnlineIterationsBetweenReports);
 }
 
-// Of the stored elements alone: everything else is 0 and stays 0.
-Som initial_som(const PreparedTraining& prepared) {
-  const InitialWeightsSource source(prepared.parameters, *prepared.samples, prepared.elements);
-  LaneMatrix<float> weights(prepared.parameters.grid().size(), prepared.samples->size());
-  std::vector<float> row(prepared.samples->size());
-  for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
-    source.write(neuron, row);
-    weights.set_row(neuron, row);
+// Shows an observer the moments of one training.
+class Moments {
+ public:
+  Moments(const TrainingObserver& observer, const Som& som, std::uint64_t steps)
+      : observer_(observer), weights_(som.neurons() * som.elements().count()), steps_(steps) {}
+
+  // The first moment after `step`, or the end.
+  std::uint64_t next(std::uint64_t step) const {
+    if (!observer_) return steps_;
+    const std::uint64_t number = step * kMoments / steps_ + 1;
+    return std::min(steps_, (number * steps_ + kMoments - 1) / kMoments);
   }
-  return Som(prepared.parameters, std::move(weights));
-}
 
-// A map of stored elements as one of whole inputs.
-Som of_whole_inputs(Som som, const StoredElements& elements) {
-  return Som(som.parameters(), std::move(som.weights()), elements);
-}
+  // Whether to stop after `step`.
+  bool stop_after(std::uint64_t step, double learning_rate, double radius,
+                  const std::function<Som()>& map) const {
+    if (!observer_ || next(step - 1) != step) return false;
+    return !observer_({step, steps_, learning_rate, radius, weights_, map});
+  }
 
-Result<void> train_online(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  const SomParameters& p = som.parameters();
-  DrawSequence draws(p.draws, prepared.count(), p.seed);
-  SomLearner learner(som, options.threads);
-  const std::uint64_t interval = iterations_between_reports(som);
-  const Stop stop(options.progress, *p.iterations, interval);
-  std::vector<SignalView> inputs;
+ private:
+  const TrainingObserver& observer_;
+  std::size_t weights_;
+  std::uint64_t steps_;
+};
+
+Result<void> train_online(SomStart& start, const TrainingOptions& options) {
+  const SomParameters p = start.som.parameters();
+  const std::uint64_t total = *p.iterations;
+  const std::uint64_t interval = iterations_between_reports(start.som);
+  const Stop stop(options.progress, total, interval);
+  const Moments moments(options.observer, start.som, total);
+  DrawSequence draws(p.draws, start.training.size(), p.seed);
+  SomLearner learner(start.som, options.threads);
+  std::vector<std::size_t> drawn;
   std::vector<LearningStep> steps;
-  for (std::uint64_t t = 0; t < *p.iterations;) {
-    const std::uint64_t end = std::min(t + interval, *p.iterations);
-    inputs.clear();
+  for (std::uint64_t t = 0; t < total;) {
+    const std::uint64_t end = std::min({t - t % interval + interval, moments.next(t), total});
+    drawn.clear();
     steps.clear();
     for (; t < end; ++t) {
-      inputs.push_back(prepared[draws.next()]);
+      drawn.push_back(start.training[draws.next()]);
       steps.push_back({p.learning_rate().at(t), p.radius().at(t)});
     }
-    learner.learn(inputs, steps);
-    if (stop.after(t)) return Stop::error();
+    learner.learn(start.samples, drawn, steps);
+    const auto map = [&] { return start.whole(learner.look()); };
+    if (stop.after(t) ||
+        moments.stop_after(t, steps.back().learning_rate, steps.back().radius, map)) {
+      return Stop::error();
+    }
   }
   return {};
 }
@@ -84,71 +102,87 @@ Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch, 
   });
   if (!gone_through) return gone_through;
   training.finish(som.parameters().radius().at(epoch));
-  if (stop.after((epoch + 1) * parts)) return Stop::error();
   return {};
 }
 
-Result<void> train_batch(Som& som, SampleSource& prepared, std::uint64_t parts,
-                         const TrainingOptions& options) {
-  const std::uint64_t epochs = som.parameters().epochs;
-  const Stop stop(options.progress, epochs * parts, 1);
-  for (std::uint64_t epoch = 0; epoch < epochs; ++epoch) {
-    auto trained = train_epoch(som, prepared, epoch, parts, options.threads, stop);
-    if (!trained) return trained;
+// All epochs: `learn` is given the number of each, `map` gives the map after it.
+Result<void> train_epochs(const Som& som, std::uint64_t parts, const TrainingOptions& options,
+                          const std::function<Result<void>(std::uint64_t, const Stop&)>& learn,
+                          const std::function<Som()>& map) {
+  const SomParameters p = som.parameters();
+  const Stop stop(options.progress, p.epochs * parts, 1);
+  const Moments moments(options.observer, som, p.epochs);
+  for (std::uint64_t epoch = 0; epoch < p.epochs; ++epoch) {
+    SOMATO_TRY_VOID(learn(epoch, stop));
+    if (stop.after((epoch + 1) * parts) ||
+        moments.stop_after(epoch + 1, 0.0, p.radius().at(epoch), map)) {
+      return Stop::error();
+    }
   }
   return {};
 }
 
-Result<void> train_batch(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  SamplesInMemory source(prepared);
-  return train_batch(som, source, 1, options);
+Result<void> train_batch(SomStart& start, SampleSource& prepared, std::uint64_t parts,
+                         const TrainingOptions& options) {
+  Som& som = start.som;
+  return train_epochs(
+      som, parts, options,
+      [&](std::uint64_t epoch, const Stop& stop) {
+        return train_epoch(som, prepared, epoch, parts, options.threads, stop);
+      },
+      [&] { return start.whole(som); });
+}
+
+Result<void> train_batch_by_products(Som& som, const TrainingOptions& options) {
+  const std::shared_ptr<const ProductWeights> before = som.products();
+  ProductState state = before->state();
+  const auto map = [&] {
+    return Som(std::make_shared<const ProductWeights>(before->known(), state, before->threads()));
+  };
+  auto trained = train_epochs(
+      som, 1, options,
+      [&](std::uint64_t epoch, const Stop&) -> Result<void> {
+        state.learn_all(som.parameters().radius().at(epoch));
+        return {};
+      },
+      map);
+  if (trained) som = map();
+  return trained;
+}
+
+Result<void> train(SomStart& start, const TrainingOptions& options) {
+  if (start.som.parameters().training == Training::kOnline) return train_online(start, options);
+  if (start.som.products()) return train_batch_by_products(start.som, options);
+  SamplesInMemory source(start.samples);
+  return train_batch(start, source, 1, options);
 }
 
 // The samples as the map sees them.
 Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& prepared,
                               const TrainingOptions& options) {
-  const Result<SampleSurvey> survey = survey_samples(prepared);
-  if (!survey) return fail(survey.error());
-  if (auto usable = check_samples(survey->count, prepared.size()); !usable) {
-    return fail(std::move(usable.error()));
-  }
-  if (auto fit = check_longest(survey->longest); !fit) return fail(std::move(fit.error()));
-  const auto resolved = resolve(parameters, survey->count, prepared.size());
-  if (!resolved) return fail(resolved.error());
-  auto som = initial_som(*resolved, prepared, *survey);
+  SOMATO_TRY(const SampleSurvey survey, survey_samples(prepared));
+  SOMATO_TRY_VOID(check_samples(survey.count, prepared.size()));
+  SOMATO_TRY_VOID(check_longest(survey.longest));
+  SOMATO_TRY(const auto resolved, resolve(parameters, survey.count, prepared.size()));
+  auto som = initial_som(resolved, prepared, survey);
   if (!som) return som;
-  auto trained = train_batch(*som, prepared, survey->parts, options);
-  if (!trained) return fail(std::move(trained.error()));
-  return som;
-}
-
-Result<void> train_in_place(Som& som, const Samples& prepared, const TrainingOptions& options) {
-  return som.parameters().training == Training::kBatch ? train_batch(som, prepared, options)
-                                                       : train_online(som, prepared, options);
+  SomStart start{std::move(*som), {}, {}, StoredElements(prepared.size())};
+  SOMATO_TRY_VOID(train_batch(start, prepared, survey.parts, options));
+  return std::move(start.som);
 }
 
 }  // namespace
 
-Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
-  Samples storage;
-  auto ready = prepare_training(parameters, samples, storage);
-  if (!ready) return fail(std::move(ready.error()));
-  return of_whole_inputs(initial_som(*ready), ready->elements);
-}
-
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
-  auto by_products = train_by_inner_products(parameters, samples, options);
-  if (!by_products) return fail(std::move(by_products.error()));
-  if (*by_products) return std::move(**by_products);
-  Samples storage;
-  auto ready = prepare_training(parameters, samples, storage);
-  if (!ready) return fail(std::move(ready.error()));
-  Som som = initial_som(*ready);
-  if (auto trained = train_in_place(som, *ready->samples, options); !trained) {
-    return fail(std::move(trained.error()));
-  }
-  return of_whole_inputs(std::move(som), ready->elements);
+  SOMATO_TRY(auto start, start_som(parameters, samples, options));
+  SOMATO_TRY_VOID(train(start, options));
+  return start.whole(std::move(start.som));
+}
+
+Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samples,
+                      const TrainingOptions& options) {
+  return train_som(parameters, Samples(samples), options);
 }
 
 Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
@@ -159,9 +193,7 @@ Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
     return fail(ErrorKind::kUsage, "online training needs all samples in memory", {},
                 "set 'training' to batch");
   }
-  if (auto fits = check_memory(*resolved, samples.size()); !fits) {
-    return fail(std::move(fits.error()));
-  }
+  SOMATO_TRY_VOID(check_memory(*resolved, samples.size()));
   if (!*resolved->normalize_input) return train_on_prepared(parameters, samples, options);
   ChangedSamples normalized(samples, [&](const Samples& part) {
     Samples storage;
@@ -169,24 +201,6 @@ Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
     return storage;
   });
   return train_on_prepared(parameters, normalized, options);
-}
-
-Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options) {
-  if (auto usable = check_samples(samples); !usable) return usable;
-  require(samples.size() == som.input_size(),
-          "the samples' size differs from the map's input size");
-  Som trained = som;
-  if (!has_weights_for(som, samples)) {
-    auto fits = check_memory(som.parameters(), som.input_size());
-    if (!fits) return fits;
-    trained.store_all();
-  }
-  Samples storage;
-  const Samples& prepared = prepared_samples(som.parameters(), samples, storage);
-  if (auto fit = check_range(prepared); !fit) return fit;
-  auto result = train_in_place(trained, prepared, options);
-  if (result) som = std::move(trained);
-  return result;
 }
 
 DrawSequence::DrawSequence(Draws draws, std::size_t samples, std::uint64_t seed)

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "maps/initial_weights.h"
 #include "maps/som_preparation.h"
-#include "somato/maps/initial_weights.h"
 
 namespace somato {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
-#include "somato/core/sample_source.h"
+#include "somato/core/samples.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
 

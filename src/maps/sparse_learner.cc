@@ -4,11 +4,11 @@
 //
 //     w_k <- (1-a) w_k + a x,   that is   c_k <- (1-a) c_k,   v_k <- v_k + (a / c_k) x,
 //
-// touches only the elements of x that are not 0; their weights stand side by side, one row of all
-// neurons an element. A normalization changes c_k alone. The winner follows from |w|^2 - 2 w . x:
-// products are summed in double precision, and |v_k|^2 changes by exactly what its changed elements
-// do, as they are after rounding, so that no error adds up; it is measured anew at each folding.
-// Folding writes c_k into the weights where c_k gets small; then c_k = 1 again.
+// accesses only the non-zero elements of x; their weights are contiguous, one row of all neurons
+// per element. A normalization only changes c_k. The winner follows from |w|^2 - 2 w . x: products
+// are summed in double precision, and |v_k|^2 changes by exactly what its changed elements do, as
+// they are after rounding, so that no error adds up; it is computed again at each folding. Folding
+// writes c_k into the weights where c_k gets small; then c_k = 1 again.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "core/lanes.h"
-#include "core/online_kernels.h"
+#include "kernels/online_kernels.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -123,7 +123,7 @@ void SparseLearner::load() {
 }
 
 void SparseLearner::load_part(std::size_t part) {
-  const LaneMatrix<float>& weights = std::as_const(som_).weights();
+  const LaneMatrix<float>& weights = som_.weights();
   const StoredElements& elements = som_.elements();
   const std::size_t first = values_.begin(part);
   const std::size_t count = values_.begin(part + 1) - first;
@@ -140,16 +140,17 @@ void SparseLearner::load_part(std::size_t part) {
   }
 }
 
-std::size_t SparseLearner::learn(const SignalView& input, double factor, double learning_rate,
-                                 double radius) {
+Learned SparseLearner::learn(std::span<const OnlineInput> inputs,
+                             std::span<const LearningStep> steps) {
   learned_ = true;
-  take_input(input, factor);
+  const SignalView& input = inputs.front().values;
+  take_input(input, som_.input_factor(input));
   for_each_part(input_rows_.size(), [&](std::size_t part) { add_products(part); });
   const std::size_t nearest = winner();
-  neighbourhood_.around(nearest, radius, gains_);
-  move(learning_rate);
+  neighbourhood_.around(nearest, steps.front().radius, gains_);
+  move(steps.front().learning_rate);
   if (dot_product()) normalize();
-  return nearest;
+  return {1, nearest};
 }
 
 void SparseLearner::take_input(const SignalView& input, double factor) {
@@ -295,16 +296,27 @@ StoredElements SparseLearner::elements_to_store() const {
 void SparseLearner::settle() {
   if (!learned_) return;
   learned_ = false;
-  const StoredElements elements = elements_to_store();
-  if (elements != som_.elements()) {
-    som_ = Som(som_.parameters(), LaneMatrix<float>(som_.neurons(), elements.count()), elements);
-  }
-  for_each_part(elements.count(), [&](std::size_t part) { settle_part(part); });
+  write(som_);
 }
 
-void SparseLearner::settle_part(std::size_t part) {
-  LaneMatrix<float>& weights = som_.weights();
-  const StoredElements& elements = som_.elements();
+Som SparseLearner::look() {
+  Som som = som_;
+  if (learned_) write(som);
+  return som;
+}
+
+void SparseLearner::write(Som& som) {
+  const StoredElements elements = elements_to_store();
+  if (elements != som.elements()) {
+    som = Som(som.parameters(), LaneMatrix<float>(som.neurons(), elements.count()), elements);
+  }
+  weights_to_change(som);  // before threads write them
+  for_each_part(elements.count(), [&](std::size_t part) { write_part(part, som); });
+}
+
+void SparseLearner::write_part(std::size_t part, Som& som) {
+  LaneMatrix<float>& weights = weights_to_change(som);
+  const StoredElements& elements = som.elements();
   const std::size_t first = values_.begin(part);
   const std::size_t count = values_.begin(part + 1) - first;
   for (std::size_t place = 0; place < weights.columns(); ++place) {

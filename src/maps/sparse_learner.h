@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "core/thread_team.h"
-#include "somato/core/lane_matrix.h"
+#include "maps/neighbourhood.h"
+#include "maps/online_map.h"
+#include "somato/core/matrix.h"
 #include "somato/core/signal.h"
-#include "somato/maps/neighbourhood.h"
 #include "somato/maps/som.h"
 
 namespace somato {
 
-/// Lanes for some of very many elements, one row an element that has been asked for, zeros at
-/// first. A row lies in parts, which threads use apart. Rows stay where they are.
+/// Lanes for a subset of very many elements, one row per requested element, initially zeros. A row
+/// consists of parts, which threads use separately. Rows are not moved.
 class ElementRows {
  public:
   /// Rows of whole blocks of lanes, in at most `parts` parts of nearly equal length.
@@ -30,8 +31,8 @@ class ElementRows {
 
   bool has(std::size_t element) const { return numbers_[element] != 0; }
 
-  /// The number of the row of `element`, which gets one if it has none: numbers are in the order in
-  /// which rows were asked for.
+  /// The number of the row of `element`, which is created if necessary: rows are numbered in the
+  /// order of requests.
   std::uint32_t number_of(std::size_t element);
 
   /// A part of row number `number`.
@@ -53,18 +54,17 @@ class ElementRows {
 };
 
 /// Learns sparse inputs one after the other, touching only the weights of elements that are not 0
-/// in the input; see the source for the mathematics. The map is up to date after settle(), and then
-/// has weights for all elements that inputs have brought.
-class SparseLearner {
+/// in the input; see the source for the mathematics. Takes one input at a time. The map is up to
+/// date after settle(), and then has weights for all elements that inputs have brought.
+class SparseLearner : public OnlineMap {
  public:
-  /// Nobody else may change the map's weights as long as it is trained here.
+  /// The map's weights must not be changed elsewhere during training.
   SparseLearner(Som& som, ThreadTeam& team);
 
-  /// Learns `input` times `factor`; returns the winner, by sums in double precision.
-  std::size_t learn(const SignalView& input, double factor, double learning_rate, double radius);
-
-  /// Writes the weights into the map.
-  void settle();
+  /// The winner is found by sums in double precision.
+  Learned learn(std::span<const OnlineInput> inputs, std::span<const LearningStep> steps) override;
+  void settle() override;
+  Som look() override;
 
  private:
   bool dot_product() const;
@@ -81,7 +81,8 @@ class SparseLearner {
   bool moves(std::size_t block) const;
   void move_part(std::size_t part);
   void move_lanes(std::size_t part, std::size_t first, std::size_t count);
-  void settle_part(std::size_t part);
+  void write(Som& som);
+  void write_part(std::size_t part, Som& som);
   void normalize();
   bool out_of_range(double scale) const;
   StoredElements elements_to_store() const;

@@ -7,7 +7,7 @@
 
 namespace somato {
 
-/// Tells the progress, now and then, and says whether to stop.
+/// Reports the progress regularly, and returns whether to stop.
 class Stop {
  public:
   Stop(const Progress& progress, std::uint64_t total, std::uint64_t interval)

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/product_kernels.h"
+#include "kernels/product_kernels.h"
 
 namespace somato {
 

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "core/lanes.h"
-#include "core/t_mpsom_kernels.h"
+#include "kernels/t_mpsom_kernels.h"
+#include "maps/t_mpsom_input.h"
 #include "maps/t_mpsom_moving.h"
+#include "maps/t_mpsom_neighbourhood.h"
+#include "maps/t_mpsom_receptive_input.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 
@@ -46,8 +49,8 @@ Result<void> check_weights(const TMpsomParameters& parameters,
                            const std::vector<Matrix<float>>& weights) {
   const std::size_t inputs = parameters.input_sizes.size();
   if (weights.size() != inputs) {
-    return fail(ErrorKind::kData,
-                fmt::format("weights of {} inputs for a T-MPSOM of {}", weights.size(), inputs));
+    return fail(ErrorKind::kData, fmt::format("weights for {} inputs given, but the T-MPSOM has {}",
+                                              weights.size(), inputs));
   }
   for (std::size_t a = 0; a < inputs; ++a) {
     const Matrix<float>& w = weights[a];
@@ -76,7 +79,9 @@ void take_partial(std::span<const float> partial, bool is_first, TMpsomCombinati
 }  // namespace
 
 TMpsom::Workspace::Workspace(const TMpsom& map)
-    : activity_(map.neurons()), neighbourhood_(map.neurons()), spread_(map.neighbourhood_) {
+    : activity_(map.neurons()),
+      neighbourhood_(map.neurons()),
+      spread_(map.neighbourhood_->make_workspace()) {
   const std::size_t groups = (map.neurons() + TMpsomArbor::kNeurons - 1) / TMpsomArbor::kNeurons;
   gains_.resize(groups * TMpsomArbor::kNeurons);
   const std::vector<std::size_t>& sizes = map.parameters_.input_sizes;
@@ -85,9 +90,22 @@ TMpsom::Workspace::Workspace(const TMpsom& map)
   sample_.resize(*std::max_element(sizes.begin(), sizes.end()));
 }
 
+TMpsom::Workspace::Workspace(const Workspace& other) = default;
+TMpsom::Workspace::Workspace(Workspace&& other) noexcept = default;
+TMpsom::Workspace& TMpsom::Workspace::operator=(const Workspace& other) = default;
+TMpsom::Workspace& TMpsom::Workspace::operator=(Workspace&& other) noexcept = default;
+TMpsom::Workspace::~Workspace() = default;
+
+TMpsom::TMpsom(const TMpsom& other) = default;
+TMpsom::TMpsom(TMpsom&& other) noexcept = default;
+TMpsom& TMpsom::operator=(const TMpsom& other) = default;
+TMpsom& TMpsom::operator=(TMpsom&& other) noexcept = default;
+TMpsom::~TMpsom() = default;
+
 TMpsom::TMpsom(TMpsomParameters parameters, WithoutWeights /*tag*/)
     : parameters_(checked(std::move(parameters))),
-      neighbourhood_(parameters_.shape, parameters_.neighbourhood_sigma),
+      neighbourhood_(
+          std::make_shared<const GridGaussian>(parameters_.shape, parameters_.neighbourhood_sigma)),
       state_(new_state()) {
   inputs_.reserve(parameters_.input_sizes.size());
   for (std::size_t a = 0; a < parameters_.input_sizes.size(); ++a) {
@@ -119,19 +137,19 @@ Result<TMpsom> TMpsom::from_weights(TMpsomParameters parameters,
 }
 
 Matrix<float> TMpsom::weights(std::size_t input) const {
-  require(input < inputs_.size(), "T-MPSOM: there is no such input");
+  require(input < inputs_.size(), "T-MPSOM: an input does not exist");
   return inputs_[input].weights.to_matrix();
 }
 
 Matrix<float> TMpsom::arbor(std::size_t input) const {
-  require(input < inputs_.size(), "T-MPSOM: there is no such input");
+  require(input < inputs_.size(), "T-MPSOM: an input does not exist");
   return inputs_[input].arbor.to_matrix();
 }
 
 void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace,
                         std::span<float> out) const {
   check(inputs, workspace);
-  require(out.size() == neurons(), "T-MPSOM: the activity needs one value a neuron");
+  require(out.size() == neurons(), "T-MPSOM: the activity needs one value per neuron");
   hear(inputs, workspace);
   std::transform(workspace.activity_.begin(), workspace.activity_.end(), out.begin(),
                  [](double activity) { return static_cast<float>(activity); });
@@ -139,7 +157,7 @@ void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace
 
 bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& workspace) {
   check(inputs, workspace);
-  require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be in 0 .. 1");
+  require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be from 0 to 1");
   hear(inputs, workspace);
   if (!find_gains(alpha, workspace)) return false;
   state_ = new_state();
@@ -150,7 +168,7 @@ bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& 
 }
 
 std::size_t TMpsom::winner(std::span<const float> activity) {
-  require(!activity.empty(), "T-MPSOM: no activity, no winner");
+  require(!activity.empty(), "T-MPSOM: a winner requires an activity");
   return static_cast<std::size_t>(std::max_element(activity.begin(), activity.end()) -
                                   activity.begin());
 }
@@ -162,12 +180,14 @@ bool TMpsom::operator==(const TMpsom& other) const {
 }
 
 void TMpsom::check(std::span<const SignalView> inputs, const Workspace& workspace) const {
-  require(inputs.size() == inputs_.size(), "T-MPSOM: another number of inputs than the map has");
+  require(inputs.size() == inputs_.size(),
+          "T-MPSOM: the number of inputs differs from that of the map");
   require(workspace.inputs_.size() == inputs_.size() && workspace.activity_.size() == neurons(),
           "T-MPSOM: the workspace belongs to another map");
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
     const std::size_t size = parameters_.input_sizes[a];
-    require(inputs[a].size == size, "T-MPSOM: an input has another size than the map expects");
+    require(inputs[a].size == size,
+            "T-MPSOM: the size of an input differs from what the map expects");
     require(workspace.inputs_[a].size() == size, "T-MPSOM: the workspace belongs to another map");
   }
 }
@@ -180,15 +200,15 @@ std::uint64_t TMpsom::new_state() {
 
 void TMpsom::take(std::span<const SignalView> inputs, Workspace& workspace) const {
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
-    TMpsomHeard& heard = workspace.inputs_[a];
-    if (!heard.is_again(inputs[a])) heard.take(inputs[a], parameters_.input_norm);
+    TMpsomReceptiveInput& receptive = workspace.inputs_[a];
+    if (!receptive.is_again(inputs[a])) receptive.take(inputs[a], parameters_.input_norm);
   }
 }
 
 // Whether an input of zeros makes every product zero. With norms partial activations are finite;
 // without, zero times one that has left its range would have to be found.
 bool TMpsom::is_silent(const Workspace& workspace) const {
-  const auto is_zero = [](const TMpsomHeard& heard) { return heard.is_zero(); };
+  const auto is_zero = [](const TMpsomReceptiveInput& receptive) { return receptive.is_zero(); };
   const auto is_normalized = [](const Input& input) { return input.normalized; };
   return parameters_.combination == TMpsomCombination::kMultiplied &&
          parameters_.input_norm == TMpsomNorm::kL2 &&
@@ -205,8 +225,8 @@ void TMpsom::hear(std::span<const SignalView> inputs, Workspace& workspace) cons
     return;
   }
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
-    TMpsomHeard& heard = workspace.inputs_[a];
-    if (heard.state() != state_) find_partial(inputs_[a], heard);
+    TMpsomReceptiveInput& receptive = workspace.inputs_[a];
+    if (receptive.state() != state_) find_partial(inputs_[a], receptive);
   }
   combine(workspace);
 }
@@ -219,19 +239,19 @@ void TMpsom::combine(Workspace& workspace) const {
 }
 
 // Each group of neurons takes what it sees of the elements that are not zero.
-void TMpsom::find_partial(const Input& input, TMpsomHeard& heard) const {
+void TMpsom::find_partial(const Input& input, TMpsomReceptiveInput& receptive) const {
   const auto& [weights, arbor, normalized] = input;
   const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
   for (std::size_t group = 0; group < arbor.groups(); ++group) {
     const TMpsomArbor::Field& field = arbor.field(group);
-    const TMpsomHeard::Elements seen = heard.elements(field.first, field.end);
+    const TMpsomReceptiveInput::Elements seen = receptive.elements(field.first, field.end);
     const std::size_t neuron = group * TMpsomArbor::kNeurons;
     kernels.banded_inner_products(
         {weights.data() + neuron * weights.columns(), field.mask.blocks(), weights.columns()},
         kernels::lanes(field.mask), field.first, seen.places, seen.values, seen.count,
-        heard.partial().data() + neuron);
+        receptive.partial().data() + neuron);
   }
-  heard.set_state(state_);
+  receptive.set_state(state_);
 }
 
 // N and the gains alpha N from y; false when there is nothing to learn.
@@ -244,7 +264,7 @@ bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
   const std::span<double> spread = workspace.neighbourhood_;
   const char* const too_large = "T-MPSOM: the activity is too large; normalize the inputs";
   require(kernels.rectify(workspace.activity_.data(), spread.size(), spread.data()), too_large);
-  neighbourhood_.spread(spread, workspace.spread_);
+  neighbourhood_->spread(spread, workspace.spread_);
   const double maximum = kernels.largest(spread.data(), spread.size());
   require(std::isfinite(maximum), too_large);
   if (maximum <= 0.0) return false;
@@ -252,11 +272,11 @@ bool TMpsom::find_gains(double alpha, Workspace& workspace) const {
   return true;
 }
 
-void TMpsom::move(Input& input, const TMpsomHeard& heard, Workspace& workspace) const {
-  heard.write_dense(workspace.sample_);
+void TMpsom::move(Input& input, const TMpsomReceptiveInput& receptive, Workspace& workspace) const {
+  receptive.write_dense(workspace.sample_);
   const TMpsomNorm norm = parameters_.weight_norm;
   move_weights(input.weights,
-               {workspace.sample_, heard.squared_length(), workspace.gains_, !input.normalized},
+               {workspace.sample_, receptive.squared_length(), workspace.gains_, !input.normalized},
                norm);
   input.normalized = norm == TMpsomNorm::kL2;
 }

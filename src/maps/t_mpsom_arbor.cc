@@ -1,10 +1,10 @@
-#include "somato/maps/t_mpsom_arbor.h"
+#include "maps/t_mpsom_arbor.h"
 
 #include <algorithm>
 #include <map>
 
-#include "core/kernels.h"
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
+#include "kernels/kernels.h"
 
 namespace somato {
 namespace {

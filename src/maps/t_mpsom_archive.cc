@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_archive.h"
+#include "maps/t_mpsom_archive.h"
 
 #include <utility>
 #include <vector>
@@ -23,15 +23,14 @@ void add_t_mpsom(Archive& archive, const std::string& prefix, const TMpsom& map)
 
 Result<TMpsom> t_mpsom_from(const Archive& archive, const std::string& prefix,
                             const std::string& where) {
-  auto parameters = parameters_from<TMpsomParameters>(archive, prefix + "parameters", where);
-  if (!parameters) return fail(std::move(parameters.error()));
+  SOMATO_TRY(auto parameters,
+             parameters_from<TMpsomParameters>(archive, prefix + "parameters", where));
   std::vector<Matrix<float>> weights;
-  for (std::size_t input = 0; input < parameters->input_sizes.size(); ++input) {
-    auto matrix = matrix_from(archive, weights_name(prefix, input), where);
-    if (!matrix) return fail(std::move(matrix.error()));
-    weights.push_back(std::move(*matrix));
+  for (std::size_t input = 0; input < parameters.input_sizes.size(); ++input) {
+    SOMATO_TRY(auto matrix, matrix_from(archive, weights_name(prefix, input), where));
+    weights.push_back(std::move(matrix));
   }
-  auto map = TMpsom::from_weights(std::move(*parameters), weights);
+  auto map = TMpsom::from_weights(std::move(parameters), weights);
   if (!map) return damaged_model(std::move(map.error()), where);
   return map;
 }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "core/kernels.h"
 #include "core/lanes.h"
+#include "kernels/kernels.h"
+#include "maps/t_mpsom_arbor.h"
+#include "maps/t_mpsom_input.h"
 #include "maps/t_mpsom_moving.h"
+#include "maps/t_mpsom_receptive_input.h"
 #include "somato/core/check.h"
-#include "somato/maps/t_mpsom_arbor.h"
 
 namespace somato {
 namespace {
@@ -25,7 +27,7 @@ kernels::Lanes<float> lanes_of(LaneMatrix<float>& weights, std::size_t group) {
 }  // namespace
 
 TMpsomLearner::Part::Part(std::size_t elements, std::size_t padded_neurons, std::size_t groups)
-    : heard(elements),
+    : receptive(elements),
       sample(elements),
       keep(padded_neurons),
       add(padded_neurons),
@@ -54,7 +56,7 @@ TMpsomLearner::TMpsomLearner(TMpsom& map) : map_(map), workspace_(map) {
 void TMpsomLearner::activation(std::span<const SignalView> inputs, std::span<float> out) {
   if (!puts_off_) return map_.activation(inputs, workspace_, out);
   map_.check(inputs, workspace_);
-  require(out.size() == map_.neurons(), "T-MPSOM: the activity needs one value a neuron");
+  require(out.size() == map_.neurons(), "T-MPSOM: the activity needs one value per neuron");
   hear(inputs);
   std::transform(workspace_.activity_.begin(), workspace_.activity_.end(), out.begin(),
                  [](double activity) { return static_cast<float>(activity); });
@@ -63,7 +65,7 @@ void TMpsomLearner::activation(std::span<const SignalView> inputs, std::span<flo
 bool TMpsomLearner::learn(std::span<const SignalView> inputs, double alpha) {
   if (!puts_off_) return map_.learn(inputs, alpha, workspace_);
   map_.check(inputs, workspace_);
-  require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be in 0 .. 1");
+  require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be from 0 to 1");
   hear(inputs);
   if (!map_.find_gains(alpha, workspace_)) return false;
   map_.state_ = TMpsom::new_state();
@@ -83,7 +85,7 @@ void TMpsomLearner::settle() {
   }
 }
 
-// As TMpsom::hear(). Moves wait on while there is nothing to hear them by.
+// As TMpsom::hear(). Updates remain deferred as long as there is no input.
 void TMpsomLearner::hear(std::span<const SignalView> inputs) {
   map_.take(inputs, workspace_);
   if (map_.is_silent(workspace_)) {
@@ -98,26 +100,26 @@ void TMpsomLearner::hear(std::span<const SignalView> inputs) {
 
 void TMpsomLearner::pass(std::size_t input) {
   auto& [weights, arbor, normalized] = map_.inputs_[input];
-  TMpsomHeard& heard = workspace_.inputs_[input];
+  TMpsomReceptiveInput& receptive = workspace_.inputs_[input];
   Part& part = parts_[input];
-  heard.write_dense(part.heard);
+  receptive.write_dense(part.receptive);
   for (std::size_t group = 0; group < arbor.groups(); ++group) {
     const TMpsomArbor::Field& field = arbor.field(group);
     const std::size_t neuron = group * kGroup;
     kernels::t_mpsom_table().move_and_measure(
         lanes_of(weights, group), part.waits[group] ? part.sample.data() : nullptr,
         part.moves(neuron),
-        {kernels::lanes(field.mask), field.first, part.heard.data(), heard.is_zero()},
-        part.measures(neuron, heard.partial()));
+        {kernels::lanes(field.mask), field.first, part.receptive.data(), receptive.is_zero()},
+        part.measures(neuron, receptive.partial()));
     part.waits[group] = false;
   }
-  heard.set_state(map_.state_);
+  receptive.set_state(map_.state_);
 }
 
 // The moves by the workspace's gains; none waits by now.
 void TMpsomLearner::put_off(std::size_t input) {
   Part& part = parts_[input];
-  std::swap(part.sample, part.heard);
+  std::swap(part.sample, part.receptive);
   for (std::size_t group = 0; group < part.waits.size(); ++group) {
     part.waits[group] = find_moves(input, group);
   }
@@ -128,30 +130,19 @@ void TMpsomLearner::put_off(std::size_t input) {
 bool TMpsomLearner::find_moves(std::size_t input, std::size_t group) {
   const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
   Part& part = parts_[input];
-  TMpsomHeard& heard = workspace_.inputs_[input];
+  TMpsomReceptiveInput& receptive = workspace_.inputs_[input];
   const std::size_t neuron = group * kGroup;
   const std::size_t blocks = blocks_of(map_.inputs_[input].weights, group);
   const float* const gains = workspace_.gains_.data() + neuron;
   if (map_.inputs_[input].normalized && !kernels.any(gains, blocks)) return false;
   if (map_.parameters_.weight_norm == TMpsomNorm::kNone) {
     kernels.find_plain_moves(gains, blocks, part.moves(neuron));
-  } else if (!kernels.find_measured_moves(part.measures(neuron, heard.partial()), blocks,
-                                          heard.squared_length(), gains, part.moves(neuron))) {
-    move_doubtful_rows(input, group);
+  } else if (!kernels.find_measured_moves(part.measures(neuron, receptive.partial()), blocks,
+                                          receptive.squared_length(), gains, part.moves(neuron))) {
+    move_doubtful_rows(map_.inputs_[input].weights, {neuron, blocks}, part.sample, gains,
+                       part.moves(neuron));
   }
   return true;
-}
-
-void TMpsomLearner::move_doubtful_rows(std::size_t input, std::size_t group) {
-  LaneMatrix<float>& weights = map_.inputs_[input].weights;
-  Part& part = parts_[input];
-  const std::size_t first = group * kGroup;
-  for (std::size_t row = first; row < first + blocks_of(weights, group) * kFloatLanes; ++row) {
-    if (part.doubtful[row] == 0.0F) continue;
-    if (row < weights.rows()) move_row(weights, row, part.sample, workspace_.gains_[row]);
-    part.keep[row] = 1.0F;
-    part.add[row] = 0.0F;
-  }
 }
 
 }  // namespace somato

@@ -4,20 +4,20 @@
 #include <span>
 #include <vector>
 
-#include "core/t_mpsom_kernels.h"
-#include "somato/core/lane_matrix.h"
+#include "kernels/t_mpsom_kernels.h"
+#include "somato/core/matrix.h"
 #include "somato/core/signal.h"
 #include "somato/maps/t_mpsom.h"
 
 namespace somato {
 
-/// Trains a T-MPSOM with one input after the other: the same bits as TMpsom::learn(), faster. A
-/// move is put off until the next input has come, so that one pass over the weights moves them,
-/// finds what they make of that input, and measures what the length after the next move follows
-/// from. Inputs of more than kernels::kChunk elements are learned at once.
+/// Trains a T-MPSOM with one input after the other: the same bits as TMpsom::learn(), but faster.
+/// An update is deferred until the next input, so that one pass over the weights updates them,
+/// computes their response to that input, and computes the terms for the length after the next
+/// update. Inputs of more than kernels::kChunk elements are learned immediately.
 ///
-/// The map has what was learned after settle() or once the learner is gone, not before; nobody else
-/// may use it in the meantime.
+/// The map is only up to date after settle() or after the learner is destroyed, and must not be
+/// used elsewhere before.
 class TMpsomLearner {
  public:
   explicit TMpsomLearner(TMpsom& map);
@@ -30,8 +30,8 @@ class TMpsomLearner {
   /// Settles.
   ~TMpsomLearner() { settle(); }
 
-  /// As TMpsom's, of the map with everything learned so far. What was heard last costs next to
-  /// nothing to learn.
+  /// As TMpsom's, for the map with everything learned so far. Learning the last input has almost no
+  /// cost.
   void activation(std::span<const SignalView> inputs, std::span<float> out);
   bool learn(std::span<const SignalView> inputs, double alpha);
 
@@ -45,8 +45,8 @@ class TMpsomLearner {
     kernels::Moves moves(std::size_t neuron);
     kernels::Measures measures(std::size_t neuron, std::span<float> partial);
 
-    std::vector<float> heard;   // the present sample
-    std::vector<float> sample;  // towards which moves are put off
+    std::vector<float> receptive;  // the present sample
+    std::vector<float> sample;     // towards which moves are put off
     AlignedVector<float> keep;
     AlignedVector<float> add;
     AlignedVector<float> doubtful;
@@ -59,7 +59,6 @@ class TMpsomLearner {
   void pass(std::size_t input);
   void put_off(std::size_t input);
   bool find_moves(std::size_t input, std::size_t group);
-  void move_doubtful_rows(std::size_t input, std::size_t group);
 
   TMpsom& map_;
   TMpsom::Workspace workspace_;

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/lanes.h"
-#include "core/t_mpsom_kernels.h"
-#include "somato/maps/t_mpsom_arbor.h"
+#include "maps/t_mpsom_arbor.h"
 
 namespace somato {
 namespace {
@@ -14,6 +13,20 @@ constexpr std::size_t kBlocks = TMpsomArbor::kBlocks;
 
 double moved(float weight, float element, float gain) {
   return double{weight} + double{gain} * (double{element} - double{weight});
+}
+
+// In double precision, where nothing overflows.
+void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
+              float gain) {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    const double weight = moved(weights(row, k), sample[k], gain);
+    squared = std::fma(weight, weight, squared);
+  }
+  const double length = squared > 0.0 ? std::sqrt(squared) : 1.0;
+  for (std::size_t k = 0; k < weights.columns(); ++k) {
+    weights(row, k) = static_cast<float>(moved(weights(row, k), sample[k], gain) / length);
+  }
 }
 
 // A few blocks of neurons.
@@ -33,7 +46,7 @@ class Group {
       kernels.find_plain_moves(gains_, blocks_, moves());
     } else if (!kernels.find_unit_moves({lanes(), blocks_, weights_.columns()}, move_.sample.data(),
                                         move_.squared_length, gains_, moves())) {
-      move_doubtful_rows();
+      move_doubtful_rows(weights_, {row_, blocks_}, move_.sample, gains_, moves());
     }
     kernels.move({lanes(), blocks_, weights_.columns()}, move_.sample.data(), moves());
   }
@@ -41,16 +54,6 @@ class Group {
  private:
   float* lanes() const { return weights_.data() + row_ * weights_.columns(); }
   kernels::Moves moves() { return {keep_, add_, doubtful_}; }
-
-  void move_doubtful_rows() {
-    for (std::size_t lane = 0; lane < blocks_ * kFloatLanes; ++lane) {
-      if (doubtful_[lane] == 0.0F) continue;
-      const std::size_t row = row_ + lane;
-      if (row < weights_.rows()) move_row(weights_, row, move_.sample, gains_[lane]);
-      keep_[lane] = 1.0F;
-      add_[lane] = 0.0F;
-    }
-  }
 
   LaneMatrix<float>& weights_;
   const TMpsomMove& move_;
@@ -64,16 +67,15 @@ class Group {
 
 }  // namespace
 
-void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
-              float gain) {
-  double squared = 0.0;
-  for (std::size_t k = 0; k < weights.columns(); ++k) {
-    const double weight = moved(weights(row, k), sample[k], gain);
-    squared = std::fma(weight, weight, squared);
-  }
-  const double length = squared > 0.0 ? std::sqrt(squared) : 1.0;
-  for (std::size_t k = 0; k < weights.columns(); ++k) {
-    weights(row, k) = static_cast<float>(moved(weights(row, k), sample[k], gain) / length);
+void move_doubtful_rows(LaneMatrix<float>& weights, const TMpsomRows& rows,
+                        std::span<const float> sample, const float* gains,
+                        const kernels::Moves& moves) {
+  for (std::size_t lane = 0; lane < rows.blocks * kFloatLanes; ++lane) {
+    if (moves.doubtful[lane] == 0.0F) continue;
+    const std::size_t row = rows.first + lane;
+    if (row < weights.rows()) move_row(weights, row, sample, gains[lane]);
+    moves.keep[lane] = 1.0F;
+    moves.add[lane] = 0.0F;
   }
 }
 

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <span>
 
-#include "somato/core/lane_matrix.h"
-#include "somato/maps/t_mpsom_parameters.h"
+#include "kernels/t_mpsom_kernels.h"
+#include "somato/core/matrix.h"
+#include "somato/maps/t_mpsom.h"
 
 namespace somato {
 
@@ -20,8 +21,17 @@ struct TMpsomMove {
 /// and written once more while it is in the nearest cache. With the L2 norm rows of zeros stay so.
 void move_weights(LaneMatrix<float>& weights, const TMpsomMove& move, TMpsomNorm norm);
 
-/// The same of one row, in double precision, where nothing overflows; always with the L2 norm.
-void move_row(LaneMatrix<float>& weights, std::size_t row, std::span<const float> sample,
-              float gain);
+/// A few blocks of rows, from the row `first` on.
+struct TMpsomRows {
+  std::size_t first = 0;
+  std::size_t blocks = 0;
+};
+
+/// Moves the rows that `moves` marks as doubtful in double precision, where nothing overflows,
+/// always with the L2 norm; what is left in `moves` keeps them as they are. `gains` and `moves`
+/// begin at the first of the rows.
+void move_doubtful_rows(LaneMatrix<float>& weights, const TMpsomRows& rows,
+                        std::span<const float> sample, const float* gains,
+                        const kernels::Moves& moves);
 
 }  // namespace somato

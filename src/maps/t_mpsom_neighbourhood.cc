@@ -1,10 +1,10 @@
-#include "somato/maps/t_mpsom_neighbourhood.h"
+#include "maps/t_mpsom_neighbourhood.h"
 
 #include <algorithm>
 
-#include "core/t_mpsom_kernels.h"
+#include "core/elementary.h"
+#include "kernels/t_mpsom_kernels.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato {
 namespace {
@@ -23,16 +23,10 @@ std::size_t reach_of(std::size_t extent, double sigma) {
 
 }  // namespace
 
-GridGaussian::Workspace::Workspace(const GridGaussian& gaussian) {
-  std::size_t most = 0;
-  for (const Axis& axis : gaussian.axes_) most = std::max(most, axis.values_at_once());
-  values.resize(most);
-}
-
 GridGaussian::GridGaussian(std::vector<std::size_t> shape, double sigma) {
   require(sigma > 0.0, "GridGaussian: sigma must be above 0");
   for (std::size_t axis = shape.size(); axis-- > 0;) {
-    require(shape[axis] > 0, "GridGaussian: every axis needs at least one place");
+    require(shape[axis] > 0, "GridGaussian: every axis needs at least one position");
     if (shape[axis] > 1) axes_.push_back(make_axis(shape[axis], places_, sigma));
     places_ *= shape[axis];
   }
@@ -50,20 +44,26 @@ GridGaussian::Axis GridGaussian::make_axis(std::size_t extent, std::size_t strid
   return axis;
 }
 
+GridGaussian::Workspace GridGaussian::make_workspace() const {
+  std::size_t most = 0;
+  for (const Axis& axis : axes_) most = std::max(most, axis.values_at_once());
+  return Workspace(most);
+}
+
 void GridGaussian::spread(std::span<double> values, Workspace& workspace) const {
-  require(values.size() == places_, "GridGaussian: one value a place");
+  require(values.size() == places_, "GridGaussian: one value per position is required");
   for (const Axis& axis : axes_) spread_along(axis, values, workspace);
 }
 
 // Rows along the axis, side by side in memory, are spread at once.
 void GridGaussian::spread_along(const Axis& axis, std::span<double> values, Workspace& workspace) {
-  require(workspace.values.size() >= axis.values_at_once(),
-          "GridGaussian: the workspace is of a smaller grid");
+  require(workspace.size() >= axis.values_at_once(),
+          "GridGaussian: the workspace belongs to a smaller grid");
   const kernels::TMpsomTable& kernels = kernels::t_mpsom_table();
   const double* const factors = axis.factors.data() + axis.factors.size() / 2;
   const bool is_line = axis.stride == 1;
-  double* const before = workspace.values.data() + (is_line ? axis.reach : 0);
-  if (is_line) std::fill_n(workspace.values.begin(), axis.values_at_once(), 0.0);
+  double* const before = workspace.data() + (is_line ? axis.reach : 0);
+  if (is_line) std::fill_n(workspace.begin(), axis.values_at_once(), 0.0);
   const std::size_t count = axis.extent * axis.stride;
   for (double* at = values.data(); at != values.data() + values.size(); at += count) {
     std::copy_n(at, count, before);

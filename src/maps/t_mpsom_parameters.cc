@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_parameters.h"
+#include "somato/maps/t_mpsom.h"
 
 #include <fmt/format.h>
 
@@ -21,10 +21,12 @@ tl::unexpected<Error> refuse(std::string what, std::string advice) {
 
 Result<void> check_lists(const TMpsomParameters& parameters) {
   if (parameters.shape.empty()) {
-    return refuse("'shape' is empty", "give the number of neurons along each axis, as [46, 23]");
+    return refuse("'shape' is empty",
+                  "write the number of neurons along each axis, such as [46, 23]");
   }
   if (parameters.input_sizes.empty()) {
-    return refuse("'input_sizes' is empty", "give the elements of each input, as [90, 45]");
+    return refuse("'input_sizes' is empty",
+                  "write the number of elements of each input, such as [90, 45]");
   }
   return {};
 }
@@ -34,12 +36,13 @@ Result<void> check_axes_listed(const TMpsomParameters& parameters) {
   const std::size_t axes = parameters.shape.size();
   const std::size_t listed = parameters.input_axes.size();
   if (listed == 0 && inputs != axes) {
-    return refuse(fmt::format("{} inputs on a grid of {} axes", inputs, axes),
-                  "give 'input_axes', the axis of each input, or a 'shape' with an axis an input");
+    return refuse(
+        fmt::format("{} inputs do not fit a grid of {} axes", inputs, axes),
+        "add 'input_axes' with the axis of each input, or a 'shape' with one axis per input");
   }
   if (listed != 0 && listed != inputs) {
     return refuse(fmt::format("'input_axes' lists {} axes for {} inputs", listed, inputs),
-                  "list one axis for each of 'input_sizes'");
+                  "write one axis for each of 'input_sizes'");
   }
   return {};
 }
@@ -55,7 +58,7 @@ Result<void> check_axes_used(const TMpsomParameters& parameters) {
   for (std::size_t axis = 0; axis < count; ++axis) {
     if (std::find(axes.begin(), axes.end(), axis) != axes.end()) continue;
     return refuse(fmt::format("no input is spread along axis {}", axis),
-                  "name every axis of 'shape' in 'input_axes', or leave that axis out");
+                  "name every axis of 'shape' in 'input_axes', or remove that axis");
   }
   return {};
 }
@@ -73,14 +76,14 @@ Result<void> check_sizes(const TMpsomParameters& parameters) {
       neurons <= kMostWeights / std::max<std::size_t>(1, elements)) {
     return {};
   }
-  return refuse(fmt::format("'shape' and 'input_sizes' ask for more than {} weights", kMostWeights),
-                "take fewer neurons or smaller inputs");
+  return refuse(fmt::format("'shape' and 'input_sizes' require more than {} weights", kMostWeights),
+                "use fewer neurons or smaller inputs");
 }
 
 Result<void> check_rates(const TMpsomParameters& parameters) {
   if (parameters.learning_rate_end > parameters.learning_rate_start) {
     return refuse("'learning_rate_end' is above 'learning_rate_start'",
-                  "the learning rate may only fall");
+                  "the learning rate must not increase");
   }
   return parameters.learning_rate().validate("learning rate");
 }
@@ -91,42 +94,41 @@ Declarations<TMpsomParameters> declare() {
   const auto largest = static_cast<double>(kLargestInput);
   Declarations<P> all;
   all.add("shape", &P::shape, "neurons", Range::between(1, longest),
-          "Neurons along each axis of the grid. Has to be given.");
+          "Number of neurons along each axis of the grid. Required.");
   all.add("input_sizes", &P::input_sizes, "elements", Range::between(1, largest),
-          "Elements of each input. Has to be given.");
+          "Number of elements of each input. Required.");
   all.add("input_axes", &P::input_axes, "", Range::at_least(0),
-          "Axis of the grid, counted from 0, that each input is spread along; several inputs may "
-          "share one. Empty: input 0 has axis 0, input 1 axis 1, and so on.");
+          "Axis of the grid, counted from 0, along which each input is distributed; several inputs "
+          "may share one. Empty: input 0 has axis 0, input 1 axis 1, and so on.");
   all.add("combination", &P::combination, "", Range::any(),
-          "How the partial activations of the inputs make a neuron's activity.");
+          "Operation that combines the partial activations of the inputs to a neuron's activity.");
   all.add("arbor_sigma", &P::arbor_sigma, "neurons", Range::above(0),
-          "Width of the receptive fields: \"rather small\" in P06; the value is not given in the "
+          "Width of the receptive fields: \"rather small\" in P06. The value is not given in the "
           "paper.");
   all.add("neighbourhood_sigma", &P::neighbourhood_sigma, "neurons", Range::above(0),
-          "Width of the Gaussian G through which neurons contribute to each other's learning; not "
+          "Width of the Gaussian G with which neurons contribute to each other's learning. Not "
           "given in the paper.");
   all.add("learning_rate_schedule", &P::learning_rate_schedule, "", Range::any(),
-          "How the learning rate goes from start to end; not given in the paper.");
+          "Course of the learning rate from start to end. Not given in the paper.");
   all.add("learning_rate_start", &P::learning_rate_start, "", Range::between(0, 1),
-          "Learning rate of the first iteration; not given in the paper.");
+          "Learning rate of the first iteration. Not given in the paper.");
   all.add("learning_rate_end", &P::learning_rate_end, "", Range::between(0, 1),
-          "Learning rate at the end; not given in the paper.");
+          "Learning rate at the end. Not given in the paper.");
   all.add("learning_rate_reached_at", &P::learning_rate_reached_at, "iterations",
           Range::at_least(1),
-          "When the learning rate has reached its end, where it stays; automatic: after all "
-          "iterations; not given in the paper.");
+          "Iteration at which the learning rate reaches its final value, which it then keeps; "
+          "automatic: the end of training. Not given in the paper.");
   all.add("input_norm", &P::input_norm, "", Range::any(),
-          "Norm that each input is divided by in every iteration; with l2 the strength of an input "
-          "is lost; which norm is not given in the paper.");
-  all.add(
-      "weight_norm", &P::weight_norm, "", Range::any(),
-      "Norm that each weight vector is divided by in every iteration; which norm is not given in "
-      "the paper.");
+          "Norm by which each input is divided in every iteration; with l2 the strength of an "
+          "input is lost. The norm is not given in the paper.");
+  all.add("weight_norm", &P::weight_norm, "", Range::any(),
+          "Norm by which each weight vector is divided in every iteration. The norm is not given "
+          "in the paper.");
   all.add("iterations", &P::iterations, "iterations", Range::at_least(1),
-          "Length of training, one frame an iteration; 5000 in P06.");
+          "Length of training, one frame per iteration; 5000 in P06.");
   all.add("seed", &P::seed, "", Range::at_least(0),
           "Seed of the initial weights, uniform in [0, 1) (not given in the paper), and of the "
-          "drawing of explorations.");
+          "draws of explorations.");
   return all;
 }
 

@@ -1,12 +1,12 @@
-#include "somato/maps/t_mpsom_reference.h"
+#include "maps/t_mpsom_reference.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
 
+#include "core/elementary.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -50,11 +50,11 @@ TMpsomReference::TMpsomReference(TMpsomParameters parameters) : parameters_(std:
 TMpsomReference::TMpsomReference(TMpsomParameters parameters, std::vector<Matrix<double>> weights)
     : parameters_(std::move(parameters)), weights_(std::move(weights)) {
   check(parameters_);
-  require(weights_.size() == parameters_.input_sizes.size(), "weights for each input");
+  require(weights_.size() == parameters_.input_sizes.size(), "weights are required for each input");
   for (std::size_t a = 0; a < weights_.size(); ++a) {
     require(weights_[a].rows() == parameters_.neurons() &&
                 weights_[a].columns() == parameters_.input_sizes[a],
-            "weights of an input need a row a neuron and a column an element");
+            "weights of an input need one row per neuron and one column per element");
   }
 }
 
@@ -71,11 +71,11 @@ double TMpsomReference::arbor(std::size_t input, std::size_t neuron, std::size_t
 
 std::vector<double> TMpsomReference::activation(
     const std::vector<std::vector<double>>& inputs) const {
-  require(inputs.size() == weights_.size(), "another number of inputs than the map has");
+  require(inputs.size() == weights_.size(), "the number of inputs differs from that of the map");
   const bool multiplied = parameters_.combination == TMpsomCombination::kMultiplied;
   std::vector<double> activity(parameters_.neurons(), multiplied ? 1.0 : 0.0);
   for (std::size_t a = 0; a < inputs.size(); ++a) {
-    require(inputs[a].size() == parameters_.input_sizes[a], "an input has another size");
+    require(inputs[a].size() == parameters_.input_sizes[a], "an input has the wrong size");
     std::vector<double> x = inputs[a];
     normalize(x, parameters_.input_norm);
     for (std::size_t n = 0; n < activity.size(); ++n) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/product_kernels.h"
+#include "kernels/product_kernels.h"
 #include "maps/strip_rows.h"
 #include "somato/core/random.h"
 

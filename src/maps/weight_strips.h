@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "maps/sample_products.h"
-#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
+#include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
-#include "somato/maps/stored_elements.h"
 
 namespace somato {
 

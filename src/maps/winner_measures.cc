@@ -1,4 +1,4 @@
-#include "somato/maps/winner_measures.h"
+#include "maps/winner_measures.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +11,7 @@ namespace {
 
 void require_samples(const std::vector<std::size_t>& winners,
                      const std::vector<std::size_t>& classes) {
-  require(winners.size() == classes.size(), "measures of winners need a class a winner");
+  require(winners.size() == classes.size(), "measures of winners need one class per winner");
   require(!winners.empty(), "measures of winners need at least one sample");
 }
 
@@ -75,20 +75,20 @@ bool on_border(const Grid& grid, std::size_t neuron) {
 
 }  // namespace
 
-std::vector<bool> classes_told_exactly(const std::vector<std::size_t>& winners,
-                                       const std::vector<std::size_t>& classes) {
+std::vector<bool> separated_classes(const std::vector<std::size_t>& winners,
+                                    const std::vector<std::size_t>& classes) {
   require_samples(winners, classes);
-  std::vector<bool> told(*std::max_element(classes.begin(), classes.end()) + 1, false);
-  for (const std::size_t its_class : classes) told[its_class] = true;
+  std::vector<bool> separated(*std::max_element(classes.begin(), classes.end()) + 1, false);
+  for (const std::size_t its_class : classes) separated[its_class] = true;
   const std::vector<bool> shares = shares_with_another(winners, classes);
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (shares[i]) told[classes[i]] = false;
+    if (shares[i]) separated[classes[i]] = false;
   }
-  return told;
+  return separated;
 }
 
-std::size_t undetermined_samples(const std::vector<std::size_t>& winners,
-                                 const std::vector<std::size_t>& classes) {
+std::size_t ambiguous_samples(const std::vector<std::size_t>& winners,
+                              const std::vector<std::size_t>& classes) {
   require_samples(winners, classes);
   const std::vector<bool> shares = shares_with_another(winners, classes);
   return static_cast<std::size_t>(std::count(shares.begin(), shares.end(), true));

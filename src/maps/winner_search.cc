@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/threads.h"
 #include "maps/screening_run.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {

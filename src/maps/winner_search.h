@@ -36,8 +36,8 @@ class WinnerSearch {
   ScreenedMap map_;
 };
 
-/// The samples as the map sees them: of length 1 where it normalizes its input, and of its stored
-/// elements alone. `samples` itself, or `storage`.
+/// The normalized samples: of length 1 if the map normalizes its input, with its stored elements
+/// only. `samples` itself, or `storage`.
 const Samples& seen_samples(const Som& som, const Samples& samples, Samples& storage);
 
 /// The winner of each.

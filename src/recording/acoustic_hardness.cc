@@ -1,4 +1,4 @@
-#include "somato/recording/acoustic_hardness.h"
+#include "recording/acoustic_hardness.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 
 #include "files/json_text.h"
 #include "files/text.h"
+#include "files/whole_file.h"
 #include "recording/files_below.h"
-#include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -24,9 +24,9 @@ using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
 constexpr std::size_t kLargestSample = std::size_t{64} << 20;
-constexpr std::string_view kAdvice = "repair the file or take it out";
+constexpr std::string_view kAdvice = "repair or remove the file";
 
-// The members of one file that are wanted; every error knows its place.
+// The required members of one file; every error has its location.
 class SampleReader {
  public:
   SampleReader(const Json& json, const std::string& file) : json_(json), file_(file) {}
@@ -45,15 +45,13 @@ class SampleReader {
   }
 
   Result<Channel> sound() const {
-    auto checked = refuse_overflow();
-    if (!checked) return fail(std::move(checked.error()));
+    SOMATO_TRY_VOID(refuse_overflow());
     auto rate = sample_rate();
     if (!rate) return fail(std::move(rate.error()));
-    auto values = samples();
-    if (!values) return fail(std::move(values.error()));
+    SOMATO_TRY(auto values, samples());
     Channel channel{"sound", "counts", {}, {}, {}};
-    const std::size_t count = values->size();
-    channel.frames = Matrix<float>(count, 1, std::move(*values));
+    const std::size_t count = values.size();
+    channel.frames = Matrix<float>(count, 1, std::move(values));
     channel.rate = *rate;
     return channel;
   }
@@ -103,7 +101,7 @@ class SampleReader {
     if (!rate.is_number()) return bad("a number is missing", path);
     const double hertz = rate.get<double>();
     if (std::isfinite(hertz) && hertz > 0.0) return hertz;
-    return bad(fmt::format("{} Hz is no sampling rate", hertz), path);
+    return bad(fmt::format("{} Hz is not a valid sampling rate", hertz), path);
   }
 
   Result<std::vector<float>> samples() const {
@@ -120,7 +118,7 @@ class SampleReader {
     samples.reserve(values.size());
     for (const Json& value : values) {
       if (!is_sample(value)) {
-        return bad(fmt::format("{} is no whole number of 16 bits", shown(value.dump())),
+        return bad(fmt::format("{} is not a 16-bit integer", shown(value.dump())),
                    fmt::format("{}/{}", path, samples.size()));
       }
       samples.push_back(value.get<float>());
@@ -142,20 +140,16 @@ struct Impact {
 };
 
 Result<Impact> read_impact(const std::string& file) {
-  const Result<std::string> bytes = read_whole(file, kLargestSample);
-  if (!bytes) return fail(bytes.error());
-  const auto json = text_of(*bytes, file).and_then([&](std::string_view text) {
+  SOMATO_TRY(const std::string bytes, read_whole(file, kLargestSample));
+  const auto json = text_of(bytes, file).and_then([&](std::string_view text) {
     return parse_json<Json>(text, file, std::string(kAdvice));
   });
   if (!json) return fail(json.error());
   const SampleReader reader(*json, file);
-  auto id = reader.sample_id();
-  if (!id) return fail(std::move(id.error()));
-  auto labels = reader.labels();
-  if (!labels) return fail(std::move(labels.error()));
-  auto sound = reader.sound();
-  if (!sound) return fail(std::move(sound.error()));
-  return Impact{std::move(*id), {std::move(*labels), file, {std::move(*sound)}}};
+  SOMATO_TRY(auto id, reader.sample_id());
+  SOMATO_TRY(auto labels, reader.labels());
+  SOMATO_TRY(auto sound, reader.sound());
+  return Impact{std::move(id), {std::move(labels), file, {std::move(sound)}}};
 }
 
 }  // namespace
@@ -165,22 +159,21 @@ Result<Recording> import_acoustic_hardness(const std::filesystem::path& folder) 
   if (!files) return fail(files.error());
   if (files->empty()) {
     return fail(ErrorKind::kData, "there are no JSON files", folder.string(),
-                "give the folder of the data set, or one of its phases");
+                "use the folder of the data set, or one of its phases");
   }
   Recording recording;
   recording.explorations.reserve(files->size());
   std::map<std::string, std::string> seen;
   for (const std::string& name : *files) {
     const std::string file = (folder / name).string();
-    auto impact = read_impact(file);
-    if (!impact) return fail(std::move(impact.error()));
-    const auto [twin, is_new] = seen.emplace(impact->id, file);
+    SOMATO_TRY(auto impact, read_impact(file));
+    const auto [twin, is_new] = seen.emplace(impact.id, file);
     if (!is_new) {
       return fail(ErrorKind::kData,
                   fmt::format("the file has the same sample_id as {}", twin->second), file,
-                  "take one of them out");
+                  "remove one of them");
     }
-    recording.explorations.push_back(std::move(impact->exploration));
+    recording.explorations.push_back(std::move(impact.exploration));
   }
   return recording;
 }

@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "somato/recording/csv_import.h"
-
 namespace somato {
 namespace {
 
@@ -38,12 +36,12 @@ Result<void> add_range(std::string_view range, std::size_t dots, std::vector<std
   const auto first = numbered_name(range.substr(0, dots));
   const auto last = numbered_name(range.substr(dots + kDots.size()));
   if (!first || !last || first->stem != last->stem || first->number > last->number) {
-    return fail(ErrorKind::kUsage, fmt::format("'{}' is no range of columns", range), {},
-                "write such as \"taxel1..taxel16\"");
+    return fail(ErrorKind::kUsage, fmt::format("'{}' is not a range of columns", range), {},
+                "write for example \"taxel1..taxel16\"");
   }
   if (last->number - first->number >= kMostColumns || names.size() >= kMostColumns) {
     return fail(ErrorKind::kUsage,
-                fmt::format("'{}' makes more than {} columns", range, kMostColumns));
+                fmt::format("'{}' gives more than {} columns", range, kMostColumns));
   }
   for (std::uint64_t number = first->number; number <= last->number; ++number) {
     names.push_back(fmt::format("{}{:0{}}", first->stem, number, first->digits));
@@ -57,7 +55,7 @@ bool is_column_pattern(std::string_view column) {
   return column.find(kStar) != std::string_view::npos;
 }
 
-// What stands between two stars is looked for from the left, which leaves the most for the rest.
+// The text between two stars is searched from the left, which leaves the longest rest.
 bool fits_column_pattern(std::string_view pattern, std::string_view name) {
   std::size_t star = pattern.find(kStar);
   if (star == std::string_view::npos) return pattern == name;
@@ -77,9 +75,8 @@ Result<std::vector<std::string>> expand_columns(const std::vector<std::string>& 
     const std::size_t dots = column.find(kDots);
     if (dots == std::string::npos || is_column_pattern(column)) {
       names.push_back(column);
-    } else if (auto added = add_range(column, dots, names); !added) {
-      return fail(std::move(added.error()));
-    }
+    } else
+      SOMATO_TRY_VOID(add_range(column, dots, names));
   }
   return names;
 }

@@ -1,4 +1,4 @@
-#include "somato/recording/content_hash.h"
+#include "recording/content_hash.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,12 @@
 #include <cstring>
 #include <string_view>
 
+#include "files/checksum.h"
+
 namespace somato {
 namespace {
 
-// Fowler, Noll and Vo's hash, 64 bits, variant 1a. Numbers go in byte by byte, lowest first.
+// Numbers go in byte by byte, lowest first.
 class Hash {
  public:
   void add(std::uint64_t number) {
@@ -28,9 +30,12 @@ class Hash {
   std::uint64_t value() const { return value_; }
 
  private:
-  void add_byte(std::uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001B3U; }
+  void add_byte(std::uint8_t byte) {
+    const char one = static_cast<char>(byte);
+    value_ = fnv1a64({&one, 1}, value_);
+  }
 
-  std::uint64_t value_ = 0xCBF29CE484222325U;
+  std::uint64_t value_ = fnv1a64({});
 };
 
 void add_channel(Hash& hash, const Channel& channel) {

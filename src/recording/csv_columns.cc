@@ -112,27 +112,28 @@ class ColumnFinder {
     }
     if (columns.size() > before) return {};
     if (!fits) return none_fits(pattern);
-    return fail(ErrorKind::kData,
-                fmt::format("all columns that fit {} are ignored or taken already", shown(pattern)),
-                {}, "leave the pattern out, or correct it");
+    return fail(
+        ErrorKind::kData,
+        fmt::format("all columns that match {} are ignored or already used", shown(pattern)), {},
+        "leave the pattern out, or correct it");
   }
 
   Result<void> missing(const std::string& name) const {
     const bool lacks_header = description_.trials.header && !is_header(names_);
     return fail(ErrorKind::kData, fmt::format("there is no column {}", shown(name)), {},
-                lacks_header ? "where the first line holds no names, write header = false"
+                lacks_header ? "write header = false if the first line contains no names"
                              : name_advice(name, names_));
   }
 
   Result<void> none_fits(const std::string& pattern) const {
     auto refused = missing(without_stars(pattern));
-    refused.error().what = fmt::format("no column fits {}", shown(pattern));
+    refused.error().what = fmt::format("no column matches {}", shown(pattern));
     return refused;
   }
 
   Result<void> taken_twice(const std::string& name, std::size_t channel, std::size_t other) const {
     return fail(ErrorKind::kData,
-                fmt::format("patterns of the channels '{}' and '{}' both take column {}",
+                fmt::format("patterns of the channels '{}' and '{}' both match column {}",
                             description_.channels[channel].name, description_.channels[other].name,
                             shown(name)),
                 {}, "name the column in one of them, or narrow a pattern");
@@ -171,10 +172,9 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description) {
   CsvLayout layout;
   layout.channels.reserve(description.channels.size());
   for (const CsvChannel& channel : description.channels) {
-    auto columns = expand_columns(channel.columns);
-    if (!columns) return fail(std::move(columns.error()));
-    layout.named.insert(columns->begin(), columns->end());
-    layout.channels.push_back(std::move(*columns));
+    SOMATO_TRY(auto columns, expand_columns(channel.columns));
+    layout.named.insert(columns.begin(), columns.end());
+    layout.channels.push_back(std::move(columns));
   }
   auto ignored = expand_columns(description.trials.ignore);
   if (!ignored) return fail(std::move(ignored.error()));
@@ -209,12 +209,12 @@ Result<void> CsvFilesInCommon::take(CsvColumns& columns, const std::vector<std::
       order_like(channels_[c], c, columns);
       continue;
     }
-    return fail(
-        ErrorKind::kData,
-        fmt::format("a pattern takes column {} {}, but not {}", shown(added.empty() ? lost : added),
-                    added.empty() ? "in " + first_file_ : "here",
-                    added.empty() ? "here" : "in " + first_file_),
-        where, "name the column, ignore it, or import the files separately");
+    return fail(ErrorKind::kData,
+                fmt::format("a pattern matches column {} {}, but not {}",
+                            shown(added.empty() ? lost : added),
+                            added.empty() ? "in " + first_file_ : "here",
+                            added.empty() ? "here" : "in " + first_file_),
+                where, "name the column, ignore it, or import the files separately");
   }
   return {};
 }
@@ -223,8 +223,8 @@ Result<void> CsvFilesInCommon::check_ignored(const CsvLayout& layout,
                                              const std::string& where) const {
   for (const std::string& entry : layout.ignored) {
     if (ignored_.contains(entry)) continue;
-    return fail(ErrorKind::kData, fmt::format("'ignore': no column fits {}", shown(entry)), where,
-                name_advice(without_stars(entry), first_names_));
+    return fail(ErrorKind::kData, fmt::format("'ignore': no column matches {}", shown(entry)),
+                where, name_advice(without_stars(entry), first_names_));
   }
   return {};
 }

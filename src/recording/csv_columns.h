@@ -10,12 +10,12 @@
 
 namespace somato {
 
-/// What a description says of columns: names and patterns, with ranges written out.
+/// The columns of a description: names and patterns, with expanded ranges.
 struct CsvLayout {
   std::vector<std::vector<std::string>> channels;  ///< The columns of each channel.
   std::set<std::string> ignored;                   ///< Names and patterns.
   std::vector<std::string> ignored_patterns;       ///< The patterns among them.
-  std::set<std::string> named;                     ///< What channels, time and labels name.
+  std::set<std::string> named;                     ///< Columns of channels, time and labels.
 };
 
 /// Errors: as expand_columns().
@@ -23,19 +23,20 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description);
 
 enum class CsvUse { kNothing, kTime, kLabel, kValue };
 
-/// Where the fields of a column go.
+/// Destination of the fields of a column.
 struct CsvColumn {
   CsvUse use = CsvUse::kNothing;
   std::size_t channel = 0;  ///< Of a value.
-  std::size_t element = 0;  ///< Of a value; of a label its place among the labels of columns.
+  std::size_t element =
+      0;  ///< Index of a value; for a label its index among the labels of columns.
 };
 
 /// The columns of one file.
 struct CsvColumns {
   std::vector<CsvColumn> columns;                  ///< In the order of the file.
   std::vector<std::vector<std::string>> channels;  ///< The columns' names of each channel.
-  std::set<std::string> ignored;                   ///< What of the layout's ignored ones it has.
-  std::vector<std::string> others;                 ///< Those that are mentioned nowhere.
+  std::set<std::string> ignored;    ///< Those of the layout's ignored columns that it has.
+  std::vector<std::string> others;  ///< Those that are mentioned nowhere.
 };
 
 /// Finds the columns of a file whose columns have these `names`. A pattern takes the columns that
@@ -45,7 +46,7 @@ struct CsvColumns {
 Result<CsvColumns> find_csv_columns(const CsvImport& description, const CsvLayout& layout,
                                     const std::vector<std::string>& names);
 
-/// What all files have in common: the columns of their channels.
+/// The properties shared by all files: the columns of their channels.
 class CsvFilesInCommon {
  public:
   /// Takes the columns of the file `where`; a later file's elements come in the order of the first

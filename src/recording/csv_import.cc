@@ -20,12 +20,11 @@ Result<void> read_channels(const Table::Entry& entry, CsvImport& description, Pl
   const auto* tables = std::get_if<std::vector<Table>>(&entry.content);
   if (!tables) {
     return fail(ErrorKind::kUsage, "'channel' must be a list of tables", entry.where,
-                "write [[channel]] on a line of its own, its keys below");
+                "write [[channel]] on a separate line, followed by its keys");
   }
   for (const Table& table : *tables) {
-    Result<CsvChannel> channel = read_parameters<CsvChannel>(table);
-    if (!channel) return fail(std::move(channel.error()));
-    description.channels.push_back(std::move(*channel));
+    SOMATO_TRY(CsvChannel channel, read_parameters<CsvChannel>(table));
+    description.channels.push_back(std::move(channel));
     places.channels.push_back(table.where);
   }
   return {};
@@ -35,7 +34,7 @@ Result<void> read_files(const Table::Entry& entry, CsvImport& description, Place
   const auto* table = std::get_if<Table>(&entry.content);
   if (!table) {
     return fail(ErrorKind::kUsage, "'import' must be a table", entry.where,
-                "write [import] on a line of its own, its keys below");
+                "write [import] on a separate line, followed by its keys");
   }
   places.import = table->where;
   return read_parameters<CsvTrials>(*table).map(
@@ -76,35 +75,37 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("files", &P::files, "", Range::any(),
-               "What the names of the files look like, labels between braces: "
-               "{material}/{object}_{trial:number}.csv. Folders in it are labels too. Has to be "
-               "given, unless one file is imported whose labels come from elsewhere.")
+               "Pattern of the file names, with labels in braces: "
+               "{material}/{object}_{trial:number}.csv. It may include folders. Required, unless "
+               "a single file with other labels is imported.")
           .add("rows", &P::rows, "", Range::any(),
-               "What a row is: a frame of the file's exploration, or an exploration of one frame.")
+               "Meaning of a row: a frame of the file's exploration, or an exploration with one "
+               "frame.")
           .add("labels", &P::labels, "", Range::any(),
-               "Columns whose text or number is a label of the row's exploration, by name.")
+               "Names of columns with labels of the row's exploration, text or numbers.")
           .add("window", &P::window, "", Range::at_least(1),
-               "Rows of each exploration that a file is cut into; rows that fill none are left out "
-               "and counted. automatic: all rows of a file are one.")
+               "Number of rows of the explorations into which a file is cut; rows of an incomplete "
+               "window are left out and counted. automatic: all rows of a file form one "
+               "exploration.")
           .add("overlap", &P::overlap, "", Range::at_least(0),
-               "Rows that a window shares with the one before it.")
+               "Number of rows that a window shares with the preceding one.")
           .add("header", &P::header, "", Range::any(),
-               "The first line holds the names of the columns; otherwise they are called 1, 2, 3 "
-               "and so on.")
+               "Whether the first line contains the names of the columns; otherwise they are named "
+               "1, 2, 3 and so on.")
           .add("time", &P::time, "", Range::any(), "Column with the time of each row; empty: none.")
           .add("time_unit", &P::time_unit, "", Range::any(), "Unit of that column.")
           .add("rate", &P::rate, "Hz", Range::at_least(0),
-               "Rows a second where no column tells the time; 0: nobody knows.")
+               "Rows per second if no column contains the time; 0: unknown.")
           .add("missing", &P::missing, "", Range::any(),
-               "A field that is empty, NaN, NA or null is an error, or marked as not valid.")
+               "Whether a field that is empty, NaN, NA or null is an error or marked as invalid.")
           .add("ignore", &P::ignore, "", Range::any(),
-               "Columns that are left out, by name, as ranges such as aux1..aux8 or as patterns "
+               "Columns to leave out, by name, as ranges such as aux1..aux8 or as patterns "
                "such as "
                "aux_*.")
           .add("other_columns", &P::other_columns, "", Range::any(),
-               "What is done with columns that are not mentioned anywhere.")
+               "Treatment of columns that are not mentioned.")
           .add("other_files", &P::other_files, "", Range::any(),
-               "What is done with files of the same ending whose names do not fit.");
+               "Treatment of files with the same extension whose names do not match.");
   return declared;
 }
 
@@ -112,20 +113,20 @@ const Declarations<CsvChannel>& CsvChannel::declarations() {
   using P = CsvChannel;
   static const auto declared =
       Declarations<P>()
-          .add("name", &P::name, "", Range::any(),
-               "Name of the channel, such as touch. Has to be given.")
+          .add("name", &P::name, "", Range::any(), "Name of the channel, such as touch. Required.")
           .add("unit", &P::unit, "", Range::any(),
-               "Unit of its values, after the factor; empty where there is none.")
+               "Unit of its values after multiplication by the factor; empty for none.")
           .add("columns", &P::columns, "", Range::any(),
                "Its columns, by name, as ranges such as taxel1..taxel16 or as patterns such as "
-               "taxel_*. A pattern takes what is neither named elsewhere nor ignored.")
+               "taxel_*. A pattern matches columns that are neither named elsewhere nor ignored.")
           .add("shape", &P::shape, "", Range::between(1, 1e9),
-               "How the columns lie, row by row, such as [4, 4]; empty: one after the other.")
+               "Arrangement of the columns, row by row, such as [4, 4]; empty: a flat list.")
           .add("from_label", &P::from_label, "", Range::any(),
-               "Instead of columns: the label whose number is the channel's only value.")
-          .add("factor", &P::factor, "", Range::any(), "Every value is multiplied by it.")
+               "Instead of columns: a label whose number is the channel's only value.")
+          .add("factor", &P::factor, "", Range::any(), "Factor by which every value is multiplied.")
           .add("absolute", &P::absolute, "", Range::any(),
-               "Drop the signs, as of a speed that tells its direction by a sign.");
+               "Whether to use absolute values, for example of a speed with a sign for its "
+               "direction.");
   return declared;
 }
 
@@ -147,9 +148,7 @@ Result<CsvImport> read_csv_import(const Table& file) {
             : fail(unknown_name("table", entry.name, entry.where, {"import", "channel"}));
     if (!read) return fail(std::move(read.error()));
   }
-  if (auto checked = check_csv_parts(description, places); !checked) {
-    return fail(std::move(checked.error()));
-  }
+  SOMATO_TRY_VOID(check_csv_parts(description, places));
   return description;
 }
 

@@ -21,7 +21,7 @@ Result<void> check_pattern(const CsvTrials& trials) {
   const bool other_labels = !trials.labels.empty() || divides_files(trials);
   if (trials.files.empty() && other_labels) return {};
   if (trials.files.empty()) {
-    return wrong("'files' is missing", "write files = \"{object}_{trial:number}.csv\" or the like");
+    return wrong("'files' is missing", "write for example files = \"{object}_{trial:number}.csv\"");
   }
   const auto pattern = NamePattern::parse(trials.files, !other_labels);
   if (!pattern) return wrong("'files': " + pattern.error().what, pattern.error().advice);
@@ -30,20 +30,20 @@ Result<void> check_pattern(const CsvTrials& trials) {
 
 Result<void> check_rate(const CsvTrials& trials) {
   if (!std::isfinite(trials.rate) || trials.rate < 0.0) {
-    return wrong(fmt::format("the rate is {} Hz", trials.rate), "give a rate above 0, or none");
+    return wrong(fmt::format("the rate is {} Hz", trials.rate), "use a rate above 0, or none");
   }
   if (trials.time.empty() || trials.rate == 0.0) return {};
-  return wrong("there are both 'time' and 'rate'", "keep the one that tells the truth");
+  return wrong("there are both 'time' and 'rate'", "keep the correct one");
 }
 
 Result<void> check_window(const CsvTrials& trials) {
   if (trials.overlap > 0 && !trials.window) {
-    return wrong("there is 'overlap', but no 'window'", "write window = 500 or the like");
+    return wrong("there is 'overlap', but no 'window'", "write for example window = 500");
   }
   if (!trials.window || trials.overlap < *trials.window) return {};
   return wrong(fmt::format("'overlap' is {}, which is not below 'window', {}", trials.overlap,
                            *trials.window),
-               "windows must begin at least a row apart");
+               "windows must begin at least one row apart");
 }
 
 // An exploration of one row has no windows and no times.
@@ -54,7 +54,7 @@ Result<void> check_rows(const CsvTrials& trials) {
                                                          {trials.rate > 0.0, "rate"}};
   for (const auto& [given, key] : without_effect) {
     if (!given) continue;
-    return wrong(fmt::format("'{}' has no effect where rows = \"explorations\"", key),
+    return wrong(fmt::format("'{}' has no effect with rows = \"explorations\"", key),
                  "leave one of them out");
   }
   return {};
@@ -70,8 +70,8 @@ Result<void> check_labels(const CsvTrials& trials) {
     if (!made.contains(label)) {
       return wrong(fmt::format("there are two labels '{}'", label), "rename or remove one of them");
     }
-    return wrong(fmt::format("the label '{}' is made of the windows or rows", label),
-                 "rename yours");
+    return wrong(fmt::format("the label '{}' is generated from the windows or rows", label),
+                 "rename it");
   }
   return {};
 }
@@ -109,23 +109,23 @@ Result<void> check_untaken(const std::vector<std::string>& columns, const CsvTri
     const auto& labels = trials.labels;
     const bool label = std::find(labels.begin(), labels.end(), column) != labels.end();
     return wrong(fmt::format("column '{}' is used twice", column),
-                 label ? fmt::format("make the channel of the label: from_label = \"{}\"", column)
+                 label ? fmt::format("use the label for the channel: from_label = \"{}\"", column)
                        : "name each column once");
   }
   return {};
 }
 
-// One channel beside those before it, whose names and columns are in `taken`.
+// Checks a channel against the preceding ones, whose names and columns are in `taken`.
 Result<void> check_channel(const CsvChannel& channel, const CsvTrials& trials,
                            std::set<std::string>& names, std::set<std::string>& taken) {
-  if (auto checked = check_source(channel); !checked) return checked;
+  SOMATO_TRY_VOID(check_source(channel));
   if (!names.insert(channel.name).second) {
     return wrong(fmt::format("there are two channels '{}'", channel.name), "rename one of them");
   }
   const auto columns = expand_columns(channel.columns);
   if (!columns) return fail(columns.error());
-  if (auto checked = check_untaken(*columns, trials, taken); !checked) return checked;
-  if (auto known = check_label(channel, csv_label_names(trials)); !known) return known;
+  SOMATO_TRY_VOID(check_untaken(*columns, trials, taken));
+  SOMATO_TRY_VOID(check_label(channel, csv_label_names(trials)));
   if (std::any_of(columns->begin(), columns->end(), is_column_pattern)) return {};
   return check_csv_shape(channel, channel.columns.empty() ? 1 : columns->size());
 }
@@ -135,7 +135,7 @@ Result<void> check_ignored(const CsvTrials& trials, const std::set<std::string>&
   if (!ignored) return wrong("'ignore': " + ignored.error().what, ignored.error().advice);
   for (const std::string& column : *ignored) {
     if (!taken.contains(column)) continue;
-    return wrong(fmt::format("column '{}' is both used and ignored", column), "decide");
+    return wrong(fmt::format("column '{}' is both used and ignored", column), "remove one of them");
   }
   return {};
 }

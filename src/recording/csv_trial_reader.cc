@@ -36,12 +36,12 @@ double scaled(const CsvChannel& channel, double number) {
   return channel.absolute ? std::fabs(value) : value;
 }
 
-// Whether a field names no label. 'none' is a label: what an empty hand holds.
+// Whether a field is not a label. 'none' is a label: the object of an empty hand.
 bool is_missing_label(const std::string& text) {
   return text != "none" && read_csv_number<double>(text).meaning == CsvMeaning::kMissing;
 }
 
-// Reads one file; every error knows its place in it.
+// Reads one file; every error has its location.
 class TrialReader {
  public:
   TrialReader(const CsvImport& description, const CsvLayout& layout, CsvFilesInCommon& common,
@@ -116,7 +116,7 @@ class TrialReader {
     for (const std::string& name : columns_.others) others.push_back(shown(name));
     return fail(ErrorKind::kData,
                 fmt::format("columns that are not mentioned: {}", fmt::join(others, ", ")),
-                line_place(), "give them to a channel, or list them under 'ignore'");
+                line_place(), "assign them to a channel, or list them under 'ignore'");
   }
 
   Result<void> read_rows() {
@@ -137,7 +137,7 @@ class TrialReader {
       return fail(
           ErrorKind::kData,
           fmt::format("expected {} fields, found {}", columns_.columns.size(), fields_.size()),
-          line_place(), "repair the file or take it out");
+          line_place(), "repair or remove the file");
     }
     for (std::size_t c = 0; c < read_.size(); ++c) {
       read_[c].values.resize(read_[c].values.size() + columns_.channels[c].size());
@@ -169,7 +169,7 @@ class TrialReader {
     if (is_missing_label(field.text)) {
       return fail(ErrorKind::kData,
                   fmt::format("the label '{}' is missing: {}", name, shown(field.text)),
-                  records_.place(field), "fill it in, take the row out, or leave the label out");
+                  records_.place(field), "fill it in, remove the row, or leave the label out");
     }
     if (!is_name(field.text)) {
       return fail(
@@ -186,7 +186,7 @@ class TrialReader {
     const bool changes = parts_.empty() || parts_.back().values != labels_;
     if (changes && !parts_.empty() && !divides_files(description_.trials)) {
       return fail(ErrorKind::kData, "the labels of columns change within the file", line_place(),
-                  "divide it: write window = 500 or the like, or rows = \"explorations\"");
+                  "divide it: write for example window = 500, or rows = \"explorations\"");
     }
     if (changes) parts_.push_back({rows_, 0, labels_});
     ++parts_.back().rows;
@@ -204,8 +204,8 @@ class TrialReader {
       return {};
     }
     return fail(ErrorKind::kData,
-                fmt::format("the time runs backwards: {} follows a later one", shown(field.text)),
-                records_.place(field), "repair the file or take it out");
+                fmt::format("the time decreases: {} follows a later time", shown(field.text)),
+                records_.place(field), "repair or remove the file");
   }
 
   Result<void> read_value(const CsvField& field, const CsvColumn& slot) {
@@ -237,10 +237,10 @@ class TrialReader {
   }
 
   Result<void> no_rows() const {
-    return fail(ErrorKind::kData, "there are no rows of numbers", where_, "take the file out");
+    return fail(ErrorKind::kData, "there are no rows of numbers", where_, "remove the file");
   }
 
-  // Of the record that was read last.
+  // Of the last record.
   std::string line_place() const { return fmt::format("{}:{}", where_, fields_[0].line); }
 
   std::vector<Channel> channels() {
@@ -274,7 +274,7 @@ class TrialReader {
   char separator_ = ',';
   std::vector<CsvField> fields_;
   CsvColumns columns_;
-  std::vector<std::string> labels_;  // Of the row that was read last.
+  std::vector<std::string> labels_;  // Of the last row.
   std::vector<LabelledRows> parts_;
   std::size_t rows_ = 0;
   std::vector<Values> read_;  // Of each channel.

@@ -20,14 +20,13 @@ struct LabelledRows {
   std::vector<std::string> values;  ///< In the order of CsvTrials::labels.
 };
 
-/// What one file holds. The channels that are made of a label have no frames yet.
+/// The content of one file. Channels from labels have no frames yet.
 struct CsvTrial {
   std::vector<Channel> channels;
   std::vector<LabelledRows> parts;
 };
 
-/// The value of `channel` that a number of a file or its name stands for, or nothing when it is too
-/// large.
+/// The value of `channel` from a number of a file or its name, or nothing if it is too large.
 std::optional<float> csv_value(const CsvChannel& channel, double number);
 
 /// Reads the text of one file, which is `where`. Errors: as import_csv_trials(), also for labels

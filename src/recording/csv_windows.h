@@ -16,8 +16,8 @@ struct CsvWindow {
   std::size_t part = 0;
 };
 
-/// The windows of a file and the number of its rows that are in none. Each begins window - overlap
-/// rows after the one before it, and anew where a label changes.
+/// The windows of a file and the number of rows outside of them. Each begins window - overlap rows
+/// after the preceding one, and again where a label changes.
 struct CsvWindows {
   std::vector<CsvWindow> windows;
   std::size_t left_out = 0;

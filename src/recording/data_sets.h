@@ -2,7 +2,7 @@
 
 namespace somato {
 
-// What the files of known data sets are called, as NamePattern reads it.
+// The file names of known data sets, as patterns for NamePattern.
 inline constexpr const char* kIcubGraspFiles = "{object}_{trial:number}.txt";
 inline constexpr const char* kFabricslideFiles =
     "{fabric}_F{force:number}_V{velocity:number}mmps_{trial:number}.csv";

@@ -7,17 +7,16 @@ namespace somato {
 
 Result<void> ExplorationLog::say(ExplorationMessage::Event event, std::uint64_t time) {
   const McapSchema schema = exploration_schema();
-  const Result<std::uint16_t> id = file_->channel(&schema, exploration_channel());
-  if (!id) return fail(id.error());
+  SOMATO_TRY(const std::uint16_t id, file_->channel(&schema, exploration_channel()));
   ExplorationMessage message = *open_;
   message.event = event;
   const std::string json = exploration_json(message);
   if (event != ExplorationMessage::Event::kEnd) {
     for (const std::uint16_t channel : channels_) file_->announce(channel);
   }
-  const McapMessage said{*id, static_cast<std::uint32_t>(message.index), time, time, json};
-  const bool alone = event != ExplorationMessage::Event::kContinue;
-  return alone ? file_->add(said) : file_->add_before_another(said);
+  const McapMessage said{id, static_cast<std::uint32_t>(message.index), time, time, json};
+  const bool is_continued = event == ExplorationMessage::Event::kContinue;
+  return is_continued ? file_->add_before_another(said) : file_->add(said);
 }
 
 Result<void> ExplorationLog::begin(ExplorationMessage message, std::vector<std::uint16_t> channels,

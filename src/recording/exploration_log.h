@@ -9,8 +9,8 @@
 
 namespace somato {
 
-/// Writes explorations and their frames into an MCAP file, so that every chunk tells by itself
-/// which exploration its frames belong to.
+/// Writes explorations and their frames to an MCAP file, so that every chunk identifies the
+/// exploration of its frames.
 class ExplorationLog {
  public:
   explicit ExplorationLog(McapWriter& file) : file_(&file) {}

@@ -1,7 +1,7 @@
-#include "somato/recording/fabricslide.h"
+#include "recording/fabricslide.h"
 
 #include "recording/data_sets.h"
-#include "somato/recording/csv_trials.h"
+#include "somato/recording/csv_import.h"
 
 namespace somato {
 

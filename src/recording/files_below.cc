@@ -55,7 +55,7 @@ tl::unexpected<Error> unreadable(const fs::path& folder, const std::error_code& 
     return fail(ErrorKind::kSystem, "there is no such file or folder", folder.string());
   }
   return fail(ErrorKind::kSystem, fmt::format("cannot be read ({})", failure.message()),
-              folder.string(), "give the folder with the recorded files");
+              folder.string(), "use the folder with the recorded files");
 }
 
 }  // namespace
@@ -74,14 +74,15 @@ Result<std::vector<std::string>> files_below(const fs::path& folder, std::string
     const bool is_folder = entry->is_directory(failure);
     if (failure) return unreadable(entry->path(), failure);
     if (is_folder && entry.depth() == kDeepest) {
-      return fail(ErrorKind::kData, fmt::format("there are folders more than {} deep", kDeepest),
-                  entry->path().string(), "a link may lead round in a circle");
+      return fail(ErrorKind::kData,
+                  fmt::format("there are more than {} levels of folders", kDeepest),
+                  entry->path().string(), "check for a loop of links");
     }
     const std::string path = entry->path().lexically_relative(folder).generic_string();
     if (is_folder || !ends_in(path, extension)) continue;
     if (entry->exists(failure) && !entry->is_regular_file(failure)) {
       return fail(ErrorKind::kData, "it is not a regular file", entry->path().string(),
-                  "take it out of the folder");
+                  "remove it from the folder");
     }
     files.push_back(path);
   }

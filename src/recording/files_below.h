@@ -13,11 +13,10 @@ namespace somato {
 /// comes before trial_10.
 bool naturally_before(std::string_view a, std::string_view b);
 
-/// The paths of all files in `folder` and the folders below whose names end in `extension`
-/// (whatever the case; empty: all), relative to it, with slashes, in natural order. Folders that
-/// are links are followed.
-/// Errors: kSystem for a folder that is missing or cannot be read; kData for folders more than 16
-/// deep.
+/// The paths of all files in `folder` and its subfolders whose names end in `extension`
+/// (case-insensitive; empty: all), relative to it, with slashes, in natural order. Folders that are
+/// links are followed. Errors: kSystem for a folder that is missing or cannot be read; kData for
+/// folders more than 16 deep.
 Result<std::vector<std::string>> files_below(const std::filesystem::path& folder,
                                              std::string_view extension);
 

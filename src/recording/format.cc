@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "recording/acoustic_hardness.h"
 #include "recording/data_sets.h"
+#include "recording/fabricslide.h"
 #include "recording/files_below.h"
+#include "recording/hkust_press_slide.h"
+#include "recording/icub_grasp.h"
 #include "recording/name_pattern.h"
-#include "somato/recording/acoustic_hardness.h"
-#include "somato/recording/fabricslide.h"
-#include "somato/recording/hkust_press_slide.h"
-#include "somato/recording/icub_grasp.h"
 #include "somato/recording/recording_file.h"
 
 namespace somato {
@@ -55,7 +55,7 @@ std::optional<std::string> first_recording(const std::vector<std::string>& files
   return found == files.end() ? std::nullopt : std::optional(*found);
 }
 
-// What a study leaves in a folder is JSON like others.
+// The JSON files of a study are not recordings.
 bool is_result(const std::string& file) {
   return std::filesystem::path(file).filename() == "results.json";
 }
@@ -97,21 +97,21 @@ const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFor
 }
 
 Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
-  auto files = files_below(folder, "");
-  if (!files) return fail(files.error());
-  if (const auto own = first_recording(*files)) {
-    return fail(ErrorKind::kData, fmt::format("the folder holds recordings, such as {}", *own),
-                folder.string(), "give one of them");
+  SOMATO_TRY(auto files, files_below(folder, ""));
+  if (const auto own = first_recording(files)) {
+    return fail(ErrorKind::kData, fmt::format("the folder contains recordings, such as {}", *own),
+                folder.string(), "use one of them");
   }
-  std::erase_if(*files, is_result);
-  const std::vector<KnownFiles> found = fitting(*files);
+  std::erase_if(files, is_result);
+  const std::vector<KnownFiles> found = fitting(files);
   if (found.size() == 1) return found.front().format;
   if (found.empty()) {
-    return fail(ErrorKind::kData, "the folder holds none of the known formats: " + listed(kKnown),
-                folder.string(), "give another folder, or import it with a description of its own");
+    return fail(ErrorKind::kData,
+                "the folder contains none of the known formats: " + listed(kKnown), folder.string(),
+                "use another folder, or import it with a description");
   }
-  return fail(ErrorKind::kData, "the folder holds more than one format: " + listed(found),
-              folder.string(), "give a folder below, or say which format is meant");
+  return fail(ErrorKind::kData, "the folder contains more than one format: " + listed(found),
+              folder.string(), "use a subfolder, or specify the format");
 }
 
 Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {

@@ -86,8 +86,8 @@ Result<void> FrameWriter::begin_file() {
   return file_.begin({std::string(kRecordingProfile), "somato"});
 }
 
-// Where on the file's clock an exploration's 0 s is, so that times ascend over the file. Times that
-// do so by themselves, such as those of a calendar, stay as they are.
+// The position of an exploration's 0 s on the file's clock, so that times are ascending in the
+// file. Times that are already ascending, such as those of a calendar, are unchanged.
 std::int64_t FrameWriter::zero_for(std::int64_t start) const {
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(file_.latest_time()) - start);
 }
@@ -121,10 +121,9 @@ Result<std::vector<std::uint16_t>> FrameWriter::open_channels(
   channels_.reserve(descriptions.size());
   for (const ChannelDescription& description : descriptions) {
     const McapSchema schema = schema_for(description);
-    const Result<std::uint16_t> id = file_.channel(&schema, channel_for(description));
-    if (!id) return fail(id.error());
-    ids.push_back(*id);
-    channels_.push_back({description, *id, expected_elements(description)});
+    SOMATO_TRY(const std::uint16_t id, file_.channel(&schema, channel_for(description)));
+    ids.push_back(id);
+    channels_.push_back({description, id, expected_elements(description)});
   }
   return ids;
 }
@@ -135,13 +134,13 @@ Result<void> FrameWriter::frame(std::size_t index, std::span<const float> values
   OpenChannel& channel = channels_[index];
   require(!values.empty() && (channel.elements == 0 || channel.elements == values.size()),
           "a channel's frames have as many values as it has elements");
-  require(valid.empty() || valid.size() == values.size(), "one mark of validity a value");
+  require(valid.empty() || valid.size() == values.size(),
+          "there must be one validity mark per value");
   channel.elements = values.size();
-  const Result<std::uint64_t> log_time = this->log_time(channel, time);
-  if (!log_time) return fail(log_time.error());
+  SOMATO_TRY(const std::uint64_t log_time, this->log_time(channel, time));
   const std::string message =
-      frame_message(channel.description, *log_time, with_gaps(values, valid));
-  return log_.add({channel.id, channel.frames++, *log_time, *log_time, message});
+      frame_message(channel.description, log_time, with_gaps(values, valid));
+  return log_.add({channel.id, channel.frames++, log_time, log_time, message});
 }
 
 Result<std::uint64_t> FrameWriter::log_time(OpenChannel& channel, double time) const {
@@ -150,10 +149,10 @@ Result<std::uint64_t> FrameWriter::log_time(OpenChannel& channel, double time) c
       *nanoseconds > std::numeric_limits<std::int64_t>::max() - zero_) {
     return bad(fmt::format("channel {}: the time {} s is out of range",
                            shown(channel.description.name), time),
-               path_, "count times from the beginning of the exploration");
+               path_, "use times relative to the beginning of the exploration");
   }
   if (*nanoseconds < channel.latest) {
-    return bad(fmt::format("channel {}: the time {} s lies before the one of the frame before",
+    return bad(fmt::format("channel {}: the time {} s precedes that of the preceding frame",
                            shown(channel.description.name), time),
                path_);
   }

@@ -43,7 +43,7 @@ class FrameWriter {
   struct OpenChannel {
     ChannelDescription description;
     std::uint16_t id = 0;
-    std::size_t elements = 0;  // 0: not known yet.
+    std::size_t elements = 0;  // 0: not yet known.
     std::int64_t latest = std::numeric_limits<std::int64_t>::min();
     std::uint32_t frames = 0;
   };

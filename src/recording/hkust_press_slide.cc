@@ -1,7 +1,7 @@
-#include "somato/recording/hkust_press_slide.h"
+#include "recording/hkust_press_slide.h"
 
 #include "recording/data_sets.h"
-#include "somato/recording/csv_trials.h"
+#include "somato/recording/csv_import.h"
 
 namespace somato {
 

@@ -1,4 +1,4 @@
-#include "somato/recording/icub_grasp.h"
+#include "recording/icub_grasp.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "files/whole_file.h"
 #include "somato/core/value.h"
-#include "somato/files/whole_file.h"
 
 namespace somato {
 namespace {
@@ -70,7 +70,7 @@ std::optional<float> finite_number(std::string_view field) {
   return number;
 }
 
-// What a line of a step holds, and how many numbers these are.
+// The content of a line of a time step, and its number of values.
 struct LineContent {
   std::string name;
   std::size_t count;
@@ -82,7 +82,7 @@ LineContent content_of(std::size_t line_of_step) {
   return {"taxels of the " + kFingerNames[line_of_step - 2] + " finger", kTaxelsPerFinger};
 }
 
-// Reads one grasp's text; every error knows its file and line.
+// Reads one grasp's text; every error has file and line.
 class GraspReader {
  public:
   GraspReader(std::string file, std::string_view text)
@@ -158,12 +158,12 @@ class GraspReader {
     return fail(
         ErrorKind::kData,
         fmt::format("{} is not a finite number", to_toml({std::string(field.substr(0, kLongest))})),
-        fmt::format("{}:{}:{}", file_, line + 1, column), "repair the file or remove it");
+        fmt::format("{}:{}:{}", file_, line + 1, column), "repair or remove the file");
   }
 
   Result<void> bad(std::string what, std::size_t line) const {
     return fail(ErrorKind::kData, std::move(what), fmt::format("{}:{}", file_, line + 1),
-                "repair the file or remove it");
+                "repair or remove the file");
   }
 
   std::string file_;
@@ -180,7 +180,7 @@ Result<Trial> trial_of(const std::filesystem::path& file) {
     if (stem == fmt::format("{}_{}", trial.object, trial.number)) return trial;
   }
   return fail(ErrorKind::kData, "the file name is not OBJECT_TRIAL.txt", file.string(),
-              "name it such as ball_3.txt, or take it out of the folder");
+              "use a name such as ball_3.txt, or remove it from the folder");
 }
 
 Result<std::vector<std::filesystem::path>> text_files(const std::filesystem::path& folder) {
@@ -192,7 +192,7 @@ Result<std::vector<std::filesystem::path>> text_files(const std::filesystem::pat
   }
   if (!failure) return files;
   return fail(ErrorKind::kSystem, fmt::format("the folder cannot be read ({})", failure.message()),
-              folder.string(), "give the folder of the data set, or its folder 'trials'");
+              folder.string(), "use the folder of the data set, or its folder 'trials'");
 }
 
 Result<std::vector<Trial>> find_trials(const std::filesystem::path& folder) {
@@ -200,16 +200,15 @@ Result<std::vector<Trial>> find_trials(const std::filesystem::path& folder) {
   if (!files) return fail(files.error());
   std::vector<Trial> trials;
   for (const std::filesystem::path& file : *files) {
-    Result<Trial> trial = trial_of(file);
-    if (!trial) return fail(std::move(trial.error()));
-    trials.push_back(std::move(*trial));
+    SOMATO_TRY(Trial trial, trial_of(file));
+    trials.push_back(std::move(trial));
   }
   std::sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
     return std::tie(a.object, a.number) < std::tie(b.object, b.number);
   });
   if (!trials.empty()) return trials;
   return fail(ErrorKind::kData, "there are no files OBJECT_TRIAL.txt", folder.string(),
-              "give the folder of the data set, or its folder 'trials'");
+              "use the folder of the data set, or its folder 'trials'");
 }
 
 Result<Exploration> read_trial(const Trial& trial) {
@@ -228,13 +227,11 @@ Result<Exploration> read_trial(const Trial& trial) {
 Result<Recording> import_icub_grasp(const std::filesystem::path& folder) {
   std::error_code unknown;
   const bool has_trials = std::filesystem::is_directory(folder / "trials", unknown);
-  const Result<std::vector<Trial>> trials = find_trials(has_trials ? folder / "trials" : folder);
-  if (!trials) return fail(trials.error());
+  SOMATO_TRY(const std::vector<Trial> trials, find_trials(has_trials ? folder / "trials" : folder));
   Recording recording;
-  for (const Trial& trial : *trials) {
-    Result<Exploration> exploration = read_trial(trial);
-    if (!exploration) return fail(std::move(exploration.error()));
-    recording.explorations.push_back(std::move(*exploration));
+  for (const Trial& trial : trials) {
+    SOMATO_TRY(Exploration exploration, read_trial(trial));
+    recording.explorations.push_back(std::move(exploration));
   }
   return recording;
 }

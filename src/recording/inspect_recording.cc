@@ -14,7 +14,7 @@ namespace {
 using Meaning = RecordingInterpreter::Meaning;
 
 constexpr std::size_t kMostLabelBytes = std::size_t{4} << 20;
-constexpr std::size_t kBytesAnEntry = 128;  // About what it takes beside its text.
+constexpr std::size_t kBytesAnEntry = 128;  // Approximate memory in addition to its text.
 
 // Counts the values of labels, as long as there is room for new ones.
 class LabelCounter {
@@ -87,14 +87,12 @@ class Inspection {
  private:
   // Whether there is more to come.
   Result<bool> step() {
-    const Result<std::optional<McapMessage>> message = file_->next();
-    if (!message) return fail(message.error());
-    if (!*message) return false;
-    const Result<Meaning> meaning = meanings_.interpret(**message);
-    if (!meaning) return fail(meaning.error());
-    if (*meaning == Meaning::kBegin) labels_.add(meanings_.exploration().labels);
-    if (*meaning == Meaning::kFrame) see(meanings_.frame().time);
-    if (*meaning == Meaning::kEnd) end();
+    SOMATO_TRY(const std::optional<McapMessage> message, file_->next());
+    if (!message) return false;
+    SOMATO_TRY(const Meaning meaning, meanings_.interpret(*message));
+    if (meaning == Meaning::kBegin) labels_.add(meanings_.exploration().labels);
+    if (meaning == Meaning::kFrame) see(meanings_.frame().time);
+    if (meaning == Meaning::kEnd) end();
     return true;
   }
 
@@ -137,9 +135,8 @@ class Inspection {
 }  // namespace
 
 Result<RecordingSummary> inspect_recording(const std::string& path) {
-  Result<McapReader> file = McapReader::open(operating_system(), path);
-  if (!file) return fail(std::move(file.error()));
-  return Inspection(*file).run();
+  SOMATO_TRY(McapReader file, McapReader::open(operating_system(), path));
+  return Inspection(file).run();
 }
 
 }  // namespace somato

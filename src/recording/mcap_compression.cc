@@ -16,15 +16,15 @@ constexpr std::string_view kZstd = "zstd";
 constexpr int kZstdLevel = 1;  // Sensors do not wait.
 
 tl::unexpected<Error> cannot_pack(std::string_view name, const char* reason) {
-  return fail(ErrorKind::kSystem, fmt::format("cannot pack with {}: {}", name, reason));
+  return fail(ErrorKind::kSystem, fmt::format("cannot compress with {}: {}", name, reason));
 }
 
 tl::unexpected<Error> cannot_unpack(std::string_view name, const char* reason) {
-  return fail(ErrorKind::kData, fmt::format("cannot unpack {}: {}", name, reason));
+  return fail(ErrorKind::kData, fmt::format("cannot decompress {}: {}", name, reason));
 }
 
 tl::unexpected<Error> another_size(std::string_view name) {
-  return cannot_unpack(name, "it has not the size it says");
+  return cannot_unpack(name, "its size differs from the declared size");
 }
 
 Result<std::string> pack_lz4(std::string_view bytes) {
@@ -99,9 +99,10 @@ Result<std::string> unpack(std::string_view name, std::string_view packed, std::
   if (name == kZstd) return unpack_zstd(packed, size);
   if (!name.empty()) {
     return fail(ErrorKind::kData, fmt::format("the compression {} is unknown", shown(name)), {},
-                "pack it with lz4 or zstd, or not at all");
+                "use lz4, zstd or no compression");
   }
-  if (packed.size() != size) return cannot_unpack("a chunk", "it has not the size it says");
+  if (packed.size() != size)
+    return cannot_unpack("a chunk", "its size differs from the declared size");
   return std::string(packed);
 }
 

@@ -15,8 +15,9 @@ std::string_view mcap_name(Compression compression);
 /// `bytes`, packed. Errors: kSystem with the reason of the library that packs.
 Result<std::string> pack(Compression compression, std::string_view bytes);
 
-/// Unpacks what has exactly `size` bytes unpacked, by MCAP's name. Errors (kData, without a place):
-/// an unknown name, what is damaged, and what has another size; no more than `size` bytes are made.
+/// Decompresses data with `size` decompressed bytes, with MCAP's name of the compression. Errors
+/// (kData, without a location): an unknown name, damaged data, and data of another size; at most
+/// `size` bytes are written.
 Result<std::string> unpack(std::string_view name, std::string_view packed, std::size_t size);
 
 }  // namespace somato

@@ -19,7 +19,7 @@ Result<McapInput> McapInput::open(FileSystem& files, const std::string& path) {
     return system_failure("cannot read", path, EISDIR);
   }
   if (status->kind != FileStatus::Kind::kRegular) {
-    return fail(ErrorKind::kUsage, "not a regular file", path, "copy it to one first");
+    return fail(ErrorKind::kUsage, "not a regular file", path, "copy it to a regular file first");
   }
   return McapInput(std::move(*file), path, status->size);
 }

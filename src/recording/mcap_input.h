@@ -9,10 +9,10 @@
 
 namespace somato {
 
-/// A file that is looked at in pieces, from front to back for the most part.
+/// A file that is read in parts, mostly sequentially.
 class McapInput {
  public:
-  /// Errors: kSystem with the system's reason; kUsage for what is no regular file.
+  /// Errors: kSystem with the system's reason; kUsage for a file that is not regular.
   static Result<McapInput> open(FileSystem& files, const std::string& path);
 
   const std::string& path() const { return path_; }

@@ -44,8 +44,9 @@ bool is_chunk_head(std::string_view bytes, std::size_t left) {
 tl::unexpected<Error> McapReader::bad_at(std::size_t place, const std::string& what,
                                          const std::string& advice) const {
   return fail(ErrorKind::kData, what, fmt::format("{}:byte {}", path(), place),
-              advice.empty() ? fmt::format("save what it holds: somato recover {} -o OUT", path())
-                             : advice);
+              advice.empty()
+                  ? fmt::format("recover its readable part: somato recover {} -o OUT", path())
+                  : advice);
 }
 
 tl::unexpected<Error> McapReader::bad(const std::string& what, const std::string& advice) const {
@@ -53,21 +54,18 @@ tl::unexpected<Error> McapReader::bad(const std::string& what, const std::string
 }
 
 Result<McapReader> McapReader::open(FileSystem& files, const std::string& path) {
-  Result<McapInput> input = McapInput::open(files, path);
-  if (!input) return fail(std::move(input.error()));
-  McapReader reader(std::move(*input));
-  Result<void> begun = reader.begin();
-  if (!begun) return fail(std::move(begun.error()));
+  SOMATO_TRY(McapInput input, McapInput::open(files, path));
+  McapReader reader(std::move(input));
+  SOMATO_TRY_VOID(reader.begin());
   return reader;
 }
 
 Result<void> McapReader::begin() {
-  const Result<std::string_view> magic = input_.view(0, kMcapMagic.size());
-  if (!magic) return fail(magic.error());
-  if (*magic != kMcapMagic) {
+  SOMATO_TRY(const std::string_view magic, input_.view(0, kMcapMagic.size()));
+  if (magic != kMcapMagic) {
     return fail(ErrorKind::kData, "not an MCAP file", path(), "check that it is the right file");
   }
-  crc_.add(*magic);
+  crc_.add(magic);
   place_ = kMcapMagic.size();
   return {};
 }
@@ -94,8 +92,7 @@ std::string McapReader::compressions() const {
 Result<void> McapReader::keep_within_limit(std::size_t more) {
   announced_ += more;
   if (announced_ <= kMostBytesAnnounced) return {};
-  return bad(
-      fmt::format("the schemas and channels take more than {} MiB", kMostBytesAnnounced >> 20));
+  return bad(fmt::format("the schemas and channels exceed {} MiB", kMostBytesAnnounced >> 20));
 }
 
 Result<void> McapReader::remember_schema(std::string_view content) {
@@ -134,7 +131,7 @@ Result<std::optional<McapMessage>> McapReader::known(std::string_view content) {
   if (!message) return bad("a message does not fill its record");
   if (channels_.contains(message->channel_id)) return message;
   return bad(
-      fmt::format("a message is of channel {}, which is not announced", message->channel_id));
+      fmt::format("a message belongs to channel {}, which is not declared", message->channel_id));
 }
 
 Result<std::optional<McapMessage>> McapReader::next() {
@@ -160,16 +157,16 @@ Result<std::optional<McapMessage>> McapReader::next_in_chunk() {
     in_chunk_ = false;
     if (chunk_is_cut_) return bad_at(chunk_place_, "the file ends within a chunk");
     if (left.empty()) return std::optional<McapMessage>();
-    return bad_at(chunk_place_, "a record is longer than what is left of its chunk");
+    return bad_at(chunk_place_, "a record is longer than the rest of its chunk");
   }
   const std::string_view content = left.substr(kMcapRecordHead, static_cast<std::size_t>(length));
   chunk_at_ += kMcapRecordHead + content.size();
-  if (!belongs) return bad_at(chunk_place_, opcode_text(opcode) + " stands in a chunk");
+  if (!belongs) return bad_at(chunk_place_, opcode_text(opcode) + " is not allowed in a chunk");
   message_place_ = chunk_place_;
   return read_record(opcode, content);
 }
 
-// What stands in chunks, or between them.
+// The position of a record: in a chunk, or between chunks.
 Result<std::optional<McapMessage>> McapReader::read_record(McapOpcode opcode,
                                                            std::string_view content) {
   if (opcode == McapOpcode::kMessage) return known(content);
@@ -180,21 +177,19 @@ Result<std::optional<McapMessage>> McapReader::read_record(McapOpcode opcode,
 
 // The length of the record at place_, of which the whole file holds.
 Result<std::uint64_t> McapReader::record_length() {
-  const Result<std::string_view> head = input_.view(place_, kMcapRecordHead);
-  if (!head) return fail(head.error());
-  if (head->empty()) return bad("the file ends without the mark of its end");
-  if (head->size() < kMcapRecordHead) return bad("the file ends within a record");
-  const auto length = little_endian<std::uint64_t>(head->data() + 1);
+  SOMATO_TRY(const std::string_view head, input_.view(place_, kMcapRecordHead));
+  if (head.empty()) return bad("the file ends without its end marker");
+  if (head.size() < kMcapRecordHead) return bad("the file ends within a record");
+  const auto length = little_endian<std::uint64_t>(head.data() + 1);
   if (length <= size() - place_ - kMcapRecordHead) return length;
   return bad(fmt::format("a record of {} bytes is longer than the rest of the file", length));
 }
 
-// Goes behind a record that nobody looks into; over a large one without reading it.
+// Skips a record; a large one without reading it.
 Result<void> McapReader::pass(std::size_t length) {
   if (length <= kSmallRecord) {
-    const Result<std::string_view> bytes = input_.view(place_, length);
-    if (!bytes) return fail(bytes.error());
-    crc_.add(*bytes);
+    SOMATO_TRY(const std::string_view bytes, input_.view(place_, length));
+    crc_.add(bytes);
   } else {
     crc_known_ = false;
   }
@@ -212,7 +207,7 @@ Result<void> McapReader::open_chunk(std::string_view content) {
   const std::optional<McapChunk> chunk = parse_mcap_chunk(content);
   if (!chunk) return bad("a chunk does not fill its record");
   if (chunk->unpacked_size > kLargestMcapChunk) {
-    return bad(fmt::format("a chunk says it has {} bytes, more than {}", chunk->unpacked_size,
+    return bad(fmt::format("a chunk declares {} bytes, more than {}", chunk->unpacked_size,
                            kLargestMcapChunk));
   }
   std::string().swap(chunk_);  // Never two at once.
@@ -220,7 +215,7 @@ Result<void> McapReader::open_chunk(std::string_view content) {
       unpack(chunk->compression, chunk->packed, static_cast<std::size_t>(chunk->unpacked_size));
   if (!unpacked) return bad(unpacked.error().what, unpacked.error().advice);
   if (chunk->unpacked_crc != 0 && crc32(*unpacked) != chunk->unpacked_crc) {
-    return bad("a chunk has another checksum than it says");
+    return bad("the checksum of a chunk does not match");
   }
   ++compressions_[std::string(chunk->compression)];
   chunk_ = std::move(*unpacked);
@@ -233,39 +228,35 @@ Result<void> McapReader::open_chunk(std::string_view content) {
 
 Result<std::optional<McapMessage>> McapReader::next_record() {
   message_place_ = place_;
-  const Result<std::uint64_t> length = record_length();
-  if (!length) return fail(length.error());
-  const Result<std::string_view> head = whole_record(kMcapRecordHead);
-  if (!head) return fail(head.error());
-  const auto opcode = static_cast<McapOpcode>(head->front());
-  const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(*length);
+  SOMATO_TRY(const std::uint64_t length, record_length());
+  SOMATO_TRY(const std::string_view head, whole_record(kMcapRecordHead));
+  const auto opcode = static_cast<McapOpcode>(head.front());
+  const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(length);
   const bool first = place_ == kMcapMagic.size();
   if (static_cast<unsigned>(opcode) == 0 || opcode == McapOpcode::kFooter ||
       first != (opcode == McapOpcode::kHeader)) {
-    return bad(opcode_text(opcode) + " stands here");
+    return bad(opcode_text(opcode) + " is not allowed here");
   }
   if (opcode > McapOpcode::kChunk && opcode != McapOpcode::kDataEnd) {
     return pass(whole).map([] { return std::optional<McapMessage>(); });
   }
-  if (*length > kLargestMcapChunk + kLargestChunkHead) {
-    return bad(fmt::format("a record has {} bytes, more than {}", *length, kLargestMcapChunk));
+  if (length > kLargestMcapChunk + kLargestChunkHead) {
+    return bad(fmt::format("a record has {} bytes, more than {}", length, kLargestMcapChunk));
   }
-  const Result<std::string_view> record = whole_record(whole);
-  if (!record) return fail(record.error());
-  const std::string_view content = record->substr(kMcapRecordHead);
+  SOMATO_TRY(const std::string_view record, whole_record(whole));
+  const std::string_view content = record.substr(kMcapRecordHead);
   if (opcode == McapOpcode::kDataEnd) {
     return check_end(content).map([] { return std::optional<McapMessage>(); });
   }
   if (opcode == McapOpcode::kChunk || opcode == McapOpcode::kHeader) {
-    Result<void> opened = opcode == McapOpcode::kChunk ? open_chunk(content) : take_header(content);
-    if (!opened) return fail(std::move(opened.error()));
+    SOMATO_TRY_VOID(opcode == McapOpcode::kChunk ? open_chunk(content) : take_header(content));
   }
-  crc_.add(*record);
+  crc_.add(record);
   place_ += whole;
   if (opcode == McapOpcode::kChunk || opcode == McapOpcode::kHeader) {
     return std::optional<McapMessage>();
   }
-  record_is_damaged_ = false;  // Whatever it says, its end is known.
+  record_is_damaged_ = false;  // Its end is known independent of its content.
   return read_record(opcode, content);
 }
 
@@ -281,7 +272,7 @@ Result<void> McapReader::check_end(std::string_view data_end) {
   if (!crc) return bad("the end of the data does not fill its record");
   after_data_ = true;
   has_all_messages_ = *crc == 0 || !crc_known_ || *crc == crc_.value();
-  if (!has_all_messages_) return bad("the data have another checksum than the file says");
+  if (!has_all_messages_) return bad("the checksum of the data does not match");
   place_ += kMcapRecordHead + data_end.size();
   return check_summary();
 }
@@ -289,25 +280,22 @@ Result<void> McapReader::check_end(std::string_view data_end) {
 // The summary is of no use to who reads from front to back, but a whole file has a whole one.
 Result<void> McapReader::check_summary() {
   message_place_ = place_;
-  const Result<std::uint32_t> crc = pass_summary();
-  if (!crc) return fail(crc.error());
-  const Result<std::uint64_t> length = record_length();
-  if (!length) return fail(length.error());
-  const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(*length);
+  SOMATO_TRY(const std::uint32_t crc, pass_summary());
+  SOMATO_TRY(const std::uint64_t length, record_length());
+  const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(length);
   const Result<std::string_view> record = whole_record(std::min(whole, kSmallRecord));
   if (!record) return fail(record.error());
   const std::optional<McapFooter> footer = parse_mcap_footer(record->substr(kMcapRecordHead));
   if (!footer) return bad_at(place_, "the footer does not fill its record");
-  if (footer->summary_crc != 0 && footer->summary_crc != *crc) {
-    return bad("the summary has another checksum than the file says");
+  if (footer->summary_crc != 0 && footer->summary_crc != crc) {
+    return bad("the checksum of the summary does not match");
   }
   place_ += whole;
-  const Result<std::string_view> magic = input_.view(place_, kMcapMagic.size());
-  if (!magic) return fail(magic.error());
-  if (*magic != kMcapMagic) return bad_at(place_, "the file ends without the mark of its end");
+  SOMATO_TRY(const std::string_view magic, input_.view(place_, kMcapMagic.size()));
+  if (magic != kMcapMagic) return bad_at(place_, "the file ends without its end marker");
   place_ += kMcapMagic.size();
   if (place_ == size()) return {};
-  return bad_at(place_, fmt::format("{} bytes stand behind the end", size() - place_));
+  return bad_at(place_, fmt::format("{} bytes follow the end", size() - place_));
 }
 
 // Goes to the footer; the checksum of all before and of the footer up to its own.
@@ -315,22 +303,19 @@ Result<std::uint32_t> McapReader::pass_summary() {
   constexpr std::size_t kFooterUpToChecksum = kMcapRecordHead + 2 * sizeof(std::uint64_t);
   Crc32 crc;
   for (;;) {
-    const Result<std::uint64_t> length = record_length();
-    if (!length) return fail(length.error());
-    const Result<std::string_view> head = whole_record(kMcapRecordHead);
-    if (!head) return fail(head.error());
-    const auto opcode = static_cast<McapOpcode>(head->front());
+    SOMATO_TRY(const std::uint64_t length, record_length());
+    SOMATO_TRY(const std::string_view head, whole_record(kMcapRecordHead));
+    const auto opcode = static_cast<McapOpcode>(head.front());
     if (static_cast<unsigned>(opcode) == 0) {
-      return bad_at(place_, opcode_text(opcode) + " stands here");
+      return bad_at(place_, opcode_text(opcode) + " is not allowed here");
     }
     const bool is_footer = opcode == McapOpcode::kFooter;
     const std::size_t end =
         place_ +
-        (is_footer ? kFooterUpToChecksum : kMcapRecordHead + static_cast<std::size_t>(*length));
+        (is_footer ? kFooterUpToChecksum : kMcapRecordHead + static_cast<std::size_t>(length));
     for (std::size_t at = place_; at < end; at += kSmallRecord) {
-      const auto piece = input_.view(at, std::min(end - at, kSmallRecord));
-      if (!piece) return fail(piece.error());
-      crc.add(*piece);
+      SOMATO_TRY(const auto piece, input_.view(at, std::min(end - at, kSmallRecord)));
+      crc.add(piece);
     }
     if (is_footer) return crc.value();
     place_ = end;
@@ -352,19 +337,16 @@ Result<bool> McapReader::go_on() {
 
 // A chunk that is not packed and longer than the rest of the file still holds messages.
 Result<bool> McapReader::open_cut_chunk() {
-  const Result<std::string_view> head = input_.view(place_, kLargestChunkHead);
-  if (!head) return fail(head.error());
-  if (head->size() < kMcapRecordHead ||
-      static_cast<McapOpcode>(head->front()) != McapOpcode::kChunk)
+  SOMATO_TRY(const std::string_view head, input_.view(place_, kLargestChunkHead));
+  if (head.size() < kMcapRecordHead || static_cast<McapOpcode>(head.front()) != McapOpcode::kChunk)
     return false;
-  const auto length = little_endian<std::uint64_t>(head->data() + 1);
+  const auto length = little_endian<std::uint64_t>(head.data() + 1);
   if (length <= size() - place_ - kMcapRecordHead ||
       length > kLargestMcapChunk + kLargestChunkHead) {
     return false;
   }
-  const Result<std::string_view> rest = input_.view(place_, size() - place_);
-  if (!rest) return fail(rest.error());
-  const std::optional<McapChunk> chunk = parse_cut_mcap_chunk(rest->substr(kMcapRecordHead));
+  SOMATO_TRY(const std::string_view rest, input_.view(place_, size() - place_));
+  const std::optional<McapChunk> chunk = parse_cut_mcap_chunk(rest.substr(kMcapRecordHead));
   if (!chunk || !chunk->compression.empty()) return false;
   chunk_ = std::string(chunk->packed);
   chunk_place_ = place_;
@@ -377,14 +359,13 @@ Result<bool> McapReader::open_cut_chunk() {
 
 Result<bool> McapReader::find_chunk(std::size_t from) {
   for (std::size_t at = from; at < size();) {
-    const Result<std::string_view> bytes = input_.view(at, kSearchedAtOnce);
-    if (!bytes) return fail(bytes.error());
-    const bool last = at + bytes->size() >= size();
-    if (bytes->size() < kLargestChunkHead && !last) return false;  // It has become shorter.
-    const std::size_t heads = last ? bytes->size() : bytes->size() - kLargestChunkHead;
+    SOMATO_TRY(const std::string_view bytes, input_.view(at, kSearchedAtOnce));
+    const bool last = at + bytes.size() >= size();
+    if (bytes.size() < kLargestChunkHead && !last) return false;  // It has become shorter.
+    const std::size_t heads = last ? bytes.size() : bytes.size() - kLargestChunkHead;
     for (std::size_t i = 0; i < heads; ++i) {
-      i = std::min(bytes->find(static_cast<char>(McapOpcode::kChunk), i), heads);
-      if (i == heads || !is_chunk_head(bytes->substr(i), size() - at - i)) continue;
+      i = std::min(bytes.find(static_cast<char>(McapOpcode::kChunk), i), heads);
+      if (i == heads || !is_chunk_head(bytes.substr(i), size() - at - i)) continue;
       place_ = at + i;
       return true;
     }

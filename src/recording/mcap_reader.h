@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "files/checksum.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_records.h"
 #include "somato/core/result.h"
-#include "somato/files/checksum.h"
 
 namespace somato {
 
@@ -18,23 +18,23 @@ namespace somato {
 /// ids and the summary are checked. Memory is bounded by a chunk and 8 MiB of schemas and channels.
 class McapReader {
  public:
-  /// Errors: kSystem with the system's reason; kUsage for what is no regular file; kData for what
-  /// is no MCAP file.
+  /// Errors: kSystem with the system's reason; kUsage for a file that is not regular; kData for a
+  /// file that is not MCAP.
   static Result<McapReader> open(FileSystem& files, const std::string& path);
 
   /// The next message, its data valid until the next call; nothing after the last one of a whole
   /// file. Errors: kSystem with the system's reason; kData with file and place.
   Result<std::optional<McapMessage>> next();
 
-  /// After an error: goes on behind the damage, with what is left of it or the next whole chunk.
-  /// Whether there is anything left. Errors: kSystem with the system's reason.
+  /// After an error: continues behind the damage, with the rest of the chunk or the next complete
+  /// chunk. Returns whether there are more data. Errors: kSystem with the system's reason.
   Result<bool> go_on();
 
   const McapHeader& header() const { return header_; }
   const std::string& path() const { return input_.path(); }
   std::size_t size() const { return input_.size(); }
 
-  /// Of a channel that a message came from.
+  /// The channel of the last message.
   const McapChannel& channel(std::uint16_t id) const { return channels_.at(id); }
   const McapSchema& schema_of(std::uint16_t channel) const;
 
@@ -50,8 +50,8 @@ class McapReader {
   /// Whether all messages were read: what fails after that is no loss.
   bool has_all_messages() const { return has_all_messages_; }
 
-  /// Whether what comes next, after go_on(), directly follows what came before.
-  bool goes_on_without_gap() const { return in_chunk_ && chunk_is_cut_ && chunk_at_ == 0; }
+  /// Whether the next data, after go_on(), directly follow the preceding ones.
+  bool continues_without_gap() const { return in_chunk_ && chunk_is_cut_ && chunk_at_ == 0; }
 
   /// An error (kData) at the latest message.
   tl::unexpected<Error> bad(const std::string& what, const std::string& advice = {}) const;
@@ -86,7 +86,7 @@ class McapReader {
   bool in_chunk_ = false;
   std::string chunk_;
   std::size_t chunk_place_ = 0;
-  std::size_t chunk_at_ = 0;  // What of the chunk is read.
+  std::size_t chunk_at_ = 0;  // The part of the chunk that was read.
   bool chunk_is_cut_ = false;
   std::size_t message_place_ = 0;
   bool record_is_damaged_ = false;  // The one at place_, so that its length may be wrong.

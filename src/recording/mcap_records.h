@@ -15,7 +15,7 @@ namespace somato {
 
 inline constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
-/// Opcode and length stand before the content of every record.
+/// Opcode and length precede the content of every record.
 inline constexpr std::size_t kMcapRecordHead = 9;
 
 /// The largest chunk, unpacked and packed, that is written or read, in bytes.
@@ -59,7 +59,7 @@ struct McapChannel {
   bool operator==(const McapChannel&) const = default;
 };
 
-/// Times are in nanoseconds. Who owns the data is told where a message comes from.
+/// Times are in nanoseconds. The owner of the data is documented at the source of a message.
 struct McapMessage {
   std::uint16_t channel_id = 0;
   std::uint32_t sequence = 0;
@@ -77,7 +77,7 @@ struct McapChunk {
   std::string_view packed;
 };
 
-/// Where the messages of a channel stand in an unpacked chunk: time and offset.
+/// The positions of the messages of a channel in a decompressed chunk: time and offset.
 using McapMessageIndex = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
 struct McapChunkIndex {
@@ -101,7 +101,7 @@ struct McapStatistics {
   std::uint32_t channels = 0;
 };
 
-/// Where the records of one kind stand in the summary.
+/// The positions of the records of one kind in the summary.
 struct McapSummaryOffset {
   McapOpcode opcode = McapOpcode::kSchema;
   std::uint64_t place = 0;
@@ -114,7 +114,7 @@ struct McapFooter {
   std::uint32_t summary_crc = 0;  ///< 0: not known.
 };
 
-// A record as it stands in a file.
+// A record in the format of the file.
 std::string mcap_record(McapOpcode opcode, std::string_view content);
 std::string mcap_record(const McapHeader& header);
 std::string mcap_record(const McapSchema& schema);
@@ -128,7 +128,7 @@ std::string mcap_record(const McapSummaryOffset& offset);
 std::string mcap_record(const McapFooter& footer);
 std::string mcap_data_end(std::uint32_t data_crc);
 
-// What the content of a record says, or nothing when it does not fit. Views point into `content`.
+// The parsed content of a record, or nothing if it is invalid. Views refer to `content`.
 std::optional<McapHeader> parse_mcap_header(std::string_view content);
 std::optional<McapSchema> parse_mcap_schema(std::string_view content);
 std::optional<McapChannel> parse_mcap_channel(std::string_view content);

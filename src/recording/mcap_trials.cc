@@ -1,4 +1,4 @@
-#include "somato/recording/mcap_trials.h"
+#include "recording/mcap_trials.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ Result<void> add_labels(const TrialFile& file, Exploration& exploration) {
       return fail(ErrorKind::kData,
                   fmt::format("label '{}' is {} in the recording, but {} in the file name",
                               label.name, shown(own->value), shown(label.value)),
-                  file.path, "rename the file, or give the label of its name another name");
+                  file.path, "rename the file, or rename the label in its name");
     }
   }
   return {};
@@ -33,7 +33,7 @@ Result<void> add_labels(const TrialFile& file, Exploration& exploration) {
 
 // Adds an exploration of `file` to those that were read before.
 Result<void> add_exploration(const TrialFile& file, Exploration exploration, Recording& recording) {
-  if (auto added = add_labels(file, exploration); !added) return added;
+  SOMATO_TRY_VOID(add_labels(file, exploration));
   if (exploration.source.empty()) exploration.source = file.path;
   recording.explorations.push_back(std::move(exploration));
   auto alike = check_alike(recording.explorations.back(), recording.explorations.front());
@@ -42,13 +42,12 @@ Result<void> add_exploration(const TrialFile& file, Exploration exploration, Rec
 }
 
 Result<void> add_file(const TrialFile& file, Recording& recording) {
-  auto read = read_recording(file.path);
-  if (!read) return fail(std::move(read.error()));
-  if (read->explorations.empty()) {
+  SOMATO_TRY(auto read, read_recording(file.path));
+  if (read.explorations.empty()) {
     return fail(ErrorKind::kData, "the recording has no explorations", file.path,
-                "take it out of the folder");
+                "remove it from the folder");
   }
-  for (Exploration& exploration : read->explorations) {
+  for (Exploration& exploration : read.explorations) {
     auto added = add_exploration(file, std::move(exploration), recording);
     if (!added) return added;
   }
@@ -64,11 +63,10 @@ Result<Recording> import_mcap_trials(const std::filesystem::path& folder, const 
     pattern.error().what = "'files': " + pattern.error().what;
     return fail(std::move(pattern.error()));
   }
-  const auto found = find_trial_files(folder, *pattern, pass_over_others);
-  if (!found) return fail(found.error());
+  SOMATO_TRY(const auto found, find_trial_files(folder, *pattern, pass_over_others));
   Recording recording;
-  for (const TrialFile& file : *found) {
-    if (auto added = add_file(file, recording); !added) return fail(std::move(added.error()));
+  for (const TrialFile& file : found) {
+    SOMATO_TRY_VOID(add_file(file, recording));
   }
   return recording;
 }

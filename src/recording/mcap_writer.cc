@@ -30,7 +30,7 @@ Result<std::uint16_t> id_of(Thing thing, std::string_view what, std::vector<Thin
   return thing.id;
 }
 
-// The records of one kind in the summary, and where they stand.
+// The records of one kind in the summary, and their positions.
 class SummaryGroups {
  public:
   explicit SummaryGroups(std::uint64_t place) : place_(place) {}
@@ -135,13 +135,12 @@ void McapWriter::start_chunk() {
 Result<void> McapWriter::end_chunk() {
   if (broken_) return fail(*broken_);
   if (chunk_is_empty()) return {};
-  const Result<std::string> packed = pack(compression_, chunk_);
-  if (!packed) return fail(packed.error());
+  SOMATO_TRY(const std::string packed, pack(compression_, chunk_));
   const std::string_view name = mcap_name(compression_);
   std::string bytes =
-      mcap_record(McapChunk{chunk_start_, chunk_end_, chunk_.size(), crc32(chunk_), name, *packed});
-  McapChunkIndex index{chunk_start_,      chunk_end_,     place_,       bytes.size(), {}, 0,
-                       std::string(name), packed->size(), chunk_.size()};
+      mcap_record(McapChunk{chunk_start_, chunk_end_, chunk_.size(), crc32(chunk_), name, packed});
+  McapChunkIndex index{chunk_start_,      chunk_end_,    place_,       bytes.size(), {}, 0,
+                       std::string(name), packed.size(), chunk_.size()};
   bytes += message_indexes(index);
   const bool first = chunks_.empty();
   statistics_.start_time = first ? chunk_start_ : std::min(statistics_.start_time, chunk_start_);
@@ -162,7 +161,7 @@ std::string McapWriter::summary() const {
   groups.add(McapOpcode::kStatistics, std::vector{statistics});
   groups.add(McapOpcode::kChunkIndex, chunks_);
   const std::string bytes = groups.bytes();
-  // The checksum ends where it stands itself.
+  // The checksum covers the bytes before it.
   std::string footer = mcap_record(McapFooter{place_, groups.offsets_place(), 0});
   footer.resize(footer.size() - sizeof(std::uint32_t));
   const std::uint32_t crc = crc32(bytes + footer);

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "files/checksum.h"
 #include "recording/mcap_records.h"
 #include "somato/core/result.h"
-#include "somato/files/checksum.h"
 #include "somato/recording/recording_writer.h"
 
 namespace somato {
@@ -24,7 +24,7 @@ inline constexpr std::size_t kLargestMcapMessage = std::size_t{23} << 20;
 /// schemas and channels of its messages, so that it can be read without those before it.
 class McapWriter {
  public:
-  /// Where the bytes go.
+  /// Destination of the bytes.
   using Sink = std::function<Result<void>(std::string_view)>;
 
   McapWriter(Sink sink, Compression compression, std::size_t chunk_size)
@@ -42,7 +42,7 @@ class McapWriter {
   /// Errors: kData for a message that is too large; the sink's.
   Result<void> add(const McapMessage& message);
 
-  /// The same, but the chunk goes on with the next message even when it is full.
+  /// The same, but the chunk continues with the next message even if it is full.
   Result<void> add_before_another(const McapMessage& message);
 
   bool chunk_is_empty() const { return messages_in_chunk_ == 0; }

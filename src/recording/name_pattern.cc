@@ -16,7 +16,7 @@ constexpr std::string_view kDigits = "0123456789";
 
 tl::unexpected<Error> bad_pattern(std::string what) {
   return fail(ErrorKind::kUsage, std::move(what), {},
-              "write such as \"{object}_{trial:number}.csv\"");
+              "write for example \"{object}_{trial:number}.csv\"");
 }
 
 // An optional sign, digits, and perhaps a point and digits.
@@ -59,7 +59,7 @@ Result<void> NamePattern::add_label(std::string_view inside) {
   const std::string name(inside.substr(0, colon));
   if (colon < inside.size() && kind != kNumber) {
     return bad_pattern(
-        fmt::format("a label cannot be narrowed to {}, only to 'number'", shown(kind)));
+        fmt::format("a label cannot be restricted to {}, only to 'number'", shown(kind)));
   }
   if (!is_name(name)) return bad_pattern("a label of the pattern has no name");
   for (const Part& other : parts_) {
@@ -82,10 +82,10 @@ Result<NamePattern> NamePattern::parse(std::string_view text, bool needs_labels)
       return bad_pattern("a brace of the pattern has no counterpart");
     }
     if (open == 0 && !pattern.parts_.empty()) {
-      return bad_pattern("two labels of the pattern touch, so that nothing tells where one ends");
+      return bad_pattern(
+          "two labels of the pattern are adjacent, so that their boundary is undefined");
     }
-    auto added = pattern.add_label(text.substr(open + 1, close - open - 1));
-    if (!added) return fail(std::move(added.error()));
+    SOMATO_TRY_VOID(pattern.add_label(text.substr(open + 1, close - open - 1)));
     text.remove_prefix(close + 1);
   }
   if (!needs_labels || !pattern.parts_.empty()) return pattern;
@@ -105,7 +105,7 @@ std::string NamePattern::extension() const {
   return dot == std::string::npos ? std::string() : end.substr(dot);
 }
 
-// As many parts between slashes as the pattern has.
+// The same number of parts between slashes as in the pattern.
 std::string_view NamePattern::last_parts(std::string_view path) const {
   auto slashes = std::count(before_.begin(), before_.end(), '/');
   for (const Part& part : parts_) {
@@ -118,8 +118,8 @@ std::string_view NamePattern::last_parts(std::string_view path) const {
   return path.substr(start);
 }
 
-// The values of the labels in each way to read `path`, two ways at most. A way is told by where its
-// labels end, so that ways are followed from label to label by the place they have come to.
+// The values of the labels for each way to match `path`, at most two. A match is identified by the
+// ends of its labels, so that matches are followed from label to label by position.
 std::vector<NamePattern::Values> NamePattern::ways_to_read(std::string_view path) const {
   constexpr std::size_t kEnoughWays = 2;
   if (!path.starts_with(before_)) return {};
@@ -151,7 +151,7 @@ Result<std::optional<std::vector<Label>>> NamePattern::match(std::string_view pa
   return fail(ErrorKind::kData,
               fmt::format("the name can be read in more than one way: {}; or {}", listed(first),
                           listed(labels_of(labels(), ways[1]))),
-              std::string(path), "narrow a label that is a number, such as {trial:number}");
+              std::string(path), "restrict a numeric label, as in {trial:number}");
 }
 
 }  // namespace somato

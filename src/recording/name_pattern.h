@@ -10,12 +10,11 @@
 
 namespace somato {
 
-/// What the names of files look like, with labels between braces, such as
-/// `{material}/{object}_{trial:number}.csv`.
+/// A pattern of file names with labels in braces, such as `{material}/{object}_{trial:number}.csv`.
 ///
-/// A label stands for one or more bytes without a slash; `:number` narrows it to a decimal number
-/// such as 3, -50 or 0.25. The parts between slashes are matched with as many last parts of a
-/// file's path.
+/// A label matches one or more bytes without a slash; `:number` restricts it to a decimal number
+/// such as 3, -50 or 0.25. The parts between slashes are matched with the same number of last parts
+/// of a file's path.
 class NamePattern {
  public:
   /// Errors (kUsage): no labels where it `needs_labels`, a label without name or named twice, a

@@ -10,8 +10,8 @@ namespace somato {
 inline constexpr double kLatestSecond = 9e9;  // About 285 years; nanoseconds fit into 63 bits.
 inline constexpr std::int64_t kNanosecondsASecond = 1'000'000'000;
 
-/// Nothing for what is not within +-kLatestSecond. Whole seconds and fraction are converted apart,
-/// so that large times keep their last digits.
+/// Empty outside +-kLatestSecond. Whole seconds and fraction are converted separately, so that
+/// large times keep their last digits.
 inline std::optional<std::int64_t> nanoseconds_of(double seconds) {
   if (!(std::abs(seconds) <= kLatestSecond)) return std::nullopt;
   const double whole = std::floor(seconds);

@@ -55,13 +55,13 @@ Result<void> check_times(const Channel& channel) {
   if (times.size() != channel.frames.rows()) {
     return bad_data(fmt::format("channel '{}' has {} times for {} frames", channel.name,
                                 times.size(), channel.frames.rows()),
-                    "give one time a frame, or none");
+                    "use one time per frame, or none");
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] < times[i - 1])) {
       return bad_data(
-          fmt::format("channel '{}', frame {}: the time {} s is not finite or lies "
-                      "before the one of the frame before",
+          fmt::format("channel '{}', frame {}: the time {} s is not finite or "
+                      "precedes that of the preceding frame",
                       channel.name, i + 1, times[i]));
     }
   }
@@ -71,7 +71,7 @@ Result<void> check_times(const Channel& channel) {
 Result<void> check_rate(const Channel& channel) {
   if (!std::isfinite(channel.rate) || channel.rate < 0.0) {
     return bad_data(fmt::format("channel '{}' has a rate of {} Hz", channel.name, channel.rate),
-                    "give a rate above 0, or none");
+                    "use a rate above 0, or none");
   }
   if (channel.rate == 0.0 || channel.times.empty()) return {};
   return bad_data(fmt::format("channel '{}' has both times and a rate", channel.name),
@@ -95,7 +95,7 @@ Result<void> check_mask(const Channel& channel) {
   const Matrix<std::uint8_t>& valid = channel.valid;
   if (valid.empty()) return {};
   if (valid.rows() != channel.frames.rows() || valid.columns() != channel.frames.columns()) {
-    return bad_data(fmt::format("channel '{}' has {} x {} marks of validity for {} x {} values",
+    return bad_data(fmt::format("channel '{}' has {} x {} validity marks for {} x {} values",
                                 channel.name, valid.rows(), valid.columns(), channel.frames.rows(),
                                 channel.frames.columns()));
   }
@@ -104,8 +104,8 @@ Result<void> check_mask(const Channel& channel) {
       continue;
     }
     return bad_data(
-        fmt::format("channel '{}', frame {}, element {}: a mark of validity is 0 or 1, "
-                    "and the value is 0 where nothing is valid",
+        fmt::format("channel '{}', frame {}, element {}: a validity mark must be 0 or 1, "
+                    "and an invalid value must be 0",
                     channel.name, i / valid.columns() + 1, i % valid.columns() + 1));
   }
   return {};
@@ -131,7 +131,7 @@ Result<void> check_channel(const Channel& channel) {
   if (!channel.element_names.empty() && channel.element_names.size() != channel.frames.columns()) {
     return bad_data(fmt::format("channel '{}' has {} element names for {} elements", channel.name,
                                 channel.element_names.size(), channel.frames.columns()),
-                    "give one name an element, or none");
+                    "use one name per element, or none");
   }
   return check_times(channel)
       .and_then([&] { return check_rate(channel); })
@@ -140,7 +140,7 @@ Result<void> check_channel(const Channel& channel) {
       .and_then([&] { return check_values(channel); });
 }
 
-Result<void> check_alone(const Exploration& exploration) {
+Result<void> check_separately(const Exploration& exploration) {
   if (exploration.channels.empty()) return bad_data("the exploration has no channels");
   Result<void> checked = check_names("label", names_of(exploration.labels)).and_then([&] {
     return check_names("channel", names_of(exploration.channels));
@@ -206,9 +206,8 @@ Result<std::string> find_label(const Exploration& exploration, std::string_view 
 Result<std::vector<std::string>> label_values(const Recording& recording, std::string_view name) {
   std::vector<std::string> values;
   for (const Exploration& exploration : recording.explorations) {
-    Result<std::string> value = find_label(exploration, name);
-    if (!value) return fail(std::move(value.error()));
-    if (std::find(values.begin(), values.end(), *value) == values.end()) values.push_back(*value);
+    SOMATO_TRY(const std::string value, find_label(exploration, name));
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
   return values;
 }
@@ -228,7 +227,7 @@ Result<void> validate(const Recording& recording) {
   if (recording.explorations.empty()) return bad_data("the recording has no explorations");
   for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
     const Exploration& exploration = recording.explorations[i];
-    Result<void> checked = check_alone(exploration).and_then([&] {
+    Result<void> checked = check_separately(exploration).and_then([&] {
       return check_alike(exploration, recording.explorations.front());
     });
     if (checked) continue;

@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/memory.h"
 #include "files/replacement.h"
 #include "recording/frame_writer.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_reader.h"
-#include "somato/core/memory.h"
-#include "somato/recording/recording_reader.h"
 
 namespace somato {
 namespace {
 
-constexpr double kFramesASecond = 100.0;  // Where nobody knows: viewers show them in their order.
+constexpr double kFramesASecond =
+    100.0;  // Used if the rate is unknown: viewers show the frames in order.
 
 double time_of(const Channel& channel, std::size_t frame, double earliest) {
   if (!channel.times.empty()) return channel.times[frame];
@@ -25,7 +25,7 @@ double time_of(const Channel& channel, std::size_t frame, double earliest) {
   return earliest + static_cast<double>(frame) / kFramesASecond;
 }
 
-// Of the times that are known; else 0 s.
+// The first known time, or 0 s.
 double earliest_time(const Exploration& exploration) {
   std::optional<double> earliest;
   for (const Channel& channel : exploration.channels) {
@@ -82,19 +82,17 @@ Result<void> write_exploration(FrameWriter& file, const Exploration& exploration
 
 }  // namespace
 
-class RecordingFile::State {
+class RecordingFile::Impl {
  public:
-  State(Replacement file, const std::string& path, const RecordingFileParameters& parameters)
+  Impl(Replacement file, const std::string& path, const RecordingFileParameters& parameters)
       : file_(std::move(file)),
         writer_([this](std::string_view bytes) { return file_.write(bytes); }, path, parameters) {}
 
-  static Result<std::unique_ptr<State>> begin(FileSystem& files, const std::string& path,
-                                              const RecordingFileParameters& parameters) {
-    Result<Replacement> file = Replacement::begin(files, path);
-    if (!file) return fail(std::move(file.error()));
-    auto state = std::make_unique<State>(std::move(*file), path, parameters);
-    if (Result<void> begun = state->writer_.begin_file(); !begun)
-      return fail(std::move(begun.error()));
+  static Result<std::unique_ptr<Impl>> begin(FileSystem& files, const std::string& path,
+                                             const RecordingFileParameters& parameters) {
+    SOMATO_TRY(Replacement file, Replacement::begin(files, path));
+    auto state = std::make_unique<Impl>(std::move(file), path, parameters);
+    SOMATO_TRY_VOID(state->writer_.begin_file());
     return state;
   }
 
@@ -111,26 +109,25 @@ class RecordingFile::State {
   FrameWriter writer_;
 };
 
-RecordingFile::RecordingFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingFile::RecordingFile(std::unique_ptr<Impl> state) : impl_(std::move(state)) {}
 RecordingFile::RecordingFile(RecordingFile&&) noexcept = default;
 RecordingFile& RecordingFile::operator=(RecordingFile&&) noexcept = default;
 RecordingFile::~RecordingFile() = default;
 
 Result<RecordingFile> RecordingFile::begin(const std::string& path,
                                            const RecordingFileParameters& parameters) {
-  auto state = State::begin(operating_system(), path, parameters);
-  if (!state) return fail(std::move(state.error()));
-  return RecordingFile(std::move(*state));
+  SOMATO_TRY(auto state, Impl::begin(operating_system(), path, parameters));
+  return RecordingFile(std::move(state));
 }
 
 Result<void> RecordingFile::add(Exploration exploration) {
-  Recording alone;
-  alone.explorations.push_back(std::move(exploration));
-  return validate(alone).and_then([&] { return state_->add(alone.explorations.front()); });
+  Recording single;
+  single.explorations.push_back(std::move(exploration));
+  return validate(single).and_then([&] { return impl_->add(single.explorations.front()); });
 }
 
 Result<void> RecordingFile::finish() {
-  return state_->finish();
+  return impl_->finish();
 }
 
 bool is_mcap(std::string_view bytes) {
@@ -150,12 +147,11 @@ Result<void> write_recording(FileSystem& files, const std::string& path, const R
                              const RecordingFileParameters& parameters) {
   Result<void> valid = validate(recording);
   if (!valid) return valid;
-  auto file = RecordingFile::State::begin(files, path, parameters);
-  if (!file) return fail(std::move(file.error()));
+  SOMATO_TRY(auto file, RecordingFile::Impl::begin(files, path, parameters));
   for (const Exploration& exploration : recording.explorations) {
-    if (Result<void> added = (*file)->add(exploration); !added) return added;
+    SOMATO_TRY_VOID(file->add(exploration));
   }
-  return (*file)->finish();
+  return file->finish();
 }
 
 }  // namespace detail
@@ -166,12 +162,11 @@ Result<void> write_recording(const std::string& path, const Recording& recording
 }
 
 Result<Recording> read_recording(const std::string& path) {
-  // What grows takes three times its size for a moment.
-  Result<RecordingReader> reader = RecordingReader::open(path, free_memory() / 3);
-  if (!reader) return fail(std::move(reader.error()));
+  // A growing vector temporarily takes three times its size.
+  SOMATO_TRY(RecordingReader reader, RecordingReader::open(path, free_memory() / 3));
   Recording recording;
   for (;;) {
-    Result<std::optional<Exploration>> exploration = reader->next();
+    Result<std::optional<Exploration>> exploration = reader.next();
     if (!exploration) {
       if (exploration.error().where.empty()) exploration.error().where = path;
       return fail(std::move(exploration.error()));

@@ -20,7 +20,7 @@ std::size_t size_of(const std::map<std::string, std::string>& metadata) {
   return size;
 }
 
-// Whether `elements` values fill what the description says.
+// Whether the number `elements` fits the description.
 bool fits(const ChannelDescription& description, std::size_t elements) {
   const std::size_t names = description.element_names.size();
   std::size_t filled = elements;
@@ -37,10 +37,9 @@ bool fits(const ChannelDescription& description, std::size_t elements) {
 }  // namespace
 
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const McapMessage& message) {
-  const Result<Stream*> stream = stream_of(message.channel_id);
-  if (!stream) return fail(stream.error());
-  if ((*stream)->explorations) return interpret_exploration(message.data);
-  if ((*stream)->frames) return interpret_frame(**stream, message);
+  SOMATO_TRY(Stream * stream, stream_of(message.channel_id));
+  if (stream->explorations) return interpret_exploration(message.data);
+  if (stream->frames) return interpret_frame(*stream, message);
   return Meaning::kNothing;
 }
 
@@ -68,13 +67,12 @@ Result<RecordingInterpreter::Stream*> RecordingInterpreter::stream_of(std::uint1
   return &streams_.emplace(id, std::move(stream)).first->second;
 }
 
-// What others write into metadata need not be understood.
+// Metadata of other programs are ignored.
 Result<ChannelDescription> RecordingInterpreter::describe(const McapChannel& channel,
                                                           RosKind kind) {
   described_ += size_of(channel.metadata);
   if (described_ > kMostDescribed) {
-    return file_->bad(
-        fmt::format("the metadata of channels take more than {} MiB", kMostDescribed >> 20));
+    return file_->bad(fmt::format("the metadata of channels exceed {} MiB", kMostDescribed >> 20));
   }
   Result<ChannelDescription> description = parse_description(channel);
   if (foreign_ && !description) {
@@ -107,7 +105,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_exploratio
   }
   if (message->event == Event::kEnd || (message->event == Event::kContinue && !gap_)) {
     return file_->bad(
-        fmt::format("exploration {} ends or goes on, but has not begun", message->index + 1));
+        fmt::format("exploration {} ends or continues, but has not begun", message->index + 1));
   }
   if (open_ && !gap_) {
     return file_->bad(fmt::format("exploration {} begins before exploration {} ends",
@@ -121,8 +119,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMes
   open_ = false;
   exploration_ = std::move(message);
   gap_ = false;
-  Result<void> opened = open_channels();
-  if (!opened) return fail(std::move(opened.error()));
+  SOMATO_TRY_VOID(open_channels());
   open_ = true;
   return meaning;
 }
@@ -141,9 +138,8 @@ Result<void> RecordingInterpreter::open_channels() {
     InterpretedChannel channel;
     channel.description.name = name;
     if (const McapChannel* announced = file_->latest(topic_of(name))) {
-      const Result<Stream*> stream = stream_of(announced->id);
-      if (!stream) return fail(stream.error());
-      if ((*stream)->frames) channel.description = (*stream)->description;
+      SOMATO_TRY(Stream * stream, stream_of(announced->id));
+      if (stream->frames) channel.description = stream->description;
     }
     channels_.push_back(std::move(channel));
   }
@@ -154,7 +150,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frame(
     Stream& stream, const McapMessage& message) {
   const std::string& name = stream.description.name;
   if (!foreign_ && (!open_ || gap_)) {
-    return file_->bad(fmt::format("a frame of {} stands outside explorations", shown(name)));
+    return file_->bad(fmt::format("a frame of {} is outside all explorations", shown(name)));
   }
   if (message.log_time > kLatest) {
     return file_->bad(
@@ -213,13 +209,12 @@ Result<void> RecordingInterpreter::take_frame(InterpretedChannel& channel, RosKi
   const std::size_t elements = frame.values.size();
   if (elements == 0 || !fits(channel.description, elements) ||
       (channel.frames > 0 && elements != channel.elements)) {
-    return file_->bad(fmt::format("a frame of {} has {} elements, which is not what it should have",
+    return file_->bad(fmt::format("a frame of {} has {} elements, which is the wrong number",
                                   shown(channel.description.name), elements));
   }
   const std::int64_t time = static_cast<std::int64_t>(message.log_time) - exploration_.zero;
   if (time < channel.latest) {
-    return file_->bad(
-        fmt::format("the times of {} run backwards", shown(channel.description.name)));
+    return file_->bad(fmt::format("the times of {} decrease", shown(channel.description.name)));
   }
   channel.elements = elements;
   channel.latest = time;

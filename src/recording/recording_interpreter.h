@@ -24,8 +24,8 @@ struct InterpretedChannel {
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
 };
 
-/// Tells what the messages of an MCAP file mean: explorations with frames of channels, or, in files
-/// that know no explorations, all frames as one.
+/// Interprets the messages of an MCAP file: explorations with frames of channels, or, in files
+/// without explorations, all frames as one exploration.
 class RecordingInterpreter {
  public:
   enum class Meaning { kNothing, kBegin, kContinue, kFrame, kEnd };
@@ -39,22 +39,22 @@ class RecordingInterpreter {
 
   explicit RecordingInterpreter(const McapReader& file) : file_(&file) {}
 
-  /// What the latest message of the file means. A frame of a file without explorations may come
-  /// without kBegin. Errors (kData, with file and place): what may not stand there.
+  /// The interpretation of the latest message. A frame of a file without explorations may come
+  /// without kBegin. Errors (kData, with file and position): invalid messages.
   Result<Meaning> interpret(const McapMessage& message);
 
   /// Whether an exploration is open at the end of the file that ought to have an end. Errors
   /// (kData): so.
   Result<void> finish() const;
 
-  /// Something is missing from here on: the exploration ends, unless the next message of
-  /// explorations says that it goes on.
+  /// Data are missing from here: the exploration ends, unless the next message about explorations
+  /// continues it.
   void after_gap() { gap_ = true; }
 
   bool is_open() const { return open_; }
   bool is_foreign() const { return foreign_; }
 
-  /// What begin said of the exploration that is open, or was open last.
+  /// The begin message of the exploration that is open, or was open last.
   const ExplorationMessage& exploration() const { return exploration_; }
   const std::vector<InterpretedChannel>& channels() const { return channels_; }
 
@@ -62,7 +62,7 @@ class RecordingInterpreter {
   const Frame& frame() const { return frame_; }
 
  private:
-  // What is known about the messages of a channel of the file.
+  // The properties of a channel of the file.
   struct Stream {
     bool explorations = false;
     std::optional<RosKind> frames;
@@ -90,7 +90,7 @@ class RecordingInterpreter {
   std::size_t described_ = 0;  // Bytes of metadata.
   bool open_ = false;
   bool foreign_ = false;
-  bool decided_ = false;  // Whether the file knows explorations.
+  bool decided_ = false;  // Whether the file contains explorations.
   bool gap_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace somato {
 namespace {
 
 using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;  // For what is written; slow to read.
+using OrderedJson = nlohmann::ordered_json;  // For writing; slow to read.
 
 constexpr std::string_view kJoints = "joints";
 constexpr std::string_view kControl = "exploration";
@@ -38,13 +38,13 @@ std::optional<ExplorationMessage::Event> event_of(const std::string& name) {
   return std::nullopt;
 }
 
-// Of JSON that may be anything; throws what the JSON library throws, or std::invalid_argument.
+// For arbitrary JSON; throws exceptions of the JSON library, or std::invalid_argument.
 std::int64_t parse_time(const std::string& digits) {
   std::int64_t time = 0;
   const char* end = digits.data() + digits.size();
   const auto [stop, status] = std::from_chars(digits.data(), end, time);
   if (status != std::errc{} || stop != end || time < 0) {
-    throw std::invalid_argument("zero is no number of nanoseconds");
+    throw std::invalid_argument("zero is not a number of nanoseconds");
   }
   return time;
 }
@@ -64,7 +64,7 @@ ExplorationMessage parse_message(const Json& json) {
   const auto event = event_of(json.at("event").get<std::string>());
   if (!event) throw std::invalid_argument("the event is neither begin, continue nor end");
   if (!json.at("index").is_number_unsigned()) {
-    throw std::invalid_argument("the index is no whole number");
+    throw std::invalid_argument("the index is not an integer");
   }
   ExplorationMessage message;
   message.event = *event;
@@ -73,7 +73,7 @@ ExplorationMessage parse_message(const Json& json) {
   return parse_begin(json, std::move(message));
 }
 
-// Runs `parse` on the JSON in `text`; whatever is wrong becomes an error.
+// Runs `parse` on the JSON in `text`; exceptions become errors.
 template <typename Parse>
 auto read_fields(std::string_view text, std::string_view what, const Parse& parse)
     -> Result<decltype(parse(Json()))> {
@@ -86,9 +86,9 @@ auto read_fields(std::string_view text, std::string_view what, const Parse& pars
   try {
     return parse(*json);
   } catch (const Json::exception&) {
-    return bad(fmt::format("{} lacks a field, or holds one of another type", what));
+    return bad(fmt::format("{} lacks a field, or has one of another type", what));
   } catch (const std::exception& error) {
-    return bad(fmt::format("{} cannot be understood: {}", what, shown(error.what())));
+    return bad(fmt::format("{} is invalid: {}", what, shown(error.what())));
   }
 }
 
@@ -98,10 +98,10 @@ Result<void> take_metadata(const McapChannel& channel, const std::string& name, 
                            const Parse& parse) {
   const auto found = channel.metadata.find(name);
   if (found == channel.metadata.end()) return {};
-  auto parsed = read_fields(found->second,
-                            fmt::format("'{}' of topic {}", name, shown(channel.topic)), parse);
-  if (!parsed) return fail(std::move(parsed.error()));
-  value = std::move(*parsed);
+  SOMATO_TRY(auto parsed,
+             read_fields(found->second, fmt::format("'{}' of topic {}", name, shown(channel.topic)),
+                         parse));
+  value = std::move(parsed);
   return {};
 }
 

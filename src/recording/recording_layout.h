@@ -10,9 +10,9 @@
 #include "recording/mcap_records.h"
 #include "recording/ros_messages.h"
 #include "somato/core/result.h"
-#include "somato/recording/channel_description.h"
+#include "somato/recording/recording.h"
 
-// How a recording lies in an MCAP file; docs/formats/recording.md says the same for people.
+// The layout of a recording in an MCAP file, as described in docs/formats/recording.md.
 
 namespace somato {
 
@@ -23,11 +23,11 @@ inline constexpr std::size_t kLongestExplorationText = std::size_t{256} << 10;
 struct ExplorationMessage {
   enum class Event {
     kBegin,
-    kContinue,  ///< Says begin's words again at the start of a chunk, in case those get lost.
-    kEnd,       ///< Has an index alone.
+    kContinue,  ///< Repeats the begin message at the start of a chunk, in case that is lost.
+    kEnd,       ///< Contains only the index.
   };
   Event event = Event::kBegin;
-  std::uint64_t index = 0;  ///< Of the exploration in the file, from 0.
+  std::uint64_t index = 0;  ///< The number of the exploration in the file, from 0.
   std::vector<Label> labels;
   std::string source;
   std::vector<std::string> channels;  ///< Their names, in their order.
@@ -40,7 +40,7 @@ bool is_exploration_schema(const McapSchema& schema);
 
 std::string exploration_json(const ExplorationMessage& message);
 
-/// Errors (kData, without a place): what is no such message, or longer than
+/// Errors (kData, without a location): an invalid message, or one longer than
 /// kLongestExplorationText.
 Result<ExplorationMessage> parse_exploration_json(std::string_view json);
 
@@ -51,7 +51,8 @@ std::string topic_of(const std::string& name);
 McapSchema schema_for(const ChannelDescription& description);
 McapChannel channel_for(const ChannelDescription& description);
 
-/// What the metadata of `channel` tell. Errors (kData, without a place): what they cannot mean.
+/// The channel described by the metadata of `channel`. Errors (kData, without a location): invalid
+/// metadata.
 Result<ChannelDescription> parse_description(const McapChannel& channel);
 
 /// A frame as the message of its channel. Elements that are not valid are NaN.

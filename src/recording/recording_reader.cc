@@ -1,14 +1,14 @@
-#include "somato/recording/recording_reader.h"
+#include "somato/recording/recording_file.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 #include <vector>
 
+#include "core/memory.h"
 #include "recording/mcap_reader.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_interpreter.h"
-#include "somato/core/memory.h"
 
 namespace somato {
 namespace {
@@ -51,15 +51,15 @@ Channel made(const ChannelDescription& description, std::size_t elements, Collec
 
 }  // namespace
 
-class RecordingReader::State {
+class RecordingReader::Impl {
  public:
-  State(McapReader file, std::size_t most_memory)
+  Impl(McapReader file, std::size_t most_memory)
       : file_(std::move(file)), interpreter_(file_), most_memory_(most_memory) {}
-  State(const State&) = delete;
-  State(State&&) = delete;
-  State& operator=(const State&) = delete;
-  State& operator=(State&&) = delete;
-  ~State() = default;
+  Impl(const Impl&) = delete;
+  Impl(Impl&&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  Impl& operator=(Impl&&) = delete;
+  ~Impl() = default;
 
   Result<std::optional<Exploration>> next() {
     while (!done_) {
@@ -73,18 +73,16 @@ class RecordingReader::State {
  private:
   // Reads a message; an exploration if that was its last.
   Result<std::optional<Exploration>> step() {
-    const Result<std::optional<McapMessage>> message = file_.next();
-    if (!message) return fail(message.error());
-    if (!*message) return finish();
-    const Result<Meaning> meaning = interpreter_.interpret(**message);
-    if (!meaning) return fail(meaning.error());
-    if (*meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
-    if (*meaning == Meaning::kFrame) {
-      if (auto fits = take_memory(interpreter_.frame()); !fits) return fail(fits.error());
+    SOMATO_TRY(const std::optional<McapMessage> message, file_.next());
+    if (!message) return finish();
+    SOMATO_TRY(const Meaning meaning, interpreter_.interpret(*message));
+    if (meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
+    if (meaning == Meaning::kFrame) {
+      SOMATO_TRY_VOID(take_memory(interpreter_.frame()));
       channels_.resize(interpreter_.channels().size());
       add_frame(channels_[interpreter_.frame().channel], interpreter_.frame());
     }
-    if (*meaning == Meaning::kEnd) return take();
+    if (meaning == Meaning::kEnd) return take();
     return std::optional<Exploration>();
   }
 
@@ -93,15 +91,14 @@ class RecordingReader::State {
     taken_ += frame.values.size() * sizeof(float) + frame.valid.size() + sizeof(double);
     if (taken_ <= most_memory_) return {};
     return fail(ErrorKind::kSystem,
-                fmt::format("its frames take more than the {} of memory that there are for them",
+                fmt::format("its frames exceed the available memory of {}",
                             memory_text(static_cast<double>(most_memory_))),
                 {}, "use a shorter recording, or a machine with more memory");
   }
 
   Result<std::optional<Exploration>> finish() {
     done_ = true;
-    const Result<void> finished = interpreter_.finish();
-    if (!finished) return fail(finished.error());
+    SOMATO_TRY_VOID(interpreter_.finish());
     return interpreter_.is_open() ? take() : std::nullopt;
   }
 
@@ -125,19 +122,18 @@ class RecordingReader::State {
   bool done_ = false;
 };
 
-RecordingReader::RecordingReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingReader::RecordingReader(std::unique_ptr<Impl> state) : impl_(std::move(state)) {}
 RecordingReader::RecordingReader(RecordingReader&& other) noexcept = default;
 RecordingReader& RecordingReader::operator=(RecordingReader&& other) noexcept = default;
 RecordingReader::~RecordingReader() = default;
 
 Result<RecordingReader> RecordingReader::open(const std::string& path, std::size_t most_memory) {
-  Result<McapReader> file = McapReader::open(operating_system(), path);
-  if (!file) return fail(std::move(file.error()));
-  return RecordingReader(std::make_unique<State>(std::move(*file), most_memory));
+  SOMATO_TRY(McapReader file, McapReader::open(operating_system(), path));
+  return RecordingReader(std::make_unique<Impl>(std::move(file), most_memory));
 }
 
 Result<std::optional<Exploration>> RecordingReader::next() {
-  return state_->next();
+  return impl_->next();
 }
 
 }  // namespace somato

@@ -33,7 +33,7 @@ const Declarations<RecordingFileParameters>& RecordingFileParameters::declaratio
   using P = RecordingFileParameters;
   static const auto declared =
       Declarations<P>()
-          .add("compression", &P::compression, "", Range::any(), "How chunks are packed.")
+          .add("compression", &P::compression, "", Range::any(), "Compression of chunks.")
           .add("chunk_size", &P::chunk_size, "bytes", Range::between(1, kLargestChunkSize),
                "Size at which a chunk is full.")
           .add("flush_after", &P::flush_after, "s", Range::between(kShortestWait, kLongestWait),
@@ -41,22 +41,22 @@ const Declarations<RecordingFileParameters>& RecordingFileParameters::declaratio
   return declared;
 }
 
-// Everything is guarded by one mutex; the thread only writes out what has grown old.
-class RecordingWriter::State {
+// All members are protected by one mutex; the thread only writes old data.
+class RecordingWriter::Impl {
  public:
-  State(OpenFile file, const std::string& path, const RecordingFileParameters& parameters)
+  Impl(OpenFile file, const std::string& path, const RecordingFileParameters& parameters)
       : file_(std::move(file)),
         path_(path),
         flush_after_(std::chrono::duration_cast<Clock::duration>(
             std::chrono::duration<double>(parameters.flush_after))),
         frames_([this](std::string_view bytes) { return write(bytes); }, path, parameters),
         thread_([this] { write_out_what_is_old(); }) {}
-  State(const State&) = delete;
-  State(State&&) = delete;
-  State& operator=(const State&) = delete;
-  State& operator=(State&&) = delete;
+  Impl(const Impl&) = delete;
+  Impl(Impl&&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  Impl& operator=(Impl&&) = delete;
 
-  ~State() {
+  ~Impl() {
     {
       const std::scoped_lock guard(mutex_);
       stop_ = true;
@@ -133,7 +133,7 @@ class RecordingWriter::State {
   std::thread thread_;  // Last, so that everything it uses is there.
 };
 
-RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingWriter::RecordingWriter(std::unique_ptr<Impl> state) : impl_(std::move(state)) {}
 RecordingWriter::RecordingWriter(RecordingWriter&& other) noexcept = default;
 RecordingWriter& RecordingWriter::operator=(RecordingWriter&& other) noexcept = default;
 RecordingWriter::~RecordingWriter() = default;
@@ -141,14 +141,14 @@ RecordingWriter::~RecordingWriter() = default;
 Result<RecordingWriter> RecordingWriter::create(FileSystem& files, const std::string& path,
                                                 const RecordingFileParameters& parameters) {
   require(parameters.chunk_size >= 1 && parameters.chunk_size <= kLargestChunkSize,
-          "a chunk's size is between 1 byte and 4 MiB");
+          "the size of a chunk is between 1 byte and 4 MiB");
   require(parameters.flush_after >= kShortestWait && parameters.flush_after <= kLongestWait,
-          "a chunk is written out after 0.001 to 3600 s");
+          "a chunk is written after 0.001 to 3600 s");
   Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kCreate);
   if (!file) return system_failure("cannot create", path, file.error());
-  RecordingWriter writer(std::make_unique<State>(std::move(*file), path, parameters));
+  RecordingWriter writer(std::make_unique<Impl>(std::move(*file), path, parameters));
   Result<void> begun =
-      writer.state_->with(false, [](FrameWriter& frames) { return frames.begin_file(); });
+      writer.impl_->with(false, [](FrameWriter& frames) { return frames.begin_file(); });
   if (!begun) return fail(std::move(begun.error()));
   return writer;
 }
@@ -159,21 +159,21 @@ Result<RecordingWriter> RecordingWriter::create(const std::string& path,
 }
 
 Result<void> RecordingWriter::begin_exploration(const ExplorationStart& start) {
-  return state_->with(false, [&](FrameWriter& frames) { return frames.begin_exploration(start); });
+  return impl_->with(false, [&](FrameWriter& frames) { return frames.begin_exploration(start); });
 }
 
 Result<void> RecordingWriter::frame(std::size_t channel, std::span<const float> values, double time,
                                     std::span<const std::uint8_t> valid) {
-  return state_->with(
+  return impl_->with(
       true, [&](FrameWriter& frames) { return frames.frame(channel, values, time, valid); });
 }
 
 Result<void> RecordingWriter::end_exploration() {
-  return state_->with(true, [](FrameWriter& frames) { return frames.end_exploration(); });
+  return impl_->with(true, [](FrameWriter& frames) { return frames.end_exploration(); });
 }
 
 Result<void> RecordingWriter::close() {
-  return state_->close();
+  return impl_->close();
 }
 
 }  // namespace somato

@@ -17,7 +17,7 @@ namespace {
 
 using Meaning = RecordingInterpreter::Meaning;
 
-constexpr std::size_t kMostPlaces = 10;  // That are told.
+constexpr std::size_t kMostPlaces = 10;  // Maximum number reported.
 
 class Recovery {
  public:
@@ -31,9 +31,8 @@ class Recovery {
     Result<void> done = to_.begin(from_->header());
     bool more = true;
     while (done && more) {
-      const Result<bool> stepped = step();
-      if (!stepped) return fail(stepped.error());
-      more = *stepped;
+      SOMATO_TRY(const bool stepped, step());
+      more = stepped;
     }
     if (done && log_.is_open()) done = end(false);
     if (done && report_.messages == 0 && !report_.lossless) done = nothing_saved();
@@ -62,7 +61,7 @@ class Recovery {
     return written.map([] { return true; });
   }
 
-  // Explorations that do not follow each other tell of a gap that nothing else told of.
+  // A jump in the numbers of explorations indicates a gap that was not detected otherwise.
   Result<Meaning> interpret(const McapMessage& message) {
     Result<Meaning> meaning = meanings_.interpret(message);
     if (meaning || !is_exploration_schema(from_->schema_of(message.channel_id))) return meaning;
@@ -78,7 +77,7 @@ class Recovery {
       return false;
     }
     Result<bool> more = from_->go_on();
-    if (more && *more && from_->goes_on_without_gap()) return more;
+    if (more && *more && from_->continues_without_gap()) return more;
     lose(damage);
     meanings_.after_gap();
     return more;
@@ -97,8 +96,8 @@ class Recovery {
 
   Result<void> nothing_saved() const {
     Error error = report_.damage.front();
-    error.what = fmt::format("nothing can be saved: {}", error.what);
-    error.advice = "look for a copy";
+    error.what = fmt::format("nothing can be recovered: {}", error.what);
+    error.advice = "use a backup copy";
     return fail(std::move(error));
   }
 
@@ -107,9 +106,8 @@ class Recovery {
     if (meaning == Meaning::kContinue) return {};
     if (meaning == Meaning::kEnd) return end(true);
     McapMessage copy = message;
-    const Result<std::uint16_t> id = id_of(message.channel_id);
-    if (!id) return fail(id.error());
-    copy.channel_id = *id;
+    SOMATO_TRY(const std::uint16_t id, id_of(message.channel_id));
+    copy.channel_id = id;
     return log_.add(copy).map([&] { ++report_.messages; });
   }
 
@@ -120,9 +118,8 @@ class Recovery {
     for (const std::string& name : meanings_.exploration().channels) {
       const McapChannel* announced = from_->latest(topic_of(name));
       if (!announced) continue;
-      const Result<std::uint16_t> id = id_of(announced->id);
-      if (!id) return fail(id.error());
-      ids.push_back(*id);
+      SOMATO_TRY(const std::uint16_t id, id_of(announced->id));
+      ids.push_back(id);
     }
     ++report_.explorations;
     complete_ = meanings_.exploration().event == ExplorationMessage::Event::kBegin;
@@ -162,16 +159,12 @@ namespace detail {
 Result<RecoveryReport> recover_recording(FileSystem& files, const std::string& from,
                                          const std::string& to,
                                          const RecordingFileParameters& parameters) {
-  Result<McapReader> reader = McapReader::open(files, from);
-  if (!reader) return fail(std::move(reader.error()));
-  Result<Replacement> file = Replacement::begin(files, to);
-  if (!file) return fail(std::move(file.error()));
-  Recovery recovery(
-      *reader, [&](std::string_view bytes) { return file->write(bytes); }, parameters);
+  SOMATO_TRY(McapReader reader, McapReader::open(files, from));
+  SOMATO_TRY(Replacement file, Replacement::begin(files, to));
+  Recovery recovery(reader, [&](std::string_view bytes) { return file.write(bytes); }, parameters);
   Result<RecoveryReport> report = recovery.run();
   if (!report) return report;
-  Result<void> committed = file->commit();
-  if (!committed) return fail(std::move(committed.error()));
+  SOMATO_TRY_VOID(file.commit());
   return report;
 }
 

@@ -65,12 +65,12 @@ class CdrTaker {
     const std::string_view taken = raw(number<std::uint32_t>());
     return taken.substr(0, taken.empty() ? 0 : taken.size() - 1);
   }
-  // Of elements that take at least `least` bytes each, so that no count is believed.
+  // A number of elements with at least `least` bytes each, checked against the remaining data.
   std::size_t count(std::size_t least) {
-    const auto told = number<std::uint32_t>();
+    const auto declared = number<std::uint32_t>();
     const std::size_t left = place_ <= body_.size() ? body_.size() - place_ : 0;
-    fits_ = fits_ && told <= left / least;
-    return fits_ ? told : 0;
+    fits_ = fits_ && declared <= left / least;
+    return fits_ ? declared : 0;
   }
   template <typename T>
   std::vector<double> numbers() {

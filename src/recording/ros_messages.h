@@ -26,7 +26,7 @@ std::string joint_state_message(std::uint64_t time, const std::vector<std::strin
 std::string float_array_message(const std::vector<std::size_t>& shape,
                                 std::span<const float> values);
 
-/// What a message holds of a frame. Views point into the message.
+/// The frame in a message. Views refer to the message.
 struct RosFrame {
   std::vector<std::string_view> names;  ///< Of joints.
   std::vector<std::size_t> shape;       ///< Of an array; empty: flat.

@@ -17,7 +17,7 @@ Result<void> refuse_no_text(const std::vector<TrialFile>& trials) {
     for (const Label& label : trial.labels) {
       if (is_name(label.value)) continue;
       return fail(ErrorKind::kData,
-                  fmt::format("the label '{}' in the file name is no UTF-8 text", label.name),
+                  fmt::format("the label '{}' in the file name is not UTF-8 text", label.name),
                   trial.path, "rename the file");
     }
   }
@@ -34,15 +34,15 @@ Result<void> refuse_twins(const std::vector<TrialFile>& trials) {
     if (is_new) continue;
     return fail(ErrorKind::kData,
                 fmt::format("the file has the same labels as {}", twin->second->path), trial.path,
-                "take one out, or make the folder a label, such as {session}/...");
+                "remove one of them, or make the folder a label, as in {session}/...");
   }
   return {};
 }
 
 tl::unexpected<Error> misfit(const std::filesystem::path& file, const NamePattern& pattern) {
   return fail(ErrorKind::kData,
-              fmt::format("the file name does not fit the pattern \"{}\"", pattern.text()),
-              file.string(), "rename it, take it out of the folder, or correct the pattern");
+              fmt::format("the file name does not match the pattern \"{}\"", pattern.text()),
+              file.string(), "rename it, remove it from the folder, or correct the pattern");
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Result<std::vector<TrialFile>> find_trial_files(const std::filesystem::path& fol
   if (!checked) return fail(std::move(checked.error()));
   if (!trials.empty()) return trials;
   return fail(ErrorKind::kData, fmt::format("there are no files \"{}\"", pattern.text()),
-              folder.string(), "give the folder that holds them, or correct the pattern");
+              folder.string(), "use the folder that contains them, or correct the pattern");
 }
 
 }  // namespace somato

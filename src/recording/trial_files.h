@@ -10,7 +10,7 @@
 
 namespace somato {
 
-/// A file with the recording of one trial, and the labels that its name tells.
+/// A file with the recording of one trial, and the labels from its name.
 struct TrialFile {
   std::string path;
   std::string name;  ///< The path below the folder, with slashes.

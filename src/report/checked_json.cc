@@ -19,7 +19,7 @@ const Json& nothing() {
   return null;
 }
 
-// A path is as long as whoever wrote the text likes.
+// The length of a path is not limited by the format.
 std::string shortened(const std::string& path) {
   const std::string from = path.starts_with(".") ? path.substr(1) : path;
   return from.size() <= kLongestPath ? from : from.substr(0, kLongestPath) + "...";
@@ -28,7 +28,8 @@ std::string shortened(const std::string& path) {
 }  // namespace
 
 Result<Json> parse_results_json(std::string_view text, const std::string& where) {
-  return parse_json<Json>(text, where, "give a results.json of 'somato run' or 'somato reproduce'");
+  return parse_json<Json>(text, where,
+                          "use a results.json written by 'somato run' or 'somato reproduce'");
 }
 
 void CheckedJson::refuse(const std::string& what) const {
@@ -38,7 +39,7 @@ void CheckedJson::refuse(const std::string& what) const {
 }
 
 bool CheckedJson::expect(bool is, const char* what) const {
-  if (!is) refuse(fmt::format("is {}, where {} is needed", value_.type_name(), what));
+  if (!is) refuse(fmt::format("is {}, but must be {}", value_.type_name(), what));
   return is;
 }
 
@@ -73,35 +74,11 @@ std::optional<double> CheckedJson::number_or_nothing() const {
 }
 
 std::uint64_t CheckedJson::whole(std::uint64_t most) const {
-  if (!expect(value_.is_number_unsigned(), "a whole number from 0 on")) return 0;
+  if (!expect(value_.is_number_unsigned(), "a whole number of at least 0")) return 0;
   const auto number = value_.get<std::uint64_t>();
   if (number <= most) return number;
-  refuse(fmt::format("is {}, where {} is the most", number, most));
+  refuse(fmt::format("is {}, but must be at most {}", number, most));
   return 0;
-}
-
-Value CheckedJson::value() const {
-  return value_of(value_, 0);
-}
-
-Value CheckedJson::value_of(const Json& json, int depth) const {
-  if (json.is_boolean()) return {json.get<bool>()};
-  if (json.is_string()) return {json.get<std::string>()};
-  if (json.is_number_float()) return {json.get<double>()};
-  if (json.is_number_unsigned() &&
-      json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
-    refuse("is too large");
-    return {false};
-  }
-  if (json.is_number_integer()) return {json.get<std::int64_t>()};
-  if (!json.is_array() || depth > kDeepestNesting) {
-    refuse(fmt::format("is {}, where a setting is needed", json.type_name()));
-    return {false};
-  }
-  Value::List list;
-  list.reserve(json.size());
-  for (const Json& one : json) list.push_back(value_of(one, depth + 1));
-  return {std::move(list)};
 }
 
 }  // namespace somato::detail

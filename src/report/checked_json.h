@@ -9,16 +9,14 @@
 #include <utility>
 
 #include "somato/core/result.h"
-#include "somato/core/value.h"
 
 namespace somato::detail {
 
 /// The JSON of a results.json. Errors: those of parse_json().
 Result<nlohmann::ordered_json> parse_results_json(std::string_view text, const std::string& where);
 
-/// A place in such a text that is read as what it should be. The first that is something else is
-/// kept with its path, and whoever reads goes on with zeros and empty texts: ask ok() before using
-/// any of it.
+/// A checked access to a value of such a text. The first value of a wrong type is recorded with its
+/// path, and reading continues with zeros and empty texts: call ok() before using values.
 class CheckedJson {
  public:
   /// Of the whole text, which must outlive it and all its parts, as must `trouble`.
@@ -27,6 +25,7 @@ class CheckedJson {
 
   bool ok() const { return !trouble_.has_value(); }
   bool is_object() const { return value_.is_object(); }
+  bool is_null() const { return value_.is_null(); }
   bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
 
   /// The part of that name, which must be there.
@@ -40,8 +39,6 @@ class CheckedJson {
   std::optional<double> number_or_nothing() const;
   /// A whole number from 0 to `most`.
   std::uint64_t whole(std::uint64_t most) const;
-  /// A text, number, switch or list of them.
-  Value value() const;
 
   std::size_t size() const { return value_.size(); }
 
@@ -68,7 +65,6 @@ class CheckedJson {
   CheckedJson(const nlohmann::ordered_json& value, std::string path, std::optional<Error>& trouble)
       : value_(value), path_(std::move(path)), trouble_(trouble) {}
   bool expect(bool is, const char* what) const;
-  Value value_of(const nlohmann::ordered_json& json, int depth) const;
 
   const nlohmann::ordered_json& value_;
   std::string path_;

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
-#include "report/rebuilt_study.h"
+#include "report/part_settings.h"
 #include "somato/graph/module.h"
 
 namespace somato::detail {
@@ -61,9 +64,11 @@ Flat flattened(const std::vector<Settings>& settings) {
 }
 
 std::optional<double> number_in(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_number()) return {};
-  return json.get<double>();
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return {};
+  return number;
 }
 
 // The number that stands at all of these places, if it is one.
@@ -77,7 +82,7 @@ std::optional<double> number_at(const Flat& flat, const Differing& differing) {
   return number;
 }
 
-// When a schedule has reached its end is decided by how long training is, unless somebody says so.
+// By default a schedule ends with training.
 bool follows_iterations(const Flat& flat, const std::pair<std::string, std::string>& key) {
   const auto iterations = flat.find({key.first, "iterations"});
   return key.second.ends_with("_reached_at") && iterations != flat.end() &&
@@ -102,27 +107,27 @@ std::optional<Differing> difference(const Flat& a, const Flat& b) {
 }
 
 // By the setting: the base and the parts that differ from it in that one.
-std::map<Differing, Line> lines_of(const std::vector<const CurvePart*>& parts) {
+std::map<Differing, Line> lines_of(const std::vector<const PartResults*>& parts) {
   std::map<Differing, Line> lines;
-  const CurvePart& base = *parts.front();
-  const Flat flat = flattened(base.settings);
-  for (const CurvePart* other : parts) {
-    const Flat others = flattened(other->settings);
+  const PartResults& base = *parts.front();
+  const Flat flat = flattened(base.parameters);
+  for (const PartResults* other : parts) {
+    const Flat others = flattened(other->parameters);
     const auto differing = difference(flat, others);
     const auto x = differing ? number_at(others, *differing) : std::nullopt;
     const auto base_x = differing ? number_at(flat, *differing) : std::nullopt;
     if (!x || !base_x) continue;
     Line& line = lines[*differing];
-    if (line.points.empty()) line = {base.part->system, {{*base_x, base.part}}};
+    if (line.points.empty()) line = {base.system, {{*base_x, &base}}};
     const bool is_new = std::none_of(line.points.begin(), line.points.end(),
                                      [&](const Point& point) { return point.x == *x; });
-    if (is_new) line.points.push_back({*x, other->part});
+    if (is_new) line.points.push_back({*x, other});
   }
   return lines;
 }
 
 const Metric* find_metric(const PartResults& part, const Measure& measure) {
-  for (const SystemResults& protocol : part.protocols) {
+  for (const ProtocolResults& protocol : part.protocols) {
     if (protocol.protocol != measure.protocol || protocol.group != measure.group) continue;
     return protocol.find_metric(measure.metric);
   }
@@ -146,7 +151,7 @@ std::string unit_of(const Differing& differing, const PartResults& part,
                     const std::map<std::string, std::string>& units) {
   const auto known = units.find(differing.places.front() + "." + differing.name);
   if (known != units.end()) return known->second;
-  const Settings* settings = find_part(part.settings, differing.places.front());
+  const Settings* settings = find_part(part.parameters, differing.places.front());
   const ModuleType* type = settings ? type_of(*settings) : nullptr;
   for (const ParameterInfo& info : type ? type->parameters : std::vector<ParameterInfo>{}) {
     if (info.name == differing.name) return info.unit;
@@ -179,17 +184,17 @@ Json curve_json(const Differing& differing, const std::vector<Line>& lines, cons
 
 // Accuracy first, then what is claimed.
 std::vector<Measure> measures_for(const std::vector<Line>& lines,
-                                  const std::vector<JudgedClaim>& claims) {
+                                  const std::vector<const ClaimOutcome*>& claims) {
   std::vector<Measure> all;
   const auto add = [&](Measure measure) {
     if (std::find(all.begin(), all.end(), measure) == all.end()) all.push_back(std::move(measure));
   };
   const PartResults& first = *lines.front().points.front().part;
-  for (const SystemResults& protocol : first.protocols) {
+  for (const ProtocolResults& protocol : first.protocols) {
     if (protocol.find_metric("accuracy")) add({"accuracy", protocol.protocol, protocol.group});
   }
-  for (const JudgedClaim& judged : claims) {
-    const Claim& claim = judged.outcome.claim;
+  for (const ClaimOutcome* outcome : claims) {
+    const Claim& claim = outcome->claim;
     const bool about = claim.question == first.question &&
                        std::any_of(lines.begin(), lines.end(),
                                    [&](const Line& line) { return line.system == claim.system; });
@@ -199,26 +204,27 @@ std::vector<Measure> measures_for(const std::vector<Line>& lines,
 }
 
 using Groups =
-    std::vector<std::pair<std::pair<std::string, std::string>, std::vector<const CurvePart*>>>;
+    std::vector<std::pair<std::pair<std::string, std::string>, std::vector<const PartResults*>>>;
 
 // Parts of a system under one question, as it stands first.
-Groups grouped(const std::vector<CurvePart>& parts) {
+Groups grouped(const std::vector<const PartResults*>& parts) {
   Groups groups;
-  for (const CurvePart& part : parts) {
-    const std::pair key{part.part->question, part.part->system};
+  for (const PartResults* part : parts) {
+    const std::pair key{part->question, part->system};
     auto group = std::find_if(groups.begin(), groups.end(),
                               [&](const auto& one) { return one.first == key; });
     if (group == groups.end()) group = groups.insert(groups.end(), {key, {}});
-    const bool first = part.part->variation.empty() && !group->second.empty() &&
-                       !group->second.front()->part->variation.empty();
-    group->second.insert(first ? group->second.begin() : group->second.end(), &part);
+    const bool first = part->variation.empty() && !group->second.empty() &&
+                       !group->second.front()->variation.empty();
+    group->second.insert(first ? group->second.begin() : group->second.end(), part);
   }
   return groups;
 }
 
 }  // namespace
 
-Json curves_json(const std::vector<CurvePart>& parts, const std::vector<JudgedClaim>& claims,
+Json curves_json(const std::vector<const PartResults*>& parts,
+                 const std::vector<const ClaimOutcome*>& claims,
                  const std::map<std::string, std::string>& units) {
   std::map<std::pair<std::string, Differing>, std::vector<Line>> curves;
   for (const auto& [key, members] : grouped(parts)) {

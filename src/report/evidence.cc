@@ -5,64 +5,71 @@
 #include <algorithm>
 #include <utility>
 
-#include "report/rebuilt_study.h"
-#include "studies/question.h"
-#include "studies/settings.h"
+#include "files/toml_file.h"
+#include "studies/prepared_study.h"
 
 namespace somato::detail {
 namespace {
 
-std::string without_model(const ReportFile& file, const PartResults& part) {
-  const std::string what =
-      "The trained system is not at hand, so U-matrix, hits, component planes and receptive fields "
-      "are left out: ";
-  const std::string advice = file.results.is_study
-                                 ? "give system.somato, which 'somato run' writes, with --model."
-                                 : "'somato run' writes a trained system; give one of '" +
-                                       part.system + "' with these settings with --model.";
-  if (file.models.empty()) return what + advice;
-  const std::string others = file.models.size() > 1 ? "' and others have" : "' has";
-  return what + "'" + file.models.front()->path + others + " other settings; " + advice;
-}
+constexpr const char* kOfModel = "U-matrix, hits, component planes and receptive fields";
 
-void find_model(const ReportFile& file, Evidence& evidence) {
-  for (const auto& model : file.models) {
-    if (same_system(system_settings(model->model.system), evidence.part->settings)) {
-      evidence.model = model;
-      return;
-    }
+void read_study_of(const PartResults& part, Evidence& evidence) {
+  const auto table = parse_toml(part.study, "the study of '" + part.system + "'");
+  auto study = table ? read_study(*table) : fail(table.error());
+  if (study) {
+    evidence.study = std::move(*study);
+  } else {
+    evidence.missing.push_back("The graph of modules is left out: the study cannot be read (" +
+                               to_string(study.error()) + ").");
   }
-  evidence.missing.push_back(without_model(file, *evidence.part));
 }
 
-std::string without_recording(const Evidence& evidence, const std::string& named) {
-  const std::string what =
-      "The recording is not at hand, so labels of the explorations, hits and what the sensors told "
-      "are left out: ";
+void find_model(const ReportFile& file, const ReportSources& sources, Evidence& evidence) {
+  const auto& named = evidence.part->model;
+  if (!named) {
+    evidence.missing.push_back(fmt::format(
+        "No trained system was saved with these results, so {} are left out.", kOfModel));
+    return;
+  }
+  auto model = sources.model
+                   ? sources.model(file.path, *named)
+                   : fail(ErrorKind::kSystem, "trained systems cannot be loaded", named->path);
+  if (model) {
+    evidence.model = std::move(*model);
+    return;
+  }
+  evidence.missing.push_back(
+      fmt::format("The trained system was not found, so {} are left out: put it at the path given "
+                  "in results.json, or use --model ({}).",
+                  kOfModel, to_string(model.error())));
+}
+
+std::string without_recording(const ReportSources& sources) {
+  const std::string& named = sources.named_recordings;
   const std::string others =
-      named.empty() ? "" : "'" + named + "' is not what these results are of; ";
-  return what + others +
-         (evidence.file->is_study
-              ? "give it with --data, or put it beside results.json."
-              : "leave the folder 'recordings' beside results.json, or give --data.");
+      named.empty() ? "" : "'" + named + "' is not the one of these results; ";
+  return "The recording was not found, so labels of the explorations, hits and sensor readings are "
+         "left out: " +
+         others + "use --data with the recording, or put it in the folder of results.json.";
 }
 
-// Those that the study asks about.
-std::vector<std::size_t> asked_of(const Recording& recording, const StudyParameters& study) {
-  std::vector<std::size_t> asked;
+// The explorations of the study.
+std::vector<std::size_t> studied_explorations(const Recording& recording,
+                                              const StudyParameters& study) {
+  std::vector<std::size_t> studied;
   for (std::size_t i = 0; i < recording.explorations.size(); ++i) {
     const auto label = find_label(recording.explorations[i], study.label);
-    const bool is_asked =
+    const bool is_studied =
         study.only.empty() ||
         (label && std::find(study.only.begin(), study.only.end(), *label) != study.only.end());
-    if (is_asked) asked.push_back(i);
+    if (is_studied) studied.push_back(i);
   }
-  return asked;
+  return studied;
 }
 
 // Samples of all protocols but those that test with another recording.
 std::optional<std::size_t> samples_of(const PartResults& part) {
-  for (const SystemResults& protocol : part.protocols) {
+  for (const ProtocolResults& protocol : part.protocols) {
     if (protocol.protocol != "test_data") return protocol.samples;
   }
   return {};
@@ -71,25 +78,23 @@ std::optional<std::size_t> samples_of(const PartResults& part) {
 void find_recording(const ReportSources& sources, Evidence& evidence) {
   const PartResults& part = *evidence.part;
   for (std::size_t i = 0; i < part.recordings.size() && !evidence.recording; ++i) {
-    const RecordingInfo* info = evidence.file->find_recording(part.recordings[i]);
-    if (!info || !sources.recording) continue;
-    ReportRecording found = sources.recording(info->data_hash);
-    evidence.recording = std::move(found.recording);
-    evidence.recording_name = std::move(found.name);
+    if (!sources.recording) continue;
+    evidence.recording = sources.recording(part.recordings[i].hash);
     evidence.recording_number = i;
   }
   if (!evidence.recording) {
-    evidence.missing.push_back(without_recording(evidence, sources.named_recordings));
+    evidence.recording_number = 0;
+    evidence.missing.push_back(without_recording(sources));
     return;
   }
-  const StudyParameters asked = evidence.study ? evidence.study->study : StudyParameters{};
-  evidence.explorations = asked_of(*evidence.recording, asked);
+  const StudyParameters study = evidence.study ? evidence.study->study : StudyParameters{};
+  evidence.explorations = studied_explorations(*evidence.recording, study);
   const auto samples = samples_of(part);
   if (!samples || *samples == evidence.explorations.size()) return;
-  evidence.missing.push_back(fmt::format(
-      "The recording has {} explorations to ask about where the results have {} samples, so it is "
-      "left out.",
-      evidence.explorations.size(), *samples));
+  evidence.missing.push_back(
+      fmt::format("The recording has {} explorations for the study, but the results have {} "
+                  "samples, so it is left out.",
+                  evidence.explorations.size(), *samples));
   evidence.recording = nullptr;
 }
 
@@ -102,7 +107,7 @@ void build_system(Evidence& evidence) {
     evidence.built = std::move(*built);
   } else {
     evidence.missing.push_back("The graph of modules is left out (" + to_string(built.error()) +
-                               "): give the recording with --data.");
+                               "): use --data with the recording.");
   }
 }
 
@@ -124,16 +129,9 @@ const System* Evidence::system() const {
 Evidence find_evidence(const ReportFile& file, const PartResults& part,
                        const ReportSources& sources) {
   Evidence evidence;
-  evidence.file = &file.results;
   evidence.part = &part;
-  evidence.missing = file.missing;
-  if (auto study = rebuilt_study(part.settings)) {
-    evidence.study = std::move(*study);
-  } else {
-    evidence.missing.push_back("The graph of modules is left out: its settings cannot be read (" +
-                               to_string(study.error()) + ").");
-  }
-  find_model(file, evidence);
+  read_study_of(part, evidence);
+  find_model(file, sources, evidence);
   find_recording(sources, evidence);
   build_system(evidence);
   find_answering_map(evidence);

@@ -6,19 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "somato/report/report.h"
+#include "report/report.h"
 #include "somato/studies/study_parameters.h"
 
 namespace somato::detail {
 
-/// What there is to look at beside the results of a part: whatever was at hand and fits.
+/// What there is to look at beside the results of a part.
 struct Evidence {
-  const ResultsFile* file = nullptr;
   const PartResults* part = nullptr;
-  std::optional<StudyDescription> study;  ///< Made of the settings.
-  std::shared_ptr<const ReportModel> model;
+  std::optional<StudyDescription> study;
+  std::optional<ReportModel> model;
   std::shared_ptr<const Recording> recording;
-  std::string recording_name;
   std::size_t recording_number = 0;       ///< Of `recording`, among those of the part.
   std::vector<std::size_t> explorations;  ///< Of `recording`, those that are samples, in order.
   std::optional<System> built;            ///< Without a model, from `study`.

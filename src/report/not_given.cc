@@ -3,13 +3,13 @@
 #include <string>
 
 #include "graph/graph_json.h"
-#include "report/rebuilt_study.h"
+#include "report/part_settings.h"
 
 namespace somato::detail {
 
-nlohmann::ordered_json not_given_json(const std::vector<Settings>& settings) {
+nlohmann::ordered_json not_given_json(const std::vector<Settings>& parameters) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Settings& part : settings) {
+  for (const Settings& part : parameters) {
     const ModuleType* type = part.part.starts_with("module.") ? type_of(part) : nullptr;
     if (type == nullptr) continue;
     for (const Setting& setting : part.settings) {

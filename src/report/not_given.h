@@ -7,8 +7,8 @@
 
 namespace somato::detail {
 
-/// The parameters of all modules in `settings` that no paper gives, as a list of NotGiven of
-/// web/src/report/data.ts.
-nlohmann::ordered_json not_given_json(const std::vector<Settings>& settings);
+/// Those of the parameters of modules that no paper gives, as a list of NotGiven of
+/// web/schema/report.json.
+nlohmann::ordered_json not_given_json(const std::vector<Settings>& parameters);
 
 }  // namespace somato::detail

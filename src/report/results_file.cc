@@ -1,10 +1,12 @@
-#include "somato/report/results_file.h"
+#include "report/results_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "report/checked_json.h"
@@ -14,10 +16,9 @@ namespace {
 
 using detail::CheckedJson;
 
-constexpr std::uint64_t kStudyVersion = 3;
-constexpr std::uint64_t kReproductionVersion = 1;
 constexpr std::uint64_t kMostNeurons = (1U << 24U) - 1;
 constexpr double kMostGroupings = 1e9;
+constexpr double kRounding = 1e-9;
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
 
 std::vector<std::string> texts(const CheckedJson& json) {
@@ -32,7 +33,7 @@ std::string optional_text(const CheckedJson& json, const std::string& key) {
 
 void expect_length(const CheckedJson& json, std::size_t length) {
   if (json.size() == length) return;
-  json.refuse(fmt::format("has {} entries, where {} are needed", json.size(), length));
+  json.refuse(fmt::format("has {} entries, but needs {}", json.size(), length));
 }
 
 // Values with how often they occurred: lists of two.
@@ -44,7 +45,7 @@ Distribution distribution_of(const CheckedJson& json) {
     if (entry.ok()) expect_length(entry, 2);
     if (!entry.ok()) return;
     if (numbers[1] < 1.0 || numbers[1] > kMostGroupings || numbers[1] != std::floor(numbers[1])) {
-      entry.refuse("does not say how often the value occurred");
+      entry.refuse("does not state how often the value occurred");
       return;
     }
     distribution[numbers[0]] = static_cast<std::size_t>(numbers[1]);
@@ -90,14 +91,13 @@ Run run_of(const CheckedJson& json, std::size_t samples) {
   return run;
 }
 
-SystemResults protocol_of(const CheckedJson& json) {
-  SystemResults results{json.at("name").text(),
-                        json.at("protocol").text(),
-                        optional_text(json, "group"),
-                        json.at("label").text(),
-                        json.at("samples").whole(kAny),
-                        {},
-                        {}};
+ProtocolResults protocol_of(const CheckedJson& json) {
+  ProtocolResults results{json.at("protocol").text(),
+                          optional_text(json, "group"),
+                          json.at("label").text(),
+                          json.at("samples").whole(kAny),
+                          {},
+                          {}};
   json.at("runs").each(
       [&](const CheckedJson& run) { results.runs.push_back(run_of(run, results.samples)); });
   json.at("metrics").entries([&](const std::string& name, const CheckedJson& metric) {
@@ -106,61 +106,34 @@ SystemResults protocol_of(const CheckedJson& json) {
   return results;
 }
 
-// Protocols of one part have the same runs.
-void read_protocols(const CheckedJson& json, PartResults& part) {
-  json.each([&](const CheckedJson& one) {
-    part.protocols.push_back(protocol_of(one));
-    if (one.ok() && part.protocols.front().runs.size() != part.protocols.back().runs.size()) {
-      one.refuse("has another number of runs than the one before");
-    }
-  });
-}
-
-// Names become keys of TOML again.
-bool is_name(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '.';
-  });
-}
-
-std::vector<Settings> settings_of(const CheckedJson& json) {
+std::vector<Settings> parameters_of(const CheckedJson& json) {
   std::vector<Settings> all;
   json.entries([&](const std::string& part, const CheckedJson& settings) {
-    if (!is_name(part)) settings.refuse("is no name of a part");
     all.push_back({part, {}});
     settings.entries([&](const std::string& name, const CheckedJson& value) {
-      if (!is_name(name)) value.refuse("is no name of a setting");
-      all.back().settings.push_back({name, to_toml(value.value())});
+      all.back().settings.push_back({name, value.text()});
     });
   });
   return all;
 }
 
-void check_version(const CheckedJson& root, std::uint64_t known) {
-  const std::uint64_t version = root.at("version").whole(kAny);
-  if (!root.ok() || version == known) return;
-  root.at("version").refuse(
-      fmt::format("is {}, and {} is the one that can be read", version, known));
-}
-
-void read_study(const CheckedJson& root, ResultsFile& file) {
-  check_version(root, kStudyVersion);
-  PartResults part;
-  part.system = root.at("study").text();
-  part.recordings = {""};
-  part.settings = settings_of(root.at("settings"));
-  read_protocols(root.at("systems"), part);
-  if (!part.protocols.empty()) {
-    for (const Run& run : part.protocols.front().runs) part.pairs.push_back({0, run.seed});
-  }
-  file.recordings.push_back({"", "", 0, root.at("data_hash").text(), 0});
-  file.parts.push_back(std::move(part));
-}
-
 RecordingInfo recording_of(const CheckedJson& json) {
   return {json.at("name").text(), json.at("source").text(), json.at("seed").whole(kAny),
-          json.at("data_hash").text(), json.at("explorations").whole(kAny)};
+          json.at("hash").text(), json.at("explorations").whole(kAny)};
+}
+
+// Results may name files of their own folder only.
+bool is_below(const std::filesystem::path& path) {
+  return path.has_filename() && path.is_relative() &&
+         std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+std::optional<ModelFile> model_of(const CheckedJson& json) {
+  if (json.is_null()) return {};
+  ModelFile model{json.at("path").text(), json.at("hash").text(), json.at("seed").whole(kAny)};
+  if (json.ok() && !is_below(model.path))
+    json.at("path").refuse("is not in the folder of the results");
+  return model;
 }
 
 Pair pair_of(const CheckedJson& json, std::size_t recordings) {
@@ -168,32 +141,48 @@ Pair pair_of(const CheckedJson& json, std::size_t recordings) {
   json.each([&](const CheckedJson& number) { numbers.push_back(number.whole(kAny)); });
   if (json.ok()) expect_length(json, 2);
   if (!json.ok()) return {};
-  if (numbers[0] >= recordings) json.refuse("is of a recording that is not there");
+  if (numbers[0] >= recordings) json.refuse("refers to a recording that does not exist");
   return {numbers[0], numbers[1]};
 }
 
-void read_part(const CheckedJson& json, ResultsFile& file) {
+std::vector<RecordingInfo> chosen(const CheckedJson& json,
+                                  const std::vector<RecordingInfo>& recordings) {
+  std::vector<RecordingInfo> all;
+  json.each([&](const CheckedJson& one) {
+    const std::uint64_t number = one.whole(kAny);
+    if (one.ok() && number >= recordings.size())
+      one.refuse("refers to a recording that does not exist");
+    if (one.ok()) all.push_back(recordings[number]);
+  });
+  return all;
+}
+
+// All protocols have a run for each pair.
+void read_protocols(const CheckedJson& json, PartResults& part) {
+  json.each([&](const CheckedJson& one) {
+    part.protocols.push_back(protocol_of(one));
+    if (one.ok()) expect_length(one.at("runs"), part.pairs.size());
+  });
+}
+
+PartResults part_of(const CheckedJson& json, const std::vector<RecordingInfo>& recordings) {
   PartResults part;
   part.question = json.at("question").text();
   part.system = json.at("system").text();
   part.variation = json.at("variation").text();
-  part.settings = settings_of(json.at("settings"));
-  part.recordings = texts(json.at("recordings"));
+  part.study = json.at("study").text();
+  part.parameters = parameters_of(json.at("parameters"));
+  part.model = model_of(json.at("model"));
+  part.recordings = chosen(json.at("recordings"), recordings);
+  part.test_recordings = chosen(json.at("test_recordings"), recordings);
+  if (!part.test_recordings.empty()) {
+    expect_length(json.at("test_recordings"), part.recordings.size());
+  }
   json.at("pairs").each([&](const CheckedJson& pair) {
     part.pairs.push_back(pair_of(pair, part.recordings.size()));
   });
   read_protocols(json.at("protocols"), part);
-  for (const SystemResults& protocol : part.protocols) {
-    if (json.ok() && protocol.runs.size() != part.pairs.size()) {
-      json.at("pairs").refuse("are not as many as there are runs");
-    }
-  }
-  for (const std::string& name : part.recordings) {
-    if (json.ok() && !file.find_recording(name)) {
-      json.at("recordings").refuse("names one that the file does not have");
-    }
-  }
-  file.parts.push_back(std::move(part));
+  return part;
 }
 
 Claim claim_of(const CheckedJson& json) {
@@ -214,59 +203,65 @@ Claim claim_of(const CheckedJson& json) {
   return claim;
 }
 
-// The values that the figures are made of stand with the systems: the claim is judged by them anew,
-// so that files from before the verdicts have them too.
-void read_claim(const CheckedJson& json, ResultsFile& file) {
-  JudgedClaim judged;
-  const Claim claim = claim_of(json);
-  judged.share = json.at("share").number();
-  static_cast<void>(json.at("by_luck").number_or_nothing());
-  if (!json.ok()) return;
-  if (judged.share < 0.0 || judged.share > 1.0) json.at("share").refuse("is no share");
-  const auto outcomes = judge({claim}, file.parts);
-  if (outcomes.empty()) json.refuse("is about something that is not in the file");
-  if (!outcomes.empty()) judged.outcome = outcomes.front();
-  file.claims.push_back(std::move(judged));
+// The verdict follows from the rest, and is refused where it does not.
+ClaimOutcome outcome_of(const CheckedJson& json) {
+  ClaimOutcome outcome{claim_of(json), {}, {}, {}, json.at("reason").text()};
+  json.at("values").each(
+      [&](const CheckedJson& value) { outcome.values.push_back(value.number_or_nan()); });
+  outcome.by_chance = json.at("by_chance").number_or_nothing();
+  outcome.chance_share = json.at("chance_share").number_or_nothing();
+  const std::string verdict = json.at("verdict").text();
+  const double share = json.at("share").number();
+  if (!json.ok()) return outcome;
+  if (verdict != choice_name(outcome.verdict())) {
+    json.at("verdict").refuse("is '" + verdict + "', which does not follow from its values");
+  }
+  if (std::abs(share - outcome.share()) > kRounding) {
+    json.at("share").refuse("does not follow from its values");
+  }
+  return outcome;
 }
 
-void read_reproduction(const CheckedJson& root, ResultsFile& file) {
-  check_version(root, kReproductionVersion);
+// Earlier versions had no parts.
+void check_version(const CheckedJson& root) {
+  const std::uint64_t version = root.at("version").whole(kAny);
+  if (!root.ok() || version == kResultsVersion) return;
+  root.at("version").refuse(fmt::format("is {}, but must be {}", version, kResultsVersion));
+}
+
+Results results_of(const CheckedJson& root) {
+  std::vector<RecordingInfo> recordings;
   root.at("recordings").each([&](const CheckedJson& one) {
-    file.recordings.push_back(recording_of(one));
+    recordings.push_back(recording_of(one));
   });
-  root.at("systems").each([&](const CheckedJson& one) { read_part(one, file); });
-  root.at("claims").each([&](const CheckedJson& one) { read_claim(one, file); });
+  Results results;
+  root.at("parts").each(
+      [&](const CheckedJson& one) { results.parts.push_back(part_of(one, recordings)); });
+  root.at("claims").each(
+      [&](const CheckedJson& one) { results.claims.push_back(outcome_of(one)); });
+  root.at("not_applicable").each([&](const CheckedJson& one) {
+    results.not_applicable.push_back({one.at("system").text(), one.at("reason").text()});
+  });
+  return results;
 }
 
 }  // namespace
 
-const RecordingInfo* ResultsFile::find_recording(const std::string& name) const {
-  const auto found = std::find_if(recordings.begin(), recordings.end(),
-                                  [&](const RecordingInfo& one) { return one.name == name; });
-  return found == recordings.end() ? nullptr : &*found;
-}
-
-Result<ResultsFile> parse_results(std::string_view text, const std::string& path) {
+Result<Results> parse_results(std::string_view text, const std::string& path) {
   const auto json = detail::parse_results_json(text, path);
   if (!json) return fail(json.error());
   std::optional<Error> trouble;
   const CheckedJson root(*json, trouble);
-  ResultsFile file;
-  file.path = path;
-  file.is_study = root.has("study");
-  if (!root.has("version") || !root.has("systems") || (!file.is_study && !root.has("claims"))) {
-    return fail(ErrorKind::kData, "it is no results.json of a study or a reproduction", path,
-                "give one that 'somato run' or 'somato reproduce' wrote");
+  if (!root.has("version") || !(root.has("parts") || root.has("systems"))) {
+    return fail(ErrorKind::kData, "not a results.json of a study or a reproduction", path,
+                "use a file written by 'somato run' or 'somato reproduce'");
   }
-  if (file.is_study) {
-    read_study(root, file);
-  } else {
-    read_reproduction(root, file);
-  }
-  if (!trouble) return file;
+  check_version(root);
+  Results results = trouble ? Results{} : results_of(root);
+  if (!trouble) return results;
   trouble->where = path;
   trouble->advice =
-      "give results.json as 'somato run' or 'somato reproduce' of this version wrote it";
+      "run 'somato run' or 'somato reproduce' of this version again to write a new results.json";
   return fail(std::move(*trouble));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "recording/recording_json.h"
 #include "report/short_number.h"
 
 namespace somato::detail {
@@ -17,25 +18,19 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostFrames = 200;
 constexpr std::size_t kMostElements = 64;
 
-Json labels_json(const Exploration& exploration) {
-  Json json = Json::object();
-  for (const Label& label : exploration.labels) json[label.name] = label.value;
-  return json;
-}
-
 std::string label_or_nothing(const Exploration& exploration, const std::string& name) {
   return find_label(exploration, name).value_or(std::string());
 }
 
 // What was explored: an object, or else a material.
-std::string name_of(const Exploration& exploration, const std::string& asked) {
-  for (const std::string& label : {std::string("object"), std::string("material"), asked}) {
+std::string name_of(const Exploration& exploration, const std::string& studied) {
+  for (const std::string& label : {std::string("object"), std::string("material"), studied}) {
     if (std::string name = label_or_nothing(exploration, label); !name.empty()) return name;
   }
   return {};
 }
 
-std::string asked_label(const Evidence& evidence) {
+std::string studied_label(const Evidence& evidence) {
   const auto& protocols = evidence.part->protocols;
   return protocols.empty() ? std::string() : protocols.front().label;
 }
@@ -44,9 +39,9 @@ std::string asked_label(const Evidence& evidence) {
 std::vector<std::size_t> first_of_each(const Evidence& evidence) {
   std::set<std::string> seen;
   std::vector<std::size_t> first;
-  const std::string asked = asked_label(evidence);
+  const std::string label = studied_label(evidence);
   for (const std::size_t i : evidence.explorations) {
-    if (seen.insert(name_of(evidence.recording->explorations[i], asked)).second) {
+    if (seen.insert(name_of(evidence.recording->explorations[i], label)).second) {
       first.push_back(i);
     }
   }
@@ -55,11 +50,11 @@ std::vector<std::size_t> first_of_each(const Evidence& evidence) {
 
 std::vector<ReportThing> labelled_things(const Evidence& evidence) {
   std::vector<ReportThing> things;
-  const std::string asked = asked_label(evidence);
+  const std::string label = studied_label(evidence);
   for (const std::size_t i : first_of_each(evidence)) {
     const Exploration& exploration = evidence.recording->explorations[i];
     ReportThing thing;
-    thing.name = name_of(exploration, asked);
+    thing.name = name_of(exploration, label);
     thing.shape = label_or_nothing(exploration, "shape");
     thing.material = label_or_nothing(exploration, "material");
     thing.hardness = label_or_nothing(exploration, "hardness");
@@ -69,10 +64,10 @@ std::vector<ReportThing> labelled_things(const Evidence& evidence) {
 }
 
 // Without a recording the classes are all there is, where they are things.
-std::vector<ReportThing> asked_things(const Evidence& evidence) {
+std::vector<ReportThing> studied_things(const Evidence& evidence) {
   std::vector<ReportThing> things;
   std::set<std::string> seen;
-  for (const SystemResults& protocol : evidence.part->protocols) {
+  for (const ProtocolResults& protocol : evidence.part->protocols) {
     if (protocol.label != "object" && protocol.label != "material") continue;
     for (const Run& run : protocol.runs) {
       for (const std::string& name : run.labels) {
@@ -87,7 +82,7 @@ bool agree(const std::string& labelled, const std::string& known) {
   return labelled.empty() || known.empty() || labelled == known;
 }
 
-// Somebody else's thing may have the same name.
+// An object of another source may have the same name.
 void complete(ReportThing& thing, const std::vector<ReportThing>& known) {
   for (const ReportThing& one : known) {
     if (one.name != thing.name || !agree(thing.shape, one.shape) ||
@@ -179,8 +174,7 @@ Json moment_channel(const Channel& channel, const Channel* touch) {
     if (channel.frames.columns() > kMostElements) continue;
     series.push_back(short_numbers(channel.frames.row(frame)));
   }
-  return {{"channel",
-           channel_json(channel.name, channel.unit, channel.element_names, channel.frame_shape())},
+  return {{"channel", channel_json(channel)},
           {"rate", short_number(channel.frame_rate())},
           {"frame", moment},
           {"time", short_number(time_of(channel, moment))},
@@ -196,22 +190,11 @@ const Channel* touch_of(const Exploration& exploration) {
 
 }  // namespace
 
-Json channel_json(const std::string& name, const std::string& unit,
-                  const std::vector<std::string>& elements, const std::vector<std::size_t>& shape) {
-  std::size_t count = 1;
-  for (const std::size_t length : shape) count *= length;
-  Json names = Json::array();
-  for (std::size_t i = 0; i < count; ++i) {
-    names.push_back(elements.size() == count ? elements[i] : std::to_string(i + 1));
-  }
-  return {{"name", name}, {"unit", unit}, {"elements", std::move(names)}, {"shape", shape}};
-}
-
 Json samples_json(const Evidence& evidence) {
   if (!evidence.recording) return nullptr;
   Json json = Json::array();
   for (const std::size_t i : evidence.explorations) {
-    json.push_back(labels_json(evidence.recording->explorations[i]));
+    json.push_back(labels_json(evidence.recording->explorations[i].labels));
   }
   return json;
 }
@@ -219,7 +202,7 @@ Json samples_json(const Evidence& evidence) {
 Json things_json(const Evidence& evidence, const std::vector<ReportThing>& known) {
   Json json = Json::array();
   for (ReportThing& thing :
-       evidence.recording ? labelled_things(evidence) : asked_things(evidence)) {
+       evidence.recording ? labelled_things(evidence) : studied_things(evidence)) {
     complete(thing, known);
     json.push_back(thing_json(thing));
   }
@@ -235,7 +218,8 @@ Json moments_json(const Evidence& evidence) {
     for (const Channel& channel : exploration.channels) {
       channels.push_back(moment_channel(channel, touch_of(exploration)));
     }
-    json.push_back({{"labels", labels_json(exploration)}, {"channels", std::move(channels)}});
+    json.push_back(
+        {{"labels", labels_json(exploration.labels)}, {"channels", std::move(channels)}});
   }
   return json;
 }

@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "report/samples_json.h"
+#include "graph/channel_planes.h"
+#include "graph/learned_parts.h"
+#include "recording/recording_json.h"
 #include "report/short_number.h"
-#include "somato/graph/channel_planes.h"
 #include "somato/graph/evaluation.h"
-#include "somato/graph/learned_parts.h"
 #include "somato/maps/som_quality.h"
 
 namespace somato::detail {
@@ -32,23 +32,8 @@ Json planes_json(const ChannelPlanes& planes) {
           {"values", std::move(values)}};
 }
 
-// What the samples bring to the saved map, and the neurons that win there.
-struct Answers {
-  std::vector<Signal> inputs;
-  std::vector<std::size_t> winners;
-};
-
-Signal copy_of(const SignalView& view) {
-  std::vector<float> values(view.size);
-  if (!view.sparse) {
-    write_dense(view, values);
-    return Signal::dense(std::move(values));
-  }
-  return Signal::sparse({view.size}, {view.indices.begin(), view.indices.end()},
-                        {view.values.begin(), view.values.end()});
-}
-
-Result<Answers> answers_of(const Evidence& evidence, std::size_t threads) {
+// The neurons of the saved map that win the samples.
+Result<std::vector<std::size_t>> winners_of(const Evidence& evidence, std::size_t threads) {
   const System& system = *evidence.system();
   const Recording& recording = *evidence.recording;
   const std::size_t input = system.modules()[*evidence.map].inputs.front();
@@ -58,55 +43,12 @@ Result<Answers> answers_of(const Evidence& evidence, std::size_t threads) {
   if (!evaluated) return fail(std::move(evaluated.error()));
   SomWorkspace workspace;
   const Som& som = *som_of(system, *evidence.map);
-  Answers answers;
+  std::vector<std::size_t> winners;
   for (const std::size_t exploration : evidence.explorations) {
     const Samples& values = activations.find(input, exploration)->values;
-    answers.inputs.push_back(copy_of(values[values.count() - 1]));
-    answers.winners.push_back(som.winner(answers.inputs.back().view(), workspace));
+    winners.push_back(som.winner(values[values.count() - 1], workspace));
   }
-  return answers;
-}
-
-// How far from a sample two neurons that a study takes for equally near may lie: it may have known
-// the map by its inner products, and the saved one has weights in single precision.
-double rounding(const Som& som, const SignalView& input) {
-  constexpr double kRelative = 1e-5;
-  const bool unit = som.parameters().normalize_input.value_or(false);
-  return kRelative * (unit ? 1.0 : std::sqrt(inner_product(input, input)));
-}
-
-bool are_winners(const Som& som, const Answers& answers, const std::vector<std::size_t>& winners) {
-  SomWorkspace workspace;
-  if (winners.size() != answers.winners.size()) return false;
-  for (std::size_t i = 0; i < winners.size(); ++i) {
-    if (winners[i] == answers.winners[i]) continue;
-    if (winners[i] >= som.neurons()) return false;
-    const SignalView input = answers.inputs[i].view();
-    const double nearest = som.distance(input, answers.winners[i], workspace);
-    if (som.distance(input, winners[i], workspace) > nearest + rounding(som, input)) return false;
-  }
-  return true;
-}
-
-// The saved system is one of the runs if all of its winners are.
-std::optional<std::uint64_t> seed_of(const Evidence& evidence, const Answers& answers) {
-  const PartResults& part = *evidence.part;
-  const Som& som = *som_of(*evidence.system(), *evidence.map);
-  for (const SystemResults& protocol : part.protocols) {
-    if (protocol.protocol != "train_is_test") continue;
-    for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
-      const bool of_recording = part.pairs[i].recording == evidence.recording_number;
-      if (of_recording && are_winners(som, answers, protocol.runs[i].winners)) {
-        return protocol.runs[i].seed;
-      }
-    }
-  }
-  return {};
-}
-
-bool has_runs_of_all(const PartResults& part) {
-  return std::any_of(part.protocols.begin(), part.protocols.end(),
-                     [](const auto& protocol) { return protocol.protocol == "train_is_test"; });
+  return winners;
 }
 
 Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {
@@ -117,21 +59,13 @@ Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {
 
 void add_hits(Evidence& evidence, std::size_t neurons, std::size_t threads, Json& json) {
   if (!evidence.recording) return;
-  const auto answers = answers_of(evidence, threads);
-  if (!answers) {
+  const auto winners = winners_of(evidence, threads);
+  if (winners) {
+    json["hits"] = hits_json(*winners, neurons);
+  } else {
     evidence.missing.push_back(
-        "Hits are left out: the trained system cannot be asked about the "
-        "recording (" +
-        to_string(answers.error()) + ").");
-    return;
-  }
-  json["hits"] = hits_json(answers->winners, neurons);
-  if (const auto seed = seed_of(evidence, *answers)) {
-    json["seed"] = *seed;
-  } else if (has_runs_of_all(*evidence.part)) {
-    evidence.missing.push_back("The winners of '" + evidence.model->path +
-                               "' are those of no run here: it was trained on other data or with "
-                               "another seed.");
+        "Hits are left out, because the trained system cannot be run on the recording (" +
+        to_string(winners.error()) + ").");
   }
 }
 
@@ -144,7 +78,7 @@ void add_answer(const SystemModel& model, std::size_t neurons, Json& json) {
   }
 }
 
-// Every so-and-so-manieth, yet of all columns.
+// A stride over the neurons that includes all columns.
 std::size_t step_for(std::size_t neurons, std::size_t elements, std::size_t columns) {
   std::size_t step =
       std::max<std::size_t>(1, (neurons * elements + kMostNumbers - 1) / kMostNumbers);
@@ -161,12 +95,12 @@ Json field_json(const System& system, std::size_t module, const TMpsom& map, std
   Json rows = Json::array();
   const std::size_t step = step_for(weights.rows(), weights.columns(), p.shape[1]);
   for (std::size_t neuron = 0; neuron < weights.rows(); neuron += step) {
-    std::vector<double> heard(weights.columns());
-    for (std::size_t k = 0; k < heard.size(); ++k) {
-      heard[k] = double{arbor(neuron, k)} * double{weights(neuron, k)};
+    std::vector<double> receptive(weights.columns());
+    for (std::size_t k = 0; k < receptive.size(); ++k) {
+      receptive[k] = double{arbor(neuron, k)} * double{weights(neuron, k)};
     }
     numbers.push_back(neuron);
-    rows.push_back(short_numbers(std::span<const double>(heard)));
+    rows.push_back(short_numbers(std::span<const double>(receptive)));
   }
   return {{"module", own.name},
           {"shape", {p.shape[0], p.shape[1]}},
@@ -187,7 +121,7 @@ Json receptive_fields_json(const System& system, std::vector<std::string>& missi
     const std::string& name = system.modules()[module].name;
     if (map->parameters().shape.size() != 2) {
       missing.push_back("Receptive fields of '" + name +
-                        "' are left out: only those of maps with two axes can be drawn.");
+                        "' are left out, because only those of maps with two axes can be drawn.");
       continue;
     }
     for (std::size_t i = 0; i < map->parameters().input_sizes.size(); ++i) {
@@ -196,8 +130,8 @@ Json receptive_fields_json(const System& system, std::vector<std::string>& missi
         continue;
       }
       missing.push_back(
-          fmt::format("Receptive fields of '{}' are left out for an input of {} "
-                      "elements: {} are the most.",
+          fmt::format("Receptive fields of '{}' are left out, because an input has {} elements; "
+                      "the maximum is {}.",
                       name, map->parameters().input_sizes[i], kMostNumbers));
     }
   }
@@ -208,7 +142,7 @@ Json trained_json(Evidence& evidence, std::size_t threads) {
   if (!evidence.model || !evidence.map) return nullptr;
   const SystemModel& model = evidence.model->model;
   const Som& som = *som_of(model.system, *evidence.map);
-  Json json = {{"file", evidence.model->path}, {"seed", nullptr}};
+  Json json = {{"file", evidence.model->path}, {"seed", evidence.part->model->seed}};
   add_answer(model, som.neurons(), json);
   json["u_matrix"] = short_numbers(std::span<const double>(u_matrix(som)));
   json["hits"] = Json::array();

@@ -1,7 +1,7 @@
 #include "simulation/biquad.h"
 
+#include "core/elementary.h"
 #include "somato/core/check.h"
-#include "somato/core/elementary.h"
 
 namespace somato::detail {
 namespace {

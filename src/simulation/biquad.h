@@ -12,7 +12,7 @@ class Biquad {
   /// filter 1 / (s^2 + s / quality + 1), brought to the sampled world by the bilinear transform.
   static Biquad low_pass(double frequency, double quality, double rate);
 
-  /// The same with s^2 in the numerator: passes what lies above.
+  /// The same with s^2 in the numerator: a high-pass filter.
   static Biquad high_pass(double frequency, double quality, double rate);
 
   double operator()(double value) {

@@ -2,22 +2,16 @@
 
 #include <memory>
 
-#include "simulation/thing_explorer.h"
+#include "simulation/explorer_setup.h"
 #include "somato/bodies/object_table.h"
-#include "somato/simulation/exploring_parameters.h"
+#include "somato/simulation/simulated_hand.h"
 
 namespace somato::detail {
 
-/// Hand II grasps each object of the table from the poses of the plan. Errors: those of
-/// HandScene::build(); kUsage for a table without objects and when the open hand meets an object at
-/// one of the poses.
-Result<std::unique_ptr<ThingExplorer>> grasping_explorer(const ObjectTable& things,
-                                                         const ExploringParameters& parameters,
-                                                         std::uint64_t seed);
-
-/// Hand III closes on each object of the table. Errors as above.
-Result<std::unique_ptr<ThingExplorer>> closing_explorer(const ObjectTable& things,
-                                                        const ExploringParameters& parameters,
-                                                        std::uint64_t seed);
+/// Hand II grasps each object of the table from the poses of the plan; Hand III closes on it.
+/// Errors: those of HandScene::build(); kUsage for a table without objects, and if the open Hand II
+/// collides with an object at one of the poses.
+Result<std::unique_ptr<Explorer>> hand_explorer(Hand hand, const ObjectTable& things,
+                                                ExplorerSetup setup);
 
 }  // namespace somato::detail

@@ -1,4 +1,4 @@
-#include "somato/simulation/hand_picture.h"
+#include "simulation/hand_picture.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "simulation/png.h"
 #include "simulation/ray_picture.h"
-#include "simulation/simulated_hand_works.h"
+#include "simulation/simulated_hand_impl.h"
 
 namespace somato {
 namespace {
@@ -16,12 +16,12 @@ namespace {
 constexpr detail::Colour kTouched{0.85F, 0.1F, 0.1F};
 constexpr double kFelt = 0.05;  // N
 
-std::vector<detail::Tint> touched_taxels(const SimulatedHand::Works& works) {
+std::vector<detail::Tint> touched_taxels(const SimulatedHand::Impl& impl) {
   std::vector<detail::Tint> tints;
-  const auto& taxel_of_geom = works.scene->taxels.taxel_of_geom;
+  const auto& taxel_of_geom = impl.scene->taxels.taxel_of_geom;
   for (std::size_t geom = 0; geom < taxel_of_geom.size(); ++geom) {
     const int taxel = taxel_of_geom[geom];
-    if (taxel < 0 || works.forces[static_cast<std::size_t>(taxel)] < kFelt) continue;
+    if (taxel < 0 || impl.forces[static_cast<std::size_t>(taxel)] < kFelt) continue;
     tints.push_back({static_cast<int>(geom), kTouched});
   }
   return tints;
@@ -38,8 +38,8 @@ std::string picture_file(const std::string& folder, std::string thing, std::size
 }  // namespace
 
 Result<void> save_hand_picture(const SimulatedHand& hand, const std::string& path) {
-  const SimulatedHand::Works& works = hand.works();
-  return detail::ray_picture(*works.scene->model, *works.data, {}, touched_taxels(works))
+  const SimulatedHand::Impl& impl = hand.impl();
+  return detail::ray_picture(*impl.scene->model, *impl.data, {}, touched_taxels(impl))
       .and_then([&](const detail::Image& image) { return detail::write_png(path, image); });
 }
 

@@ -1,4 +1,4 @@
-#include "somato/simulation/hand_poses.h"
+#include "simulation/hand_poses.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "simulation/object_motion.h"
 #include "simulation/played_frames.h"
-#include "simulation/simulated_hand_works.h"
+#include "simulation/simulated_hand_impl.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -40,7 +40,7 @@ bool is_shown(const mjModel& model, int geom) {
          model.geom_type[geom] != mjGEOM_PLANE;
 }
 
-GeomRole role_of(const HandScene::Parts& scene, int geom) {
+GeomRole role_of(const HandScene::Impl& scene, int geom) {
   const int body = scene.model->geom_bodyid[geom];
   if (body == scene.object_body || (body == scene.stand_body && body >= 0)) {
     return GeomRole::kObject;
@@ -65,7 +65,7 @@ void add_mesh(const mjModel& model, int geom, SceneGeom& shown) {
                  [](int corner) { return static_cast<std::uint32_t>(corner); });
 }
 
-SceneGeom scene_geom(const HandScene::Parts& scene, int geom) {
+SceneGeom scene_geom(const HandScene::Impl& scene, int geom) {
   const mjModel& model = *scene.model;
   const int body = model.geom_bodyid[geom];
   const int taxel = scene.taxels.taxel_of_geom[static_cast<std::size_t>(geom)];
@@ -85,7 +85,7 @@ SceneGeom scene_geom(const HandScene::Parts& scene, int geom) {
   return shown;
 }
 
-// As the model's own camera looks; to a point a hand's length ahead of it.
+// The view of the model's camera, to a point one hand's length ahead.
 void add_camera(const mjModel& model, Scene& scene) {
   constexpr double kAhead = 0.45;  // m
   const int camera = detail::find_in(model, mjOBJ_CAMERA, "view");
@@ -97,7 +97,7 @@ void add_camera(const mjModel& model, Scene& scene) {
   for (std::size_t i = 0; i < 3; ++i) scene.target[i] = scene.camera[i] + ahead[i];
 }
 
-Scene scene_of_parts(const HandScene::Parts& parts) {
+Scene scene_of_parts(const HandScene::Impl& parts) {
   const mjModel& model = *parts.model;
   Scene scene;
   scene.bodies.reserve(static_cast<std::size_t>(model.nbody));
@@ -136,7 +136,7 @@ double& joint_of(const mjModel& model, mjData& data, int joint) {
   return data.qpos[model.jnt_qposadr[joint]];
 }
 
-// How much of what a cable is pulled goes to a joint: by its lever and against its spring.
+// The share of a cable's travel for a joint, according to its lever and its spring.
 double yielding(const mjModel& model, int joint, double lever) {
   const double stiffness = model.jnt_stiffness[joint];
   return stiffness > 0 ? lever / stiffness : lever;
@@ -161,7 +161,7 @@ void pull(const mjModel& model, int tendon, mjData& data) {
 
 class HandPlayer : public ScenePlayer {
  public:
-  HandPlayer(std::shared_ptr<const HandScene::Parts> parts, detail::PhysicsData data,
+  HandPlayer(std::shared_ptr<const HandScene::Impl> parts, detail::PhysicsData data,
              bool with_object)
       : parts_(std::move(parts)), data_(std::move(data)), scene_(scene_of_parts(*parts_)) {
     detail::put_object(*parts_, detail::object_pose(*parts_, {}), *data_);
@@ -176,10 +176,11 @@ class HandPlayer : public ScenePlayer {
     const mjModel& model = *parts_->model;
     const std::size_t frames = detail::most_frames(exploration);
     std::size_t servo =
-        parts_->hand == Hand::kLucs2 ? 0 : 1;  // the wrist of Hand III tells nothing
+        parts_->hand == Hand::kLucs2 ? 0 : 1;  // the pose of Hand III's wrist is unknown
     for (const NeededChannel& needed : channels_of(parts_->hand)) {
       const Channel* channel = detail::played_channel(exploration, needed.name, needed.elements);
-      require(channel != nullptr && frame < frames, "this hand recorded no such frame");
+      require(channel != nullptr && frame < frames,
+              "the frame does not exist in the recording of this hand");
       const std::size_t row = detail::played_row(exploration, *channel, frame);
       for (const float value : channel->frames.row(row)) set_servo(servo++, double{value});
     }
@@ -196,7 +197,7 @@ class HandPlayer : public ScenePlayer {
     joint_of(model, *data_, model.actuator_trnid[2 * servo]) = position * parts_->scales[servo];
   }
 
-  std::shared_ptr<const HandScene::Parts> parts_;
+  std::shared_ptr<const HandScene::Impl> parts_;
   detail::PhysicsData data_;
   Scene scene_;
 };
@@ -204,17 +205,17 @@ class HandPlayer : public ScenePlayer {
 }  // namespace
 
 Scene scene_of(const HandScene& scene) {
-  return scene_of_parts(*scene.shared_parts());
+  return scene_of_parts(*scene.shared_impl());
 }
 
 std::vector<ScenePose> poses_of(const SimulatedHand& hand) {
-  return poses_in(*hand.works().scene->model, *hand.works().data);
+  return poses_in(*hand.impl().scene->model, *hand.impl().data);
 }
 
 std::unique_ptr<ScenePlayer> play_hand(const HandScene& scene, bool with_object) {
-  auto data = detail::make_data(scene.shared_parts()->model);
+  auto data = detail::make_data(scene.shared_impl()->model);
   if (!data) return nullptr;
-  return std::make_unique<HandPlayer>(scene.shared_parts(), std::move(*data), with_object);
+  return std::make_unique<HandPlayer>(scene.shared_impl(), std::move(*data), with_object);
 }
 
 bool is_of_hand(const Exploration& exploration, Hand hand) {

@@ -31,7 +31,7 @@ DegreeOfFreedom degree_of_freedom(const mjModel& model, int servo) {
   const bool slide = is_slide(model, servo);
   const double scale = slide ? kMetres : kRadians;
   const mjtNum* range = detail::row_of(model.actuator_ctrlrange, servo, 2);
-  // Rounded to what the model's text can tell: 30 deg is 30, not 29.99998.
+  // Rounded to the precision of the model's text: 30 deg is 30, not 29.99998.
   const auto in_unit = [&](double value) { return std::round(value / scale * 1e3) / 1e3; };
   return {
       mj_id2name(&model, mjOBJ_ACTUATOR, servo), slide ? "mm" : "deg", in_unit(range[0]),
@@ -55,7 +55,7 @@ std::vector<std::string> potentiometers(const mjModel& model) {
   return names;
 }
 
-// Hand II knows its joints by where it drove them, Hand III by its potentiometers.
+// The joints of Hand II are known from the driver, those of Hand III from its potentiometers.
 std::vector<ChannelDescription> proprioception(Hand hand, const mjModel& model,
                                                const std::vector<DegreeOfFreedom>& servos) {
   if (hand == Hand::kLucs3) return {sensor("joints", "deg", potentiometers(model))};
@@ -64,7 +64,7 @@ std::vector<ChannelDescription> proprioception(Hand hand, const mjModel& model,
   return {sensor("height", "mm", {}), sensor("wrist", "deg", {}), sensor("joints", "deg", fingers)};
 }
 
-BodyDescription describe(const HandScene::Parts& parts) {
+BodyDescription describe(const HandScene::Impl& parts) {
   const mjModel& model = *parts.model;
   BodyDescription description;
   description.name = parts.hand == Hand::kLucs2 ? "LUCS Haptic Hand II" : "LUCS Haptic Hand III";
@@ -78,7 +78,7 @@ BodyDescription describe(const HandScene::Parts& parts) {
   return description;
 }
 
-// Where a model says that its servos start, or else at 0.
+// The initial positions of the servos in the model, or 0.
 std::vector<double> start_of(const mjModel& model) {
   const int found = detail::find_in(model, mjOBJ_NUMERIC, "start");
   if (found < 0) return std::vector<double>(static_cast<std::size_t>(model.nu), 0.0);
@@ -91,7 +91,7 @@ bool has_taxels(Hand hand, const SimulationParameters& parameters) {
   return hand == Hand::kLucs2 || parameters.taxels;
 }
 
-void find_indices(HandScene::Parts& parts) {
+void find_indices(HandScene::Impl& parts) {
   const mjModel& model = *parts.model;
   parts.taxels.taxel_of_geom.assign(static_cast<std::size_t>(model.ngeom), -1);
   if (has_taxels(parts.hand, parts.parameters)) parts.taxels = detail::find_taxels(model);
@@ -110,8 +110,8 @@ void find_indices(HandScene::Parts& parts) {
   SOMATO_ASSERT(parts.place >= 0 && parts.object_body >= 0 && parts.object_geom >= 0);
 }
 
-// Skin and material give way one after the other, and a contact's time constant grows with the root
-// of both together; that of the hand's geoms is the skin's alone.
+// Skin and material yield in series, and a contact's time constant grows with the root of both
+// together; that of the hand's geoms is that of the skin.
 void soften(const Material& material, mjModel& model) {
   constexpr double kSkin = 20.0;  // N/mm, not given in the paper
   const int geom = detail::find_in(model, mjOBJ_GEOM, "object");
@@ -130,7 +130,7 @@ void remove_taxels(mjModel& model) {
   }
 }
 
-// What the model's text does not say because it depends on the object and the caller.
+// Parameters that are not in the model's text because they depend on the object and the caller.
 void settle_model(Hand hand, const Material& material, const SimulationParameters& parameters,
                   mjModel& model) {
   model.opt.timestep = parameters.time_step;
@@ -144,7 +144,7 @@ Result<void> check_size(const Object& object) {
   return fail(ErrorKind::kUsage,
               fmt::format("'{}' ({:g} x {:g} x {:g} mm) does not fit the hand", object.name,
                           size[0], size[1], size[2]),
-              object.name, "take a smaller object");
+              object.name, "use a smaller object");
 }
 
 }  // namespace
@@ -167,19 +167,18 @@ std::string scene_mjcf(std::string_view hand, const std::string& assets,
 
 Result<HandScene> HandScene::build(Hand hand, const Object& object,
                                    const SimulationParameters& parameters) {
-  auto measured = detail::measure_object(object);
-  if (!measured) return fail(std::move(measured.error()));
-  if (auto fits = check_size(measured->object); !fits) return fail(std::move(fits.error()));
+  SOMATO_TRY(auto measured, detail::measure_object(object));
+  SOMATO_TRY_VOID(check_size(measured.object));
   const auto mjcf = detail::object_mjcf(
-      *measured, {parameters.free, parameters.friction.value_or(object.material.friction)});
+      measured, {parameters.free, parameters.friction.value_or(object.material.friction)});
   auto model = detail::compile_model(
       detail::scene_mjcf(detail::embedded_text(model_file(hand)), mjcf.assets, mjcf.bodies),
       object.name);
   if (!model) return fail(std::move(model.error()));
   settle_model(hand, object.material, parameters, **model);
-  auto parts = std::make_shared<Parts>();
+  auto parts = std::make_shared<Impl>();
   parts->hand = hand;
-  parts->object = std::move(measured->object);
+  parts->object = std::move(measured.object);
   parts->parameters = parameters;
   parts->model = std::move(*model);
   find_indices(*parts);
@@ -188,7 +187,7 @@ Result<HandScene> HandScene::build(Hand hand, const Object& object,
 }
 
 const Object& HandScene::object() const {
-  return parts_->object;
+  return impl_->object;
 }
 
 }  // namespace somato

@@ -10,8 +10,8 @@
 
 namespace somato {
 
-/// What is constant about a hand with an object before it.
-class HandScene::Parts {
+/// The constant part of a hand with an object.
+class HandScene::Impl {
  public:
   Hand hand = Hand::kLucs2;
   Object object;
@@ -19,14 +19,15 @@ class HandScene::Parts {
   detail::PhysicsModel model;
   detail::Taxels taxels;
   BodyDescription description;
-  std::vector<double> scales;  ///< Of each servo: its unit (deg, mm) in the model's (rad, m).
-  std::vector<double> start;   ///< Of each servo, the open hand; in the model's units.
-  int place = -1;              ///< The site where objects stand.
-  bool at_palm = false;        ///< Whether objects are put against a palm there.
-  bool turn_to_palm = false;   ///< Whether that means turning its wider side along the palm.
+  std::vector<double>
+      scales;  ///< For each servo: the factor from its unit (deg, mm) to the model's (rad, m).
+  std::vector<double> start;  ///< For each servo, the open hand, in the model's units.
+  int place = -1;             ///< The site of the object.
+  bool at_palm = false;       ///< Whether objects are put against a palm there.
+  bool turn_to_palm = false;  ///< Whether that means turning its wider side along the palm.
   int object_body = -1;
   int object_geom = -1;
-  int stand_body = -1;  ///< What a free round object lies on; -1 where there is none.
+  int stand_body = -1;  ///< The stand of a free round object; -1 if there is none.
 };
 
 namespace detail {

@@ -1,10 +1,10 @@
-#include "somato/simulation/hardness_probe.h"
+#include "simulation/hardness_probe.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "simulation/probe_body.h"
-#include "somato/core/elementary.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -93,16 +93,16 @@ class HardnessProbe : public detail::ProbeBody {
 void declare_stick(Declarations<HardnessProbeParameters>& d) {
   using P = HardnessProbeParameters;
   d.add("stroke", &P::stroke, "mm", Range::between(0.1, 1000),
-        "How far the stick goes; not given in the paper.");
+        "Stroke of the stick. Not given in the paper.");
   d.add("stick_speed", &P::stick_speed, "mm/s", Range::between(0.001, 1e4),
-        "How fast it goes without load; not given in the paper.");
+        "Speed of the stick without load. Not given in the paper.");
   d.add("clearance", &P::clearance, "mm", Range::between(0, 1000),
-        "How far the material is from the stick at 0; not given in the paper.");
+        "Distance of the material from the stick at 0. Not given in the paper.");
   d.add("force", &P::force, "N", Range::between(1e-6, 1e6),
-        "Force with which it presses; P11 says constant, the value is not given in the paper.");
+        "Force of the stick; P11 states that it is constant; the value is not given in the paper.");
   d.add(
       "force_noise", &P::force_noise, "", Range::between(0, 0.05),
-      "Standard deviation of the force between explorations, as a share; not given in the paper.");
+      "Standard deviation of the force between explorations, as a share. Not given in the paper.");
 }
 
 void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
@@ -110,7 +110,7 @@ void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
   d.add("potentiometer_bits", &P::potentiometer_bits, "bits", Range::between(1, 24),
         "Bits of a reading over the stroke; 18 in P11.");
   d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::between(0, 1000),
-        "Standard deviation of a reading; not given in the paper.");
+        "Standard deviation of a reading. Not given in the paper.");
 }
 
 }  // namespace
@@ -126,11 +126,11 @@ const Declarations<HardnessProbeParameters>& HardnessProbeParameters::declaratio
 }
 
 Result<void> HardnessProbeParameters::validate() const {
-  if (auto ranges = check_ranges(*this); !ranges) return ranges;
+  SOMATO_TRY_VOID(check_ranges(*this));
   if (clearance < stroke) return {};
   return fail(ErrorKind::kUsage,
-              "the stick never reaches the material: 'clearance' is 'stroke' or more", {},
-              "lower 'clearance', or raise 'stroke'");
+              "the stick does not reach the material, because 'clearance' is not below 'stroke'",
+              {}, "lower 'clearance', or raise 'stroke'");
 }
 
 std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters) {
@@ -142,8 +142,8 @@ std::optional<double> stick_position(double counts, const HardnessProbeParameter
 Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material,
                                                   const HardnessProbeParameters& parameters,
                                                   std::uint64_t exploration_seed) {
-  if (auto valid = material.validate(); !valid) return fail(std::move(valid.error()));
-  if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));
+  SOMATO_TRY_VOID(material.validate());
+  SOMATO_TRY_VOID(parameters.validate());
   return std::make_unique<HardnessProbe>(material, parameters, exploration_seed);
 }
 

@@ -51,7 +51,8 @@ std::string ring(double radius, double height, int corners) {
   return text;
 }
 
-// The engine knows no cones: a mesh with so many sides that they stand off by 0.1 % of the radius.
+// The engine has no cones: a mesh with a number of sides for which the deviation is 0.1 % of the
+// radius.
 std::string cone_asset(const Object& object) {
   constexpr int kSides = 64;
   const double radius = object.size[0] / 2 * kMetres;
@@ -104,7 +105,7 @@ bool is_round_below(Shape shape) {
   return shape == Shape::kSphere || shape == Shape::kEllipsoid || shape == Shape::kCapsule;
 }
 
-// Three beads in a ring keep a free round thing where it is, as a sphere lies on a test stand.
+// Three beads in a ring hold a free round object in place, like a sphere on a test stand.
 std::string beads(const Object& object) {
   const double radius = std::min(object.size[0], object.size[1]) / 2 * kMetres;
   std::string text = R"(<body name="stand" mocap="true">)";
@@ -150,7 +151,7 @@ Result<MeasuredObject> measured_by(Object object, const Box& box) {
     return fail(ErrorKind::kUsage,
                 fmt::format("the mesh of '{}' measures {:.4g} mm along one axis", object.name,
                             object.size[axis]),
-                object.mesh_file, "set 'scale', the mm of a unit of the file");
+                object.mesh_file, "set 'scale', the mm per unit of the file");
   }
   return MeasuredObject{
       std::move(object),
@@ -164,9 +165,8 @@ Result<MeasuredObject> measure_object(Object object) {
   const std::string mjcf = fmt::format(
       R"(<mujoco><asset>{}</asset><worldbody><geom type="mesh" mesh="object"/></worldbody></mujoco>)",
       mesh_asset(object));
-  const auto model = compile_model(mjcf, object.mesh_file);
-  if (!model) return fail(model.error());
-  return measured_by(std::move(object), bounding_box(**model));
+  SOMATO_TRY(const auto model, compile_model(mjcf, object.mesh_file));
+  return measured_by(std::move(object), bounding_box(*model));
 }
 
 ObjectMjcf object_mjcf(const MeasuredObject& measured, const ObjectSettings& settings) {

@@ -12,13 +12,13 @@ namespace somato::detail {
 /// footprint on the table, with one geom named "object".
 struct ObjectMjcf {
   std::string assets;  ///< For <asset>.
-  std::string bodies;  ///< For <worldbody>, with what a free round thing lies on.
+  std::string bodies;  ///< For <worldbody>, with the stand of a free round object.
 };
 
-/// What becomes of an object in a scene.
+/// The parts of an object in a scene.
 struct ObjectSettings {
   bool free = false;      ///< Free to move under gravity and contacts, or held.
-  double friction = 0.5;  ///< Coulomb coefficient of whatever touches it.
+  double friction = 0.5;  ///< Coulomb coefficient of any contact with it.
 };
 
 /// An object whose size is known, and where a mesh's file has the middle of its footprint (m).

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kGap = 0.0002;  // m, so that nothing overlaps
 
-bool is_free(const HandScene::Parts& scene) {
+bool is_free(const HandScene::Impl& scene) {
   return scene.parameters.free;
 }
 
@@ -23,13 +23,13 @@ void put_mocap(const mjModel& model, int body, const Pose& pose, mjData& data) {
   std::copy(pose.turn.begin(), pose.turn.end(), row_of(data.mocap_quat, mocap, 4));
 }
 
-// Above the beads of a stand by less than they are thick, so that it settles between them.
-double drop_of(const HandScene::Parts& scene) {
+// Above the beads of a stand by less than their thickness, so that it settles between them.
+double drop_of(const HandScene::Impl& scene) {
   const double radius = std::min(scene.object.size[0], scene.object.size[1]) / 2 * kMetres;
   return scene.stand_body < 0 ? 0.0 : radius / 9;
 }
 
-void put_free(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
+void put_free(const HandScene::Impl& scene, const Pose& pose, mjData& data) {
   const mjModel& model = *scene.model;
   mjtNum* at = data.qpos + model.jnt_qposadr[model.body_jntadr[scene.object_body]];
   std::copy(pose.position.begin(), pose.position.end(), at);
@@ -37,7 +37,7 @@ void put_free(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
   std::copy(pose.turn.begin(), pose.turn.end(), at + 3);
 }
 
-// How far the outline of an object that is turned by `turn` reaches along y from its middle.
+// The half extent of the outline of an object, rotated by `turn`, along y.
 double half_extent(const Object& object, double turn) {
   const double x = object.size[0] / 2 * kMetres * std::abs(std::sin(turn));
   const double y = object.size[1] / 2 * kMetres * std::abs(std::cos(turn));
@@ -45,14 +45,14 @@ double half_extent(const Object& object, double turn) {
   return has_corners ? x + y : std::hypot(x, y);
 }
 
-Error lost(const HandScene::Parts& scene, const std::string& how) {
+Error lost(const HandScene::Impl& scene, const std::string& how) {
   return {ErrorKind::kData, fmt::format("the object {}", how), scene.object.name,
-          "hold it (leave out --free), or give it another mass"};
+          "keep it fixed (omit --free), or give it another mass"};
 }
 
 }  // namespace
 
-Pose object_pose(const HandScene::Parts& scene, const Placement& placement) {
+Pose object_pose(const HandScene::Impl& scene, const Placement& placement) {
   const mjModel& model = *scene.model;
   const mjtNum* site = row_of(model.site_pos, scene.place, 3);
   const double turn = placement.turn * kRadians + (scene.turn_to_palm ? std::numbers::pi / 2 : 0.0);
@@ -68,7 +68,7 @@ Pose object_pose(const HandScene::Parts& scene, const Placement& placement) {
   return pose;
 }
 
-void put_object(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
+void put_object(const HandScene::Impl& scene, const Pose& pose, mjData& data) {
   if (scene.stand_body >= 0) put_mocap(*scene.model, scene.stand_body, pose, data);
   if (is_free(scene)) {
     put_free(scene, pose, data);
@@ -77,7 +77,7 @@ void put_object(const HandScene::Parts& scene, const Pose& pose, mjData& data) {
   }
 }
 
-Result<void> check_object(const HandScene::Parts& scene, const Pose& placed, const mjData& data) {
+Result<void> check_object(const HandScene::Impl& scene, const Pose& placed, const mjData& data) {
   if (!is_free(scene)) return {};
   constexpr double kFarthest = 0.06;  // m; a free block drifts by a tenth of this
   constexpr double kDeepest = 0.005;  // m
@@ -92,7 +92,7 @@ Result<void> check_object(const HandScene::Parts& scene, const Pose& placed, con
   return {};
 }
 
-Result<void> check_apart(const HandScene::Parts& scene, const mjData& data) {
+Result<void> check_apart(const HandScene::Impl& scene, const mjData& data) {
   for (int i = 0; i < data.ncon; ++i) {
     const auto [one, other] = contact_geoms(data.contact[i]);
     if (one != scene.object_geom && other != scene.object_geom) continue;
@@ -101,9 +101,9 @@ Result<void> check_apart(const HandScene::Parts& scene, const mjData& data) {
     const bool of_hand = body != 0 && body != scene.stand_body;
     if (!of_hand || data.contact[i].dist > 0.0) continue;
     return fail(ErrorKind::kUsage,
-                fmt::format("'{}' does not fit the hand: before it closes, '{}' meets it",
+                fmt::format("'{}' does not fit the hand: '{}' touches it before the hand closes",
                             scene.object.name, mj_id2name(scene.model.get(), mjOBJ_BODY, body)),
-                scene.object.name, "take a smaller object, or place it with less noise");
+                scene.object.name, "use a smaller object, or less placement noise");
   }
   return {};
 }

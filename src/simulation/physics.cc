@@ -33,8 +33,8 @@ class MemoryFile {
   std::unique_ptr<mjVFS> files_;
 };
 
-// Without this the engine would write a log into the working folder. What it warns of is counted
-// in the data too.
+// Prevents the engine from writing a log into the working folder. Its warnings are also counted in
+// the data.
 void keep_quiet() {
   mju_user_warning = [](const char*) {};
 }
@@ -52,14 +52,14 @@ Result<std::shared_ptr<mjModel>> compile_model(const std::string& mjcf, const st
   mjModel* model = mj_loadXML(kFile, file.get(), message.data(), static_cast<int>(message.size()));
   if (!model) {
     return fail(ErrorKind::kData,
-                fmt::format("the physics engine refuses the model: {}", message.data()), name);
+                fmt::format("the physics engine rejects the model: {}", message.data()), name);
   }
   return std::shared_ptr<mjModel>(model, ModelDeleter{});
 }
 
 Result<PhysicsData> make_data(const PhysicsModel& model) {
   PhysicsData data(mj_makeData(model.get()));
-  if (!data) return fail(ErrorKind::kSystem, "no memory for the simulation's state");
+  if (!data) return fail(ErrorKind::kSystem, "not enough memory for the simulation's state");
   return data;
 }
 
@@ -71,7 +71,7 @@ Result<void> check_stable(const mjData& data) {
                 fmt::format("the simulation diverged: {}",
                             mju_warningText(
                                 warning, static_cast<std::size_t>(data.warning[warning].lastinfo))),
-                {}, "a smaller time step, a heavier object or a gentler placement may help");
+                {}, "use a smaller time step, a heavier object or less placement noise");
   }
   return {};
 }

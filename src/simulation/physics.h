@@ -18,14 +18,14 @@ struct DataDeleter {
   void operator()(mjData* data) const { mj_deleteData(data); }
 };
 
-/// What a simulation is made of: constant while it runs, so that threads may share it.
+/// The model of a simulation: constant, so that threads can share it.
 using PhysicsModel = std::shared_ptr<const mjModel>;
 
-/// Where a simulation is: one a body.
+/// The state of a simulation: one per body.
 using PhysicsData = std::unique_ptr<mjData, DataDeleter>;
 
-/// Compiles the model that the MJCF text describes; `name` stands for it in messages. Errors
-/// (kData): what the physics engine says of it.
+/// Compiles the model in the MJCF text; `name` is its name in messages. Errors (kData): the message
+/// of the physics engine.
 Result<std::shared_ptr<mjModel>> compile_model(const std::string& mjcf, const std::string& name);
 
 /// Scratch data for the model, at its initial state. Errors: kSystem when memory is short.

@@ -2,8 +2,8 @@
 
 #include <png.h>
 
+#include "files/whole_file.h"
 #include "somato/core/check.h"
-#include "somato/files/whole_file.h"
 
 namespace somato::detail {
 namespace {
@@ -30,13 +30,13 @@ Result<std::string> png_bytes(const Image& image) {
 void require_picture_size(std::size_t width, std::size_t height) {
   constexpr std::size_t kMost = 16'384;
   require(width > 0 && height > 0 && width <= kMost && height <= kMost,
-          "a picture has 1 to 16384 pixels each way");
+          "a picture must have 1 to 16384 pixels along each axis");
 }
 
 Result<void> write_png(const std::string& path, const Image& image) {
   require_picture_size(image.width, image.height);
   require(image.rgb.size() == 3 * image.width * image.height,
-          "a picture has three bytes for each of its pixels");
+          "a picture needs three bytes for each pixel");
   return png_bytes(image).and_then(
       [&](const std::string& bytes) { return somato::save_whole(path, bytes); });
 }

@@ -19,8 +19,8 @@ struct Image {
 /// Throws InvalidArgument unless both lie from 1 to 16384.
 void require_picture_size(std::size_t width, std::size_t height);
 
-/// Writes the image as a PNG file, wholly or not at all. Errors: kSystem with the system's reason.
-/// Throws InvalidArgument unless it has pixels, and as many as its size says.
+/// Writes the image as a PNG file, atomically. Errors: kSystem with the system's reason. Throws
+/// InvalidArgument if it has no pixels, or a number that differs from its size.
 Result<void> write_png(const std::string& path, const Image& image);
 
 }  // namespace somato::detail

@@ -2,7 +2,7 @@
 
 namespace somato::detail {
 
-/// Which probes try a material: one of them, or both in the same exploration.
+/// The probes that explore a material: one of them, or both in the same exploration.
 enum class Probe { kTexture, kHardness, kBoth };
 
 }  // namespace somato::detail

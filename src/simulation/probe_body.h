@@ -26,7 +26,7 @@ class ProbeBody : public Body {
     state_.readings = {Matrix<float>(0, 1)};
   }
 
-  /// Lets a tick pass.
+  /// Advances by one tick.
   virtual void tick() = 0;
 
   /// The frames of the step that ends, one element each.
@@ -51,7 +51,7 @@ class ProbeBody : public Body {
     for (std::int64_t due = clock_.pass(seconds); due > 0; --due) {
       tick();
       if (due % kTicksBetweenStops != 0) continue;
-      if (auto goes_on = check_stop(); !goes_on) return goes_on;
+      SOMATO_TRY_VOID(check_stop());
     }
     state_.readings[0] = read();
     state_.time = clock_.time();

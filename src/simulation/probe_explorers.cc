@@ -5,160 +5,152 @@
 #include <utility>
 
 #include "simulation/hand_explorers.h"
-#include "somato/simulation/texture_probe.h"
+#include "simulation/hardness_probe.h"
+#include "simulation/probe_scene.h"
+#include "simulation/texture_probe.h"
 
 namespace somato::detail {
 namespace {
 
-Result<Exploration> stroke(const Material& material, const ExploringParameters& parameters,
-                           const ProbeSeeds& seeds, const ExploreOptions& options) {
-  return make_texture_probe(material, parameters.texture_probe, seeds)
-      .and_then([&](const std::unique_ptr<Body>& probe) {
-        probe->keep_to(options.limits);
-        return explore_by_stroking(*probe, parameters.stroke);
-      });
+// A trial of an object or material.
+struct Trial {
+  const ExplorerSetup& setup;
+  const Material& material;
+  std::size_t thing = 0;
+  std::size_t number = 0;
+  const ExploreOptions& options;
+
+  std::uint64_t seed_of(Draws draws) const { return setup.seed_of(thing, number, draws); }
+};
+
+Result<Exploration> stroke(const Trial& trial) {
+  const ExploringParameters& parameters = trial.setup.parameters;
+  SOMATO_TRY(auto probe, make_texture_probe(trial.material, parameters.texture_probe,
+                                            {trial.setup.seed, trial.seed_of(Draws::kTexture)}));
+  return prepare_body(
+             *probe, trial.options,
+             [&] { return probe_scene(Probe::kTexture, trial.material.name); },
+             [&] {
+               return probe_poses(Probe::kTexture, {.lever = probe->state().positions.front()});
+             })
+      .and_then([&] { return explore_by_stroking(*probe, parameters.stroke); });
 }
 
-Result<Exploration> press(const Material& material, const ExploringParameters& parameters,
-                          std::uint64_t seed, const ExploreOptions& options) {
-  return make_hardness_probe(material, parameters.hardness_probe, seed)
-      .and_then([&](const std::unique_ptr<Body>& probe) {
-        probe->keep_to(options.limits);
-        return explore_by_pressing(*probe, parameters.press);
-      });
+// The servo's potentiometer measures the position of the stick: its driver does not detect what
+// stops it.
+Result<Exploration> press(const Trial& trial) {
+  const ExploringParameters& parameters = trial.setup.parameters;
+  SOMATO_TRY(auto probe, make_hardness_probe(trial.material, parameters.hardness_probe,
+                                             trial.seed_of(Draws::kHardness)));
+  const auto poses = [&] {
+    const Matrix<float>& read = probe->state().readings.front();
+    const double counts = read.empty() ? 0.0 : double{read(0, 0)};
+    const auto stick = stick_position(counts, parameters.hardness_probe);
+    return probe_poses(Probe::kHardness, {.stick = stick.value_or(0.0)});
+  };
+  return prepare_body(
+             *probe, trial.options,
+             [&] { return probe_scene(Probe::kHardness, trial.material.name); }, poses)
+      .and_then([&] { return explore_by_pressing(*probe, parameters.press); });
 }
 
-void append_channels(Exploration& exploration, Exploration&& more) {
-  exploration.channels.insert(exploration.channels.end(),
-                              std::make_move_iterator(more.channels.begin()),
-                              std::make_move_iterator(more.channels.end()));
-}
-
-class ProbeExplorer : public ThingExplorer {
- public:
-  ProbeExplorer(Probe probe, std::vector<Material> materials, ExploringParameters parameters,
-                std::uint64_t seed)
-      : probe_(probe),
-        materials_(std::move(materials)),
-        parameters_(std::move(parameters)),
-        seed_(seed) {}
-
-  std::vector<std::string> things() const override {
-    std::vector<std::string> names;
-    names.reserve(materials_.size());
-    for (const Material& material : materials_) names.push_back(material.name);
-    return names;
+// Adds the channels of the probes to the exploration.
+Result<Exploration> try_material(Probe probe, const Trial& trial, Exploration exploration = {}) {
+  const auto append = [&](Exploration&& more) {
+    std::move(more.channels.begin(), more.channels.end(), std::back_inserter(exploration.channels));
+  };
+  if (probe != Probe::kHardness) {
+    SOMATO_TRY_VOID(stroke(trial).map(append));
   }
+  if (probe != Probe::kTexture) {
+    SOMATO_TRY_VOID(press(trial).map(append));
+  }
+  return exploration;
+}
 
-  Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const ExploreOptions& options) const override {
-    const Material& material = materials_[thing];
-    Result<Exploration> exploration;
-    if (probe_ != Probe::kHardness) {
-      exploration = stroke(material, parameters_,
-                           {seed_, seed_of(seed_, thing, trial, Draws::kTexture)}, options);
-      if (!exploration) return exploration;
-    }
-    if (probe_ != Probe::kTexture) {
-      auto pressed =
-          press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness), options);
-      if (!pressed) return pressed;
-      append_channels(*exploration, std::move(*pressed));
-    }
-    exploration->labels = labels_of(material, trial);
+// The table's own, or where it has none those of its objects, each once.
+std::vector<ExploredThing> materials_of(const ObjectTable& table) {
+  std::vector<Material> materials = table.materials;
+  if (materials.empty()) {
+    for (const Object& object : table.objects) materials.push_back(object.material);
+  }
+  std::vector<ExploredThing> things;
+  for (const Material& material : materials) {
+    const bool is_known =
+        std::any_of(things.begin(), things.end(),
+                    [&](const ExploredThing& other) { return other.name == material.name; });
+    if (!is_known) things.push_back({material.name, {}, material});
+  }
+  return things;
+}
+
+class ProbeExplorer : public Explorer {
+ public:
+  ProbeExplorer(Probe probe, std::vector<ExploredThing> things, ExplorerSetup setup)
+      : Explorer(std::move(things), setup.source), probe_(probe), setup_(std::move(setup)) {}
+
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) const override {
+    const Material& material = things()[thing].material;
+    auto exploration = try_material(probe_, {setup_, material, thing, trial, options});
+    if (exploration) exploration->labels = labels_of(material, trial);
     return exploration;
   }
 
  private:
   Probe probe_;
-  std::vector<Material> materials_;
-  ExploringParameters parameters_;
-  std::uint64_t seed_;
+  ExplorerSetup setup_;
 };
 
-Result<void> check_probes(const std::vector<Material>& materials,
+Result<void> check_probes(const std::vector<ExploredThing>& things,
                           const ExploringParameters& parameters) {
-  for (const Material& material : materials) {
-    if (auto probe = make_texture_probe(material, parameters.texture_probe, {}); !probe)
-      return fail(std::move(probe.error()));
-    if (auto probe = make_hardness_probe(material, parameters.hardness_probe, 0); !probe)
-      return fail(std::move(probe.error()));
+  for (const ExploredThing& thing : things) {
+    SOMATO_TRY_VOID(make_texture_probe(thing.material, parameters.texture_probe, {}));
+    SOMATO_TRY_VOID(make_hardness_probe(thing.material, parameters.hardness_probe, 0));
   }
   return {};
 }
 
-class AllSensesExplorer : public ThingExplorer {
+class AllSensesExplorer : public Explorer {
  public:
-  AllSensesExplorer(std::unique_ptr<ThingExplorer> hand, std::vector<Object> objects,
-                    ExploringParameters parameters, std::uint64_t seed)
-      : hand_(std::move(hand)),
-        objects_(std::move(objects)),
-        parameters_(std::move(parameters)),
-        seed_(seed) {}
+  AllSensesExplorer(std::unique_ptr<Explorer> hand, ExplorerSetup setup)
+      : Explorer(hand->things(), setup.source), hand_(std::move(hand)), setup_(std::move(setup)) {}
 
-  std::vector<std::string> things() const override { return hand_->things(); }
-
-  Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const ExploreOptions& options) const override {
-    auto exploration = hand_->explore(thing, trial, options);
-    if (!exploration) return exploration;
-    const Material& material = objects_[thing].material;
-    auto sound = stroke(material, parameters_,
-                        {seed_, seed_of(seed_, thing, trial, Draws::kTexture)}, options);
-    if (!sound) return sound;
-    append_channels(*exploration, std::move(*sound));
-    auto hardness =
-        press(material, parameters_, seed_of(seed_, thing, trial, Draws::kHardness), options);
-    if (!hardness) return hardness;
-    append_channels(*exploration, std::move(*hardness));
-    return exploration;
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) const override {
+    const Material& material = things()[thing].material;
+    return hand_->explore(thing, trial, options).and_then([&](Exploration grasped) {
+      return try_material(Probe::kBoth, {setup_, material, thing, trial, options},
+                          std::move(grasped));
+    });
   }
 
  private:
-  std::unique_ptr<ThingExplorer> hand_;
-  std::vector<Object> objects_;
-  ExploringParameters parameters_;
-  std::uint64_t seed_;
+  std::unique_ptr<Explorer> hand_;
+  ExplorerSetup setup_;
 };
 
 }  // namespace
 
-std::vector<Material> materials_to_explore(const ObjectTable& things) {
-  if (!things.materials.empty()) return things.materials;
-  std::vector<Material> materials;
-  for (const Object& object : things.objects) {
-    const bool known = std::any_of(materials.begin(), materials.end(), [&](const Material& other) {
-      return other.name == object.material.name;
-    });
-    if (!known) materials.push_back(object.material);
-  }
-  return materials;
-}
-
-Result<std::unique_ptr<ThingExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
-                                                      const ExploringParameters& parameters,
-                                                      std::uint64_t seed) {
-  std::vector<Material> materials = materials_to_explore(things);
+Result<std::unique_ptr<Explorer>> probe_explorer(Probe probe, const ObjectTable& things,
+                                                 ExplorerSetup setup) {
+  std::vector<ExploredThing> materials = materials_of(things);
   if (materials.empty()) {
-    return fail(ErrorKind::kUsage, "there are no materials for a probe", {},
+    return fail(ErrorKind::kUsage, "no materials for a probe", {},
                 "add a table [material.NAME], or objects");
   }
-  if (auto usable = check_probes(materials, parameters); !usable)
-    return fail(std::move(usable.error()));
-  return std::make_unique<ProbeExplorer>(probe, std::move(materials), parameters, seed);
+  SOMATO_TRY_VOID(check_probes(materials, setup.parameters));
+  return std::make_unique<ProbeExplorer>(probe, std::move(materials), std::move(setup));
 }
 
-Result<std::unique_ptr<ThingExplorer>> all_senses_explorer(const ObjectTable& things,
-                                                           ExploringParameters parameters,
-                                                           std::uint64_t seed) {
-  parameters.simulation.taxels = true;
-  auto hand = closing_explorer(things, parameters, seed);
-  if (!hand) return fail(std::move(hand.error()));
-  const std::vector<Material> materials = materials_to_explore({things.objects, {}});
-  if (auto usable = check_probes(materials, parameters); !usable)
-    return fail(std::move(usable.error()));
-  return std::make_unique<AllSensesExplorer>(std::move(*hand), things.objects,
-                                             std::move(parameters), seed);
+Result<std::unique_ptr<Explorer>> all_senses_explorer(const ObjectTable& things,
+                                                      ExplorerSetup setup) {
+  setup.parameters.simulation.taxels = true;
+  SOMATO_TRY(auto hand, hand_explorer(Hand::kLucs3, things, setup));
+  SOMATO_TRY_VOID(check_probes(materials_of({things.objects, {}}), setup.parameters));
+  return std::make_unique<AllSensesExplorer>(std::move(hand), std::move(setup));
 }
 
 }  // namespace somato::detail

@@ -1,15 +1,15 @@
-#include "somato/simulation/probe_poses.h"
+#include "simulation/probe_poses.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "simulation/hardness_probe.h"
 #include "simulation/played_frames.h"
 #include "simulation/probe_scene.h"
-#include "somato/bodies/stroking.h"
-#include "somato/simulation/hardness_probe.h"
-#include "somato/simulation/texture_probe_parameters.h"
+#include "somato/bodies/explore_by.h"
+#include "somato/simulation/simulation_parameters.h"
 
 namespace somato {
 namespace {
@@ -40,7 +40,7 @@ std::optional<Probe> probe_of(const Exploration& exploration) {
   return {};
 }
 
-// deg, when a frame of the stroke has been heard.
+// deg, at the time of a frame of the stroke.
 double lever_at(const Channel& sound, std::size_t frame) {
   const StrokeParameters stroke;
   const double per_frame = TextureProbeParameters{}.lever_speed / sound.rate;

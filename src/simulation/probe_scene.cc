@@ -3,16 +3,16 @@
 #include <array>
 #include <utility>
 
+#include "bodies/material_colour.h"
+#include "core/elementary.h"
 #include "simulation/units.h"
-#include "somato/bodies/material_colour.h"
-#include "somato/core/elementary.h"
 
 namespace somato::detail {
 namespace {
 
 constexpr double kScale = 2.0;
 constexpr double kLever = 0.040 * kScale;  // m; from its axis to its edge
-constexpr double kBeside = 0.055;          // m; from the edge to a stick beside it
+constexpr double kBeside = 0.055;          // m; from the edge to the adjacent stick
 constexpr double kSlab = 0.010;            // m; half as thick, so that no stick comes through
 constexpr std::array<double, 4> kMetal{0.62, 0.65, 0.70, 1.0};
 constexpr std::array<double, 4> kDark{0.20, 0.21, 0.24, 1.0};
@@ -55,7 +55,7 @@ Scene bench(const std::string& material) {
   return scene;
 }
 
-// Geoms of a body of their own.
+// Geoms of a separate body.
 void add_moving(Scene& scene, const char* name, std::vector<SceneGeom> geoms) {
   for (SceneGeom& geom : geoms) {
     geom.body = scene.bodies.size();
@@ -84,7 +84,7 @@ void add_stick(Scene& scene, double along) {
              {cylinder("stick", 0.005, 0.035, {0.0, 0.0, 0.041}, kMetal), std::move(tip)});
 }
 
-// Where the stick stands along the slab: beside the lever where there is one.
+// The position of the stick along the slab: next to the lever if there is one.
 double stick_along(Probe probe) {
   return probe == Probe::kBoth ? kBeside : 0.0;
 }

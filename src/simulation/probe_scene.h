@@ -12,7 +12,7 @@ namespace somato::detail {
 /// large as they are, for they are small.
 Scene probe_scene(Probe probe, const std::string& material);
 
-/// Where the probes are.
+/// The poses of the probes.
 struct ProbePlace {
   double lever = 0.0;  ///< deg.
   double stick = 0.0;  ///< mm.

@@ -5,7 +5,7 @@
 namespace somato::detail {
 namespace {
 
-// From 3.17 on the engine's rays tell the normal too.
+// From 3.17 on, the engine's rays also return the normal.
 #if mjVERSION_HEADER >= 3017000
 mjtNum cast(const mjModel& model, const mjData& data, int geom, const Ray& ray, mjtNum* normal) {
   const mjtNum* from = ray.from.data();
@@ -33,7 +33,7 @@ mjtNum cast(const mjModel& model, const mjData& data, int geom, const Ray& ray, 
                      entry(model.geom_size, 3, geom), from, to, type);
 }
 
-// From where the ray meets the geom to where one that starts a little aside does.
+// From the intersection of the ray with the geom to that of a slightly displaced ray.
 Vector3 tangent(const mjModel& model, const mjData& data, int geom, const Ray& ray, mjtNum distance,
                 const Vector3& aside) {
   constexpr mjtNum kShift = 1e-5;

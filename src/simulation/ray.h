@@ -9,7 +9,7 @@ namespace somato::detail {
 
 using Vector3 = std::array<mjtNum, 3>;
 
-/// The numbers of the thing of that index in one of the engine's tables, `size` of them a thing.
+/// The numbers of the element with that index in one of the engine's tables, `size` per element.
 template <class T>
 T* entry(T* table, std::ptrdiff_t size, std::ptrdiff_t index) {
   return table + size * index;
@@ -20,10 +20,11 @@ struct Ray {
   Vector3 direction{};  ///< Of length 1.
 };
 
-/// Where the ray first meets the geom: metres from its start, or below 0 where it does not.
+/// The first intersection of the ray with the geom: metres from its start, or below 0 without an
+/// intersection.
 mjtNum distance_to_geom(const mjModel& model, const mjData& data, int geom, const Ray& ray);
 
-/// The unit normal of the geom where the ray meets it at `distance`, on the side it comes from.
+/// The unit normal of the geom at the intersection at `distance`, on the side of the ray's origin.
 Vector3 normal_of_geom(const mjModel& model, const mjData& data, int geom, const Ray& ray,
                        mjtNum distance);
 

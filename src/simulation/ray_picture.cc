@@ -45,8 +45,8 @@ struct Range {
   std::size_t last = 0;
 };
 
-// Which of `count` places between -half and half (at distance 1) a ball may cover: its centre lies
-// `aside` of the axis and `ahead`.
+// The range of `count` positions between -half and half (at distance 1) that a ball may cover: its
+// centre is `aside` of the axis and `ahead`.
 Range covered(mjtNum aside, mjtNum ahead, mjtNum radius, mjtNum half, std::size_t count) {
   const mjtNum away = std::hypot(aside, ahead);
   if (away <= radius) return {0, count};
@@ -68,7 +68,7 @@ bool is_shown(const mjModel& model, int geom) {
          (material < 0 || model.mat_rgba[4 * material + 3] > 0);
 }
 
-// As the engine's viewer has it: a colour of the geom's own hides that of its material.
+// As in the engine's viewer: a colour of the geom has precedence over that of its material.
 Colour colour_of(const mjModel& model, int geom) {
   const float* own = entry(model.geom_rgba, 4, geom);
   const int material = model.geom_matid[geom];
@@ -88,7 +88,7 @@ class Scene {
       if (is_shown(model, geom)) shown_.push_back(geom);
     }
     for (const Tint& tint : tints) {
-      require(tint.geom >= 0 && tint.geom < model.ngeom, "a tint is for a geom of the model");
+      require(tint.geom >= 0 && tint.geom < model.ngeom, "a tinted geom must belong to the model");
       colours_[static_cast<std::size_t>(tint.geom)] = tint.colour;
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +101,7 @@ class Scene {
   mjtNum distance(int geom, const Ray& ray) const {
     return distance_to_geom(model_, data_, geom, ray);
   }
-  // Where the geom's bounding ball stands; none (radius 0) for planes.
+  // The position of the geom's bounding ball; none (radius 0) for planes.
   Vector3 centre(int geom) const {
     const mjtNum* at = entry(data_.geom_xpos, 3, geom);
     return {at[0], at[1], at[2]};
@@ -111,7 +111,8 @@ class Scene {
   Colour seen(int geom, const Ray& ray, mjtNum distance) const {
     const Vector3 normal = normal_of_geom(model_, data_, geom, ray, distance);
     const mjtNum facing = std::max(mjtNum{0}, dot(normal, light_));
-    constexpr mjtNum kOff = 1e-5;  // Metres: what is lit does not shade itself.
+    constexpr mjtNum kOff =
+        1e-5;  // Metres: an offset that prevents surfaces from shading themselves.
     const Ray to_light{point_on({point_on(ray, distance), normal}, kOff), light_};
     const bool lit = facing > 0 && !is_shaded(to_light);
     const float bright = kAmbient + (lit ? (1 - kAmbient) * static_cast<float>(facing) : 0.0F);
@@ -229,11 +230,11 @@ Result<Image> ray_picture(const mjModel& model, const mjData& data,
                           const RayPictureSettings& settings, std::span<const Tint> tints) {
   const auto [width, height, rays, name] = settings;
   require_picture_size(width, height);
-  require(rays > 0 && rays <= 8, "a picture takes 1 to 8 rays each way a pixel");
+  require(rays > 0 && rays <= 8, "a picture needs 1 to 8 rays per pixel along each axis");
   const int index = mj_name2id(&model, mjOBJ_CAMERA, name.c_str());
   if (index < 0) {
     return fail(ErrorKind::kData, fmt::format("the model has no camera '{}'", name), {},
-                fmt::format("a line <camera name=\"{}\" .../> in the model gives it one", name));
+                fmt::format("add a line <camera name=\"{}\" .../> to the model", name));
   }
   const Camera camera =
       make_camera(model, data, index, static_cast<mjtNum>(width) / static_cast<mjtNum>(height));

@@ -28,12 +28,13 @@ struct RayPictureSettings {
   std::string camera = "view";
 };
 
-/// What the camera sees of the geoms, traced by the engine's own rays: no graphics are needed.
-/// `data` must be at a state whose positions are known (mj_forward or a step). A light stands above
-/// the camera's left and casts shadows; the background is white. Geoms of group 3 and above and
-/// those wholly transparent are not shown; what is partly transparent is shown as if it were not.
-/// Of two tints for a geom the last holds. Errors (kData): no such camera. Throws InvalidArgument
-/// for a size that write_png would not take, for no rays or more than 8, and for a tint of no geom.
+/// A picture of the geoms from the camera, traced with the engine's rays, without graphics
+/// libraries. `data` must have computed positions (mj_forward or a step). A light is above the
+/// camera on its left side and casts shadows the background is white. Geoms of group 3 and above
+/// and completely transparent ones are not shown; partly transparent ones are shown as opaque. Of
+/// two tints for a geom the last one applies. Errors (kData): an unknown camera. Throws
+/// InvalidArgument for a size that write_png does not accept, for no rays or more than 8, and for a
+/// tint without a geom.
 Result<Image> ray_picture(const mjModel& model, const mjData& data,
                           const RayPictureSettings& settings = {},
                           std::span<const Tint> tints = {});

@@ -1,4 +1,4 @@
-#include "somato/simulation/recorded_scenes.h"
+#include "simulation/recorded_scenes.h"
 
 #include <algorithm>
 #include <deque>
@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "simulation/hand_poses.h"
+#include "simulation/probe_poses.h"
 #include "somato/bodies/object_table.h"
-#include "somato/simulation/hand_poses.h"
-#include "somato/simulation/probe_poses.h"
 
 namespace somato {
 namespace {
@@ -23,7 +23,7 @@ std::vector<Object> known_objects(std::vector<Object> own) {
   return own;
 }
 
-// Others' things may have the same name. The trial tells nothing of a thing.
+// Objects of others may have the same name. The trial is not a property of an object.
 bool is_contradicted(const Object& object, const Exploration& exploration) {
   const std::vector<Label> known = labels_of(object, 0);
   return std::any_of(known.begin(), known.end(), [&](const Label& label) {
@@ -32,7 +32,7 @@ bool is_contradicted(const Object& object, const Exploration& exploration) {
   });
 }
 
-// What stands in for an object that is not known; it is not shown.
+// A substitute for an unknown object; it is not shown.
 Object nothing() {
   Object object;
   object.name = "nothing";

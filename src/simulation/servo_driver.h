@@ -18,7 +18,7 @@ class ServoDriver {
 
   void set_targets(std::span<const double> targets);
 
-  /// Lets a time step pass and writes the commands of all servos.
+  /// Advances by a time step and writes the commands of all servos.
   void step(const mjModel& model, std::span<mjtNum> commands);
 
   const std::vector<double>& positions() const { return positions_; }
@@ -29,7 +29,7 @@ class ServoDriver {
   std::vector<double> positions_;
   std::vector<double> targets_;
   std::vector<double> directions_;  // Of the last move: -1, 0, 1.
-  std::vector<double> offsets_;     // By the play, drawn anew whenever a servo turns round.
+  std::vector<double> offsets_;     // Due to the backlash, drawn again whenever a servo reverses.
   double play_;
   Random random_;
 };

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulation/simulated_hand_works.h"
+#include "simulation/simulated_hand_impl.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
-std::vector<double> in_units(const HandScene::Parts& scene, std::span<const double> positions) {
+std::vector<double> in_units(const HandScene::Impl& scene, std::span<const double> positions) {
   std::vector<double> units(positions.size());
   for (std::size_t i = 0; i < units.size(); ++i) units[i] = positions[i] / scene.scales[i];
   return units;
 }
 
-std::vector<double> in_model(const HandScene::Parts& scene, std::span<const double> positions) {
+std::vector<double> in_model(const HandScene::Impl& scene, std::span<const double> positions) {
   std::vector<double> model(positions.size());
   for (std::size_t i = 0; i < model.size(); ++i) model[i] = positions[i] * scene.scales[i];
   return model;
@@ -41,7 +41,7 @@ std::vector<double> noisy(const std::vector<double>& values, double deviation, R
   return read;
 }
 
-// What touch sensors report of what their converters read.
+// The readings of touch sensors, computed from those of their converters.
 std::vector<double> reported(std::vector<double> read, PiezoConverter converter, double threshold) {
   for (double& value : read) {
     if (converter == PiezoConverter::kUnipolar) value = std::max(0.0, value);
@@ -69,23 +69,23 @@ Placement draw_placement(const SimulationParameters& parameters, Random& random)
   return placement;
 }
 
-SimulatedHand::SimulatedHand(std::unique_ptr<Works> works) : works_(std::move(works)) {}
+SimulatedHand::SimulatedHand(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SimulatedHand::~SimulatedHand() = default;
 
 const BodyDescription& SimulatedHand::description() const {
-  return works_->scene->description;
+  return impl_->scene->description;
 }
 
 const BodyState& SimulatedHand::state() const {
-  return works_->state;
+  return impl_->state;
 }
 
 namespace {
 
-void read_sensors(SimulatedHand::Works& works) {
-  const HandScene::Parts& scene = *works.scene;
-  BodyState& state = works.state;
-  state.positions = in_units(scene, works.driver.positions());
+void read_sensors(SimulatedHand::Impl& impl) {
+  const HandScene::Impl& scene = *impl.scene;
+  BodyState& state = impl.state;
+  state.positions = in_units(scene, impl.driver.positions());
   state.readings.clear();
   if (scene.hand == Hand::kLucs2) {
     const std::span<const double> positions = state.positions;
@@ -94,16 +94,16 @@ void read_sensors(SimulatedHand::Works& works) {
     state.readings.push_back(row(positions.subspan(2)));
   } else {
     state.readings.push_back(row(
-        noisy(servo_angles(*scene.model, *works.data), scene.parameters.joint_noise, works.noise)));
+        noisy(servo_angles(*scene.model, *impl.data), scene.parameters.joint_noise, impl.noise)));
   }
-  if (works.forces.empty()) return;
+  if (impl.forces.empty()) return;
   const SimulationParameters& given = scene.parameters;
   const auto report = [&](const std::vector<double>& sensed, PiezoConverter converter) {
-    state.readings.push_back(row(reported(noisy(sensed, given.sensor_noise, works.noise), converter,
-                                          given.touch_threshold)));
+    state.readings.push_back(row(
+        reported(noisy(sensed, given.sensor_noise, impl.noise), converter, given.touch_threshold)));
   };
-  report(works.forces, PiezoConverter::kUnipolar);  // no contact pulls
-  report(works.piezo.signals(), given.piezo_converter);
+  report(impl.forces, PiezoConverter::kUnipolar);  // no contact pulls
+  report(impl.piezo.signals(), given.piezo_converter);
 }
 
 }  // namespace
@@ -111,65 +111,64 @@ void read_sensors(SimulatedHand::Works& works) {
 Result<std::unique_ptr<SimulatedHand>> SimulatedHand::create(const HandScene& scene,
                                                              const Placement& placement,
                                                              std::uint64_t seed) {
-  const auto& parts = scene.shared_parts();
+  const auto& parts = scene.shared_impl();
   auto data = detail::make_data(parts->model);
   if (!data) return fail(std::move(data.error()));
-  auto works = std::make_unique<Works>(
-      Works{parts, std::move(*data),
-            detail::ServoDriver(*parts->model, parts->start, parts->parameters.servo_play,
-                                Random(seed, Stream::kServoPlay)),
-            detail::PiezoElements(parts->taxels.names.size(), parts->parameters.piezo_time),
-            detail::object_pose(*parts, placement), Random(seed, Stream::kHandSensors),
-            std::vector<double>(parts->taxels.names.size(), 0.0), 0.0, BodyState{}});
-  set_joints(*parts->model, parts->start, *works->data);
-  detail::put_object(*parts, works->placed, *works->data);
-  mj_forward(parts->model.get(), works->data.get());
-  if (auto apart = detail::check_apart(*parts, *works->data); !apart)
-    return fail(std::move(apart.error()));
-  read_sensors(*works);
-  return std::unique_ptr<SimulatedHand>(new SimulatedHand(std::move(works)));
+  auto impl = std::make_unique<Impl>(
+      Impl{parts, std::move(*data),
+           detail::ServoDriver(*parts->model, parts->start, parts->parameters.servo_play,
+                               Random(seed, Stream::kServoPlay)),
+           detail::PiezoElements(parts->taxels.names.size(), parts->parameters.piezo_time),
+           detail::object_pose(*parts, placement), Random(seed, Stream::kHandSensors),
+           std::vector<double>(parts->taxels.names.size(), 0.0), 0.0, BodyState{}});
+  set_joints(*parts->model, parts->start, *impl->data);
+  detail::put_object(*parts, impl->placed, *impl->data);
+  mj_forward(parts->model.get(), impl->data.get());
+  SOMATO_TRY_VOID(detail::check_apart(*parts, *impl->data));
+  read_sensors(*impl);
+  return std::unique_ptr<SimulatedHand>(new SimulatedHand(std::move(impl)));
 }
 
 Result<void> SimulatedHand::check_clear(std::span<const double> positions) const {
-  const HandScene::Parts& scene = *works_->scene;
-  require(positions.size() == scene.scales.size(), "check_clear: one position for each servo");
-  auto data = detail::make_data(scene.model);
-  if (!data) return fail(std::move(data.error()));
-  set_joints(*scene.model, in_model(scene, positions), **data);
-  detail::put_object(scene, works_->placed, **data);
-  mj_forward(scene.model.get(), data->get());
-  return detail::check_apart(scene, **data);
+  const HandScene::Impl& scene = *impl_->scene;
+  require(positions.size() == scene.scales.size(),
+          "check_clear: one position for each servo is required");
+  SOMATO_TRY(auto data, detail::make_data(scene.model));
+  set_joints(*scene.model, in_model(scene, positions), *data);
+  detail::put_object(scene, impl_->placed, *data);
+  mj_forward(scene.model.get(), data.get());
+  return detail::check_apart(scene, *data);
 }
 
 Result<void> SimulatedHand::drive_to(std::span<const double> targets) {
-  works_->driver.set_targets(in_model(*works_->scene, targets));
+  impl_->driver.set_targets(in_model(*impl_->scene, targets));
   return {};
 }
 
 Result<void> SimulatedHand::pass(double seconds) {
-  Works& works = *works_;
-  const HandScene::Parts& scene = *works.scene;
+  Impl& impl = *impl_;
+  const HandScene::Impl& scene = *impl.scene;
   const mjModel& model = *scene.model;
-  const std::span<mjtNum> commands(works.data->ctrl, static_cast<std::size_t>(model.nu));
-  works.state.time += seconds;
+  const std::span<mjtNum> commands(impl.data->ctrl, static_cast<std::size_t>(model.nu));
+  impl.state.time += seconds;
   constexpr std::size_t kStepsBetweenStops = 256;
   std::size_t steps = 0;
   // Half a step of slack, or rounding would leave out a step now and then.
-  for (works.owed += seconds; works.owed >= 0.5 * model.opt.timestep;
-       works.owed -= model.opt.timestep) {
-    works.driver.step(model, commands);
-    mj_step(&model, works.data.get());
-    detail::read_forces(model, *works.data, scene.taxels, works.forces);
-    works.piezo.step(works.forces, model.opt.timestep);
+  for (impl.owed += seconds; impl.owed >= 0.5 * model.opt.timestep;
+       impl.owed -= model.opt.timestep) {
+    impl.driver.step(model, commands);
+    mj_step(&model, impl.data.get());
+    detail::read_forces(model, *impl.data, scene.taxels, impl.forces);
+    impl.piezo.step(impl.forces, model.opt.timestep);
     if (++steps % kStepsBetweenStops != 0) continue;
-    if (auto goes_on = check_stop(); !goes_on) return goes_on;
+    SOMATO_TRY_VOID(check_stop());
   }
-  if (auto stable = detail::check_stable(*works.data); !stable) {
+  if (auto stable = detail::check_stable(*impl.data); !stable) {
     stable.error().where = scene.object.name;
     return stable;
   }
-  read_sensors(works);
-  return detail::check_object(scene, works.placed, *works.data);
+  read_sensors(impl);
+  return detail::check_object(scene, impl.placed, *impl.data);
 }
 
 }  // namespace somato

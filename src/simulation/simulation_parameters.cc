@@ -1,6 +1,53 @@
 #include "somato/simulation/simulation_parameters.h"
 
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace somato {
+namespace {
+
+// A table of the file, and how it is read.
+struct Section {
+  std::string name;
+  std::function<Result<void>(const Table&)> read;
+};
+
+template <typename Parameters>
+Section section(std::string name, Parameters& parameters) {
+  return {std::move(name), [&parameters](const Table& table) -> Result<void> {
+            SOMATO_TRY(auto read, read_parameters<Parameters>(table, parameters));
+            parameters = std::move(read);
+            return {};
+          }};
+}
+
+std::vector<Section> sections_of(ExploringParameters& parameters) {
+  return {section("simulation", parameters.simulation),
+          section("plan", parameters.plan),
+          section("grasp", parameters.grasp),
+          section("closing", parameters.closing),
+          section("texture_probe", parameters.texture_probe),
+          section("stroke", parameters.stroke),
+          section("hardness_probe", parameters.hardness_probe),
+          section("press", parameters.press)};
+}
+
+Result<void> read_section(const Table::Entry& entry, const std::vector<Section>& sections) {
+  std::vector<std::string> known;
+  known.reserve(sections.size());
+  for (const Section& section : sections) {
+    known.push_back(section.name);
+    if (section.name != entry.name) continue;
+    if (const auto* table = std::get_if<Table>(&entry.content)) return section.read(*table);
+    return fail(ErrorKind::kUsage, "'" + entry.name + "' must be a table", entry.where,
+                "write [" + entry.name + "] on a separate line, its keys below");
+  }
+  return fail(unknown_name("table", entry.name, entry.where, known));
+}
+
+}  // namespace
 
 const std::vector<std::pair<PiezoConverter, std::string>>& Choices<PiezoConverter>::all() {
   static const std::vector<std::pair<PiezoConverter, std::string>> choices{
@@ -12,37 +59,47 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
   static const Declarations<SimulationParameters> all = [] {
     Declarations<SimulationParameters> d;
     d.add("time_step", &SimulationParameters::time_step, "s", Range::between(0.0001, 0.005),
-          "Step of the physics; not given in the paper");
-    d.add("free", &SimulationParameters::free, "", Range::any(),
-          "Whether the object is free to slide and tilt on the table, or held in its place; not "
-          "given in the paper");
-    d.add("taxels", &SimulationParameters::taxels, "", Range::any(),
-          "Whether the fingers of Hand III have taxels; not given in the paper");
-    d.add("placement_noise", &SimulationParameters::placement_noise, "mm", Range::between(0, 50),
-          "Standard deviation of where an object is put, along each axis; not given in the paper");
-    d.add("placement_turn", &SimulationParameters::placement_turn, "deg", Range::between(0, 180),
-          "Standard deviation of how an object is turned; automatic: 2 deg for each mm of "
-          "placement_noise; not given in the paper");
-    d.add("sensor_noise", &SimulationParameters::sensor_noise, "N", Range::between(0, 10),
-          "Standard deviation of a touch sensor's noise; not given in the paper");
-    d.add("joint_noise", &SimulationParameters::joint_noise, "deg", Range::between(0, 10),
-          "Standard deviation of a potentiometer's noise; not given in the paper");
-    d.add("servo_play", &SimulationParameters::servo_play, "", Range::between(0, 100),
-          "Play of the servos' gears, as a multiple of the model's; not given in the paper");
+          "Time step of the physics. Not given in the paper.");
     d.add(
-        "touch_threshold", &SimulationParameters::touch_threshold, "N", Range::between(0, 100),
-        "Readings of a touch sensor that are smaller, by their size, are reported as 0; not given "
-        "in the paper");
+        "free", &SimulationParameters::free, "", Range::any(),
+        "Whether the object can slide and tilt on the table, or is fixed. Not given in the paper.");
+    d.add("taxels", &SimulationParameters::taxels, "", Range::any(),
+          "Whether the fingers of Hand III have taxels. Not given in the paper.");
+    d.add("placement_noise", &SimulationParameters::placement_noise, "mm", Range::between(0, 50),
+          "Standard deviation of the object's position, along each axis. Not given in the paper.");
+    d.add("placement_turn", &SimulationParameters::placement_turn, "deg", Range::between(0, 180),
+          "Standard deviation of the object's rotation; automatic: 2 deg for each mm of "
+          "placement_noise. Not given in the paper.");
+    d.add("sensor_noise", &SimulationParameters::sensor_noise, "N", Range::between(0, 10),
+          "Standard deviation of a touch sensor's noise. Not given in the paper.");
+    d.add("joint_noise", &SimulationParameters::joint_noise, "deg", Range::between(0, 10),
+          "Standard deviation of a potentiometer's noise. Not given in the paper.");
+    d.add("servo_play", &SimulationParameters::servo_play, "", Range::between(0, 100),
+          "Backlash of the servos' gears, as a multiple of the model's. Not given in the paper.");
+    d.add("touch_threshold", &SimulationParameters::touch_threshold, "N", Range::between(0, 100),
+          "Threshold of a touch sensor: readings with a smaller magnitude are reported as 0. Not "
+          "given in the paper.");
     d.add("piezo_time", &SimulationParameters::piezo_time, "s", Range::between(0.001, 10),
-          "Time in which a piezo element forgets a change of force; not given in the paper");
+          "Time constant with which the response of a piezo element to a change of force decays. "
+          "Not given in the paper.");
     d.add("piezo_converter", &SimulationParameters::piezo_converter, "", Range::any(),
-          "Whether the converter behind a piezo element reads falling loads, whose voltage is "
-          "negative, or 0 in their place; not given in the paper");
-    d.add("friction", &SimulationParameters::friction, "", Range::between(0, 2),
-          "Coulomb friction of the object; automatic: its material's; not given in the paper");
+          "Whether the converter of a piezo element reports falling loads, whose voltage is "
+          "negative, or 0 instead. Not given in the paper.");
+    d.add(
+        "friction", &SimulationParameters::friction, "", Range::between(0, 2),
+        "Coulomb friction of the object; automatic: that of its material. Not given in the paper.");
     return d;
   }();
   return all;
+}
+
+Result<ExploringParameters> read_exploring_parameters(const Table& file,
+                                                      ExploringParameters parameters) {
+  const std::vector<Section> sections = sections_of(parameters);
+  for (const Table::Entry& entry : file.entries) {
+    SOMATO_TRY_VOID(read_section(entry, sections));
+  }
+  return parameters;
 }
 
 }  // namespace somato

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "somato/core/elementary.h"
+#include "core/elementary.h"
 #include "somato/core/random.h"
 
 namespace somato::detail {
@@ -12,7 +12,7 @@ namespace {
 using Words = std::array<std::uint32_t, 4>;
 using Key = std::array<std::uint32_t, 2>;
 
-// What the last word of a counter says about the numbers drawn.
+// The last word of a counter identifies the use of the numbers.
 constexpr std::uint32_t kNodes = 0;
 constexpr std::uint32_t kShifts = 1;
 constexpr std::uint32_t kWeave = 2;

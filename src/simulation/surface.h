@@ -8,13 +8,13 @@
 
 namespace somato::detail {
 
-/// The surface of a material in a world: a height at every place, the same whenever it is visited.
+/// The surface of a material in a world: a height at every position, constant in time.
 ///
 /// Self-affine: a sum of random heights on lattices whose spacing starts at the correlation length
-/// and halves from one to the next, down to what an edge can follow. Lattice j has the share
-/// (1 - 4^-H) 4^(-H j) of the variance, with the Hurst exponent H; cubic B-splines lie between its
-/// nodes. A weave is a cosine along x; the edge does not follow one whose ridges and
-/// grooves are less than that spacing apart.
+/// and halves from one to the next, down to the smallest spacing that an edge can follow. Lattice j
+/// has the share (1 - 4^-H) 4^(-H j) of the variance, with the Hurst exponent H; cubic B-splines
+/// interpolate between its nodes. A weave is a cosine along x; the edge does not follow one whose
+/// ridges and grooves are less than that spacing apart.
 class Surface {
  public:
   /// `finest` (mm) is the least spacing of heights that the edge follows.

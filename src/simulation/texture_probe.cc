@@ -1,14 +1,14 @@
-#include "somato/simulation/texture_probe.h"
+#include "simulation/texture_probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
 #include "simulation/biquad.h"
 #include "simulation/probe_body.h"
 #include "simulation/surface.h"
-#include "somato/core/elementary.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -49,7 +49,7 @@ class Edge {
         across_(parameters.placement_noise * random.normal()),
         height_(height_at(0.0)) {}
 
-  // What the edge does, mm/s, a tick after the last call.
+  // The velocity of the edge, mm/s, one tick after the last call.
   double move_to(double degrees) {
     const double before = height_;
     height_ = height_at(degrees);
@@ -70,7 +70,7 @@ class Edge {
   double height_;
 };
 
-// What the servo sounds like while it turns.
+// The sound of the servo in motion.
 class Whine {
  public:
   Whine(const TextureProbeParameters& parameters, Random& random)
@@ -111,7 +111,7 @@ class SoundConverter {
   double step_;
 };
 
-// From what the edge does to counts, a frame every so many ticks.
+// Converts the motion of the edge to counts, one frame per given number of ticks.
 class Microphone {
  public:
   Microphone(const TextureProbeParameters& parameters, Random& random)
@@ -172,7 +172,7 @@ class TextureProbe : public detail::ProbeBody {
   Edge edge_;
   Whine whine_;
   Microphone microphone_;
-  std::vector<float> frames_;  // heard during the step under way
+  std::vector<float> frames_;  // recorded during the current step
 };
 
 }  // namespace
@@ -180,8 +180,8 @@ class TextureProbe : public detail::ProbeBody {
 Result<std::unique_ptr<Body>> make_texture_probe(const Material& material,
                                                  const TextureProbeParameters& parameters,
                                                  const ProbeSeeds& seeds) {
-  if (auto valid = material.validate(); !valid) return fail(std::move(valid.error()));
-  if (auto valid = parameters.validate(); !valid) return fail(std::move(valid.error()));
+  SOMATO_TRY_VOID(material.validate());
+  SOMATO_TRY_VOID(parameters.validate());
   return std::make_unique<TextureProbe>(material, parameters, seeds);
 }
 

@@ -10,7 +10,7 @@ class TickClock {
  public:
   explicit TickClock(double rate) : rate_(rate) {}
 
-  /// Lets `seconds` pass; how many ticks fall due.
+  /// Advances by `seconds`; returns the number of ticks that are due.
   std::int64_t pass(double seconds) {
     time_ += seconds;
     const std::int64_t due = std::llround(time_ * rate_) - ticks_;

@@ -20,14 +20,14 @@ Taxels find_taxels(const mjModel& model);
 void read_forces(const mjModel& model, const mjData& data, const Taxels& taxels,
                  std::vector<double>& forces);
 
-/// Piezo elements with a charge amplifier: what came on a force lately, forgotten with a time
-/// constant; a first-order high-pass.
+/// Piezo elements with a charge amplifier: recent changes of a force, decaying with a time
+/// constant; a first-order high-pass filter.
 class PiezoElements {
  public:
   PiezoElements(std::size_t count, double time_constant)
       : time_constant_(time_constant), forces_(count, 0.0), signals_(count, 0.0) {}
 
-  /// Lets `seconds` pass, at the end of which the forces are these.
+  /// Advances by `seconds`, with these forces at the end.
   void step(const std::vector<double>& forces, double seconds);
 
   const std::vector<double>& signals() const { return signals_; }

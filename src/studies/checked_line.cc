@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "somato/files/checksum.h"
+#include "files/checksum.h"
 
 namespace somato {
 

@@ -7,10 +7,10 @@
 
 namespace somato {
 
-/// What is kept for later as one line: a checksum, a space, JSON, and a line end.
+/// Data stored as one line: a checksum, a space, JSON, and a line end.
 std::string checked_line(const nlohmann::json& content);
 
-/// What such a line, without its line end, holds; nothing where it is cut or damaged.
+/// The content of such a line, without its line end; nothing if it is truncated or damaged.
 std::optional<nlohmann::json> checked_content(std::string_view line);
 
 }  // namespace somato

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "core/contains.h"
-#include "somato/studies/protocol.h"
+#include "somato/studies/results.h"
+#include "somato/studies/study_parameters.h"
 #include "studies/metric_names.h"
 
 namespace somato {
@@ -20,12 +21,13 @@ constexpr double kClaimRounding = 1e-9;
 constexpr std::string_view kMappedThings = "mapped_with ";
 
 bool counts_explorations(const std::string& metric) {
-  static const std::vector<std::string> names{"told_exactly", "undetermined", "with_own"};
+  static const std::vector<std::string> names{"classes_separated", "samples_ambiguous",
+                                              "neighbours_same_class"};
   return metric.starts_with(kMappedThings) ||
          contains(names, metric.substr(metric.rfind('.') + 1));  // npos + 1 is 0
 }
 
-bool has_class(const SystemResults& system, const std::string& name) {
+bool has_class(const ProtocolResults& system, const std::string& name) {
   return std::any_of(system.runs.begin(), system.runs.end(),
                      [&](const Run& run) { return contains(run.labels, name); });
 }
@@ -53,16 +55,12 @@ Result<Claim> read_claim(const Table& table) {
   const auto refuse = [&](const std::string& what, const std::string& advice) {
     return fail(ErrorKind::kUsage, what, table.where, advice);
   };
-  if (claim->text.empty()) return refuse("a claim needs its text", "add text = \"...\"");
-  if (claim->metric.empty()) return refuse("a claim needs a metric", "add metric = \"accuracy\"");
-  if (auto known = check_metric_name(claim->metric, table.where); !known) {
-    return fail(std::move(known.error()));
-  }
-  if (auto known = choice_named<Protocol>("protocol", claim->protocol, table.where); !known) {
-    return fail(std::move(known.error()));
-  }
+  if (claim->text.empty()) return refuse("the claim has no text", "add text = \"...\"");
+  if (claim->metric.empty()) return refuse("the claim has no metric", "add metric = \"accuracy\"");
+  SOMATO_TRY_VOID(check_metric_name(claim->metric, table.where));
+  SOMATO_TRY_VOID(choice_named<Protocol>("protocol", claim->protocol, table.where));
   if (!claim->at_least && !claim->at_most) {
-    return refuse("a claim needs a bound", "add at_least = ... or at_most = ...");
+    return refuse("the claim has no bound", "add at_least = ... or at_most = ...");
   }
   return claim;
 }
@@ -94,26 +92,28 @@ const Declarations<Claim>& Claim::declarations() {
   using P = Claim;
   static const auto declared =
       Declarations<P>()
-          .add("text", &P::text, "", Range::any(), "What is claimed, in one sentence.")
+          .add("text", &P::text, "", Range::any(), "The claim, in one sentence.")
           .add("paper", &P::paper, "", Range::any(),
-               "Paper and section; empty where no paper says it.")
+               "Paper and section; empty if the claim is not from a paper.")
           .add("system", &P::system, "", Range::any(),
-               "Which system; empty: the one that the file is about.")
+               "System that the claim is about; empty: the one that the file describes.")
           .add("variation", &P::variation, "", Range::any(),
-               "Which variation of it; empty: the system as it stands.")
+               "Variation of the system; empty: the unchanged system.")
           .add("metric", &P::metric, "", Range::any(), "Name of the metric in results.json.")
-          .add("protocol", &P::protocol, "", Range::any(), "Under which protocol.")
+          .add("protocol", &P::protocol, "", Range::any(),
+               "Protocol under which the metric is measured.")
           .add("group", &P::group, "", Range::any(), "Label of the groups of leave_group_out.")
           .add("than_system", &P::than_system, "", Range::any(),
-               "Compared with which system, pair by pair; empty: the same one.")
+               "System with which the metric is compared, pair by pair; empty: the same system.")
           .add("than_variation", &P::than_variation, "", Range::any(),
-               "Compared with which variation; empty with than_system: that system as it stands.")
+               "Variation with which the metric is compared; empty with than_system: the unchanged "
+               "system.")
           .add("published", &P::published, "", Range::any(),
-               "The metric as the paper's one map shows it.")
+               "Published value of the metric, from the paper's single map.")
           .add("at_least", &P::at_least, "", Range::any(),
-               "Holds where the metric, or the difference, is not less.")
+               "Lower bound: the claim holds if the metric, or the difference, is at least this.")
           .add("at_most", &P::at_most, "", Range::any(),
-               "Holds where the metric, or the difference, is not more.");
+               "Upper bound: the claim holds if the metric, or the difference, is at most this.");
   return declared;
 }
 
@@ -123,13 +123,12 @@ Result<std::vector<Claim>> read_claims(const Table& file) {
   if (!entry) return claims;
   const auto* tables = std::get_if<std::vector<Table>>(&entry->content);
   if (!tables) {
-    return fail(ErrorKind::kUsage, "claims are a list", entry->where,
-                "write [[claim]] on a line of its own for each");
+    return fail(ErrorKind::kUsage, "'claim' must be a list of tables", entry->where,
+                "write each claim as a separate table [[claim]]");
   }
   for (const Table& table : *tables) {
-    auto claim = read_claim(table);
-    if (!claim) return fail(std::move(claim.error()));
-    claims.push_back(std::move(*claim));
+    SOMATO_TRY(auto claim, read_claim(table));
+    claims.push_back(std::move(claim));
   }
   return claims;
 }
@@ -161,7 +160,7 @@ bool reaches(double share, double limit) {
   return share >= limit - kClaimRounding;
 }
 
-std::string reason_undecidable(const Claim& claim, const SystemResults& system) {
+std::string reason_undecidable(const Claim& claim, const ProtocolResults& system) {
   const bool counts = counts_explorations(claim.metric);
   if (counts && claim.at_least && *claim.at_least > static_cast<double>(system.samples)) {
     return fmt::format("{} explorations; {:g} are needed", system.samples, *claim.at_least);
@@ -175,11 +174,11 @@ std::string reason_undecidable(const Claim& claim, const SystemResults& system) 
   return {};
 }
 
-std::optional<double> chance_share_of(const Claim& claim, const Metric& luck) {
-  if (luck.of_each.empty()) return {};
+std::optional<double> chance_share_of(const Claim& claim, const Metric& by_chance) {
+  if (by_chance.of_each.empty()) return {};
   double sum = 0.0;
-  for (const Distribution& of_pair : luck.of_each) sum += share_meeting(claim, of_pair);
-  return sum / static_cast<double>(luck.of_each.size());
+  for (const Distribution& of_pair : by_chance.of_each) sum += share_meeting(claim, of_pair);
+  return sum / static_cast<double>(by_chance.of_each.size());
 }
 
 }  // namespace somato

@@ -1,4 +1,4 @@
-#include "somato/studies/design.h"
+#include "studies/design.h"
 
 #include <numeric>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "somato/core/rank_correlation.h"
+#include "core/rank_correlation.h"
 #include "studies/numbered_individuals.h"
 #include "studies/rank_order.h"
 
@@ -41,10 +41,10 @@ OrderedGroup ordered(const std::vector<NumberedIndividual>& members, const Sampl
 }  // namespace
 
 Result<OrderInformation> order_of_individuals(const Recording& recording,
-                                              const InformationParameters& asked,
+                                              const InformationParameters& parameters,
                                               const Numbers& individuals, const Samples& vectors) {
-  auto all =
-      numbered_individuals(recording, {asked.individual, asked.order, asked.within}, individuals);
+  auto all = numbered_individuals(
+      recording, {parameters.individual, parameters.order, parameters.within}, individuals);
   if (!all) return fail(std::move(all.error()));
   std::map<std::string, std::vector<NumberedIndividual>> members;
   for (NumberedIndividual& individual : *all)
@@ -58,9 +58,9 @@ Result<OrderInformation> order_of_individuals(const Recording& recording,
     information.groups.push_back({name, group.size(), std::abs(correlation)});
   }
   if (groups.empty()) {
-    return fail(no_order(asked.order));
+    return fail(no_order(parameters.order));
   }
-  const RankOrder order = rank_order(groups, asked.shuffles, asked.seed);
+  const RankOrder order = rank_order(groups, parameters.shuffles, parameters.seed);
   information.correlation = order.correlation;
   information.shuffled = order.shuffled;
   information.shuffled_share = order.shuffled_share;

@@ -10,11 +10,11 @@
 
 namespace somato {
 
-/// How well the individuals' mean vectors follow the numbers of the label `asked.order`, within
-/// each group of the label `asked.within`. `individuals` and `vectors` have one a sample. Errors as
-/// measure_information() says of orders.
+/// The correlation of the individuals' mean vectors with the numbers of the label
+/// `parameters.order`, within each group of the label `parameters.within`. `individuals` and
+/// `vectors` have one per sample. Errors as measure_information() for orders.
 Result<OrderInformation> order_of_individuals(const Recording& recording,
-                                              const InformationParameters& asked,
+                                              const InformationParameters& parameters,
                                               const std::vector<std::size_t>& individuals,
                                               const Samples& vectors);
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "graph/wiring.h"
+#include "recording/content_hash.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
 #include "somato/maps/labels.h"
-#include "somato/recording/content_hash.h"
 #include "studies/exploration_samples.h"
 #include "studies/individual_order.h"
 #include "studies/sample_distances.h"
@@ -41,8 +41,8 @@ Result<std::size_t> find_first_map(const System& system, const std::string& name
   if (!name.empty()) {
     auto module = system.find(name, "map");
     if (!module || som_of(system, *module)) return module;
-    return fail(ErrorKind::kUsage, fmt::format("the module '{}' is no map", name), "map",
-                "name a module of type som");
+    return fail(ErrorKind::kUsage, fmt::format("the module '{}' is not a map", name), "map",
+                "use the name of a module of type som");
   }
   const std::vector<std::string> candidates = first_maps(system);
   if (candidates.size() == 1) return system.find(candidates.front());
@@ -50,10 +50,10 @@ Result<std::size_t> find_first_map(const System& system, const std::string& name
     return fail(ErrorKind::kUsage, "the system has no map", where, "add a module of type som");
   }
   return fail(ErrorKind::kUsage, "the system has more than one first map", where,
-              fmt::format("name one of {} as 'map'", fmt::join(candidates, ", ")));
+              fmt::format("set 'map' to one of {}", fmt::join(candidates, ", ")));
 }
 
-// Before any training only what never learns can be asked.
+// Before training, only outputs that do not depend on learning are available.
 Result<void> check_fixed(const System& system, std::size_t vectors, std::size_t map) {
   std::vector<std::string> learners;
   for (std::size_t module = 0; module < system.modules().size(); ++module) {
@@ -65,14 +65,14 @@ Result<void> check_fixed(const System& system, std::size_t vectors, std::size_t 
   if (learners.empty()) return {};
   return fail(system.at_module(
       {ErrorKind::kUsage,
-       fmt::format("what comes in depends on what {} learned", fmt::join(learners, ", ")),
+       fmt::format("the vectors depend on modules that learn: {}", fmt::join(learners, ", ")),
        {},
-       "name a map before which nothing learns, or keep it from learning: "
-       "a one_hot by 'low' and 'high'; 'somato run' measures what learns"},
+       "select a map whose input does not depend on learning, or set the ranges of a one_hot with "
+       "'low' and 'high'; 'somato run' measures trained systems"},
       map));
 }
 
-// Which module gives the vectors.
+// The module that outputs the vectors.
 Result<std::size_t> find_vectors(const System& system, const StudyDescription& description,
                                  const std::string& map_name) {
   const auto map = find_first_map(system, map_name, description.where);
@@ -82,13 +82,14 @@ Result<std::size_t> find_vectors(const System& system, const StudyDescription& d
     vectors = system.modules()[vectors].inputs.front();
   }
   if (system.modules()[vectors].output.rate == Rate::kFrame) {
-    return fail(system.at_module({ErrorKind::kUsage,
-                                  "this map has frames coming in, and explorations are asked for",
-                                  {},
-                                  "put the frames together first, as with 'last'"},
-                                 *map));
+    return fail(
+        system.at_module({ErrorKind::kUsage,
+                          "this map receives one input per frame; one per exploration is required",
+                          {},
+                          "combine the frames first, for example with 'last'"},
+                         *map));
   }
-  if (auto fixed = check_fixed(system, vectors, *map); !fixed) return fail(fixed.error());
+  SOMATO_TRY_VOID(check_fixed(system, vectors, *map));
   return vectors;
 }
 
@@ -97,16 +98,15 @@ Result<Samples> vectors_of(const System& system, const Recording& recording, std
   Numbers all(recording.explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   Activations activations(system.modules().size(), all.size());
-  auto evaluated = evaluate(system, recording, all, {module}, threads, activations);
-  if (!evaluated) return fail(std::move(evaluated.error()));
-  return single_values(activations, module, all);
+  SOMATO_TRY_VOID(evaluate(system, recording, all, {module}, threads, activations));
+  return activations.values_of(module).samples;
 }
 
 Error nothing_to_tell(const std::string& label) {
   return {ErrorKind::kData,
           "every exploration has the same '" + label + "'",
           {},
-          "there is nothing to tell apart; name another label"};
+          "there are no classes to distinguish; use another label"};
 }
 
 bool all_equal(const Numbers& numbers) {
@@ -115,9 +115,8 @@ bool all_equal(const Numbers& numbers) {
 
 Result<LabelInformation> about_label(const std::string& name, const Recording& recording,
                                      const Matrix<double>& distances, const Numbers& individuals) {
-  const auto labels = labels_of(recording, name);
-  if (!labels) return fail(labels.error());
-  const Classes classes = Classes::from_names(*labels);
+  SOMATO_TRY(const auto labels, labels_of(recording, name));
+  const Classes classes = Classes::from_names(labels);
   if (classes.names.size() < 2) return fail(nothing_to_tell(name));
   Numbers each(individuals.size());
   std::iota(each.begin(), each.end(), std::size_t{0});
@@ -160,10 +159,10 @@ Json json_of(const OrderInformation& order) {
           {"groups", groups}};
 }
 
-Json json_of(const InformationParameters& asked) {
+Json json_of(const InformationParameters& parameters) {
   Json json = Json::object();
   for (const auto& parameter : InformationParameters::declarations().all()) {
-    const std::string value = to_toml(parameter.read(asked));
+    const std::string value = to_toml(parameter.read(parameters));
     const Json parsed = Json::parse(value, nullptr, false);
     json[parameter.info.name] = parsed.is_discarded() ? Json(value) : parsed;
   }
@@ -176,54 +175,50 @@ const Declarations<InformationParameters>& InformationParameters::declarations()
   using P = InformationParameters;
   static const auto declared =
       Declarations<P>()
-          .add("labels", &P::labels, "", Range::any(), "Labels that the vectors are asked for.")
+          .add("labels", &P::labels, "", Range::any(), "Labels by which the vectors are compared.")
           .add("individual", &P::individual, "", Range::any(),
-               "Label of the things themselves, such as the object when a label is its shape: a "
-               "label is asked for among other individuals too, and an order is that of their mean "
-               "vectors; empty: each exploration on its own.")
+               "Label of the individuals, such as the object if a label is its shape: a label is "
+               "then also predicted from other individuals, and an order is that of the "
+               "individuals' mean vectors; empty: each exploration is an individual.")
           .add("order", &P::order, "", Range::any(),
-               "Label of numbers, such as girth, whose order is looked for; empty: none.")
+               "Label with numbers, such as girth, whose order is measured; empty: none.")
           .add("within", &P::within, "", Range::any(),
-               "Label of groups, such as shape, in each of which the order is looked for; empty: "
-               "among all.")
+               "Label of groups, such as shape, within each of which the order is measured; empty: "
+               "all individuals form one group.")
           .add("map", &P::map, "", Range::any(),
-               "Name of the module of type som whose vectors are measured; empty: the one that no "
-               "other map comes before.")
+               "Name of the module of type som whose input vectors are measured; empty: the only "
+               "one that does not depend on another map.")
           .add("shuffles", &P::shuffles, "", Range::between(0, 1e6),
-               "Shufflings of the numbers that the order is compared with.")
-          .add("seed", &P::seed, "", Range::between(0, 1e15), "Seed of the shufflings.");
+               "Number of shuffles of the numbers with which the order is compared.")
+          .add("seed", &P::seed, "", Range::between(0, 1e15), "Seed of the shuffles.");
   return declared;
 }
 
 Result<Information> measure_information(const StudyDescription& description,
                                         const Recording& recording,
-                                        const InformationParameters& asked, std::size_t threads) {
-  if (auto valid = validate(recording); !valid) return fail(std::move(valid.error()));
-  const auto system = System::build(description.system, layout_of(recording));
-  if (!system) return fail(system.error());
-  const auto module = find_vectors(*system, description, asked.map);
-  if (!module) return fail(module.error());
+                                        const InformationParameters& parameters,
+                                        std::size_t threads) {
+  SOMATO_TRY_VOID(validate(recording));
+  SOMATO_TRY(const auto system, System::build(description.system, layout_of(recording)));
+  SOMATO_TRY(const auto module, find_vectors(system, description, parameters.map));
   if (recording.explorations.size() < 2) {
     return fail(ErrorKind::kData, "the recording has only one exploration", {},
-                "it takes two to compare");
+                "a comparison requires at least two");
   }
-  const auto individuals = numbers_of(recording, asked.individual);
-  if (!individuals) return fail(individuals.error());
-  if (all_equal(*individuals)) return fail(nothing_to_tell(asked.individual));
-  const auto vectors = vectors_of(*system, recording, *module, threads);
-  if (!vectors) return fail(vectors.error());
+  SOMATO_TRY(const auto individuals, numbers_of(recording, parameters.individual));
+  if (all_equal(individuals)) return fail(nothing_to_tell(parameters.individual));
+  SOMATO_TRY(const auto vectors, vectors_of(system, recording, module, threads));
 
-  const SystemModule& gives = system->modules()[*module];
-  Information information{description.study.name, content_hash(recording), asked, gives.name,
-                          vectors->count(),       vectors->size(),         {},    {}};
-  const Matrix<double> distances = distances_between(*vectors, threads);
-  for (const std::string& label : asked.labels) {
-    auto about = about_label(label, recording, distances, *individuals);
-    if (!about) return fail(std::move(about.error()));
-    information.labels.push_back(std::move(*about));
+  const SystemModule& gives = system.modules()[module];
+  Information information{description.study.name, content_hash(recording), parameters, gives.name,
+                          vectors.count(),        vectors.size(),          {},         {}};
+  const Matrix<double> distances = distances_between(vectors, threads);
+  for (const std::string& label : parameters.labels) {
+    SOMATO_TRY(auto about, about_label(label, recording, distances, individuals));
+    information.labels.push_back(std::move(about));
   }
-  if (asked.order.empty()) return information;
-  auto order = order_of_individuals(recording, asked, *individuals, *vectors);
+  if (parameters.order.empty()) return information;
+  auto order = order_of_individuals(recording, parameters, individuals, vectors);
   if (!order) return fail(std::move(order.error()));
   information.order = std::move(*order);
   return information;
@@ -235,7 +230,7 @@ std::string to_json(const Information& information) {
   Json json = {{"version", 1},
                {"study", information.study},
                {"data_hash", information.data_hash},
-               {"asked", json_of(information.asked)},
+               {"parameters", json_of(information.parameters)},
                {"module", information.module},
                {"explorations", information.explorations},
                {"elements", information.elements},

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "somato/files/whole_file.h"
+#include "files/whole_file.h"
 #include "studies/checked_line.h"
 
 namespace somato {
@@ -19,7 +19,7 @@ constexpr int kJournalVersion = 2;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
-              "give --out a folder that can be written to");
+              "use --out with a writable folder");
 }
 
 std::string header_of(const std::string& fingerprint) {
@@ -35,7 +35,7 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"nearest_raw", outcome.nearest.raw},
           {"nearest_standardized", outcome.nearest.standardized},
           {"summed_distance", outcome.summed_distance},
-          {"torn", outcome.torn}};
+          {"topographic_errors", outcome.topographic_errors}};
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -46,11 +46,11 @@ FoldOutcome outcome_of(const SortedJson& line) {
   line.at("nearest_raw").get_to(outcome.nearest.raw);
   line.at("nearest_standardized").get_to(outcome.nearest.standardized);
   line.at("summed_distance").get_to(outcome.summed_distance);
-  line.at("torn").get_to(outcome.torn);
+  line.at("topographic_errors").get_to(outcome.topographic_errors);
   return outcome;
 }
 
-// The whole lines of a text, one after the other; what follows the last of them is left out.
+// The complete lines of a text, one after the other; text after the last one is omitted.
 class Lines {
  public:
   explicit Lines(std::string_view text) : left_(text) {}
@@ -69,8 +69,8 @@ class Lines {
 };
 
 tl::unexpected<Error> damaged(const std::string& path) {
-  return fail(ErrorKind::kData, "the file is no journal of a study, or damaged", path,
-              "remove it to begin the study anew");
+  return fail(ErrorKind::kData, "the file is damaged, or not a journal of a study", path,
+              "remove it to restart the study");
 }
 
 }  // namespace
@@ -81,9 +81,8 @@ Result<Journal> Journal::open(const std::string& path, const std::string& finger
   journal.header_ = header_of(fingerprint);
   std::error_code code;
   if (!std::filesystem::exists(path, code)) return journal;
-  const auto text = read_whole(path);
-  if (!text) return fail(text.error());
-  if (auto known = journal.read(*text); !known) return fail(std::move(known.error()));
+  SOMATO_TRY(const auto text, read_whole(path));
+  SOMATO_TRY_VOID(journal.read(text));
   return journal;
 }
 
@@ -95,14 +94,14 @@ Result<void> Journal::read(const std::string& text) {
     const auto content = checked_content(*header);
     if (!content || !content->contains("somato_journal")) return damaged(path_);
     return fail(ErrorKind::kUsage,
-                "the folder holds an interrupted study with other settings or data", path_,
-                "run that one to its end, give another --out, or remove the file");
+                "the folder contains an interrupted study with other settings or data", path_,
+                "complete that study, use another --out, or remove the file");
   }
   for (std::size_t left = lines.left();; left = lines.left()) {
     whole_ = text.size() - left;
     const auto line = lines.next();
     const auto content = line ? checked_content(*line) : std::nullopt;
-    if (!content) return {};  // what follows a damaged line is computed anew
+    if (!content) return {};  // trainings after a damaged line are computed again
     known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
   }
 }

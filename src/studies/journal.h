@@ -23,15 +23,14 @@ class Journal {
   /// No file: nothing is kept.
   Journal() = default;
 
-  /// Goes on with the journal at `path`, if there is one. `fingerprint` tells studies apart.
-  /// Errors: kSystem; kUsage when the file is the journal of another study, kData when it is no
-  /// journal.
+  /// Continues the journal at `path`, if it exists. `fingerprint` identifies the study. Errors:
+  /// kSystem; kUsage if the file is the journal of another study, kData if it is not a journal.
   static Result<Journal> open(const std::string& path, const std::string& fingerprint);
 
-  /// What training number `training` of protocol number `protocol` gave, if it is done.
+  /// The result of training number `training` of protocol number `protocol`, if it is completed.
   const FoldOutcome* find(std::size_t protocol, std::size_t training) const;
 
-  /// Keeps what a training gave, from any thread. Errors: kSystem.
+  /// Stores the result of a training, from any thread. Errors: kSystem.
   Result<void> add(std::size_t protocol, std::size_t training, const FoldOutcome& outcome);
 
  private:

@@ -5,13 +5,13 @@
 #include <map>
 #include <numeric>
 
+#include "maps/size_order.h"
+#include "maps/winner_measures.h"
 #include "somato/maps/labels.h"
-#include "somato/maps/size_order.h"
-#include "somato/maps/winner_measures.h"
-#include "somato/studies/most_similar.h"
-#include "somato/studies/wrong_groupings.h"
 #include "studies/metrics.h"
+#include "studies/most_similar.h"
 #include "studies/paper_measures.h"
+#include "studies/wrong_groupings.h"
 
 namespace somato {
 namespace {
@@ -24,7 +24,7 @@ Numbers first_of(const Numbers& values, std::size_t count) {
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-// Of each classification, the right one and wrong ones.
+// For each classification, the correct one and wrong ones.
 struct Groupings {
   Numbers right;
   std::vector<Numbers> wrong;
@@ -33,16 +33,16 @@ struct Groupings {
 void add_measure(const std::string& name, const Groupings& groupings, const MapMeasure& measure,
                  Readings& values) {
   values.push_back({name, measure(groupings.right)});
-  if (groupings.wrong.empty()) return;  // 0 would say that luck never does it.
-  Reading luck{name + "_by_luck"};
+  if (groupings.wrong.empty()) return;  // a value of 0 would state that it never occurs by chance
+  Reading by_chance{name + "_chance"};
   double sum = 0.0;
   for (const Numbers& wrong : groupings.wrong) {
     const double value = measure(wrong);
     sum += value;
-    ++luck.of_each[value];
+    ++by_chance.of_each[value];
   }
-  luck.value = sum / static_cast<double>(groupings.wrong.size());
-  values.push_back(std::move(luck));
+  by_chance.value = sum / static_cast<double>(groupings.wrong.size());
+  values.push_back(std::move(by_chance));
 }
 
 double count_true(const std::vector<bool>& flags) {
@@ -62,17 +62,17 @@ std::size_t mapped_with(const Numbers& classes, const Numbers& surroundings, std
 void read_label(const std::string& prefix, const Groupings& groupings, const Grid& grid,
                 const Numbers& winners, Readings& values) {
   add_measure(
-      prefix + "told_exactly", groupings,
-      [&](const Numbers& classes) { return count_true(classes_told_exactly(winners, classes)); },
+      prefix + "classes_separated", groupings,
+      [&](const Numbers& classes) { return count_true(separated_classes(winners, classes)); },
       values);
   add_measure(
-      prefix + "undetermined", groupings,
+      prefix + "samples_ambiguous", groupings,
       [&](const Numbers& classes) {
-        return static_cast<double>(undetermined_samples(winners, classes));
+        return static_cast<double>(ambiguous_samples(winners, classes));
       },
       values);
   add_measure(
-      prefix + "with_own", groupings,
+      prefix + "neighbours_same_class", groupings,
       [&](const Numbers& classes) {
         const Numbers surroundings = classes_of_surroundings(grid, winners, classes);
         double own = 0.0;
@@ -82,9 +82,9 @@ void read_label(const std::string& prefix, const Groupings& groupings, const Gri
       },
       values);
   add_measure(
-      prefix + "winner_shared_with_own", groupings,
+      prefix + "winner_shared_within_class", groupings,
       [&](const Numbers& classes) {
-        return static_cast<double>(samples_sharing_with_own(winners, classes));
+        return static_cast<double>(samples_sharing_within_class(winners, classes));
       },
       values);
 }
@@ -116,10 +116,10 @@ void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winner
   const auto mapped =
       mapped_individuals(grid, winners, individuals, numbers, first_of(order.groups, learned));
   const CircularOrder found = circular_order(mapped);
-  const CircularOrderByLuck luck = circular_order_by_luck(mapped, kShuffles, seed);
-  Reading around{"order_around_by_luck", luck.mean.around};
-  Reading within{"order_within_by_luck", luck.mean.within};
-  for (const CircularOrder& shuffled : luck.of_each) {
+  const CircularOrderByChance by_chance = circular_order_chance(mapped, kShuffles, seed);
+  Reading around{"order_around_chance", by_chance.mean.around};
+  Reading within{"order_within_chance", by_chance.mean.within};
+  for (const CircularOrder& shuffled : by_chance.of_each) {
     ++around.of_each[shuffled.around];
     ++within.of_each[shuffled.within];
   }
@@ -129,7 +129,7 @@ void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winner
   values.push_back(std::move(within));
   const RankOrder along = order_along(mapped, kShuffles, seed);
   values.push_back({"order_along", along.correlation});
-  values.push_back({"order_along_by_luck", along.shuffled});
+  values.push_back({"order_along_chance", along.shuffled});
 }
 
 std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individuals) {
@@ -147,24 +147,24 @@ Numbers each_its_own(std::size_t count) {
   return numbers;
 }
 
-// The individuals that were learned from, as those that their samples' surroundings stand for.
-void read_outliers(const StudyParameters& study, const Question& question, const Numbers& winners,
-                   std::uint64_t seed, Readings& values) {
-  const Numbers individuals = first_of(question.order->individuals, winners.size());
+// The training individuals, as the classes of their samples' surroundings.
+void read_outliers(const StudyParameters& study, const PreparedStudy& prepared,
+                   const Numbers& winners, std::uint64_t seed, Readings& values) {
+  const Numbers individuals = first_of(prepared.order->individuals, winners.size());
   const std::size_t known = *std::max_element(individuals.begin(), individuals.end()) + 1;
-  const std::vector<SizedThing> sized = things(*question.order, each_its_own(known));
+  const std::vector<SizedThing> sized = things(*prepared.order, each_its_own(known));
   const Groupings groupings{individuals, wrong_groupings(individuals, each_its_own(winners.size()),
                                                          study.wrong_groupings, seed)};
   add_measure(
       "right_size_wrong_group", groupings,
       [&](const Numbers& dealt) {
         return static_cast<double>(
-            samples_with_size_in_other_group(question.grid, winners, dealt, sized));
+            samples_with_size_in_other_group(prepared.grid, winners, dealt, sized));
       },
       values);
 }
 
-// The share of samples that stand with one of those they are most similar to.
+// The share of samples mapped with one of the most similar individuals.
 double share_with(const std::vector<Numbers>& similar, const Numbers& placed) {
   double right = 0.0;
   for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -175,18 +175,18 @@ double share_with(const std::vector<Numbers>& similar, const Numbers& placed) {
 
 }  // namespace
 
-std::vector<Numbers> wrong_classes(const AskedLabel& label, std::size_t explorations,
+std::vector<Numbers> wrong_classes(const StudiedLabel& label, std::size_t explorations,
                                    std::size_t count, std::uint64_t seed) {
   return wrong_groupings(first_of(label.classes.of_sample, explorations),
                          first_of(label.individuals, explorations), count, seed);
 }
 
-std::vector<Reading> read_map(const StudyParameters& study, const Question& question,
+std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy& prepared,
                               const Numbers& winners, std::uint64_t seed) {
   Readings values;
-  const Grid& grid = question.grid;
-  for (const AskedLabel& label : question.labels) {
-    const bool own = &label == &question.labels.front();
+  const Grid& grid = prepared.grid;
+  for (const StudiedLabel& label : prepared.labels) {
+    const bool own = &label == &prepared.labels.front();
     const Groupings groupings{first_of(label.classes.of_sample, winners.size()),
                               wrong_classes(label, winners.size(), study.wrong_groupings, seed)};
     read_label(own ? "" : label.name + ".", groupings, grid, winners, values);
@@ -194,32 +194,32 @@ std::vector<Reading> read_map(const StudyParameters& study, const Question& ques
     read_pairs(study, label.classes, groupings.right,
                classes_of_surroundings(grid, winners, groupings.right), values);
   }
-  if (question.order) {
-    read_order(*question.order, grid, winners, seed, values);
-    read_outliers(study, question, winners, seed, values);
+  if (prepared.order) {
+    read_order(*prepared.order, grid, winners, seed, values);
+    read_outliers(study, prepared, winners, seed, values);
   }
   values.push_back({"on_border", share_on_border(grid, winners)});
-  const double evenly_spread = border_of(grid);  // an expectation: it stands for all groupings
-  values.push_back({"on_border_by_luck", evenly_spread, {{evenly_spread, 1}}});
-  if (question.fixed_vectors) {
+  const double evenly_spread = border_of(grid);  // an expectation over all groupings
+  values.push_back({"on_border_chance", evenly_spread, {{evenly_spread, 1}}});
+  if (prepared.fixed_vectors) {
     values.push_back(
         {"cosine_between_classes",
-         cosine_between_classes(question.fixed_vectors->samples.samples(),
-                                first_of(question.classes().of_sample, winners.size()))});
+         cosine_between_classes(prepared.fixed_vectors->samples,
+                                first_of(prepared.classes().of_sample, winners.size()))});
   }
   return values;
 }
 
-std::vector<Reading> read_placed(const Question& question, const FoldOutcome& outcome,
+std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcome& outcome,
                                  std::uint64_t seed) {
-  if (!question.order) return {};
-  const AskedOrder& order = *question.order;
-  const std::size_t learned = question.samples.samples;
-  const Numbers asked(order.individuals.begin() + static_cast<std::ptrdiff_t>(learned),
-                      order.individuals.end());
+  if (!prepared.order) return {};
+  const AskedOrder& order = *prepared.order;
+  const std::size_t learned = prepared.samples.samples;
+  const Numbers tested(order.individuals.begin() + static_cast<std::ptrdiff_t>(learned),
+                       order.individuals.end());
   const Numbers known_samples = first_of(order.individuals, learned);
   const std::size_t known = *std::max_element(known_samples.begin(), known_samples.end()) + 1;
-  const auto similar = most_similar(things(order, each_its_own(known)), things(order, asked));
+  const auto similar = most_similar(things(order, each_its_own(known)), things(order, tested));
   const Classes individuals{std::vector<std::string>(known), order.individuals};
   Fold fold;
   for (std::size_t i = 0; i < learned; ++i) fold.training.push_back(i);
@@ -236,7 +236,7 @@ std::vector<Reading> read_placed(const Question& question, const FoldOutcome& ou
                 share_with(similar, neighbours(outcome.nearest.standardized)))}};
   Numbers winners = outcome.training_winners;
   winners.insert(winners.end(), outcome.winners.begin(), outcome.winners.end());
-  read_order(order, question.grid, winners, seed, values);
+  read_order(order, prepared.grid, winners, seed, values);
   return values;
 }
 

@@ -9,7 +9,7 @@
 namespace somato {
 namespace {
 
-constexpr std::string_view kByLuck = "_by_luck";
+constexpr std::string_view kChanceSuffix = "_chance";
 constexpr std::string_view kMappedWith = "mapped_with ";
 
 const std::vector<std::string>& plain_names() {
@@ -21,10 +21,10 @@ const std::vector<std::string>& plain_names() {
                                               "topographic_error",
                                               "individuals_apart",
                                               "areas_connected",
-                                              "told_exactly",
-                                              "undetermined",
-                                              "with_own",
-                                              "winner_shared_with_own",
+                                              "classes_separated",
+                                              "samples_ambiguous",
+                                              "neighbours_same_class",
+                                              "winner_shared_within_class",
                                               "order_around",
                                               "order_within",
                                               "order_along",
@@ -41,7 +41,7 @@ const std::vector<std::string>& plain_names() {
 Result<void> check_metric_name(const std::string& name, const std::string& where) {
   if (name.find(kMappedWith) != std::string::npos) return {};
   std::string plain = name.substr(name.rfind('.') + 1);  // npos + 1 is 0
-  if (plain.ends_with(kByLuck)) plain.resize(plain.size() - kByLuck.size());
+  if (plain.ends_with(kChanceSuffix)) plain.resize(plain.size() - kChanceSuffix.size());
   if (contains(plain_names(), plain)) return {};
   return fail(unknown_name("metric", plain, where, plain_names()));
 }

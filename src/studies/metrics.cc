@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "somato/maps/areas.h"
+#include "maps/areas.h"
 #include "somato/maps/labels.h"
 #include "studies/map_reading.h"
 
@@ -31,21 +31,21 @@ std::size_t count_equal(const Numbers& a, const Numbers& b) {
 // Makes the metrics of one study under one protocol.
 class MetricsMaker {
  public:
-  MetricsMaker(const Asked& asked, const std::vector<SeedOutcome>& seeds)
-      : asked_(asked), seeds_(seeds) {
-    for (const Fold& fold : asked.folds) tested_ += fold.test.size();
+  MetricsMaker(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds)
+      : study_(study), seeds_(seeds) {
+    for (const Fold& fold : study.folds) tested_ += fold.test.size();
   }
 
   std::vector<Metric> make() {
-    for (const AskedLabel& label : asked_.question.labels) {
-      prefix_ = &label == &asked_.question.labels.front() ? "" : label.name + ".";
+    for (const StudiedLabel& label : study_.prepared.labels) {
+      prefix_ = &label == &study_.prepared.labels.front() ? "" : label.name + ".";
       if (can_be_named(label.classes)) add_accuracies(label.classes);
       add_areas(label);
     }
     prefix_.clear();
     read_maps();
     add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
-    add_sum("topographic_error", [](const FoldOutcome& o) { return o.torn; });
+    add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
     return std::move(metrics_);
   }
 
@@ -70,7 +70,7 @@ class MetricsMaker {
 
   // A class can be named where a fold learned from it.
   bool can_be_named(const Classes& classes) const {
-    return std::any_of(asked_.folds.begin(), asked_.folds.end(), [&](const Fold& fold) {
+    return std::any_of(study_.folds.begin(), study_.folds.end(), [&](const Fold& fold) {
       const Numbers learned = at(classes.of_sample, fold.training);
       const std::set<std::size_t> known(learned.begin(), learned.end());
       return std::any_of(fold.test.begin(), fold.test.end(), [&](std::size_t sample) {
@@ -84,8 +84,8 @@ class MetricsMaker {
     add(name, [&](const SeedOutcome& seed) {
       std::size_t right = 0;
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
-        right += count_equal(named(asked_.folds[f], *seed.folds[f]),
-                             at(classes.of_sample, asked_.folds[f].test));
+        right += count_equal(named(study_.folds[f], *seed.folds[f]),
+                             at(classes.of_sample, study_.folds[f].test));
       }
       return static_cast<double>(right) / static_cast<double>(tested_);
     });
@@ -117,7 +117,7 @@ class MetricsMaker {
     Numbers winners;
   };
   FoldWinners fold_winners(const SeedOutcome& seed, std::size_t f) const {
-    const Fold& fold = asked_.folds[f];
+    const Fold& fold = study_.folds[f];
     FoldWinners all{fold.training, seed.folds[f]->training_winners};
     if (fold.training == fold.test) return all;
     all.samples.insert(all.samples.end(), fold.test.begin(), fold.test.end());
@@ -126,14 +126,14 @@ class MetricsMaker {
     return all;
   }
 
-  // Dealt among the explorations that the protocol looks at.
-  std::vector<Numbers> wrong(const AskedLabel& label, std::uint64_t seed) const {
-    return wrong_classes(label, explorations_looked_at(), asked_.study.wrong_groupings, seed);
+  // Reassigned among the explorations of the protocol.
+  std::vector<Numbers> wrong(const StudiedLabel& label, std::uint64_t seed) const {
+    return wrong_classes(label, explorations_looked_at(), study_.study.wrong_groupings, seed);
   }
 
   std::size_t explorations_looked_at() const {
-    const FoldSamples& samples = asked_.question.samples;
-    return samples.samples + (asked_.protocol == Protocol::kTestData ? samples.test_samples : 0);
+    const FoldSamples& samples = study_.prepared.samples;
+    return samples.samples + (study_.protocol == Protocol::kTestData ? samples.test_samples : 0);
   }
 
   // A measure of the areas that classes take, made once for the winners of a fold.
@@ -141,20 +141,21 @@ class MetricsMaker {
   using MakeMeasure = std::function<AreaMeasure(const Numbers& winners)>;
 
   // Sums over the folds, one for each wrong grouping.
-  static void add_luck(const std::vector<double>& sums, double folds, Metric& luck) {
+  static void add_chance(const std::vector<double>& sums, double folds, Metric& by_chance) {
     double sum = 0.0;
     Distribution of_each;
     for (const double of_grouping : sums) {
       sum += of_grouping;
       ++of_each[of_grouping / folds];
     }
-    luck.values.push_back(sum / (folds * static_cast<double>(sums.size())));
-    luck.of_each.push_back(std::move(of_each));
+    by_chance.values.push_back(sum / (folds * static_cast<double>(sums.size())));
+    by_chance.of_each.push_back(std::move(of_each));
   }
 
-  void add_area_measure(const std::string& name, const AskedLabel& label, const MakeMeasure& make) {
+  void add_area_measure(const std::string& name, const StudiedLabel& label,
+                        const MakeMeasure& make) {
     Metric right{prefix_ + name, {}};
-    Metric luck{prefix_ + name + "_by_luck", {}};
+    Metric by_chance{prefix_ + name + "_chance", {}};
     for (const SeedOutcome& seed : seeds_) {
       const std::vector<Numbers> groupings = wrong(label, seed.seed);
       double of_right = 0.0;
@@ -169,37 +170,37 @@ class MetricsMaker {
       }
       const auto folds = static_cast<double>(seed.folds.size());
       right.values.push_back(of_right / folds);
-      if (!groupings.empty()) add_luck(of_wrong, folds, luck);
+      if (!groupings.empty()) add_chance(of_wrong, folds, by_chance);
     }
     metrics_.push_back(std::move(right));
-    // Where nothing was compared, 0 would say that luck never does it.
-    if (!luck.values.empty()) metrics_.push_back(std::move(luck));
+    // Without comparisons, a value of 0 would state that it never occurs by chance.
+    if (!by_chance.values.empty()) metrics_.push_back(std::move(by_chance));
   }
 
-  void add_areas(const AskedLabel& label) {
+  void add_areas(const StudiedLabel& label) {
     add_area_measure("individuals_apart", label, [](const Numbers& winners) -> AreaMeasure {
       return [&winners](const Numbers& classes) {
         return individuals_apart(winners, classes) ? 1.0 : 0.0;
       };
     });
     add_area_measure("areas_connected", label, [&](const Numbers& winners) -> AreaMeasure {
-      return [areas = WinnerAreas(asked_.question.grid, winners)](const Numbers& classes) {
+      return [areas = WinnerAreas(study_.prepared.grid, winners)](const Numbers& classes) {
         return areas.connected(classes) ? 1.0 : 0.0;
       };
     });
   }
 
-  // What the papers read off one map with all samples on it; or off one that new things are put on.
+  // The measures of one map with all samples; or of one with new objects.
   void read_maps() {
-    const bool one_map = asked_.protocol == Protocol::kTrainIsTest;
-    if (!one_map && asked_.protocol != Protocol::kTestData) return;
+    const bool one_map = study_.protocol == Protocol::kTrainIsTest;
+    if (!one_map && study_.protocol != Protocol::kTestData) return;
     std::vector<std::vector<Reading>> readings;
     readings.reserve(seeds_.size());
     for (const SeedOutcome& seed : seeds_) {
       const FoldOutcome& outcome = *seed.folds.front();
       readings.push_back(one_map
-                             ? read_map(asked_.study, asked_.question, outcome.winners, seed.seed)
-                             : read_placed(asked_.question, outcome, seed.seed));
+                             ? read_map(study_.study, study_.prepared, outcome.winners, seed.seed)
+                             : read_placed(study_.prepared, outcome, seed.seed));
     }
     for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
       Metric metric{readings.front()[reading].name, {}};
@@ -211,7 +212,7 @@ class MetricsMaker {
     }
   }
 
-  const Asked& asked_;
+  const MeasuredStudy& study_;
   const std::vector<SeedOutcome>& seeds_;
   std::size_t tested_ = 0;
   std::string prefix_;
@@ -232,8 +233,8 @@ std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
   return named;
 }
 
-std::vector<Metric> metrics_of(const Asked& asked, const std::vector<SeedOutcome>& seeds) {
-  return MetricsMaker(asked, seeds).make();
+std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds) {
+  return MetricsMaker(study, seeds).make();
 }
 
 }  // namespace somato

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "somato/studies/protocol.h"
 #include "somato/studies/results.h"
 #include "somato/studies/study_parameters.h"
 #include "studies/fold_run.h"
-#include "studies/question.h"
+#include "studies/folds.h"
+#include "studies/prepared_study.h"
 
 namespace somato {
 
@@ -18,10 +18,10 @@ struct SeedOutcome {
   std::vector<const FoldOutcome*> folds;
 };
 
-/// What was asked and how it was divided.
-struct Asked {
+/// A study and its division into folds.
+struct MeasuredStudy {
   const StudyParameters& study;
-  const Question& question;
+  const PreparedStudy& prepared;
   Protocol protocol;
   const std::vector<Fold>& folds;
 };
@@ -30,8 +30,8 @@ struct Asked {
 std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
                                      const FoldOutcome& outcome);
 
-/// All metrics over the seeds, in the order of docs/reference/results.md; those that say nothing
-/// under this protocol are left out.
-std::vector<Metric> metrics_of(const Asked& asked, const std::vector<SeedOutcome>& seeds);
+/// All metrics over the seeds, in the order of docs/reference/results.md; those that are not
+/// defined under this protocol are omitted.
+std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds);
 
 }  // namespace somato

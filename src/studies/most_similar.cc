@@ -1,4 +1,4 @@
-#include "somato/studies/most_similar.h"
+#include "studies/most_similar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,16 @@ double difference(const SizedThing& a, const SizedThing& b) {
   return std::abs(a.number - b.number);
 }
 
-std::vector<std::size_t> most_similar_to(const SizedThing& asked,
+std::vector<std::size_t> most_similar_to(const SizedThing& query,
                                          const std::vector<SizedThing>& known) {
   double least = std::numeric_limits<double>::infinity();
-  for (const SizedThing& other : known) least = std::min(least, difference(asked, other));
+  for (const SizedThing& other : known) least = std::min(least, difference(query, other));
   if (std::isinf(least)) return {};
   constexpr double kRounding = 1e-12;  // 0.3 is not quite as far from 0.2 as from 0.4
-  const double nearest = least + kRounding * (std::abs(asked.number) + least);
+  const double nearest = least + kRounding * (std::abs(query.number) + least);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    if (difference(asked, known[i]) <= nearest) found.push_back(i);
+    if (difference(query, known[i]) <= nearest) found.push_back(i);
   }
   return found;
 }
@@ -44,12 +44,12 @@ double number_of_median(std::vector<double> numbers) {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> most_similar(const std::vector<SizedThing>& known,
-                                                   const std::vector<SizedThing>& asked) {
+                                                   const std::vector<SizedThing>& queries) {
   require_finite(known);
-  require_finite(asked);
+  require_finite(queries);
   std::vector<std::vector<std::size_t>> found;
-  found.reserve(asked.size());
-  for (const SizedThing& thing : asked) {
+  found.reserve(queries.size());
+  for (const SizedThing& thing : queries) {
     found.push_back(most_similar_to(thing, known));
   }
   return found;

@@ -1,4 +1,4 @@
-#include "somato/studies/nearest_neighbour.h"
+#include "studies/nearest_neighbour.h"
 
 #include <array>
 #include <limits>

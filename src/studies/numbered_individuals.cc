@@ -20,38 +20,37 @@ Result<double> number_from(const std::string& text, const std::string& label) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc() && rest == end && std::isfinite(number)) return number;
-  return fail(ErrorKind::kData, fmt::format("the label '{}' says '{}', no number", label, text), {},
-              "name a label of numbers as 'order'");
+  return fail(ErrorKind::kData,
+              fmt::format("the label '{}' is '{}', which is not a number", label, text), {},
+              "use a label with numbers as 'order'");
 }
 
 Error differs(const std::string& individual, const std::string& label) {
   return {ErrorKind::kData,
           fmt::format("explorations with the same '{}' differ in '{}'", individual, label),
           {},
-          "name another label as 'individual'"};
+          "use another label as 'individual'"};
 }
 
 }  // namespace
 
 Result<std::vector<NumberedIndividual>> numbered_individuals(
-    const Recording& recording, const NumberedLabels& asked,
+    const Recording& recording, const NumberedLabels& labels,
     const std::vector<std::size_t>& individuals) {
-  const auto texts = labels_of(recording, asked.order);
-  if (!texts) return fail(texts.error());
-  auto groups = std::vector<std::string>(texts->size());
-  if (!asked.within.empty()) {
-    auto found = labels_of(recording, asked.within);
-    if (!found) return fail(std::move(found.error()));
-    groups = std::move(*found);
+  SOMATO_TRY(const auto texts, labels_of(recording, labels.order));
+  auto groups = std::vector<std::string>(texts.size());
+  if (!labels.within.empty()) {
+    SOMATO_TRY(auto found, labels_of(recording, labels.within));
+    groups = std::move(found);
   }
   std::map<std::size_t, NumberedIndividual> found;
-  for (std::size_t sample = 0; sample < texts->size(); ++sample) {
-    const auto number = number_from((*texts)[sample], asked.order);
+  for (std::size_t sample = 0; sample < texts.size(); ++sample) {
+    const auto number = number_from(texts[sample], labels.order);
     if (!number) return fail(number.error());
     const NumberedIndividual first{groups[sample], *number, {}};
     NumberedIndividual& individual = found.emplace(individuals[sample], first).first->second;
-    if (individual.number != *number) return fail(differs(asked.individual, asked.order));
-    if (individual.group != groups[sample]) return fail(differs(asked.individual, asked.within));
+    if (individual.number != *number) return fail(differs(labels.individual, labels.order));
+    if (individual.group != groups[sample]) return fail(differs(labels.individual, labels.within));
     individual.samples.push_back(sample);
   }
   std::vector<NumberedIndividual> all;
@@ -70,7 +69,7 @@ Error no_order(const std::string& order) {
   return {ErrorKind::kData,
           fmt::format("no group has {} individuals of different '{}'", kFewestInOrder, order),
           {},
-          "two numbers are always in order; name another label as 'order' or 'within'"};
+          "two numbers are always in order; use another label as 'order' or 'within'"};
 }
 
 }  // namespace somato

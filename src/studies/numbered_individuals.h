@@ -9,7 +9,7 @@
 
 namespace somato {
 
-/// Which labels tell of individuals: their name, a number each has, and the group it is in.
+/// The labels that define individuals: their name, their number, and their group.
 struct NumberedLabels {
   std::string individual;
   std::string order;

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "files/embedded.h"
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
 
-// As P06 and P11 present them.
+// In the order of P06 and P11.
 constexpr std::array<std::string_view, 9> kOrder = {"single_tensor_product",
                                                     "tensor_chain",
                                                     "t_mpsom_multiplied",
@@ -44,9 +44,8 @@ Result<std::vector<NamedFile>> files_in(std::string_view folder) {
   std::vector<NamedFile> files;
   for (const detail::EmbeddedFile& file : detail::embedded_files()) {
     if (!is_in(file, folder)) continue;
-    auto content = parse_toml(file.text, file.path);
-    if (!content) return fail(std::move(content.error()));
-    files.push_back({name_of(file), std::move(*content)});
+    SOMATO_TRY(auto content, parse_toml(file.text, file.path));
+    files.push_back({name_of(file), std::move(content), std::string(file.text)});
   }
   return files;
 }
@@ -63,9 +62,8 @@ Result<OwnSystems> own_systems() {
   std::array<std::vector<NamedFile>*, kFolders.size()> parts = {&own.systems, &own.recorded,
                                                                 &own.questions, &own.studies};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    auto files = files_in(kFolders[i]);
-    if (!files) return fail(std::move(files.error()));
-    *parts[i] = std::move(*files);
+    SOMATO_TRY(auto files, files_in(kFolders[i]));
+    *parts[i] = std::move(files);
   }
   std::sort(own.systems.begin(), own.systems.end(), [](const NamedFile& a, const NamedFile& b) {
     return std::pair(place_of(a), a.name) < std::pair(place_of(b), b.name);

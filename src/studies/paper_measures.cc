@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "maps/winner_measures.h"
 #include "somato/core/check.h"
-#include "somato/maps/winner_measures.h"
 
 namespace somato {
 namespace {
@@ -42,13 +42,9 @@ bool has_three_numbers(const std::vector<MappedIndividual>& members) {
   return different.size() >= 3;
 }
 
-double length_of(const SignalView& sample) {
-  return std::sqrt(inner_product(sample, sample));
-}
-
 // Adds the sample, scaled to length 1, to a sum with all elements.
 void add_direction(const SignalView& sample, std::vector<double>& sum) {
-  const double length = length_of(sample);
+  const double length = std::sqrt(inner_product(sample, sample));
   if (!(length > 0.0)) return;
   for (std::size_t i = 0; i < sample.values.size(); ++i) {
     sum[sample.sparse ? sample.indices[i] : i] += sample.values[i] / length;
@@ -63,9 +59,9 @@ double summed_squares(const std::vector<double>& vector) {
 
 }  // namespace
 
-std::size_t samples_sharing_with_own(const std::vector<std::size_t>& winners,
-                                     const std::vector<std::size_t>& classes) {
-  require(winners.size() == classes.size(), "shared winners need a class a winner");
+std::size_t samples_sharing_within_class(const std::vector<std::size_t>& winners,
+                                         const std::vector<std::size_t>& classes) {
+  require(winners.size() == classes.size(), "shared winners need one class per winner");
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> samples_at;  // neuron and class
   for (std::size_t i = 0; i < winners.size(); ++i) ++samples_at[{winners[i], classes[i]}];
   std::size_t sharing = 0;
@@ -108,7 +104,7 @@ RankOrder order_along(const std::vector<MappedIndividual>& individuals, std::siz
 // The directions' inner products over all pairs are in the squared length of their sum; those
 // within a class in that of the class's sum, as is each direction with itself.
 double cosine_between_classes(const Samples& samples, const std::vector<std::size_t>& classes) {
-  require(classes.size() <= samples.count(), "there must be a sample for each class");
+  require(classes.size() <= samples.count(), "one sample for each class is required");
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < classes.size(); ++i) members[classes[i]].push_back(i);
   require(members.size() > 1, "a cosine between classes needs two classes");

@@ -1,4 +1,4 @@
-#include "somato/studies/part_file.h"
+#include "studies/part_file.h"
 
 #include <limits>
 #include <utility>
@@ -11,15 +11,18 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kPartVersion = 2;
+constexpr int kPartVersion = 3;
 
-SortedJson protocol_json(const SystemResults& protocol) {
+SortedJson protocol_json(const ProtocolResults& protocol) {
   SortedJson metrics = SortedJson::array();
   for (const Metric& metric : protocol.metrics) {
     metrics.push_back({metric.name, metric.values, metric.of_each});
   }
-  return {{"name", protocol.name},   {"protocol", protocol.protocol}, {"group", protocol.group},
-          {"label", protocol.label}, {"samples", protocol.samples},   {"metrics", metrics}};
+  return {{"protocol", protocol.protocol},
+          {"group", protocol.group},
+          {"label", protocol.label},
+          {"samples", protocol.samples},
+          {"metrics", metrics}};
 }
 
 // JSON has no NaN and writes null.
@@ -32,9 +35,8 @@ std::vector<double> kept_values(const SortedJson& list) {
   return values;
 }
 
-SystemResults protocol_of(const SortedJson& kept) {
-  SystemResults protocol;
-  kept.at("name").get_to(protocol.name);
+ProtocolResults protocol_of(const SortedJson& kept) {
+  ProtocolResults protocol;
   kept.at("protocol").get_to(protocol.protocol);
   kept.at("group").get_to(protocol.group);
   kept.at("label").get_to(protocol.label);
@@ -48,15 +50,18 @@ SystemResults protocol_of(const SortedJson& kept) {
 }  // namespace
 
 std::string part_file(const PartResults& part) {
+  SortedJson recordings = SortedJson::array();
+  for (const RecordingInfo& one : part.recordings) recordings.push_back(one.name);
   SortedJson pairs = SortedJson::array();
   for (const Pair& pair : part.pairs) pairs.push_back({pair.recording, pair.seed});
   SortedJson protocols = SortedJson::array();
-  for (const SystemResults& protocol : part.protocols) protocols.push_back(protocol_json(protocol));
+  for (const ProtocolResults& protocol : part.protocols)
+    protocols.push_back(protocol_json(protocol));
   return checked_line({{"somato_part", kPartVersion},
                        {"question", part.question},
                        {"system", part.system},
                        {"variation", part.variation},
-                       {"recordings", part.recordings},
+                       {"recordings", recordings},
                        {"pairs", pairs},
                        {"protocols", protocols}});
 }
@@ -70,7 +75,9 @@ std::optional<PartResults> read_part_file(std::string_view content) {
   kept->at("question").get_to(part.question);
   kept->at("system").get_to(part.system);
   kept->at("variation").get_to(part.variation);
-  kept->at("recordings").get_to(part.recordings);
+  for (const SortedJson& name : kept->at("recordings")) {
+    part.recordings.push_back({name, {}, 0, {}, 0});
+  }
   for (const SortedJson& pair : kept->at("pairs")) part.pairs.push_back({pair.at(0), pair.at(1)});
   for (const SortedJson& protocol : kept->at("protocols")) {
     part.protocols.push_back(protocol_of(protocol));

@@ -5,14 +5,14 @@
 #include <numeric>
 #include <utility>
 
+#include "core/rank_correlation.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/core/rank_correlation.h"
 
 namespace somato {
 namespace {
 
-// What counts as equal after rounding.
+// Tolerance for values that are equal up to rounding.
 constexpr double kRankRounding = 1e-12;
 
 constexpr int kMostSquarings = 60;
@@ -23,7 +23,7 @@ double trace_of(const Matrix<double>& matrix) {
   return trace;
 }
 
-// The inner products of what is left of the vectors when their mean is taken away.
+// The inner products of the vectors after subtracting their mean.
 Matrix<double> centred(const Matrix<double>& inner_products) {
   const std::size_t count = inner_products.rows();
   std::vector<double> row_means(count, 0.0);
@@ -56,8 +56,8 @@ Matrix<double> squared(const Matrix<double>& matrix) {
   return square;
 }
 
-// A matrix of trace 1, squared until its largest eigenvalue alone is left.
-Matrix<double> largest_alone(Matrix<double> matrix) {
+// A matrix of trace 1, squared until only its largest eigenvalue remains.
+Matrix<double> only_largest(Matrix<double> matrix) {
   for (int squaring = 0; squaring < kMostSquarings; ++squaring) {
     matrix = squared(matrix);
     const double trace = trace_of(matrix);
@@ -87,7 +87,7 @@ std::vector<double> principal_positions(const Matrix<double>& inner_products) {
   const double trace = trace_of(products);
   if (!(trace > kRankRounding * trace_of(inner_products))) return std::vector<double>(count, 0.0);
   scale(products, 1.0 / trace);
-  products = largest_alone(std::move(products));
+  products = only_largest(std::move(products));
   // Every column points there; the longest is furthest from rounding.
   std::size_t longest = 0;
   for (std::size_t i = 1; i < count; ++i) {

@@ -1,9 +1,10 @@
-#include "somato/studies/reproduction_plan.h"
+#include "somato/studies/reproduction.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "somato/graph/system.h"
+#include "studies/variation.h"
 
 namespace somato {
 namespace {
@@ -15,7 +16,7 @@ const Table* table_named(const Table& file, const std::string& name) {
   return entry ? std::get_if<Table>(&entry->content) : nullptr;
 }
 
-// What may stand in a question beside its changes.
+// The keys that a question may contain in addition to its changes.
 bool belongs_to_question(const std::string& name) {
   return name == kQuestion || name == "variation" || name == "claim";
 }
@@ -24,7 +25,7 @@ Result<QuestionParameters> read_question(const Table& file) {
   const Table* table = table_named(file, kQuestion);
   if (!table) {
     return fail(ErrorKind::kUsage, "'question' must be a table", file.find(kQuestion)->where,
-                "write [question] on a line of its own, its keys below");
+                "write [question] on a separate line, its keys below");
   }
   auto question = read_parameters<QuestionParameters>(*table);
   if (!question) return question;
@@ -47,7 +48,7 @@ bool states_shapes(const SystemDescription& system) {
   });
 }
 
-// What is wrong in a module is told before anything is explored, if it can be known by then.
+// Errors in modules are reported before exploring, if they are already detectable.
 Result<void> check_modules(const SystemDescription& system) {
   if (!states_shapes(system)) return {};
   RecordingLayout any_number;  // which decides automatic sizes
@@ -61,7 +62,7 @@ Result<ReproductionPart> part_of(const Table& file, const std::string& question,
                                  const std::string& variation, std::optional<std::size_t> pairs) {
   auto description = read_study(file);
   if (!description) return fail(std::move(description.error()));
-  if (auto right = check_modules(description->system); !right) return fail(right.error());
+  SOMATO_TRY_VOID(check_modules(description->system));
   ReproductionPart part{question, description->study.name, variation, {}, {}, pairs};
   part.description = std::move(*description);
   if (const Table* explore = table_named(file, "explore")) part.explore = *explore;
@@ -70,9 +71,8 @@ Result<ReproductionPart> part_of(const Table& file, const std::string& question,
 
 Result<void> add_part(const Table& file, const std::string& question, const std::string& variation,
                       std::optional<std::size_t> pairs, ReproductionPlan& plan) {
-  auto part = part_of(file, question, variation, pairs);
-  if (!part) return fail(std::move(part.error()));
-  plan.parts.push_back(std::move(*part));
+  SOMATO_TRY(auto part, part_of(file, question, variation, pairs));
+  plan.parts.push_back(std::move(part));
   return {};
 }
 
@@ -81,15 +81,14 @@ bool is_for(const Variation& variation, const std::string& system) {
   return systems.empty() || std::find(systems.begin(), systems.end(), system) != systems.end();
 }
 
-// The file, if it is asked for as it stands, and with each of the variations.
+// The file itself, if requested, and with each of the variations.
 Result<void> add_variations(const Table& file, const std::string& system,
                             const std::string& question, const std::vector<Variation>& variations,
                             std::optional<std::size_t> pairs, ReproductionPlan& plan) {
   for (const Variation& variation : variations) {
     if (!is_for(variation, system)) continue;
-    auto varied = with_changes(file, variation.changes);
-    if (!varied) return fail(std::move(varied.error()));
-    auto added = add_part(*varied, question, variation.name, pairs, plan);
+    SOMATO_TRY(auto varied, with_changes(file, variation.changes));
+    auto added = add_part(varied, question, variation.name, pairs, plan);
     if (!added) return added;
   }
   return {};
@@ -105,7 +104,7 @@ Result<const NamedFile*> find_system(const std::vector<NamedFile>& systems, cons
   return fail(unknown_name("system", name, where, known));
 }
 
-// What the question changes for all of its variations: [study], [explore], [module.NAME].
+// The changes of a question for all of its variations: [study], [explore], [module.NAME].
 Table common_changes(const Table& file) {
   Table changes{file.where, {}};
   for (const Table::Entry& entry : file.entries) {
@@ -127,17 +126,15 @@ Result<void> check_names(const std::vector<Variation>& variations,
 
 Result<void> add_question(const NamedFile& file, const std::vector<NamedFile>& systems,
                           const std::vector<Variation>& variations, ReproductionPlan& plan) {
-  const auto question = read_question(file.content);
-  if (!question) return fail(question.error());
-  if (auto known = check_names(variations, question->systems); !known) return known;
-  for (const std::string& name : question->systems) {
-    const auto system = find_system(systems, name, table_named(file.content, kQuestion)->where);
-    if (!system) return fail(system.error());
-    const auto changed = with_changes((*system)->content, common_changes(file.content));
-    if (!changed) return fail(changed.error());
-    Result<void> added = add_part(*changed, question->name, {}, question->pairs, plan);
+  SOMATO_TRY(const auto question, read_question(file.content));
+  SOMATO_TRY_VOID(check_names(variations, question.systems));
+  for (const std::string& name : question.systems) {
+    SOMATO_TRY(const auto system,
+               find_system(systems, name, table_named(file.content, kQuestion)->where));
+    SOMATO_TRY(const auto changed, with_changes(system->content, common_changes(file.content)));
+    Result<void> added = add_part(changed, question.name, {}, question.pairs, plan);
     if (added) {
-      added = add_variations(*changed, name, question->name, variations, question->pairs, plan);
+      added = add_variations(changed, name, question.name, variations, question.pairs, plan);
     }
     if (!added) return added;
   }
@@ -166,8 +163,8 @@ Result<void> add_claims(const Table& file, std::size_t first_part, const std::st
                        (!compares || other_file ||
                         is_run(plan, first_part, claim.than_system, claim.than_variation));
     if (!known) {
-      return fail(ErrorKind::kUsage, "the claim is about something that is not run", claim.where,
-                  "name systems and variations of this file");
+      return fail(ErrorKind::kUsage, "the claim refers to a system or variation that is not run",
+                  claim.where, "use systems and variations of this file");
     }
     claim.question = question;
     plan.claims.push_back(std::move(claim));
@@ -192,27 +189,28 @@ const Declarations<QuestionParameters>& QuestionParameters::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("name", &P::name, "", Range::any(),
-               "Name of the question; stands in the results. Has to be given.")
-          .add("text", &P::text, "", Range::any(), "What is asked, in one sentence.")
-          .add("systems", &P::systems, "", Range::any(), "Names of the systems it is asked of.")
+               "Name of the question, which is used in the results. Required.")
+          .add("text", &P::text, "", Range::any(), "The question, in one sentence.")
+          .add("systems", &P::systems, "", Range::any(),
+               "Names of the systems that the question is about.")
           .add("pairs", &P::pairs, "", Range::between(1, 1e6),
-               "Pairs of recording and seed for each variation; fewer where fewer are asked for.");
+               "Maximum number of pairs of recording and seed for each variation.");
   return declared;
 }
 
 Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
                          ReproductionPlan& plan) {
-  const auto variations = read_variations(file.content);
-  if (!variations) return fail(variations.error());
+  SOMATO_TRY(const auto variations, read_variations(file.content));
   const std::size_t first = plan.parts.size();
   if (file.content.find(kQuestion)) {
-    auto added = add_question(file, systems, *variations, plan);
+    auto added = add_question(file, systems, variations, plan);
     if (!added) return added;
     return add_claims(file.content, first, plan.parts[first].question, plan);
   }
   Result<void> added = add_part(file.content, {}, {}, {}, plan);
   if (added) {
-    added = add_variations(file.content, plan.parts[first].system, {}, *variations, {}, plan);
+    plan.parts[first].description.text = file.text;
+    added = add_variations(file.content, plan.parts[first].system, {}, variations, {}, plan);
   }
   return added ? add_claims(file.content, first, {}, plan) : added;
 }

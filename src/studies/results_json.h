@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "somato/studies/claim.h"
@@ -9,14 +8,11 @@
 
 namespace somato::detail {
 
-/// Parts of results.json that studies, reproductions and sweeps share.
-nlohmann::ordered_json system_json(const SystemResults& system);
-nlohmann::ordered_json settings_json(const std::vector<Settings>& parts);
+/// Parts of results.json that a report or a sweep shares.
+nlohmann::ordered_json protocol_json(const ProtocolResults& protocol);
+nlohmann::ordered_json parameters_json(const std::vector<Settings>& parts);
 
-/// A value as TOML writes it; a text that is not one stays a text.
-nlohmann::ordered_json setting_json(const std::string& value);
-
-/// What is claimed.
+/// The claim.
 nlohmann::ordered_json claim_json(const Claim& claim);
 
 }  // namespace somato::detail

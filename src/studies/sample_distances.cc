@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/threads.h"
 #include "somato/core/check.h"
-#include "somato/core/threads.h"
-#include "somato/studies/nearest_neighbour.h"
+#include "studies/nearest_neighbour.h"
 
 namespace somato {
 namespace {
@@ -63,7 +63,7 @@ NeighbourAccuracy neighbour_accuracy(const Matrix<double>& distances,
                                      const std::vector<std::size_t>& classes,
                                      const std::vector<std::size_t>& groups) {
   require(classes.size() == distances.rows() && groups.size() == distances.rows(),
-          "there must be a class and a group for each sample");
+          "a class and a group for each sample are required");
   Mean right;
   Mean chance;
   for (std::size_t sample = 0; sample < classes.size(); ++sample) {
@@ -76,7 +76,7 @@ NeighbourAccuracy neighbour_accuracy(const Matrix<double>& distances,
 
 std::optional<double> between_to_within(const Matrix<double>& distances,
                                         const std::vector<std::size_t>& classes) {
-  require(classes.size() == distances.rows(), "there must be a class for each sample");
+  require(classes.size() == distances.rows(), "a class for each sample is required");
   Mean between;
   Mean within;
   for (std::size_t sample = 0; sample < classes.size(); ++sample) {

@@ -12,10 +12,10 @@ namespace somato {
 /// The Euclidean distance of every sample from every other: count x count.
 Matrix<double> distances_between(const Samples& samples, std::size_t threads);
 
-/// How often the nearest sample has the right class.
+/// Share of samples whose nearest sample has the same class.
 struct NeighbourAccuracy {
   double accuracy = 0.0;  ///< Share of the samples whose nearest candidate has their class.
-  double chance = 0.0;    ///< The same, expected of a candidate drawn at random.
+  double chance = 0.0;    ///< The same, expected for a randomly drawn candidate.
 };
 
 /// Each sample's candidates are the samples of other groups; the nearest is the first in a tie.

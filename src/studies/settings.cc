@@ -18,13 +18,13 @@ Settings settings_of(std::string part, const Parameters& parameters) {
   return settings;
 }
 
-// What was decided where the description leaves it automatic.
+// The resolved values of automatic parameters.
 std::string decided(const ParameterInfo& parameter, const Som* som) {
   const auto known = som ? SomParameters::declarations().find(parameter.name) : std::nullopt;
   return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
 }
 
-// What the description says of a module, and what holds where it says nothing.
+// The settings of a module in the description, and its defaults.
 Settings settings_of(const ModuleDescription& module, const ModuleType& type, const Som* som) {
   Settings settings{"module." + module.name, {}};
   for (const Table::Entry& entry : module.settings.entries) {

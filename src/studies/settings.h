@@ -8,9 +8,8 @@
 
 namespace somato {
 
-/// Every setting of the modules and phases of a system, as results.json has them: `module.NAME` and
-/// `phase.N`, defaults written out. What a map leaves automatic stands as it was decided where the
-/// map has learned.
+/// All settings of the modules and phases of a system, as in results.json: `module.NAME` and
+/// `phase.N`, including defaults. Automatic parameters of a trained map have their resolved values.
 std::vector<Settings> system_settings(const System& system);
 
 /// Those of the study and its recording, then those of its system.

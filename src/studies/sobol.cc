@@ -1,4 +1,4 @@
-#include "somato/studies/sobol.h"
+#include "studies/sobol.h"
 
 #include <array>
 #include <bit>
@@ -18,7 +18,7 @@ struct SobolLine {
   std::array<std::uint32_t, 7> initial;
 };
 
-// Of dimensions 2, 3, and so on.
+// For dimensions 2, 3, and so on.
 constexpr std::array<SobolLine, kSobolDimensions - 1> kSobolLines{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -53,7 +53,7 @@ constexpr std::array<SobolLine, kSobolDimensions - 1> kSobolLines{{
     {7, 42, {1, 3, 7, 3, 13, 59, 17}},
 }};
 
-// Direction number k stands for bit k of the point's number, the lowest first.
+// Direction number k belongs to bit k of the point's number, the lowest first.
 using Directions = std::array<std::uint32_t, kBits>;
 
 Directions van_der_corput() {
@@ -87,7 +87,7 @@ const std::vector<Directions>& all_directions() {
 }  // namespace
 
 std::vector<double> sobol_point(std::uint32_t index, std::size_t dimensions) {
-  require(dimensions <= kSobolDimensions, "there are Sobol' points of up to 32 dimensions");
+  require(dimensions <= kSobolDimensions, "Sobol' points support at most 32 dimensions");
   std::vector<double> point;
   point.reserve(dimensions);
   for (std::size_t d = 0; d < dimensions; ++d) {

@@ -11,11 +11,10 @@ Result<void> read_part(const Table::Entry& entry, Parameters& parameters) {
   const Table* table = std::get_if<Table>(&entry.content);
   if (!table) {
     return fail(ErrorKind::kUsage, "'" + entry.name + "' must be a table", entry.where,
-                "write [" + entry.name + "] on a line of its own, its keys below");
+                "write [" + entry.name + "] on a separate line, its keys below");
   }
-  Result<Parameters> read = read_parameters(*table, parameters);
-  if (!read) return fail(std::move(read.error()));
-  parameters = std::move(*read);
+  SOMATO_TRY(Parameters read, read_parameters(*table, parameters));
+  parameters = std::move(read);
   return {};
 }
 
@@ -25,13 +24,13 @@ bool has_duplicates(std::vector<T> values) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
-// What the file says of [study], which may be nothing.
+// The table [study] of the file, if there is one.
 const Table* study_table(const Table& file) {
   const Table::Entry* study = file.find("study");
   return study ? std::get_if<Table>(&study->content) : nullptr;
 }
 
-// Where a key of [study] stands, or the table, or the file.
+// The location of a key of [study], or of the table, or of the file.
 std::string place_of(const Table& file, const std::string& key) {
   const Table* table = study_table(file);
   if (!table) return file.where;
@@ -65,33 +64,31 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
                   "add protocols = [\"leave_one_out\"] to [study]");
   }
   if (has_duplicates(study.protocols)) {
-    return refuse("protocols", "a protocol is named twice",
-                  "name each of protocols in [study] once");
+    return refuse("protocols", "a protocol is listed twice", "list each protocol once");
   }
   if (has(Protocol::kTestData)) {
-    return refuse("protocols", "'test_data' is no protocol to name",
+    return refuse("protocols", "'test_data' cannot be selected as a protocol",
                   "run the study with --test-data instead");
   }
   if (has(Protocol::kLeaveGroupOut) && study.groups.empty()) {
-    return refuse("protocols", "leave_group_out needs the labels whose groups are left out",
+    return refuse("protocols", "leave_group_out needs labels that define the groups",
                   "add groups = [\"...\"] to [study]");
   }
   if (has_duplicates(study.groups)) {
-    return refuse("groups", "a label is named twice", "name each of groups in [study] once");
+    return refuse("groups", "a label is listed twice", "list each label once");
   }
   if (!study.order.empty() && study.individual.empty()) {
-    return refuse("order", "an order is one of individuals, and none are named",
-                  "add individual = \"...\" to [study]");
+    return refuse("order", "an order requires individuals", "add individual = \"...\" to [study]");
   }
   if (!study.within.empty() && study.order.empty()) {
     return refuse("within", "'within' has no effect without 'order'",
-                  "leave it out, or add the order");
+                  "remove it, or add the order");
   }
   for (const std::string& pair : study.mapped_with) {
     if (std::count(pair.begin(), pair.end(), ' ') == 1) continue;
-    return refuse(
-        "mapped_with", "'" + pair + "' does not name two classes",
-        "write two names with a space between them: those mapped, and those they are with");
+    return refuse("mapped_with", "'" + pair + "' does not consist of two classes",
+                  "write two names separated by a space: the class that is mapped, and the class "
+                  "that it is mapped with");
   }
   // An empty list is how a variation takes the groups away.
   return check_effect(file, "groups", "leave_group_out",
@@ -99,59 +96,80 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
       .and_then([&] { return check_effect(file, "folds", "k_folds", has(Protocol::kFolds)); });
 }
 
+// Without defaults, since a key that no protocol reads is refused.
+template <typename Parameters>
+std::string table_to_toml(const std::string& name, const Parameters& parameters) {
+  std::string text = "[" + name + "]\n";
+  for (const auto& parameter : Parameters::declarations().all()) {
+    const std::string value = to_toml(parameter.read(parameters));
+    if (value != parameter.info.default_text) text += parameter.info.name + " = " + value + "\n";
+  }
+  return text + "\n";
+}
+
 }  // namespace
+
+const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
+  static const std::vector<std::pair<Protocol, std::string>> choices{
+      {Protocol::kTrainIsTest, "train_is_test"},
+      {Protocol::kLeaveOneOut, "leave_one_out"},
+      {Protocol::kLeaveGroupOut, "leave_group_out"},
+      {Protocol::kFolds, "k_folds"},
+      {Protocol::kTestData, "test_data"}};
+  return choices;
+}
 
 const Declarations<StudyParameters>& StudyParameters::declarations() {
   using P = StudyParameters;
   static const auto declared =
       Declarations<P>()
           .add("name", &P::name, "", Range::any(),
-               "Name of the study; stands in the results. Has to be given.")
+               "Name of the study, which is used in the results. Required.")
           .add("label", &P::label, "", Range::any(),
-               "Which label of the explorations the map is asked to tell apart.")
+               "Label of the explorations by which the map is evaluated; its values are the "
+               "classes.")
           .add("only", &P::only, "", Range::any(),
-               "Values of the label that are asked about; explorations with others are left out. "
+               "Values of the label to include; explorations with other values are left out. "
                "Empty: all.")
           .add("labels", &P::labels, "", Range::any(),
-               "Further labels asked of the same maps, such as the shape.")
+               "Further labels by which the same maps are evaluated, such as the shape.")
           .add("individual", &P::individual, "", Range::any(),
-               "Label of what is dealt to classes anew in wrong groupings, such as the object when "
-               "the label is its shape; each exploration on its own where it is empty, or where "
-               "every class is a single individual.")
+               "Label of the units that are reassigned to classes at random in wrong groupings, "
+               "such as the object if the label is its shape; if it is empty, or if every class is "
+               "a single individual, each exploration is reassigned separately.")
           .add("order", &P::order, "", Range::any(),
-               "Label with a number of each individual, such as its girth: whether it is in order "
-               "around the map (P11 section III).")
+               "Label with a number of each individual, such as its girth; measures whether the "
+               "map preserves its order (P11 section III).")
           .add("within", &P::within, "", Range::any(),
-               "Label of the groups within which the order is asked, too, such as the shape.")
-          .add(
-              "mapped_with", &P::mapped_with, "", Range::any(),
-              "Pairs of classes, each two names with a space between them: how many samples of the "
-              "first are mapped with the second.")
+               "Label of the groups within which the order is measured as well, such as the shape.")
+          .add("mapped_with", &P::mapped_with, "", Range::any(),
+               "Pairs of classes, two names separated by a space: the number of samples of the "
+               "first that are mapped with the second.")
           .add("map", &P::map, "", Range::any(),
-               "Name of the module of type som whose winners answer; empty: the one that no other "
-               "module listens to.")
+               "Name of the output map, a module of type som; empty: the only one whose output no "
+               "other module uses.")
           .add("protocols", &P::protocols, "", Range::any(),
-               "Which explorations are learned from and which are tested: all for both, as in the "
-               "papers; or each in turn, each group, or each of some equal parts on what never met "
-               "it. test_data comes with --test-data.")
+               "Division into training and test explorations: all for both, as in the papers; or "
+               "each exploration, each group, or each of several equal parts is tested by a system "
+               "trained on the others. test_data is added by --test-data.")
           .add("groups", &P::groups, "", Range::any(),
                "Labels whose values are the groups of leave_group_out, which is run once for each "
                "label.")
           .add("folds", &P::folds, "", Range::between(2, 1e6), "Number of parts of k_folds.")
           .add("seeds", &P::seeds, "", Range::between(1, 1e6),
-               "Number of seeds, each a map of its own. The papers show one map.")
+               "Number of seeds; each trains a separate map. The papers show one map.")
           .add("first_seed", &P::first_seed, "", Range::between(0, 1e15),
-               "The first seed; the others follow it.")
+               "The first seed; the others follow consecutively.")
           .add("wrong_groupings", &P::wrong_groupings, "", Range::between(0, 1e4),
-               "Wrong groupings a seed that the measure of areas is compared with.");
+               "Number of wrong groupings per seed with which the measure of areas is compared.");
   return declared;
 }
 
 const Declarations<RecordingParameters>& RecordingParameters::declarations() {
   using P = RecordingParameters;
-  static const auto declared = Declarations<P>().add(
-      "format", &P::format, "", Range::any(),
-      "Format of the data that the study is given; automatic: by the files' names.");
+  static const auto declared =
+      Declarations<P>().add("format", &P::format, "", Range::any(),
+                            "Format of the study's data; automatic: by the names of the files.");
   return declared;
 }
 
@@ -168,10 +186,13 @@ Result<StudyDescription> read_study(const Table& file) {
   if (!system) return fail(std::move(system.error()));
   description.system = std::move(*system);
   if (description.system.name.empty()) description.system.name = description.study.name;
-  if (auto complete = check_complete(description.study, file); !complete) {
-    return fail(std::move(complete.error()));
-  }
+  SOMATO_TRY_VOID(check_complete(description.study, file));
   return description;
+}
+
+std::string to_toml(const StudyDescription& description) {
+  return table_to_toml("study", description.study) +
+         table_to_toml("recording", description.recording) + to_toml(description.system);
 }
 
 }  // namespace somato

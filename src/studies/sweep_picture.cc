@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_picture.h"
+#include "studies/sweep_picture.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "somato/drawing/strip_picture.h"
+#include "drawing/strip_picture.h"
 
 namespace somato {
 namespace {

@@ -1,11 +1,11 @@
-#include "somato/studies/sweep_plan.h"
+#include "studies/sweep_plan.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/contains.h"
 #include "somato/graph/module.h"
-#include "somato/studies/variation.h"
+#include "studies/variation.h"
 
 namespace somato {
 namespace {
@@ -50,7 +50,7 @@ const Table* table_in(const Table& table, const std::string& name) {
   return entry ? std::get_if<Table>(&entry->content) : nullptr;
 }
 
-// What the file says at a key; nullptr where it says nothing.
+// The value of a key in the file; nullptr if there is none.
 const Value* value_in(const Table& file, const std::vector<std::string>& names) {
   const Table* table = &file;
   for (std::size_t i = 0; table && i + 1 < names.size(); ++i) table = table_in(*table, names[i]);
@@ -75,10 +75,9 @@ Result<std::string> default_of_module(const Table& file, const std::vector<std::
   if (!module) return fail(unknown_name("module", names[1], where, entry_names(known_modules)));
   const Value* type_name = value_in(*module, {"type"});
   const auto* text = type_name ? std::get_if<std::string>(&type_name->content) : nullptr;
-  const auto type = find_module_type(text ? *text : "", module->where);
-  if (!type) return fail(type.error());
+  SOMATO_TRY(const auto type, find_module_type(text ? *text : "", module->where));
   std::vector<std::string> known = entry_names(*module);
-  for (const ParameterInfo& parameter : (*type)->parameters) {
+  for (const ParameterInfo& parameter : type->parameters) {
     if (parameter.name == names[2]) return parameter.default_text;
     known.push_back(parameter.name);
   }
@@ -90,8 +89,8 @@ Result<std::string> own_value(const Table& file, const std::string& key, const s
   const std::vector<std::string> names = split_key(key);
   const bool of_module = names.front() == "module";
   if (names.size() < 2 || (!of_module && names.front() != "explore")) {
-    return fail(ErrorKind::kUsage, "'" + key + "' is no key of a module or of exploring", where,
-                "write module.NAME.PARAMETER, or explore.TABLE.NAME");
+    return fail(ErrorKind::kUsage, "'" + key + "' is not a key of a module or of the exploration",
+                where, "write module.NAME.PARAMETER, or explore.TABLE.NAME");
   }
   if (const Value* value = value_in(file, names)) return to_toml(*value);
   if (of_module) return default_of_module(file, names, where);
@@ -143,23 +142,21 @@ bool is_claimed(const std::vector<Claim>& claims, const std::string& variation) 
 Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const NamedFile& system,
                                const std::map<std::string, std::string>& explore_defaults) {
   if (const Table::Entry* question = system.content.find("question")) {
-    return fail(ErrorKind::kUsage, "a sweep is of one system, not of a question", question->where,
-                "name a system; 'somato systems' lists them");
+    return fail(ErrorKind::kUsage, "a sweep requires a system, not a question", question->where,
+                "use the name of a system; 'somato systems' lists them");
   }
-  auto changed = with_changes(system.content, sweep.changes);
-  if (!changed) return fail(std::move(changed.error()));
-  SystemSweep planned{{}, sweep, {system.name, std::move(*changed)}, {}, {}, {}};
+  SOMATO_TRY(auto changed, with_changes(system.content, sweep.changes));
+  SystemSweep planned{{}, sweep, {system.name, std::move(changed)}, {}, {}, {}};
   ReproductionPlan plan;
-  if (auto added = add_to_plan(planned.file, {}, plan); !added) return fail(added.error());
+  SOMATO_TRY_VOID(add_to_plan(planned.file, {}, plan));
   planned.system = plan.parts.front().system;
   for (const Unknown& unknown : sweep.unknowns) {
-    auto own = own_values_of(planned.file.content, unknown, explore_defaults);
-    if (!own) return fail(std::move(own.error()));
-    planned.own_values.push_back(std::move(*own));
+    SOMATO_TRY(auto own, own_values_of(planned.file.content, unknown, explore_defaults));
+    planned.own_values.push_back(std::move(own));
   }
   take_claims(plan, planned);
   if (planned.claims.empty()) {
-    return fail(ErrorKind::kUsage, "the system claims nothing that a sweep could judge",
+    return fail(ErrorKind::kUsage, "the system has no claims that a sweep could evaluate",
                 plan.parts.front().description.where,
                 "add a table [[claim]] to its file, or to that of the sweep");
   }
@@ -170,9 +167,7 @@ Result<ReproductionPlan> plan_of_point(const SystemSweep& sweep, const SweepPoin
   const auto file = with_changes(sweep.file.content, changes_at(sweep.sweep, point));
   if (!file) return fail(file.error());
   ReproductionPlan plan;
-  if (auto added = add_to_plan({sweep.file.name, *file}, {}, plan); !added) {
-    return fail(added.error());
-  }
+  SOMATO_TRY_VOID(add_to_plan({sweep.file.name, *file}, {}, plan));
   plan.claims = sweep.claims;
   std::erase_if(plan.parts, [&](const ReproductionPart& part) {
     return !is_claimed(sweep.claims, part.variation);
@@ -186,7 +181,7 @@ std::string name_of_point(const SweepDescription& sweep, const SweepPoint& point
     if (!point[i]) continue;
     name += (name.empty() ? "" : ", ") + sweep.unknowns[i].name + " = " + to_toml(point[i]->value);
   }
-  return name.empty() ? "the system as it stands" : name;
+  return name.empty() ? "the unchanged system" : name;
 }
 
 }  // namespace somato

@@ -1,12 +1,12 @@
-#include "somato/studies/sweep_points.h"
+#include "studies/sweep_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "somato/core/elementary.h"
-#include "somato/studies/design.h"
-#include "somato/studies/sobol.h"
+#include "core/elementary.h"
+#include "studies/design.h"
+#include "studies/sobol.h"
 
 namespace somato {
 namespace {
@@ -28,7 +28,7 @@ Value whole_value(double number) {
   return {static_cast<std::int64_t>(number)};
 }
 
-// A level stands on an end of the range or evenly between the ends.
+// A level is at an end of the range or evenly between the ends.
 Value level_value(const UnknownParameters& unknown, std::size_t level, std::size_t levels) {
   if (!unknown.is_range()) return unknown.values[level];
   const double fraction = static_cast<double>(level) / static_cast<double>(levels - 1);
@@ -58,7 +58,7 @@ std::size_t level_count(const UnknownParameters& unknown) {
   return std::min(kLevelsUnlessGiven, static_cast<std::size_t>(std::min(most, kMostParts)));
 }
 
-// Of a design without levels.
+// For a design without levels.
 std::size_t cell_count(const UnknownParameters& unknown, std::size_t points) {
   if (!unknown.is_range()) return unknown.values.size();
   if (unknown.levels) return *unknown.levels;

@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_results.h"
+#include "studies/sweep_results.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/contains.h"
+#include "files/value_json.h"
 #include "studies/results_json.h"
 
 namespace somato {
@@ -59,7 +60,7 @@ std::vector<CellOutcome> outcomes_in(std::size_t cells, const JudgedPoints& poin
   return outcomes;
 }
 
-// With the system as it stands, where it was a point.
+// For the unchanged system, if it is a point.
 double change_over(const std::vector<CellOutcome>& cells, std::optional<double> system_share) {
   std::vector<double> shares;
   if (system_share) shares.push_back(*system_share);
@@ -96,10 +97,6 @@ std::optional<double> share_of_system(const JudgedPoints& judged) {
   return {};
 }
 
-SweepJson value_json(const Value& value) {
-  return detail::setting_json(to_toml(value));
-}
-
 SweepJson unknown_json(const SystemSweep& sweep, std::size_t number) {
   const Unknown& unknown = sweep.sweep.unknowns[number];
   const UnknownParameters& given = unknown.parameters;
@@ -112,7 +109,7 @@ SweepJson unknown_json(const SystemSweep& sweep, std::size_t number) {
   }
   json["cells"] = SweepJson::array();
   for (const SweepCell& cell : sweep_cells(sweep.sweep, unknown)) {
-    json["cells"].push_back({{"from", value_json(cell.from)}, {"to", value_json(cell.to)}});
+    json["cells"].push_back({{"from", to_json_value(cell.from)}, {"to", to_json_value(cell.to)}});
   }
   return json;
 }
@@ -158,7 +155,7 @@ SweepJson point_json(const SweepDescription& sweep, const SweepPointResults& poi
   SweepJson values = SweepJson::object();
   for (std::size_t i = 0; i < point.point.size(); ++i) {
     const auto& place = point.point[i];
-    values[sweep.unknowns[i].name] = place ? value_json(place->value) : SweepJson(nullptr);
+    values[sweep.unknowns[i].name] = place ? to_json_value(place->value) : SweepJson(nullptr);
   }
   SweepJson claims = SweepJson::array();
   for (const auto& outcome : point.claims) {
@@ -175,8 +172,8 @@ SweepPointResults judge_point(const SystemSweep& sweep, const SweepPoint& point,
                               const std::vector<PartResults>& parts) {
   SweepPointResults results{point, {}, {}};
   for (const PartResults& part : parts) {
-    for (const std::string& name : part.recordings) {
-      if (!contains(results.recordings, name)) results.recordings.push_back(name);
+    for (const RecordingInfo& one : part.recordings) {
+      if (!contains(results.recordings, one.name)) results.recordings.push_back(one.name);
     }
   }
   for (const Claim& claim : sweep.claims) {

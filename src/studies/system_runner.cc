@@ -31,11 +31,11 @@ void Tally::one_done() {
   }
 }
 
-bool Tally::goes_on() {
+bool Tally::should_continue() {
   const std::scoped_lock lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
-  if (stopped_ || now - asked_ < kNowAndThen) return !stopped_;
-  asked_ = now;
+  if (stopped_ || now - checked_ < kNowAndThen) return !stopped_;
+  checked_ = now;
   if (progress_ && !progress_(done_, total_)) {
     keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
   }
@@ -52,14 +52,14 @@ void Tally::keep(Error error) {
   stopped_ = true;
 }
 
-SystemRunner::SystemRunner(const StudyDescription& description, const Question& question,
+SystemRunner::SystemRunner(const StudyDescription& description, const PreparedStudy& prepared,
                            ProtocolPart part, std::size_t number)
     : description_(description),
-      question_(question),
+      prepared_(prepared),
       part_(std::move(part)),
       number_(number),
       taken_(part_.protocol == Protocol::kTrainIsTest ? 1 : 0),
-      folds_(folds(part_.protocol, question.divided_by(part_.group))),
+      folds_(folds(part_.protocol, prepared.divided_by(part_.group))),
       tested_(all_tested(folds_)),
       outcomes_(description.study.seeds * folds_.size()),
       neighbours_(folds_.size()),
@@ -82,11 +82,11 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
   }
   const std::size_t fold = training % folds_.size();
   const auto trained =
-      train_fold(description_, question_, folds_[fold], seed(training / folds_.size()),
-                 [&](std::uint64_t, std::uint64_t) { return tally.goes_on(); });
+      train_fold(description_, prepared_, folds_[fold], seed(training / folds_.size()),
+                 [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); });
   if (!trained) return tally.failed(trained.error());
   outcomes_[training] = std::make_unique<FoldOutcome>(
-      test_fold(*trained, question_, folds_[fold], neighbours(*trained, fold)));
+      test_fold(*trained, prepared_, folds_[fold], neighbours(*trained, fold)));
   if (auto kept = journal.add(number_, training, *outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
@@ -101,23 +101,22 @@ void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
 Neighbours SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
-  const auto& vectors = question_.fixed_vectors;
+  const auto& vectors = prepared_.fixed_vectors;
   if (!vectors) return nearest_neighbours(trained.vectors, folds_[fold]);
   std::call_once(are_known_[fold],
                  [&] { neighbours_[fold] = nearest_neighbours(*vectors, folds_[fold]); });
   return neighbours_[fold];
 }
 
-SystemResults SystemRunner::results() const {
-  SystemResults results;
-  results.name = description_.study.name;
+ProtocolResults SystemRunner::results() const {
+  ProtocolResults results;
   results.protocol = choice_name(part_.protocol);
   results.group = part_.group;
   results.label = description_.study.label;
   results.samples = tested_.size();
   const std::vector<SeedOutcome> all = seeds();
   for (const SeedOutcome& seed : all) results.runs.push_back(run_of(seed));
-  results.metrics = metrics_of({description_.study, question_, part_.protocol, folds_}, all);
+  results.metrics = metrics_of({description_.study, prepared_, part_.protocol, folds_}, all);
   return results;
 }
 
@@ -140,21 +139,21 @@ Run SystemRunner::run_of(const SeedOutcome& seed) const {
       run.winners[place_of(folds_[f].test[i], tested_)] = seed.folds[f]->winners[i];
     }
   }
-  for (const AskedLabel& label : question_.labels) {
+  for (const StudiedLabel& label : prepared_.labels) {
     std::vector<std::vector<std::size_t>> named;
     named.reserve(folds_.size());
     for (std::size_t f = 0; f < folds_.size(); ++f) {
       named.push_back(predictions(label.classes, folds_[f], *seed.folds[f]));
     }
     std::vector<std::string> names = names_of_tested(label.classes, named);
-    if (&label == &question_.labels.front()) {
+    if (&label == &prepared_.labels.front()) {
       run.predictions = std::move(names);
     } else {
       run.other_predictions.emplace_back(label.name, std::move(names));
     }
   }
   for (const std::size_t sample : tested_) {
-    run.labels.push_back(question_.classes().names[question_.classes().of_sample[sample]]);
+    run.labels.push_back(prepared_.classes().names[prepared_.classes().of_sample[sample]]);
   }
   return run;
 }

@@ -17,7 +17,7 @@
 #include "studies/fold_run.h"
 #include "studies/journal.h"
 #include "studies/metrics.h"
-#include "studies/question.h"
+#include "studies/prepared_study.h"
 
 namespace somato {
 
@@ -31,8 +31,8 @@ class Tally {
   bool stopped() const { return stopped_; }
   const Error& error() const { return *error_; }
 
-  /// Asks now and then, during a training, whether to stop.
-  bool goes_on();
+  /// Called regularly during a training to request a stop.
+  bool should_continue();
 
  private:
   void keep(Error error);
@@ -41,7 +41,7 @@ class Tally {
   std::uint64_t total_;
   std::uint64_t done_ = 0;
   std::mutex mutex_;
-  std::chrono::steady_clock::time_point asked_;
+  std::chrono::steady_clock::time_point checked_;
   std::optional<Error> error_;
   std::atomic<bool> stopped_ = false;
 };
@@ -57,24 +57,24 @@ struct ProtocolPart {
 class SystemRunner {
  public:
   /// `number` is the place of the protocol among those of the study.
-  SystemRunner(const StudyDescription& description, const Question& question, ProtocolPart part,
-               std::size_t number);
+  SystemRunner(const StudyDescription& description, const PreparedStudy& prepared,
+               ProtocolPart part, std::size_t number);
 
-  /// How many trainings there are to run.
+  /// The number of trainings.
   std::size_t trainings() const { return outcomes_.size() - taken_; }
 
-  /// How many of these the journal knows.
+  /// The number of trainings in the journal.
   std::size_t known(const Journal& journal) const;
 
-  /// Training number `index` of these, from any thread, or what the journal knows of it.
+  /// Runs training number `index`, from any thread, or takes its result from the journal.
   void run(std::size_t index, Journal& journal, Tally& tally);
 
-  /// Takes the training on everything with the first seed, and what it gave but for the baseline:
-  /// train_is_test needs not run it again.
+  /// Takes the training on all samples with the first seed, and its result without the baseline, so
+  /// that train_is_test does not run it again.
   void take(const TrainedFold& trained, const FoldOutcome& tested);
 
   /// After all trainings.
-  SystemResults results() const;
+  ProtocolResults results() const;
 
  private:
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
@@ -85,15 +85,15 @@ class SystemRunner {
       const Classes& classes, const std::vector<std::vector<std::size_t>>& of_folds) const;
 
   const StudyDescription& description_;
-  const Question& question_;
+  const PreparedStudy& prepared_;
   ProtocolPart part_;
   std::size_t number_;
   std::size_t taken_;  ///< Trainings that are not run here.
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;                     ///< All tested samples, ascending.
   std::vector<std::unique_ptr<FoldOutcome>> outcomes_;  // those that are known
-  std::vector<Neighbours> neighbours_;                  ///< Of folds whose vectors know no seed.
-  std::vector<std::once_flag> are_known_;               ///< Of neighbours_.
+  std::vector<Neighbours> neighbours_;     ///< Of folds whose vectors do not depend on the seed.
+  std::vector<std::once_flag> are_known_;  ///< Of neighbours_.
 };
 
 }  // namespace somato

@@ -1,4 +1,4 @@
-#include "somato/studies/variation.h"
+#include "studies/variation.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,9 +22,9 @@ Error misfit(const Table::Entry& entry) {
   const bool table = std::holds_alternative<Table>(entry.content);
   return {
       ErrorKind::kUsage,
-      "'" + entry.name + "' is " + (table ? "no table" : "a table") + " in the system's file",
+      "'" + entry.name + "' is " + (table ? "not a table" : "a table") + " in the system's file",
       entry.where,
-      table ? "give it a value" : "change the keys in it, as with " + entry.name + ".KEY = ..."};
+      table ? "use a value" : "change its keys, for example " + entry.name + ".KEY = ..."};
 }
 
 Result<void> change(Table& table, const Table& changes, const std::string& name);
@@ -85,7 +85,7 @@ Result<Variation> read_variation(const Table::Entry& entry) {
   const auto* table = std::get_if<Table>(&entry.content);
   if (!table) {
     return fail(ErrorKind::kUsage, "'" + entry.name + "' must be a table", entry.where,
-                "write [variation." + entry.name + "] on a line of its own, its changes below");
+                "write [variation." + entry.name + "] on a separate line, its changes below");
   }
   Variation variation{entry.name, entry.where, {}, {}};
   variation.changes.where = table->where;
@@ -94,9 +94,8 @@ Result<Variation> read_variation(const Table::Entry& entry) {
       variation.changes.entries.push_back(change);
       continue;
     }
-    auto names = names_in(change);
-    if (!names) return fail(std::move(names.error()));
-    variation.systems = std::move(*names);
+    SOMATO_TRY(auto names, names_in(change));
+    variation.systems = std::move(names);
   }
   return variation;
 }
@@ -109,19 +108,18 @@ Result<std::vector<Variation>> read_variations(const Table& file) {
   if (!entry) return variations;
   const auto* tables = std::get_if<Table>(&entry->content);
   if (!tables) {
-    return fail(ErrorKind::kUsage, "a variation needs a name", entry->where,
-                "write [variation.NAME] on a line of its own");
+    return fail(ErrorKind::kUsage, "a variation requires a name", entry->where,
+                "write [variation.NAME] on a separate line");
   }
   for (const Table::Entry& one : tables->entries) {
-    auto variation = read_variation(one);
-    if (!variation) return fail(std::move(variation.error()));
-    variations.push_back(std::move(*variation));
+    SOMATO_TRY(auto variation, read_variation(one));
+    variations.push_back(std::move(variation));
   }
   return variations;
 }
 
 Result<Table> with_changes(Table file, const Table& changes) {
-  if (auto changed = change(file, changes, {}); !changed) return fail(std::move(changed.error()));
+  SOMATO_TRY_VOID(change(file, changes, {}));
   return file;
 }
 

@@ -1,4 +1,4 @@
-#include "somato/studies/wrong_groupings.h"
+#include "studies/wrong_groupings.h"
 
 #include <algorithm>
 #include <map>
@@ -25,7 +25,7 @@ std::vector<std::size_t> class_of_individuals(const std::vector<std::size_t>& cl
   return dealt;
 }
 
-// The same for every numbering of the classes: classes numbered by their first individual.
+// Independent of the numbering of the classes: classes are numbered by their first individual.
 std::vector<std::size_t> partition(const std::vector<std::size_t>& dealt) {
   std::map<std::size_t, std::size_t> number;
   std::vector<std::size_t> canonical;
@@ -51,7 +51,7 @@ void shuffle(std::vector<std::size_t>& values, Random& random) {
 std::vector<std::vector<std::size_t>> wrong_groupings(const std::vector<std::size_t>& classes,
                                                       const std::vector<std::size_t>& individuals,
                                                       std::size_t count, std::uint64_t seed) {
-  require(classes.size() == individuals.size(), "wrong groupings need an individual a sample");
+  require(classes.size() == individuals.size(), "wrong groupings need one individual per sample");
   std::vector<std::size_t> dealt = class_of_individuals(classes, individuals);
   if (only_one_partition(dealt)) return {};
   const std::vector<std::size_t> right = partition(dealt);

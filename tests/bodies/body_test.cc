@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "somato/core/check.h"
 
@@ -84,21 +86,35 @@ TEST(Body, TakesNoMoreThanItsTime) {
   const auto refused = body.step(0.6);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kData);
-  EXPECT_EQ(refused.error().what, "it takes more than 2 s of the body's time");
+  EXPECT_EQ(refused.error().what, "the exploration takes more than 2 s of the body's time");
   EXPECT_EQ(body.steps, 1);
   EXPECT_TRUE(body.step(0.5));
 }
 
 TEST(Body, IsStopped) {
   PlainBody body;
-  bool goes_on = true;
-  body.keep_to({.goes_on = [&] { return goes_on; }});
+  bool should_continue = true;
+  body.keep_to({.should_continue = [&] { return should_continue; }});
   ASSERT_TRUE(body.step(1.0));
-  goes_on = false;
+  should_continue = false;
   const auto stopped = body.step(1.0);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
   EXPECT_EQ(body.steps, 1);
+}
+
+TEST(Body, IsObservedAfterEachStep) {
+  PlainBody body;
+  std::vector<std::pair<double, Readings>> seen;
+  body.observe([&](Readings readings) -> Result<void> {
+    seen.emplace_back(body.state().time, readings);
+    if (seen.size() < 2) return {};
+    return fail(ErrorKind::kInterrupted, "enough");
+  });
+  EXPECT_TRUE(body.step(1.0));
+  EXPECT_EQ(body.step(0.5, Readings::kRecorded).error().kind, ErrorKind::kInterrupted);
+  EXPECT_EQ(seen, (std::vector<std::pair<double, Readings>>{{1.0, Readings::kLeftOut},
+                                                            {1.5, Readings::kRecorded}}));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(EmptyChannel, HasAColumnForEachElementThatIsNamedOrOfTheShape) {
   EXPECT_EQ(columns_of({"a", "b", "c"}, {}), 3U);
   EXPECT_EQ(columns_of({}, {4, 5}), 20U);
   EXPECT_EQ(columns_of({"a", "b"}, {2, 1}), 2U);
-  EXPECT_EQ(columns_of({}, {}), 0U);  // only its frames tell
+  EXPECT_EQ(columns_of({}, {}), 0U);  // only known from its frames
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "somato/bodies/exploration_plan.h"
+#include "bodies/exploration_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {

@@ -1,4 +1,4 @@
-#include "somato/bodies/explore_by_grasping.h"
+#include "somato/bodies/explore_by.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class ExploreByGrasping : public testing::Test {
   ExplorationPlan plan_;
 };
 
-TEST_F(ExploreByGrasping, RecordsTheGraspsAlone) {
+TEST_F(ExploreByGrasping, RecordsOnlyTheGrasps) {
   const auto exploration = explore_by_grasping(hand_, plan_, {});
   ASSERT_TRUE(exploration) << to_string(exploration.error());
   EXPECT_TRUE(validate(Recording{{*exploration}}));
@@ -145,6 +145,20 @@ TEST_F(ExploreByGrasping, APlanOrBodyThatDoesNotFitIsRefusedBeforeAnythingMoves)
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().what.find("'height'"), std::string::npos);
   EXPECT_TRUE(fixed.commands.empty());
+}
+
+TEST_F(ExploreByGrasping, RecordsTheStepsOfTheGraspsOnly) {
+  std::size_t recorded = 0;
+  std::size_t steps = 0;
+  hand_.observe([&](Readings readings) -> Result<void> {
+    ++steps;
+    if (readings == Readings::kRecorded) ++recorded;
+    return {};
+  });
+  const auto exploration = explore_by_grasping(hand_, plan_, {});
+  ASSERT_TRUE(exploration);
+  EXPECT_EQ(recorded, exploration->channels.front().frames.rows());
+  EXPECT_GT(steps, recorded);
 }
 
 }  // namespace

@@ -207,16 +207,16 @@ TEST(ExploreAllThreads, AnExplorationThatIsInterruptedStopsAll) {
   const auto outcome = explore_all(
       {20, 1, 2},
       [](std::size_t item, std::size_t trial) -> Result<Exploration> {
-        if (item == 4) return fail(ErrorKind::kInterrupted, "somebody asked to stop");
+        if (item == 4) return fail(ErrorKind::kInterrupted, "a stop was requested");
         return named(item, trial);
       },
       keeper.sink());
   ASSERT_FALSE(outcome);
-  EXPECT_EQ(outcome.error().what, "somebody asked to stop");
+  EXPECT_EQ(outcome.error().what, "a stop was requested");
   EXPECT_EQ(keeper.names, in_order(4, 1));
 }
 
-TEST(ExploreAllThreads, AnExceptionIsRethrownAndNobodyWaits) {
+TEST(ExploreAllThreads, AnExceptionIsRethrownWithoutWaiting) {
   for (std::size_t threads = 1; threads <= 4; ++threads) {
     Keeper keeper;
     const auto explore = [](std::size_t item, std::size_t trial) -> Result<Exploration> {

@@ -1,4 +1,4 @@
-#include "somato/bodies/frame_log.h"
+#include "bodies/frame_log.h"
 
 #include <gtest/gtest.h>
 
@@ -58,18 +58,6 @@ TEST(FrameLog, AReadingThatDoesNotFitNamesItsSensor) {
   const auto refused = log.append(other);
   EXPECT_EQ(refused.error().where, "sound");
   EXPECT_EQ(refused.error().kind, ErrorKind::kData);
-}
-
-TEST(FrameLog, TellsOfEachStepThatItKeeps) {
-  std::vector<double> told;
-  FrameLog log(three_sensors(), [&](const BodyState& state) -> Result<void> {
-    told.push_back(state.time);
-    if (told.size() < 2) return {};
-    return fail(ErrorKind::kInterrupted, "enough");
-  });
-  EXPECT_TRUE(log.append(state_of(0.25, {1, 2}, {10})));
-  EXPECT_EQ(log.append(state_of(0.5, {1, 2}, {10})).error().kind, ErrorKind::kInterrupted);
-  EXPECT_EQ(told, (std::vector<double>{0.25, 0.5}));
 }
 
 TEST(FrameLog, ReadingsOfAnotherBodyAreACallersMistake) {

@@ -1,11 +1,13 @@
-#include "somato/bodies/guarded_grasp.h"
+#include "bodies/guarded_grasp.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "bodies/frame_log.h"
+#include "bodies/motion.h"
+#include "files/toml_file.h"
 #include "somato/core/check.h"
-#include "somato/files/toml_file.h"
 #include "support/fake_hand.h"
 
 namespace somato {
@@ -150,7 +152,7 @@ TEST_F(OneFinger, TheDistalSegmentCountsFromWhereTheProximalOneStopped) {
   EXPECT_EQ(targets_, (Positions{13.5, -15}));
 }
 
-TEST_F(OneFinger, ASegmentFeelsItsOwnTaxelsAlone) {
+TEST_F(OneFinger, ASegmentFeelsOnlyItsOwnTaxels) {
   // The distal taxel presses throughout the proximal segment's way, and the other way round.
   make([](const Positions& at) {
     const auto distal = static_cast<float>(at[0] < 13.4 ? at[0] : 0.0);
@@ -186,7 +188,7 @@ TEST_F(OneFinger, TooManyIterationsAreAnErrorThatNamesTheFinger) {
   auto result = close();
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ErrorKind::kData);
-  EXPECT_EQ(result.error().what, "the hand never closed: after 26 iterations it was not still yet");
+  EXPECT_EQ(result.error().what, "the hand never closed: after 26 iterations it was not at rest");
   grasp_.most_iterations = 23;
   result = close();
   ASSERT_FALSE(result);
@@ -252,8 +254,8 @@ TEST(GuardedGrasp, FingersCloseIndependently) {
   EXPECT_EQ(targets, (Positions{17, 6, -59, 30, 30}));
 }
 
-// A finger with walls at 10 and -20 deg, 2 N a deg over the 5 N that its taxels always tell, felt
-// so often a second. The grasp begins at 0.55 s of the body's clock.
+// A finger with walls at 10 and -20 deg, 2 N per deg above the 5 N that its taxels always report,
+// sampled at the given rate. The grasp begins at 0.55 s of the body's clock.
 struct Sampled {
   explicit Sampled(double rate) : hand("hand"), log({}) {
     add_finger(hand, "finger1");
@@ -274,7 +276,7 @@ struct Sampled {
 };
 
 TEST(GuardedGrasp, ASlowSensorIsRememberedBetweenItsFrames) {
-  Sampled slow(5);  // It feels in the odd iterations alone.
+  Sampled slow(5);  // It has readings only in the odd iterations.
   ASSERT_TRUE(slow.result);
   EXPECT_EQ(slow.targets, (Positions{13.5, -19}));
   EXPECT_EQ(slow.result->iterations, 9U + 14U + 3U);

@@ -1,4 +1,4 @@
-#include "somato/bodies/hand_layout.h"
+#include "bodies/hand_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(HandLayout, WhatIsNoHandIsRefused) {
   expect_refused(no_distal, "'finger2_distal'");
   BodyDescription no_taxels = two_fingers();
   no_taxels.sensors[1].element_names[4] = "palm_2";
-  expect_refused(no_taxels, "no taxel lies on the segment 'finger2_proximal'");
+  expect_refused(no_taxels, "the segment 'finger2_proximal' has no taxels");
   BodyDescription no_fingers = two_fingers();
   no_fingers.degrees_of_freedom.resize(2);
   expect_refused(no_fingers, "'hand' has no fingers");

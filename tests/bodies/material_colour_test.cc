@@ -1,4 +1,4 @@
-#include "somato/bodies/material_colour.h"
+#include "bodies/material_colour.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -69,8 +69,8 @@ TEST(Material, WhatCannotBeIsRefusedWithItsPlace) {
   expect_refused("[material.a]\ncolour = 3\n", "mine.toml:2", "colour");
   expect_refused("[material.a]\nweave_period = 2.0\n", "mine.toml:1", "weave");
   expect_refused("[material.a]\nweave_height = 2.0\n", "mine.toml:1", "weave");
-  expect_refused("material = 3\n", "mine.toml:1", "no table");
-  expect_refused("[material]\ndensity = 3\n", "mine.toml:2", "no table");
+  expect_refused("material = 3\n", "mine.toml:1", "must be a table");
+  expect_refused("[material]\ndensity = 3\n", "mine.toml:2", "must be a table");
 }
 
 // As the reference of keys says.

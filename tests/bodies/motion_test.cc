@@ -1,4 +1,4 @@
-#include "somato/bodies/motion.h"
+#include "bodies/motion.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST_F(MoveTo, AServoThatIsHeldIsNamed) {
   ASSERT_FALSE(held);
   EXPECT_EQ(held.error().kind, ErrorKind::kData);
   EXPECT_EQ(held.error().where, "height");
-  EXPECT_EQ(held.error().what, "'height' never arrived at 4 mm: it stood at 3 after 2 s");
+  EXPECT_EQ(held.error().what, "'height' did not reach 4 mm: it was at 3 after 2 s");
   EXPECT_EQ(body_.steps, std::vector<double>(40, 0.05));
 }
 

@@ -65,12 +65,13 @@ TEST_F(MeshFile, ThatCannotBeReadIsRefused) {
   folder_.with("empty.stl", "");
   std::filesystem::create_directory(folder_.file("folder.stl"));
   ASSERT_EQ(::mkfifo(folder_.file("pipe.stl").c_str(), 0600), 0);
-  expect_says(error_of("missing.stl", ErrorKind::kSystem), {"missing.stl", "beside the table"});
+  expect_says(error_of("missing.stl", ErrorKind::kSystem),
+              {"missing.stl", "the folder of the table"});
   expect_says(error_of("cup.ply", ErrorKind::kUsage), {"'cup.ply' is not a mesh", ".stl or .obj"});
   expect_says(error_of("", ErrorKind::kUsage), {"not a mesh"});
   expect_says(error_of("empty.stl", ErrorKind::kData), {"is empty"});
-  expect_says(error_of("folder.stl", ErrorKind::kData), {"is no regular file"});
-  expect_says(error_of("pipe.stl", ErrorKind::kData), {"is no regular file"});
+  expect_says(error_of("folder.stl", ErrorKind::kData), {"is not a regular file"});
+  expect_says(error_of("pipe.stl", ErrorKind::kData), {"is not a regular file"});
 }
 
 TEST_F(MeshFile, OfMoreThan64MiBIsRefused) {

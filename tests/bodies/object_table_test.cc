@@ -108,7 +108,7 @@ density = 30
   EXPECT_EQ(table->materials[0].density, 30.0);
 }
 
-TEST(ObjectTable, MaterialsAloneAreEnough) {
+TEST(ObjectTable, MaterialsWithoutObjectsAreValid) {
   const auto table = parse("[material.felt]\n");
   ASSERT_TRUE(table);
   EXPECT_TRUE(table->objects.empty());

@@ -78,7 +78,7 @@ TEST(Volume, IsThatOfThinSlices) {
   }
 }
 
-TEST(Volume, OfAMeshIsKnownToItsFileAlone) {
+TEST(Volume, OfAMeshRequiresItsFile) {
   EXPECT_THROW((void)volume(object_of(Shape::kMesh, {1, 1, 1})), InvalidArgument);
 }
 

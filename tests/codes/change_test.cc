@@ -1,4 +1,4 @@
-#include "somato/codes/change.h"
+#include "codes/change.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(Change, RefusesNoFrames) {
   const Result<Signal> change = change_of(Matrix<float>(0, 2));
   ASSERT_FALSE(change);
   EXPECT_EQ(change.error().kind, ErrorKind::kData);
-  EXPECT_EQ(change.error().what, "there are no frames to take a change of");
+  EXPECT_EQ(change.error().what, "the channel has no frames");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "somato/codes/missing_values.h"
+#include "codes/missing_values.h"
 
 #include <gtest/gtest.h>
 

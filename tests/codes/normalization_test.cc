@@ -17,7 +17,7 @@ Values values_of(const Signal& signal) {
   return {signal.values().begin(), signal.values().end()};
 }
 
-TEST(Normalization, DividesByTheNormThatIsAskedFor) {
+TEST(Normalization, DividesByTheSelectedNorm) {
   const Signal signal = Signal::dense({3.0F, 0.0F, -4.0F, 12.0F});
   EXPECT_EQ(norm_of(Norm::kL2, signal.values()), 13.0);
   EXPECT_EQ(norm_of(Norm::kL1, signal.values()), 19.0);

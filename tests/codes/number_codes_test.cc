@@ -124,7 +124,7 @@ TEST(NumberCode, TakesDecimalEdgesAsTheyAreWritten) {
 }
 
 // Between 2^23 and 2^24 single precision holds every whole number and no other.
-TEST(NumberCode, TellsApartWhatSinglePrecisionDoes) {
+TEST(NumberCode, DistinguishesValuesInSinglePrecision) {
   const NumberCode code = code_of(kBinary, 24, 0.0, 16777216.0);
   for (const std::uint32_t level : {0U, 1U, 8388607U, 8388608U, 16777214U, 16777215U}) {
     EXPECT_EQ(code.level(static_cast<float>(level)), level);
@@ -145,18 +145,18 @@ TEST(NumberCode, RefusesAValueOutsideWithItsRange) {
   const auto above = code.encode(91.5F);
   ASSERT_FALSE(above);
   EXPECT_EQ(above.error().kind, ErrorKind::kData);
-  EXPECT_EQ(above.error().what, "the value 91.5 lies outside the range -5 to 90 of its gray code");
+  EXPECT_EQ(above.error().what, "the value 91.5 is outside the range -5 to 90 of its gray code");
   EXPECT_FALSE(code.level(-5.01F));
   EXPECT_FALSE(code.level(-std::numeric_limits<float>::infinity()));
 }
 
-TEST(NumberCode, ClampsWhenAskedButNeverTakesNaN) {
+TEST(NumberCode, ClampsOnRequestButRefusesNaN) {
   const NumberCode code = code_of(kBinary, 4, 0.0, 1.0, OutsideRange::kClamp);
   EXPECT_EQ(code.level(-0.1F), 0U);
   EXPECT_EQ(code.level(std::numeric_limits<float>::infinity()), 15U);
   const auto level = code.level(std::nanf(""));
   ASSERT_FALSE(level);
-  EXPECT_EQ(level.error().what, "a value to be coded is not a number");
+  EXPECT_EQ(level.error().what, "the value to be encoded is not a number");
 }
 
 TEST(NumberCode, RefusesParametersThatDoNotFit) {

@@ -48,15 +48,14 @@ TEST(OneHot, RefusesAValueOutsideWithItsRange) {
   const Result<std::uint32_t> above = code.bin(91.5F);
   ASSERT_FALSE(above);
   EXPECT_EQ(above.error().kind, ErrorKind::kData);
-  EXPECT_EQ(above.error().what,
-            "the value 91.5 lies outside the range -5 to 90 of its one-hot code");
+  EXPECT_EQ(above.error().what, "the value 91.5 is outside the range -5 to 90 of its one-hot code");
   EXPECT_EQ(above.error().advice, "widen 'low' and 'high', or set outside = \"clamp\"");
   EXPECT_FALSE(code.bin(-5.01F));
   EXPECT_FALSE(code.bin(kInfinity));
   EXPECT_FALSE(code.encode(-kInfinity));
 }
 
-TEST(OneHot, ClampsWhenAsked) {
+TEST(OneHot, ClampsOnRequest) {
   const OneHot code(range(0.0, 10.0, 5, OutsideRange::kClamp));
   EXPECT_EQ(code.bin(-0.1F), 0U);
   EXPECT_EQ(code.bin(-kInfinity), 0U);
@@ -68,7 +67,7 @@ TEST(OneHot, NeverTakesNaN) {
   for (const OutsideRange outside : {OutsideRange::kRefuse, OutsideRange::kClamp}) {
     const Result<std::uint32_t> bin = OneHot(range(0.0, 1.0, 10, outside)).bin(std::nanf(""));
     ASSERT_FALSE(bin);
-    EXPECT_EQ(bin.error().what, "a value to be coded is not a number");
+    EXPECT_EQ(bin.error().what, "the value to be encoded is not a number");
   }
 }
 
@@ -120,7 +119,7 @@ TEST(OneHotSequence, NamesTheJointItCannotCode) {
   const Result<Signal> signal = code.encode(std::vector<float>{0.5F, 1.5F});
   ASSERT_FALSE(signal);
   EXPECT_EQ(signal.error().where, "joint 2");
-  EXPECT_EQ(signal.error().what, "the value 1.5 lies outside the range 0 to 1 of its one-hot code");
+  EXPECT_EQ(signal.error().what, "the value 1.5 is outside the range 0 to 1 of its one-hot code");
 }
 
 TEST(OneHotSequence, RefusesJointsAndValuesThatDoNotFit) {

@@ -1,4 +1,4 @@
-#include "somato/codes/onset.h"
+#include "codes/onset.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ OnsetParameters onset_of(OnsetQuantity quantity, double threshold, std::size_t e
 // Offset 10, a dip, then a rise.
 const Matrix<float> kPress = column({10.0F, 10.5F, -12.0F, 13.0F, 20.0F});
 
-TEST(Onset, HoldsTheAskedQuantityAgainstTheThreshold) {
+TEST(Onset, ComparesTheSelectedQuantityWithTheThreshold) {
   EXPECT_EQ(find_onset(kPress, onset_of(OnsetQuantity::kValue, 13.0)), 3U);
   EXPECT_EQ(find_onset(kPress, onset_of(OnsetQuantity::kMagnitude, 11.0)), 2U);
   EXPECT_EQ(find_onset(kPress, onset_of(OnsetQuantity::kMagnitude, 12.5)), 3U);
@@ -52,12 +52,12 @@ TEST(Onset, SaysTheGreatestValueWhereThereIsNone) {
   EXPECT_EQ(onset.error().kind, ErrorKind::kData);
   EXPECT_EQ(onset.error().what,
             "there is no onset: the change of any element never reaches the threshold 30; the "
-            "greatest is 22");
+            "maximum is 22");
   const auto of_one = find_onset(kPress, onset_of(OnsetQuantity::kValue, 30.0, 1));
   ASSERT_FALSE(of_one);
   EXPECT_EQ(of_one.error().what,
             "there is no onset: the value of element 1 never reaches the threshold 30; the "
-            "greatest is 20");
+            "maximum is 20");
 }
 
 TEST(Onset, HasNoneWithoutFramesAndNeverTakesNaN) {
@@ -74,7 +74,7 @@ TEST(Onset, RefusesAnElementThatIsNotThere) {
   const auto onset = find_onset(kPress, onset_of(OnsetQuantity::kValue, 1.0, 2));
   ASSERT_FALSE(onset);
   EXPECT_EQ(onset.error().kind, ErrorKind::kUsage);
-  EXPECT_EQ(onset.error().what, "there is no element 2 to find an onset of: the frames have 1");
+  EXPECT_EQ(onset.error().what, "element 2 of the onset does not exist: the frames have 1");
 }
 
 Matrix<float> ramp() {
@@ -109,12 +109,12 @@ TEST(OnsetWindow, RefusesToReachBeyondTheFrames) {
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().kind, ErrorKind::kData);
   EXPECT_EQ(late.error().what,
-            "the window of 5 frames from 1 before the onset in frame 4 reaches beyond the 6 frames "
+            "the window of 5 frames from 1 before the onset in frame 4 extends beyond the 6 frames "
             "of the exploration");
   EXPECT_FALSE(window_at_onset(ramp(), window_of(1.0, 2, 1, BeyondFrames::kRefuse)));
 }
 
-TEST(OnsetWindow, HoldsTheFirstAndTheLastFrameWhenAsked) {
+TEST(OnsetWindow, HoldsTheFirstAndTheLastFrameOnRequest) {
   EXPECT_EQ(window_at_onset(ramp(), window_of(4.0, 0, 4, BeyondFrames::kHold)),
             column({4, 5, 5, 5}));
   EXPECT_EQ(window_at_onset(ramp(), window_of(1.0, 3, 5, BeyondFrames::kHold)),

@@ -1,4 +1,4 @@
-#include "somato/codes/resampling.h"
+#include "codes/resampling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "somato/codes/spectrum_parameters.h"
+#include "somato/codes/spectrum.h"
 
 #include <gtest/gtest.h>
 

@@ -257,7 +257,7 @@ TEST(Spectrum, OfAStrokeBackwardsIsThatOfAStrokeForwards) {
             spectrum.apply(frames, 200.0, 20.0).value());
 }
 
-TEST(Spectrum, TellsNothingOfAMeanThatWasRemoved) {
+TEST(Spectrum, DoesNotContainAMeanThatWasRemoved) {
   const Matrix<float> constant(64, 1, 5.0F);
   SpectrumParameters parameters = every_bin(64);
   const Signal removed = Spectrum(parameters).apply(constant, 0.0).value();
@@ -279,7 +279,7 @@ TEST(Spectrum, DropsFramesThatFillNoSegment) {
             Spectrum(parameters).apply(longer, 0.0).value());
 }
 
-TEST(Spectrum, IsLogarithmicAboveItsFloorWhenAsked) {
+TEST(Spectrum, IsLogarithmicAboveItsFloorOnRequest) {
   SpectrumParameters parameters;
   parameters.bands = 4;
   parameters.scale = SpectrumScale::kLogarithmic;
@@ -322,9 +322,10 @@ TEST(Spectrum, RefusesBandsAboveHalfTheFrameRate) {
   parameters.high = 30.0;
   const Matrix<float> frames(64, 1);
   EXPECT_EQ(complaint(Spectrum(parameters).apply(frames, 50.0)),
-            "bands from 0 to 30 Hz reach beyond what frames at 50 Hz can show, 25 Hz");
+            "bands from 0 to 30 Hz exceed the range that frames at 50 Hz can represent, 25 Hz");
   EXPECT_EQ(complaint(Spectrum(parameters).apply(frames, 50.0, 20.0)),
-            "bands from 0 to 30 cycles/mm reach beyond what frames at 50 Hz and 20 mm/s can show, "
+            "bands from 0 to 30 cycles/mm exceed the range that frames at 50 Hz and 20 mm/s can "
+            "represent, "
             "1.25 cycles/mm");
   parameters.low = 25.0;
   parameters.high.reset();
@@ -335,7 +336,7 @@ TEST(Spectrum, RefusesAnUnknownRateOnlyForBands) {
   const Matrix<float> frames(64, 1);
   for (const double rate : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     EXPECT_EQ(complaint(Spectrum({}).apply(frames, rate)),
-              "bands need the frame rate, and it is not known");
+              "bands require the frame rate, which is unknown");
     EXPECT_TRUE(Spectrum(every_bin(64)).apply(frames, rate));
   }
 }
@@ -366,7 +367,7 @@ TEST(Spectrum, RefusesTooFewAndTooManyFrames) {
 TEST(Spectrum, RefusesWhatIsNotFinite) {
   Matrix<float> frames(64, 3);
   frames(4, 1) = std::nanf("");
-  EXPECT_EQ(complaint(Spectrum({}).apply(frames, 50.0)), "frame 5 holds nan in element 2");
+  EXPECT_EQ(complaint(Spectrum({}).apply(frames, 50.0)), "frame 5 contains nan in element 2");
 }
 
 TEST(Spectrum, RefusesParametersThatDoNotFit) {

@@ -108,7 +108,7 @@ TEST(Standardization, RefusesAConstantColumnByNumberAndName) {
             "column 2 ('wrist') is 0.1 in all 3 training samples, so it cannot be standardized");
 }
 
-TEST(Standardization, MakesAConstantColumnZeroWhenAsked) {
+TEST(Standardization, MakesAConstantColumnZeroOnRequest) {
   const auto fitted =
       Standardization::fit(samples_of(3, {1, 0.1F, 2, 0.1F, 3, 0.1F}), kZeroConstants);
   ASSERT_TRUE(fitted);
@@ -144,7 +144,7 @@ TEST(Standardization, RefusesOtherSizesThanItWasFittedTo) {
                InvalidArgument);
 }
 
-TEST(StandardizationParameters, RefuseConstantColumnsUnlessTold) {
+TEST(StandardizationParameters, RefuseConstantColumnsByDefault) {
   EXPECT_EQ(parameters_to_toml(StandardizationParameters{}), "constant_columns = \"refuse\"\n");
   const Table table{"", {{"constant_columns", "", Value{std::string("zero")}}}};
   const auto parameters = read_parameters<StandardizationParameters>(table);

@@ -40,5 +40,13 @@ TEST(Matrix, MayBeEmpty) {
   EXPECT_EQ((Matrix<float>(0, 5).columns()), 5U);
 }
 
+TEST(Matrix, GrowsByRows) {
+  Matrix<int> matrix(0, 2);
+  matrix.append(Matrix<int>(1, 2, {1, 2}));
+  matrix.append(Matrix<int>(2, 2, {3, 4, 5, 6}));
+  EXPECT_EQ(matrix, (Matrix<int>(3, 2, {1, 2, 3, 4, 5, 6})));
+  EXPECT_THROW(matrix.append(Matrix<int>(1, 3)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace somato

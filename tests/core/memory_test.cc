@@ -1,4 +1,4 @@
-#include "somato/core/memory.h"
+#include "core/memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/sysinfo.h>

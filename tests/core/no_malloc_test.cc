@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "somato/core/lane_matrix.h"
+#include "somato/core/matrix.h"
 
 namespace somato::testing {
 namespace {

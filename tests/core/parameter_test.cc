@@ -144,7 +144,7 @@ TEST(Parameters, WithUnknownChoicesNameTheNearest) {
             "a.toml:2: 'topology' must be one of plane, torus, not 1");
 }
 
-TEST(Parameters, NobodyDeclaredNameTheNearest) {
+TEST(Parameters, UndeclaredNameTheNearest) {
   EXPECT_EQ(refusal("row", whole(1)), "a.toml:2: unknown key 'row'; did you mean 'rows'?");
 }
 
@@ -164,7 +164,7 @@ TEST(Parameters, MayBeAutomatic) {
   EXPECT_EQ(read_parameters(table, with_radius)->radius, std::nullopt);
   EXPECT_EQ(refusal("radius", text("auto")),
             "a.toml:2: 'radius' must be a number, at least 0, not \"auto\"; \"automatic\" is "
-            "possible too");
+            "also accepted");
 }
 
 TEST(Parameters, MayBeLists) {

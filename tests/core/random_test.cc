@@ -178,7 +178,7 @@ TEST(UniformRow, HoldsTheNumbersOfUniformAt) {
   }
 }
 
-TEST(UniformRow, HoldsTheNumbersOfTheColumnsAskedFor) {
+TEST(UniformRow, HoldsTheNumbersOfTheRequestedColumns) {
   const std::vector<std::uint32_t> columns{0, 2, 3, 4, 9, 13, 400, 401, 4'000'000'003U};
   std::vector<float> row(columns.size());
   uniform_row(5, Stream::kInitialWeights, 7, columns, row);

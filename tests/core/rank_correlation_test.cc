@@ -1,4 +1,4 @@
-#include "somato/core/rank_correlation.h"
+#include "core/rank_correlation.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(Ranks, CountFromOneAndShareTies) {
   EXPECT_EQ(ranks_of({4, 4}), (Values{1.5, 1.5}));
 }
 
-TEST(RankCorrelation, SeesOrderAlone) {
+TEST(RankCorrelation, DependsOnlyOnOrder) {
   EXPECT_DOUBLE_EQ(rank_correlation({1, 2, 3, 4}, {1, 10, 100, 1000}), 1.0);
   EXPECT_DOUBLE_EQ(rank_correlation({1, 2, 3, 4}, {0, -1, -2, -30}), -1.0);
 }

@@ -1,4 +1,4 @@
-#include "somato/core/read_ahead.h"
+#include "core/read_ahead.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(ReadAheadThread, MayBeLeftOrRewoundInTheMiddle) {
   ASSERT_TRUE(ahead.next());
   ASSERT_TRUE(ahead.rewind());
   EXPECT_EQ((**ahead.next())[0].values[0], 0.0F);
-  EXPECT_EQ((*first)[2].values[0], 2.0F);  // a part stays as long as somebody has it
+  EXPECT_EQ((*first)[2].values[0], 2.0F);  // a part exists as long as it is in use
 }
 
 TEST(ReadAheadThread, AFailureComesInItsPlace) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "somato/core/check.h"
@@ -45,6 +46,28 @@ TEST(Samples, StaySparseWhenAllAre) {
   expect_samples(samples, {{0, 5, 0}, {0, 0, 0}, {0, 5, 0}});
 }
 
+TEST(Samples, AreSharedByCopies) {
+  const Samples samples(Matrix<float>(1, 2, {1, 2}));
+  const Samples copy = samples;
+  EXPECT_TRUE(copy.is_same_as(samples));
+  EXPECT_EQ(copy[0].values.data(), samples[0].values.data());
+  EXPECT_FALSE(Samples(Matrix<float>(1, 2, {1, 2})).is_same_as(samples));
+  EXPECT_FALSE(samples.subset({0}).is_same_as(samples));
+}
+
+TEST(Samples, ComputeOnceForAllCopies) {
+  const Samples samples(Matrix<float>(1, 2, {1, 2}));
+  const Samples copy = samples;
+  int computed = 0;
+  const auto compute = [&] { return std::make_shared<const int>(++computed); };
+  const auto first = samples.computed_once(0, compute);
+  EXPECT_EQ(copy.computed_once(0, compute), first);
+  EXPECT_EQ(computed, 1);
+  EXPECT_NE(samples.computed_once(1, compute), first);
+  EXPECT_NE(samples.apart().computed_once(0, compute), first);
+  EXPECT_TRUE(samples.apart().is_same_as(samples));
+}
+
 TEST(Samples, MustHaveOneSize) {
   const Signal other = Signal::sparse({4}, {1}, {5});
   EXPECT_THROW(Samples::from_signals({kSparse, other}), InvalidArgument);
@@ -56,7 +79,7 @@ TEST(Samples, MayBeNone) {
   EXPECT_EQ(Samples::from_signals({}).count(), 0U);
 }
 
-TEST(Samples, AreChosenInTheOrderAskedFor) {
+TEST(Samples, AreChosenInTheRequestedOrder) {
   const Samples dense(Matrix<float>(3, 1, {10, 11, 12}));
   expect_samples(dense.subset({2, 0, 2}), {{12}, {10}, {12}});
   const Samples sparse = Samples::from_signals({kSparse, kZero});

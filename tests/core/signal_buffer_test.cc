@@ -1,4 +1,4 @@
-#include "somato/core/signal_buffer.h"
+#include "somato/core/signal.h"
 
 #include <gtest/gtest.h>
 

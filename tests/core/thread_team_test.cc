@@ -28,7 +28,7 @@ TEST(ThreadTeam, DoesEachTaskOnce) {
   }
 }
 
-// More jobs than their numbers tell apart; what a job has written the next one reads.
+// More jobs than their numbers can distinguish; each job reads what the preceding one has written.
 TEST(ThreadTeam, DoesManyShortJobs) {
   for (const auto& [threads, jobs] : {std::pair{2U, 70000}, std::pair{4U, 3000}}) {
     ThreadTeam team(threads);

@@ -1,4 +1,4 @@
-#include "somato/drawing/colours.h"
+#include "drawing/colours.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/svg.h"
 #include "drawing/text_layout.h"
 #include "drawing/xml.h"
-#include "somato/drawing/svg.h"
 
 namespace somato::test {
 

@@ -238,9 +238,9 @@ TEST(LabelPanel, TheNoteStandsCloseUnderTheLegend) {
 
 TEST(LabelPanel, WhatOneMarkerStandsForIsSaidAfterTheNote) {
   LabelPanel panel = won_by(0, map_of(2, 2), 400, 2);
-  EXPECT_TRUE(frame_of(panel).note_lines.at(0).starts_with("Where samples"));
+  EXPECT_TRUE(frame_of(panel).note_lines.at(0).starts_with("If samples"));
   panel.note = "A note.";
-  EXPECT_TRUE(frame_of(panel).note_lines.at(0).starts_with("A note. Where samples"));
+  EXPECT_TRUE(frame_of(panel).note_lines.at(0).starts_with("A note. If samples"));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "drawing/colours.h"
 #include "drawing/geometry.h"
-#include "somato/drawing/colours.h"
 
 namespace somato {
 namespace {
@@ -91,7 +91,7 @@ TEST(Legend, EachMarkerStandsInTheMiddleOfItsNamesCapitalsAndCloseBefore) {
   for (const DrawnLegend& legend : legends()) {
     for (std::size_t i = 0; i < legend.markers.size(); ++i) {
       const test::Drawn& name = legend.names[i];
-      // Polygons with a point up are centred on their area; the circle tells where the centre is.
+      // Polygons with a point up are centred on their area; the circle gives the centre.
       if (legend.markers[i].element.name == "circle") {
         const double capitals = 0.72 * test::number_of(name.element, "font-size");
         const double base = kLegendCorner.y + test::number_of(name.element, "y");

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/colours.h"
 #include "drawing/geometry.h"
 #include "drawing/panels.h"
 #include "drawing/text_layout.h"
 #include "drawing/xml.h"
-#include "somato/drawing/colours.h"
 #include "somato/drawing/map_picture.h"
 
 namespace somato {

@@ -129,7 +129,7 @@ TEST(MapPicture, LeastIsDarkAndGreatestIsLight) {
 
 TEST(MapPicture, ConstantAndExtremeValuesAreDrawn) {
   ValuePanel panel{.title = "v", .grid = grid_of(1, 2), .values = {3.25, 3.25}};
-  EXPECT_TRUE(has_text(draw(panel), "every value is 3.25"));
+  EXPECT_TRUE(has_text(draw(panel), "all values are 3.25"));
   panel.values = {-1.7e308, 1.7e308};
   EXPECT_EQ(group(draw(panel), "cells").children.size(), 2U);
   panel.values = {0, std::numeric_limits<double>::denorm_min()};
@@ -177,7 +177,7 @@ TEST(MapPicture, SamplesWithoutRoomAreCountedByClass) {
   const Element root = draw(panel);
   EXPECT_EQ(markers(root), 2U);
   EXPECT_EQ(texts(group(root, "counts")), (std::vector<std::string>{"1233", "1"}));
-  EXPECT_TRUE(has_text(root, "one marker stands for all"));
+  EXPECT_TRUE(has_text(root, "one marker represents all"));
 }
 
 TEST(MapPicture, BordersSeparateAreas) {

@@ -1,13 +1,13 @@
-#include "somato/drawing/strip_picture.h"
+#include "drawing/strip_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "drawing/colours.h"
 #include "drawing/panels.h"
 #include "somato/core/check.h"
-#include "somato/drawing/colours.h"
 
 namespace somato {
 namespace {

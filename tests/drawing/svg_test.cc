@@ -1,4 +1,4 @@
-#include "somato/drawing/svg.h"
+#include "drawing/svg.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Svg, KeepsUtf8AndReplacesEachBrokenByte) {
   EXPECT_EQ(xml_escaped("\xf4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD");  // beyond Unicode
 }
 
-TEST(Svg, DrawsWhatItIsTold) {
+TEST(Svg, DrawsTheGivenShapes) {
   SvgWriter svg(30, 20.5, "a <name>");
   svg.open_group("part", {1, 2}, {.stroke = "#000000", .stroke_width = 0.5}, {2, 3});
   svg.polygon({{0, 0}, {1, 0}, {0.5, 1}}, {.fill = "#ffffff"}, "tip & more");

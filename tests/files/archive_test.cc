@@ -1,13 +1,13 @@
-#include "somato/files/archive.h"
+#include "files/archive.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <limits>
 
+#include "files/checksum.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/files/checksum.h"
 #include "support/no_malloc.h"
 #include "support/temporary_folder.h"
 
@@ -143,11 +143,11 @@ TEST(HostileArchive, WrongMagic) {
 }
 
 TEST(HostileArchive, NewerVersion) {
-  expect_refused(file(kMagic, 2, 0, "som", ""), "written by a newer Somato");
+  expect_refused(file(kMagic, 2, 0, "som", ""), "written by a newer version of Somato");
 }
 
 TEST(HostileArchive, VersionZero) {
-  expect_refused(file(kMagic, 0, 0, "som", ""), "no format 0");
+  expect_refused(file(kMagic, 0, 0, "som", ""), "format 0 does not exist");
 }
 
 TEST(HostileArchive, WrongChecksum) {
@@ -161,7 +161,7 @@ TEST(HostileArchive, BytesAfterTheEnd) {
 }
 
 TEST(HostileArchive, BytesAfterTheLastEntry) {
-  expect_refused(file_with(0, Bytes().number(0, 8)), "follows the last entry");
+  expect_refused(file_with(0, Bytes().number(0, 8)), "after the last entry");
 }
 
 TEST(HostileArchive, EntryCountTooLarge) {
@@ -169,7 +169,7 @@ TEST(HostileArchive, EntryCountTooLarge) {
   Bytes many;
   for (int i = 0; i < 1001; ++i) many.entry(1, std::to_string(i), {0}, "");
   expect_refused(file_with(1001, many), "too many");
-  expect_refused(file_with(2, Bytes().entry(1, "a", {1}, "x")), "past the end");
+  expect_refused(file_with(2, Bytes().entry(1, "a", {1}, "x")), "beyond the end");
 }
 
 TEST(HostileArchive, KindEmptyOrEndless) {
@@ -177,7 +177,7 @@ TEST(HostileArchive, KindEmptyOrEndless) {
   std::string bytes = file_with(0, {});
   bytes.resize(bytes.size() - 4);
   bytes.replace(28, 4, "\xFF\xFF\xFF\xFF");
-  expect_refused(Bytes().raw(bytes).number(crc32c(bytes), 4).get(), "past the end");
+  expect_refused(Bytes().raw(bytes).number(crc32c(bytes), 4).get(), "beyond the end");
 }
 
 TEST(HostileArchive, NameEmpty) {
@@ -237,7 +237,7 @@ TEST(HostileArchive, SizeInBytesOverflows) {
 TEST(HostileArchive, AbsurdSize) {
   expect_refused(file_with(1, Bytes().entry(3, "a", {1ull << 40}, one_value())),
                  "more than the file");
-  expect_refused(file_with(1, Bytes().entry(1, "a", {~0ull}, "x")), "past the end");
+  expect_refused(file_with(1, Bytes().entry(1, "a", {~0ull}, "x")), "beyond the end");
 }
 
 TEST(HostileArchive, ArrayPastTheEnd) {

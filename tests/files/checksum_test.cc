@@ -1,4 +1,4 @@
-#include "somato/files/checksum.h"
+#include "files/checksum.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,14 @@ TEST(Crc32, AgreesWithDivisionBitByBitInAnyPieces) {
     pieces.add(all.substr(cut));
     EXPECT_EQ(pieces.value(), bitwise_crc(bytes, 0x04C11DB7));
   }
+}
+
+// The test vectors of draft-eastlake-fnv.
+TEST(Fnv1a64, HasThePublishedValuesAndContinues) {
+  EXPECT_EQ(fnv1a64(""), 0xCBF29CE484222325U);
+  EXPECT_EQ(fnv1a64("a"), 0xAF63DC4C8601EC8CU);
+  EXPECT_EQ(fnv1a64("foobar"), 0x85944171F73967E8U);
+  EXPECT_EQ(fnv1a64("bar", fnv1a64("foo")), fnv1a64("foobar"));
 }
 
 }  // namespace

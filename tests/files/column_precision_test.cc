@@ -21,7 +21,7 @@ std::string precision_error(double first, double step, int count) {
 
 TEST(ColumnPrecision, OfTimesSince1970IsLost) {
   const std::string error = precision_error(1700000000, 1, 100);
-  EXPECT_NE(error.find("a.csv: column 2 ('t') loses its digits"), std::string::npos) << error;
+  EXPECT_NE(error.find("a.csv: column 2 ('t') loses precision"), std::string::npos) << error;
   EXPECT_NE(error.find("128 apart"), std::string::npos) << error;
   EXPECT_NE(error.find("standard deviation is 28.8"), std::string::npos) << error;
   EXPECT_NE(error.find("subtract an offset"), std::string::npos) << error;
@@ -52,10 +52,10 @@ TEST(ColumnPrecision, IsLookedAtInTextAndInNpy) {
   }
   const auto table = parse_csv(text, "ts.csv", {});
   ASSERT_FALSE(table);
-  EXPECT_NE(table.error().what.find("column 1 ('t') loses its digits"), std::string::npos);
+  EXPECT_NE(table.error().what.find("column 1 ('t') loses precision"), std::string::npos);
   const auto matrix = decode_npy(encode_npy(whole), "ts.npy");
   ASSERT_FALSE(matrix);
-  EXPECT_NE(matrix.error().what.find("loses its digits"), std::string::npos);
+  EXPECT_NE(matrix.error().what.find("loses precision"), std::string::npos);
 }
 
 }  // namespace

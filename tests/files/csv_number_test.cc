@@ -9,7 +9,7 @@ CsvMeaning meaning_of(const char* field) {
   return read_csv_number<double>(field).meaning;
 }
 
-TEST(CsvNumber, TellsWhatAFieldMeans) {
+TEST(CsvNumber, ClassifiesAField) {
   for (const char* field : {"1", "-1.5", "+2", "1e5", ".5", "0"}) {
     EXPECT_EQ(meaning_of(field), CsvMeaning::kNumber) << field;
   }

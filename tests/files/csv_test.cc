@@ -137,11 +137,11 @@ TEST(Csv, SaysWhereAndWhatIsWrong) {
   expect_refused("1,2\n3,+-4\n", "f:2:3", "'+-4' is not a number");
   expect_refused("1,2\n3,\n", "f:2:3", "the field is empty");
   for (const char* word : {"nan", "NaN", "-nan", "inf", "-Infinity", "NA", "N/A", "null", "?"}) {
-    expect_refused(std::string("1,2\r\n") + word + ",4\r\n", "f:2:1", "is no finite number");
+    expect_refused(std::string("1,2\r\n") + word + ",4\r\n", "f:2:1", "is not a finite number");
   }
-  expect_refused("1,2\n3,1e39\n", "f:2:3", "beyond what a 32-bit number holds");
-  expect_refused("1,2\n3,-1e999\n", "f:2:3", "beyond what a 32-bit number holds");
-  expect_refused("1,2\n\"3,4\n", "f:2:1", "never closed");
+  expect_refused("1,2\n3,1e39\n", "f:2:3", "exceeds the range of 32-bit numbers");
+  expect_refused("1,2\n3,-1e999\n", "f:2:3", "exceeds the range of 32-bit numbers");
+  expect_refused("1,2\n\"3,4\n", "f:2:1", "not closed");
   expect_refused("1,2\n\"3\"x,4\n", "f:2:1", "follows the closing quotation mark");
   expect_refused("\"a\nb\",c\n1,x\n", "f:3:3", "'x' is not a number");
 }
@@ -163,7 +163,7 @@ TEST(Csv, NeverGuessesWhatACommaInANumberMarks) {
   for (const char* text : {"a;b\n1,5,2;2\n", "a;b\n1.000,5;2\n", "a;b\n1,;x\n", "a;b\nx,1;2\n"}) {
     const Result<NumberTable> table = parse_csv(text, "f");
     ASSERT_FALSE(table) << text;
-    EXPECT_EQ(table.error().advice.find("pass --decimal comma") != std::string::npos,
+    EXPECT_EQ(table.error().advice.find("use --decimal comma") != std::string::npos,
               std::string(text) == "a;b\n1,;x\n")
         << text << table.error().advice;
   }
@@ -215,14 +215,15 @@ TEST(Csv, ReadsTheColumnsThatAreChosen) {
   EXPECT_EQ(parse_csv("1,red,2\n3,green,4\n", "f", options)->values, matrix(2, {1, 2, 3, 4}))
       << "text that is left out makes no header";
   EXPECT_EQ(parse_csv("a,b\n1,2\n", "f", options).error().advice,
-            "its columns have names: choose them by name");
+            "its columns have names: select them by name");
 }
 
 TEST(Csv, NamesAllColumnsOfTextInTheFirstRow) {
   const std::string advice = parse_csv("a,b,c,d\n1,x,2,y\n", "f").error().advice;
   EXPECT_NE(advice.find("--label-column"), std::string::npos) << advice;
   EXPECT_NE(advice.find("--skip 'b,d'"), std::string::npos) << advice;
-  EXPECT_EQ(parse_csv("a,b\n1,2\n1,x\n", "f").error().advice.find("hold text"), std::string::npos)
+  EXPECT_EQ(parse_csv("a,b\n1,2\n1,x\n", "f").error().advice.find("contain text"),
+            std::string::npos)
       << "later it is a mistake";
 }
 
@@ -247,11 +248,11 @@ TEST(Csv, RefusesWhatHasNoRows) {
 }
 
 TEST(Csv, RefusesBinaryContent) {
-  expect_refused(std::string("1,2\n3,\0\n", 8), "f:2", "no UTF-8 text");
+  expect_refused(std::string("1,2\n3,\0\n", 8), "f:2", "not UTF-8 text");
   expect_refused(
       "gr\xF6\xDF"
       "e\n1\n",
-      "f:1", "no UTF-8 text");
+      "f:1", "not UTF-8 text");
 }
 
 TEST(Csv, RefusesAnEmptyLabel) {

@@ -1,4 +1,4 @@
-#include "somato/files/file_writer.h"
+#include "files/file_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(FileWriter, WhatIsNotFinishedLeavesNothingBehind) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST(FileWriter, TellsWhatTheSystemRefuses) {
+TEST(FileWriter, ReportsErrorsOfTheSystem) {
   const TemporaryFolder folder;
   EXPECT_EQ(FileWriter::begin(folder.file("none/x")).error().kind, ErrorKind::kSystem);
 }

@@ -1,4 +1,4 @@
-#include "somato/files/json_table.h"
+#include "files/json_table.h"
 
 #include <gtest/gtest.h>
 

@@ -34,19 +34,19 @@ TEST(JsonText, ErrorsSayWhere) {
   EXPECT_EQ(json_error(""), "a.json:1:1: not valid JSON: it ends too early");
   EXPECT_EQ(json_error("{\n  \"a\": 1"), "a.json:2:9: not valid JSON: it ends too early");
   EXPECT_EQ(json_error("{\n  \"a\": ]"), "a.json:2:8: not valid JSON");
-  EXPECT_EQ(json_error("[1e999]"), "a.json: a number is larger than any that can be read");
+  EXPECT_EQ(json_error("[1e999]"), "a.json: a number is out of range");
 }
 
 // Copies of nested values call themselves once a level: 100,000 levels ended in a crash.
 TEST(JsonText, IsNestedAsDeeplyAsAllowedAndNoDeeper) {
   EXPECT_EQ(json_error(times_over("[", 16) + times_over("]", 16)), "");
   EXPECT_EQ(json_error(times_over("[", 17) + times_over("]", 17)),
-            "a.json:1:17: the JSON is nested more than 16 deep");
+            "a.json:1:17: the JSON has more than 16 levels of nesting");
   EXPECT_EQ(json_error(R"({"x":)" + times_over("[", 100000) + times_over("]", 100000) +
                        R"(,"a":1,"b":2})"),
-            "a.json:1:21: the JSON is nested more than 16 deep");
+            "a.json:1:21: the JSON has more than 16 levels of nesting");
   EXPECT_EQ(json_error(times_over("{\"a\":", 1000000)),
-            "a.json:1:81: the JSON is nested more than 16 deep");
+            "a.json:1:81: the JSON has more than 16 levels of nesting");
 }
 
 TEST(JsonText, BracketsInTextsDoNotNest) {

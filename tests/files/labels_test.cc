@@ -1,4 +1,4 @@
-#include "somato/files/labels.h"
+#include "files/labels.h"
 
 #include <gtest/gtest.h>
 

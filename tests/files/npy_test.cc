@@ -144,18 +144,18 @@ TEST(Npy, RefusesHeadersNumpyDoesNotWrite) {
         "{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
         "{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999999999999,)}",
         "{'descr': '<f4, 'fortran_order': False, 'shape': (6,)}"}) {
-    expect_npy_refused(file(text, float_bytes(kSix)), "not as numpy writes it");
+    expect_npy_refused(file(text, float_bytes(kSix)), "not in the format of numpy");
   }
 }
 
 TEST(Npy, RefusesOtherTypes) {
   for (const char* type : {"|O", "<c8", "<U4", "<f2", "|f4", "f4", "=f4", "<M8[s]", ""}) {
-    expect_npy_refused(file(header(type, "(6,)"), float_bytes(kSix)), "are not read");
+    expect_npy_refused(file(header(type, "(6,)"), float_bytes(kSix)), "are not supported");
   }
   expect_npy_refused(file("{'descr': [('a', '<f4'), ('b', '<i4', (2,))], 'fortran_order': False, "
                           "'shape': (1,), }",
                           std::string(12, '\0')),
-                     "'structured' are not read");
+                     "'structured' are not supported");
 }
 
 TEST(Npy, RefusesOtherDimensions) {
@@ -173,7 +173,7 @@ TEST(Npy, RefusesEveryTruncationAndWhatFollows) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode_npy(bytes.substr(0, size), "f")) << size;
   }
-  expect_npy_refused(bytes.substr(0, bytes.size() - 1), "cut short");
+  expect_npy_refused(bytes.substr(0, bytes.size() - 1), "truncated");
   expect_npy_refused(bytes + "x", "1 bytes follow");
 }
 
@@ -181,7 +181,7 @@ TEST(Npy, RefusesAbsurdShapes) {
   for (const char* shape : {"(1000000000000,)", "(4294967296, 4294967296)",
                             "(18446744073709551615, 18446744073709551615)",
                             "(4611686018427387905, 1)", "(1, 18446744073709551615)"}) {
-    expect_npy_refused(file(header("<f4", shape), float_bytes({1})), "cut short");
+    expect_npy_refused(file(header("<f4", shape), float_bytes({1})), "truncated");
   }
 }
 

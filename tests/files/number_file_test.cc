@@ -1,4 +1,4 @@
-#include "somato/files/number_file.h"
+#include "files/number_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "somato/files/number_source.h"
+#include "files/number_source.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <fstream>
 #include <limits>
 
+#include "files/number_file.h"
+#include "files/whole_file.h"
 #include "somato/core/random.h"
 #include "somato/files/npy.h"
-#include "somato/files/number_file.h"
-#include "somato/files/whole_file.h"
 #include "support/failing_file_system.h"
 #include "support/temporary_folder.h"
 
@@ -245,7 +245,7 @@ TEST(NumberSource, ReadsTextWhereverItsWindowEnds) {
     const auto values = whole->values.values();
     EXPECT_TRUE(parts->values == std::vector<float>(values.begin(), values.end()));
     EXPECT_TRUE(parts->labels == whole->labels);
-    // What is wrong at the end is told with its line and column.
+    // An error at the end is reported with its line and column.
     for (const char* wrong : {"1,nan,x", "1,2", "1,2,\"x", "1,\xFF,3", "1,2,"}) {
       folder.with("x", text + wrong);
       const auto expected = read_numbers(path, options);
@@ -328,7 +328,7 @@ TEST(NumberSource, AFileThatChangesIsRefused) {
           error = again.error();
         }
         EXPECT_EQ(error.kind, ErrorKind::kData);
-        EXPECT_NE(to_string(error).find("x: the file has changed"), std::string::npos)
+        EXPECT_NE(to_string(error).find("x: the file changed"), std::string::npos)
             << to_string(error);
       }
     }
@@ -344,7 +344,7 @@ TEST(NumberSource, ReplacingTheFileLeavesItAsItIs) {
   EXPECT_EQ(read_all(*source)->values, before);
 }
 
-TEST(NumberSource, TellsWhateverTheSystemRefuses) {
+TEST(NumberSource, ReportsAllErrorsOfTheSystem) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_npy(folder.file("npy"), numbered(9, 3)));
   ASSERT_TRUE(write_csv(folder.file("csv"), {{}, numbered(9, 3), {}}));

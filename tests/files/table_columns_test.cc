@@ -1,4 +1,4 @@
-#include "somato/files/table_columns.h"
+#include "files/table_columns.h"
 
 #include <gtest/gtest.h>
 
@@ -102,26 +102,28 @@ TEST(TableColumns, RefuseWhatNamesNoColumn) {
                         "f: there is no column 'sliped'; did you mean 'slipped'?");
   expect_choice_refused({{}, {"sliped"}, {}}, with_names(), "did you mean 'slipped'?");
   expect_choice_refused({{"touch_*"}, {}, {}}, with_names(), "there is no column 'touch_*'");
-  expect_choice_refused({{}, {"2"}, {}}, with_names(), "choose them by name");
-  expect_choice_refused({{"1..3"}, {}, {}}, with_names(), "choose them by name");
+  expect_choice_refused({{}, {"2"}, {}}, with_names(), "select them by name");
+  expect_choice_refused({{"1..3"}, {}, {}}, with_names(), "select them by name");
 }
 
 TEST(TableColumns, RefuseContradictions) {
   expect_choice_refused({{"id", "slipped"}, {"slipped"}, {}}, with_names(),
-                        "column 'slipped' is both to be used and to be skipped");
-  expect_choice_refused({{"slipped"}, {"s*"}, {}}, with_names(), "'slipped' is both to be used");
-  expect_choice_refused({{"3"}, {"2..4"}, {}}, nameless(5), "column 3 is both to be used");
-  expect_choice_refused({{"id", "id"}, {}, {}}, with_names(), "column 'id' is chosen twice");
+                        "column 'slipped' is both selected and skipped");
+  expect_choice_refused({{"slipped"}, {"s*"}, {}}, with_names(),
+                        "'slipped' is both selected and skipped");
+  expect_choice_refused({{"3"}, {"2..4"}, {}}, nameless(5),
+                        "column 3 is both selected and skipped");
+  expect_choice_refused({{"id", "id"}, {}, {}}, with_names(), "column 'id' is selected twice");
   expect_choice_refused({{}, {"kind"}, {}}, with_names(4),
-                        "'kind' holds the labels and cannot be skipped");
+                        "'kind' contains the labels and cannot be skipped");
   expect_choice_refused({{"kind", "id"}, {}, {}}, with_names(4),
-                        "'kind' holds the labels and cannot be used");
-  expect_choice_refused({{}, {"*"}, {}}, with_names(), "no column of numbers left");
-  expect_choice_refused({{"a*b"}, {"*b", "tax_1"}, {}}, with_names(), "both to be used");
-  expect_choice_refused({}, nameless(1, 0), "no column of numbers left", ErrorKind::kData);
+                        "'kind' contains the labels and cannot be used");
+  expect_choice_refused({{}, {"*"}, {}}, with_names(), "no numeric column is left");
+  expect_choice_refused({{"a*b"}, {"*b", "tax_1"}, {}}, with_names(), "both selected and skipped");
+  expect_choice_refused({}, nameless(1, 0), "no numeric column is left", ErrorKind::kData);
 }
 
-TEST(TableColumns, OfOneNameAreNotToldApartByIt) {
+TEST(TableColumns, WithOneNameAreAmbiguous) {
   const TableColumns twins{4, {"x", "y", "x", "xy"}, {}, {}};
   expect_choice_refused({{"x"}, {}, {}}, twins, "two columns are named 'x'");
   expect_choice_refused({{}, {"x"}, {}}, twins, "two columns are named 'x'");
@@ -137,11 +139,11 @@ TEST(TableColumns, OfAModelArePickedByNameInItsOrder) {
   EXPECT_EQ(chosen({{"tax_*", "id"}, {}, {"tax_2", "id"}}, with_names()), (Columns{2, 0}));
   EXPECT_EQ(chosen({{}, {}, {"a", "b"}}, nameless(3)), (Columns{0, 1, 2})) << "nothing to pick by";
   expect_choice_refused({{}, {}, {"tax_1", "tax_3"}}, with_names(),
-                        "column 'tax_3' is needed, but is not there; did you mean",
+                        "column 'tax_3' is required, but is missing; did you mean",
                         ErrorKind::kData);
   expect_choice_refused({{}, {"tax_1"}, {"tax_1"}}, with_names(),
-                        "'tax_1' is needed, but is left out", ErrorKind::kData);
-  expect_choice_refused({{}, {}, {"kind"}}, with_names(4), "holds the labels", ErrorKind::kData);
+                        "'tax_1' is required, but is left out", ErrorKind::kData);
+  expect_choice_refused({{}, {}, {"kind"}}, with_names(4), "contains the labels", ErrorKind::kData);
 }
 
 TEST(TableColumns, TellWhatIsLeftOut) {

@@ -1,4 +1,4 @@
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 #include <gtest/gtest.h>
 
@@ -90,8 +90,8 @@ TEST(TomlFile, RefusesWhatDescriptionsDoNotUse) {
   expect_toml_refused("a = [07:30:00]\n", "f:1:6", "dates and times");
   expect_toml_refused("a = [1, 'x']\n", "f:1:9", "mixes types");
   expect_toml_refused("a = [1, true]\n", "f:1:9", "mixes types");
-  expect_toml_refused("a = [{b = 1}, 2]\n", "f:1:6", "table stands in an array of values");
-  expect_toml_refused("a = [[{b = 1}]]\n", "f:1:7", "table stands in an array of values");
+  expect_toml_refused("a = [{b = 1}, 2]\n", "f:1:6", "array of values contains a table");
+  expect_toml_refused("a = [[{b = 1}]]\n", "f:1:7", "array of values contains a table");
 }
 
 std::string repeated(const std::string& piece, int count) {

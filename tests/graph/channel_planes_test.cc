@@ -1,13 +1,14 @@
-#include "somato/graph/channel_planes.h"
+#include "graph/channel_planes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "graph/learned_parts.h"
+#include "maps/som_archive.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/graph/learned_parts.h"
 #include "somato/graph/system_model.h"
 #include "support/systems.h"
 
@@ -51,7 +52,9 @@ System with_random_weights(System system, double low = 0.0) {
   for (float& weight : weights.values()) {
     weight = static_cast<float>(low + (1.0 - low) * random.uniform());
   }
-  set_map(system, map, Som(som.parameters(), weights));
+  Archive archive("map");
+  add_som(archive, "", Som(som.parameters(), weights));
+  EXPECT_TRUE(system.modules()[map].module->learner()->load(archive, "", "here"));
   return system;
 }
 
@@ -242,7 +245,7 @@ TEST_P(FullTensor, IsSummedOverAllThatAnElementIsCrossedWith) {
 
 INSTANTIATE_TEST_SUITE_P(WeightsFrom, FullTensor, ::testing::Values(0.0, -1.0));
 
-// As it was trained, with weights of the elements alone that were ever met.
+// The trained map only has weights of the elements that occurred.
 TEST(ChannelPlanes, ElementsWithoutWeightsCountAsZeros) {
   const Recording recording = with_units(hand_recording(4, 3));
   const System system =
@@ -266,7 +269,7 @@ TEST(ChannelPlanes, ElementsWithoutWeightsCountAsZeros) {
   }
 }
 
-TEST(ChannelPlanes, ATMpsomDealsWeightsOutAsItHears) {
+TEST(ChannelPlanes, ATMpsomDistributesWeightsLikeItsInputs) {
   const Problem problem(
       channels({"wrist", "touch"}) + one_hot("code", "wrist", "7") +
       module("felt", "t_mpsom", "inputs = ['code', 'touch']\nshape = [9, 8]\niterations = 30") +
@@ -346,7 +349,8 @@ TEST(ChannelPlanes, ManyElementsAreMeansOfNeighbours) {
   }
 }
 
-// Each concatenation of a thing with itself doubles the ways back, and all are gone to their end.
+// Each concatenation of a signal with itself doubles the number of paths back, and all are
+// followed.
 TEST(ChannelPlanes, WaysBackAreAsLongAsTheSystem) {
   std::string text = channels({"wrist"}) + module("m0", "last", "input = 'wrist'");
   for (int i = 1; i <= 7; ++i) {
@@ -364,7 +368,7 @@ TEST(ChannelPlanes, WaysBackAreAsLongAsTheSystem) {
 }
 
 // Each module doubles the ways back: 2^12 of them.
-TEST(ChannelPlanes, TooManyWaysBackAreNotGone) {
+TEST(ChannelPlanes, TooManyPathsBackAreNotFollowed) {
   std::string text = channels({"wrist"}) + module("m0", "last", "input = 'wrist'");
   for (int i = 1; i <= 12; ++i) {
     const std::string before = "'m" + std::to_string(i - 1) + "'";

@@ -53,8 +53,28 @@ TEST(Evaluation, StartsFromWhatIsKnown) {
   ASSERT_TRUE(evaluate(system, recording, explorations, {*system.find("stm")}, 1, activations));
   EXPECT_EQ(dense(*activations.find(*system.find("stm"), 2)),
             Matrix<float>(1, 12, {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}));
-  EXPECT_EQ(activations.find(*system.find("stm"), 3), nullptr);  // was not asked for
+  EXPECT_EQ(activations.find(*system.find("stm"), 3), nullptr);  // was not requested
   EXPECT_NE(activations.find(*system.find("stm"), 4), nullptr);
+}
+
+TEST(Activations, PutValuesOfExplorationsTogetherOnce) {
+  const Recording recording = hand_recording(5, 3);
+  const System system = build(kText, recording);
+  const std::size_t stm = *system.find("stm");
+  Activations activations(system.modules().size(), 5);
+  const std::vector<std::size_t> some{1, 4};
+  ASSERT_TRUE(evaluate(system, recording, some, {stm}, 1, activations));
+  const ExplorationValues values = activations.values_of(stm);
+  EXPECT_EQ(values.explorations, some);
+  EXPECT_EQ(Signal::copy_of(values.samples[1]),
+            Signal::copy_of(activations.find(stm, 4)->values[0]));
+  EXPECT_EQ(values.places_of(std::vector<std::size_t>{4, 1}), (std::vector<std::size_t>{1, 0}));
+  Activations copy = activations;
+  EXPECT_TRUE(copy.values_of(stm).samples.is_same_as(values.samples));
+  const std::vector<std::size_t> more{2};
+  ASSERT_TRUE(evaluate(system, recording, more, {stm}, 1, copy));
+  EXPECT_EQ(copy.values_of(stm).explorations, (std::vector<std::size_t>{1, 2, 4}));
+  EXPECT_EQ(activations.values_of(stm).explorations, some);
 }
 
 TEST(Evaluation, ThreadsMakeNoDifference) {
@@ -74,7 +94,7 @@ TEST(Evaluation, ThreadsMakeNoDifference) {
   }
 }
 
-TEST(Evaluation, TheFirstErrorIsToldForAnyThreadsWithExplorationAndModule) {
+TEST(Evaluation, TheFirstErrorIsReportedForAnyThreadsWithExplorationAndModule) {
   Recording recording = hand_recording(9, 3);
   for (const std::size_t bad : {8U, 5U, 6U})
     recording.explorations[bad].channels[2].frames(1, 2) = 7.0F;
@@ -129,7 +149,7 @@ TEST(Evaluation, AChannelThatIsMissingOrOfAnotherSizeIsAnError) {
   EXPECT_NE(missing.error().where.find("module 'joints'"), std::string::npos);
   const auto wide = testing::try_output(system, other, "joints", 1);
   ASSERT_FALSE(wide);
-  EXPECT_NE(to_string(wide.error()).find("has 4 elements where the system takes 3"),
+  EXPECT_NE(to_string(wide.error()).find("has 4 elements, but the system requires 3"),
             std::string::npos);
 }
 

@@ -23,7 +23,7 @@ Json graph() {
   return graph_json(small_system(), "map", [](std::size_t module) { return Json(module); });
 }
 
-TEST(GraphJson, TellsWhatGoesIntoAModuleAndComesOut) {
+TEST(GraphJson, DescribesInputsAndOutputOfAModule) {
   const Json modules = graph()["modules"];
   ASSERT_EQ(modules.size(), 4U);
   EXPECT_EQ(modules[1]["channel"], "joints");
@@ -35,7 +35,7 @@ TEST(GraphJson, TellsWhatGoesIntoAModuleAndComesOut) {
 }
 
 // Two words, one for each: the pages know no other.
-TEST(GraphJson, TellsFramesFromExplorations) {
+TEST(GraphJson, DistinguishesFramesAndExplorations) {
   const Json modules = graph()["modules"];
   EXPECT_EQ(modules[1]["rate"], "frame");
   EXPECT_EQ(modules[2]["rate"], "exploration");
@@ -55,7 +55,7 @@ TEST(GraphJson, NamesWhatNoPaperGives) {
   }
 }
 
-TEST(GraphJson, TellsWhoLearnsWhenAndFromWhat) {
+TEST(GraphJson, DescribesThePhases) {
   const Json phases = graph()["phases"];
   ASSERT_EQ(phases.size(), 1U);
   EXPECT_EQ(phases[0]["learn"], (Json{"map"}));

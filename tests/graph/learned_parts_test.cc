@@ -1,4 +1,4 @@
-#include "somato/graph/learned_parts.h"
+#include "graph/learned_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ const std::string kLearningText =
     channels({"joints", "height"}) + module("closed", "last", "input = 'joints'") +
     module("standard", "standardization", "input = 'closed'") +
     module("code", "one_hot", "input = 'height'\nelements = 3") +
-    module("told", "one_hot", "input = 'joints'\nelements = 2\nlow = -1\nhigh = [2, 3, 4.5]") +
-    module("binding", "t_mpsom", "inputs = ['code', 'told']\nshape = [2, 3]\niterations = 20");
+    module("given", "one_hot", "input = 'joints'\nelements = 2\nlow = -1\nhigh = [2, 3, 4.5]") +
+    module("binding", "t_mpsom", "inputs = ['code', 'given']\nshape = [2, 3]\niterations = 20");
 
 class LearnedParts : public ::testing::Test {
  protected:
@@ -41,7 +41,7 @@ TEST_F(LearnedParts, AStandardizationIsThatOfWhatCameIn) {
   EXPECT_FALSE(standardization_of(system_, number("code")));
 }
 
-TEST_F(LearnedParts, RangesAreThoseLearnedOrTold) {
+TEST_F(LearnedParts, RangesAreThoseLearnedOrGiven) {
   double low = 1.0;
   double high = 0.0;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -52,7 +52,7 @@ TEST_F(LearnedParts, RangesAreThoseLearnedOrTold) {
   }
   using Ranges = std::vector<std::pair<double, double>>;
   EXPECT_EQ(one_hot_ranges_of(system_, number("code")), (Ranges{{low, high}}));
-  EXPECT_EQ(one_hot_ranges_of(system_, number("told")), (Ranges{{-1, 2}, {-1, 3}, {-1, 4.5}}));
+  EXPECT_EQ(one_hot_ranges_of(system_, number("given")), (Ranges{{-1, 2}, {-1, 3}, {-1, 4.5}}));
   EXPECT_FALSE(one_hot_ranges_of(system_, number("binding")));
 }
 
@@ -60,10 +60,10 @@ TEST_F(LearnedParts, ATMpsomAnswersAsItsModuleDoes) {
   const auto map = t_mpsom_of(system_, number("binding"));
   ASSERT_TRUE(map);
   const Sequence code = testing::output_of(system_, recording_, "code", 0);
-  const Sequence told = testing::output_of(system_, recording_, "told", 0);
+  const Sequence given = testing::output_of(system_, recording_, "given", 0);
   TMpsom::Workspace workspace(*map);
   std::vector<float> activity(6);
-  const std::vector<SignalView> inputs{code.values[0], told.values[0]};
+  const std::vector<SignalView> inputs{code.values[0], given.values[0]};
   map->activation(inputs, workspace, activity);
   const Matrix<float> expected =
       testing::dense(testing::output_of(system_, recording_, "binding", 0));

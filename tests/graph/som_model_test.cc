@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "files/archive.h"
 #include "somato/core/check.h"
-#include "somato/files/archive.h"
 #include "support/damaged_files.h"
 #include "support/saved_maps.h"
 
@@ -187,7 +187,7 @@ TEST(SomModel, RefusesAnotherKindOfFile) {
   Archive other("t_mpsom");
   const Archive archive = saved_archive();
   for (const Archive::Entry& entry : archive.entries()) other.add(entry.name, entry.content);
-  expect_refused(other, "the file holds 't_mpsom', not 'som'");
+  expect_refused(other, "the file contains 't_mpsom', not 'som'");
   expect_refused(Archive("som"), "is missing");
 }
 
@@ -201,14 +201,14 @@ TEST(SomModel, RefusesPartsThatAreMissing) {
   for (const char* name : {"som.parameters", "som.weights", "labels"}) {
     expect_refused(without_part(archive, name), "'" + std::string(name) + "' is missing");
   }
-  expect_refused(without_part(archive, "classes"), "class that is not there");
+  expect_refused(without_part(archive, "classes"), "label of an unknown class");
 }
 
 TEST(SomModel, RefusesAMapThatCannotBe) {
   expect_part_refused("som.weights", Array<float>{{3, 3}, std::vector<float>(9)}, "do not fit");
   expect_part_refused("som.weights", Array<float>{{2, 3}, {0, 1, 2, 3, 4, std::nanf("")}},
                       "not finite");
-  expect_part_refused("som.parameters", std::string("rows = 1\ncolumns = 2\n"), "left automatic");
+  expect_part_refused("som.parameters", std::string("rows = 1\ncolumns = 2\n"), "still automatic");
   expect_part_refused("som.parameters", std::string("rows = -1\n"), "'rows' must be");
   expect_part_refused("som.parameters", std::string("rows"), "");
 }
@@ -228,7 +228,7 @@ TEST(SomModel, RefusesNamesThatCannotBe) {
 TEST(SomModel, RefusesMeansThatCannotBe) {
   expect_part_refused("means", Array<double>{{2}, {1, 2}}, "the means do not fit");
   expect_part_refused("means", Array<double>{{1, 3}, {1, 2, 3}}, "the means do not fit");
-  expect_part_refused("means", Array<double>{{3}, {1, 2, std::nan("")}}, "an impossible number");
+  expect_part_refused("means", Array<double>{{3}, {1, 2, std::nan("")}}, "an invalid number");
   expect_part_refused("means", Array<float>{{3}, {1, 2, 3}}, "another type");
 }
 
@@ -239,7 +239,7 @@ TEST(SomModel, RefusesAStandardizationThatCannotBe) {
   for (const Numbers& numbers :
        {Numbers{nan, 0, 0, 1, 1, 1}, Numbers{infinity, 0, 0, 1, 1, 1}, Numbers{0, 0, 0, 1, 1, nan},
         Numbers{0, 0, 0, 1, 1, infinity}, Numbers{0, 0, 0, -1, 1, 1}}) {
-    expect_part_refused("standardization", Array<double>{{2, 3}, numbers}, "impossible number");
+    expect_part_refused("standardization", Array<double>{{2, 3}, numbers}, "invalid number");
   }
   expect_part_refused("standardization", Array<double>{{3, 2}, Numbers(6)}, "does not fit the map");
   expect_part_refused("standardization", Array<double>{{6}, Numbers(6)}, "does not fit the map");
@@ -250,10 +250,10 @@ TEST(SomModel, RefusesAStandardizationThatCannotBe) {
 
 TEST(SomModel, RefusesLabelsThatCannotBe) {
   using Labels = Array<std::int64_t>;
-  expect_part_refused("labels", Labels{{2}, {0, 2}}, "class that is not there");
-  expect_part_refused("labels", Labels{{2}, {-2, 0}}, "class that is not there");
+  expect_part_refused("labels", Labels{{2}, {0, 2}}, "label of an unknown class");
+  expect_part_refused("labels", Labels{{2}, {-2, 0}}, "label of an unknown class");
   expect_part_refused("labels", Labels{{2}, {0, std::numeric_limits<std::int64_t>::max()}},
-                      "class that is not there");
+                      "label of an unknown class");
   expect_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
   expect_part_refused("labels", Labels{{1}, {0}}, "do not fit the map");
   expect_part_refused("labels", Labels{{2, 1}, {0, 1}}, "do not fit the map");

@@ -1,4 +1,4 @@
-// The chains of P06, by TOML alone, against the library's functions called by hand.
+// The chains of P06, from TOML, compared with calls of the library's functions.
 
 #include <gtest/gtest.h>
 
@@ -112,8 +112,8 @@ TEST(SystemChains, TMpsomsMultipliedAndAddedInPhases) {
       }
       EXPECT_EQ(dense(output_of(system, recording, "stm", i)), Matrix<float>(1, 12, sums));
     }
-    // Phases one after the other are the same as systems trained one after the other: what a later
-    // phase does leaves earlier modules alone.
+    // Consecutive phases are equivalent to systems trained one after the other: a later phase does
+    // not change earlier modules.
     std::string shorter = text(combination);
     shorter.replace(shorter.find("draws = 80"), 10, "draws = 40");
     const System other = trained(build(shorter, recording), recording, 6, 3);

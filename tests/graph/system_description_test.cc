@@ -65,10 +65,10 @@ TEST(SystemDescription, RefusesWhatItDoesNotKnowWithItsLine) {
   expect_refused("[module.\"\"]\n", "f.toml:1: a module cannot be called ''");
   expect_refused("[module." + std::string(101, 'x') + "]\n", "f.toml:1: a module cannot be called");
   expect_refused("[module.a]\n[module.a]\n", "f.toml:2:");
-  expect_refused("[system]\n", "f.toml:1: there are no modules");
+  expect_refused("[system]\n", "f.toml:1: the description has no modules");
 }
 
-TEST(SystemDescription, LeavesTablesOfOthersAlone) {
+TEST(SystemDescription, IgnoresTablesOfOthers) {
   const auto table = parse_toml("[study]\nx = 1\n[module.a]\n", "f.toml");
   EXPECT_TRUE(read_system(*table, {"study"}));
   EXPECT_FALSE(read_system(*table, {"recording"}));
@@ -78,7 +78,7 @@ TEST(SystemDescription, TakesAtMost256Modules) {
   std::string text;
   for (int i = 0; i < 256; ++i) text += "[module.m" + std::to_string(i) + "]\ntype = \"channel\"\n";
   EXPECT_TRUE(read(text));
-  expect_refused(text + "[module.last]\n", "f.toml:1: there are 257 modules");
+  expect_refused(text + "[module.last]\n", "f.toml:1: 257 modules exceed");
 }
 
 TEST(SystemDescription, WhatIsWrittenReadsBackAsTheSame) {
@@ -139,12 +139,13 @@ TEST(SystemDescription, WhatNoTextCouldSayIsRefused) {
         << to_string(system.error());
   };
   const std::vector<SystemBuilder::Setting> joints{{"channel", {std::string("joints")}}};
-  refused(small_builder().module("map", "channel", joints), "two modules of this name");
+  refused(small_builder().module("map", "channel", joints), "two modules have this name");
   refused(small_builder().module("a.b", "channel", joints), "description");
   refused(small_builder().module("", "channel", joints), "as TOML:");
   refused(small_builder().module(std::string(101, 'a'), "channel", joints), "cannot be called");
-  refused(small_builder().module("x]\n[module.y", "channel", joints), "cannot be written down");
-  refused(SystemBuilder("empty"), "there are no modules");
+  refused(small_builder().module("x]\n[module.y", "channel", joints),
+          "cannot be represented as TOML");
+  refused(SystemBuilder("empty"), "the description has no modules");
   refused(SystemBuilder("twice").module("a", "channel", {joints[0], joints[0]}), "as TOML:");
   PhaseDescription endless{{"map"}, std::uint64_t{1} << 62U, {}, {}};
   refused(SystemBuilder("long")

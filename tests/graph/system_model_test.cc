@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "files/archive.h"
 #include "somato/core/check.h"
-#include "somato/files/archive.h"
 #include "support/damaged_files.h"
 #include "support/saved_maps.h"
 #include "support/systems.h"
@@ -161,7 +161,7 @@ void expect_model_part_refused(const std::string& name, Archive::Content content
 TEST(SystemModel, RefusesAnotherKindOfFile) {
   Archive other("som");
   for (const Archive::Entry& entry : an_archive().entries()) other.add(entry.name, entry.content);
-  expect_model_refused(other, "the file holds 'som', not 'system'");
+  expect_model_refused(other, "the file contains 'som', not 'system'");
   expect_model_refused(Archive("system"), "'description' is missing");
 }
 
@@ -174,9 +174,9 @@ TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
     expect_model_refused(without_part(an_archive(), name),
                          "'" + std::string(name) + "' is missing");
   }
-  expect_model_refused(without_part(an_archive(), "answer"), "do not belong together");
+  expect_model_refused(without_part(an_archive(), "answer"), "do not fit together");
   for (const char* name : {"notes", "module.map.bias", "module.joints.means", "module.none.low"}) {
-    expect_model_refused(with_part(an_archive(), name, std::string("x")), "do not belong together");
+    expect_model_refused(with_part(an_archive(), name, std::string("x")), "do not fit together");
   }
 }
 
@@ -194,20 +194,20 @@ TEST(SystemModel, RefusesDescriptionsAndLayoutsThatCannotBe) {
   expect_model_part_refused("description", replaced(description, "\"accumulate\"", "\"accumulat\""),
                             "unknown type of module");
   expect_model_part_refused("description", replaced(description, "[2, 2]", "[2, 3]"),
-                            "does not fit its place");
+                            "does not fit its module");
   expect_model_part_refused("description", replaced(description, "columns = 2", "columns = 3"),
-                            "does not fit its place");
-  expect_model_part_refused("description", description + "# a comment\n", "do not belong together");
-  expect_model_part_refused("layout", std::string(), "without a recording its shape is unknown");
-  expect_model_part_refused("layout", std::string("x = 1\n"), "the layout is none");
-  expect_model_part_refused("layout", std::string("[channel]\n"), "the layout is none");
+                            "does not fit its module");
+  expect_model_part_refused("description", description + "# a comment\n", "do not fit together");
+  expect_model_part_refused("layout", std::string(), "its shape is unknown without a recording");
+  expect_model_part_refused("layout", std::string("x = 1\n"), "the layout is invalid");
+  expect_model_part_refused("layout", std::string("[channel]\n"), "the layout is invalid");
   expect_model_part_refused("layout", layout + "[[channel]]\nname = 3\n", "'name' must be");
   expect_model_part_refused("layout", replaced(layout, "shape = [3]", "shape = [4]"), "");
   expect_model_part_refused("layout", replaced(layout, "\"joints\"", "\"joint\""),
                             "unknown channel");
   expect_model_part_refused(
       "layout", replaced(layout, "shape = [3]", "shape = [9000000000000, 9000000000000]"),
-      "would have more than");
+      "exceeds the maximum of");
   expect_model_part_refused("layout", replaced(layout, "shape = [3]", "shape = []"), "");
 }
 
@@ -229,7 +229,7 @@ TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
   expect_model_part_refused("module.code.low", one(1e300), "for element 1");
   expect_model_part_refused("module.code.high", Array<float>{{1}, {1}}, "another type");
   expect_model_part_refused("module.map.weights", Array<float>{{2, 5}, std::vector<float>(10)},
-                            "does not fit its place");
+                            "does not fit its module");
   expect_model_part_refused("module.map.weights", Array<float>{{3, 4}, std::vector<float>(12)},
                             "do not fit its grid");
   expect_model_part_refused("module.tensor.weights_0", Array<float>{{4, 3}, std::vector<float>(12)},
@@ -239,16 +239,13 @@ TEST(SystemModel, RefusesWhatWasLearnedWhenItDoesNotFit) {
 TEST(SystemModel, RefusesAnswersThatCannotBe) {
   using Labels = Array<std::int64_t>;
   const std::string classes = "label = \"object\"\nclasses = [\"ball\", \"cube\"]\n";
-  expect_model_part_refused("answer", "map = \"mapp\"\n" + classes,
-                            "the map that answers is not there");
-  expect_model_part_refused("answer", "map = \"stm\"\n" + classes,
-                            "the map that answers is not there");
-  expect_model_part_refused("answer", "map = \"tensor\"\n" + classes,
-                            "the map that answers is not");
+  expect_model_part_refused("answer", "map = \"mapp\"\n" + classes, "the output map is missing");
+  expect_model_part_refused("answer", "map = \"stm\"\n" + classes, "the output map is missing");
+  expect_model_part_refused("answer", "map = \"tensor\"\n" + classes, "the output map is missing");
   expect_model_part_refused("answer", std::string("map = \"map\"\nclasses = [\"ball\"]\n"),
-                            "class that is not there");
+                            "label of an unknown class");
   expect_model_part_refused("answer", std::string("map = 3\n"), "'map' must be");
-  expect_model_part_refused("labels", Labels{{2}, {0, 2}}, "class that is not there");
+  expect_model_part_refused("labels", Labels{{2}, {0, 2}}, "label of an unknown class");
   expect_model_part_refused("labels", Labels{{3}, {0, 1, 1}}, "do not fit the map");
   expect_model_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
 }
@@ -308,8 +305,9 @@ TEST(AutomaticSize, TakesARecording) {
       try_build(kJoints + "shape = [3]\n" + kLast + automatic_map_of("closed"), Recording{});
   ASSERT_FALSE(built);
   EXPECT_EQ(built.error().kind, ErrorKind::kUsage);
-  EXPECT_NE(to_string(built.error()).find("the map's size is automatic, which takes a recording"),
-            std::string::npos)
+  EXPECT_NE(
+      to_string(built.error()).find("the map's size is automatic, which requires a recording"),
+      std::string::npos)
       << to_string(built.error());
 }
 

@@ -46,9 +46,9 @@ TEST(System, RefusesUnknownNamesWithTheNearest) {
   expect_refused(module("m", "changee", ""), "system.toml:14, module 'm'",
                  "did you mean 'change'?");
   expect_refused("[module.m]\ninput = \"joints\"\n", "system.toml:13, module 'm'",
-                 "does not say what it is");
+                 "'type' is missing");
   expect_refused("[module.m]\ntype = [\"sum\"]\n", "system.toml:14, module 'm'",
-                 "does not say what it is");
+                 "'type' is missing");
   expect_refused(module("m", "change", "inputt = \"joints\""), "system.toml:15, module 'm'",
                  "unknown key 'inputt'; did you mean 'input'?");
   expect_refused(module("m", "som", "input = \"joints\"\nrow = 3"), "system.toml:16, module 'm'",
@@ -67,7 +67,7 @@ TEST(System, RefusesUnknownNamesWithTheNearest) {
 
 TEST(System, RefusesPortsThatAreNotConnectedRightly) {
   expect_refused(module("m", "change", ""), "system.toml:13, module 'm', port 'input'",
-                 "nothing is connected");
+                 "no module is connected");
   expect_refused(module("m", "change", "input = [\"joints\"]"),
                  "system.toml:15, module 'm', port 'input'", "the name of one module");
   expect_refused(module("m", "change", "input = 3"), "system.toml:15, module 'm', port 'input'",
@@ -98,31 +98,31 @@ TEST(System, RefusesParametersOutOfRange) {
                         "input = \"joints\"\nradius_schedule = \"exponential\"\n"
                         "radius_end = 0"),
                  "system.toml:13, module 'm'", "radius");
-  expect_refused(module("m", "channel", ""), "system.toml:13, module 'm'",
-                 "does not say which channel");
+  expect_refused(module("m", "channel", ""), "system.toml:13, module 'm'", "'channel' is missing");
   expect_refused(module("m", "channel", "channel = \"touch\"\nshape = [4]"),
                  "system.toml:13, module 'm'", "has the shape 2 x 2 in the recording, not 4");
   expect_refused(module("m", "channel", "channel = \"joints\"\nelements = [\"4\"]"),
-                 "system.toml:13, module 'm'", "number the elements from 1 to 3");
+                 "system.toml:13, module 'm'", "elements are numbered from 1 to 3");
   for (const char* name : {"0", "-1", "+1", "1.0", "", "99999999999999999999", " 1"}) {
     expect_refused(
         module("m", "channel", "channel = \"joints\"\nelements = [\"" + std::string(name) + "\"]"),
-        "system.toml:13, module 'm'", "there is no element");
+        "system.toml:13, module 'm'", "unknown element");
   }
   expect_refused(module("m", "onset_window", "input = \"joints\"\nelement = 4"),
-                 "system.toml:13, module 'm'", "'element' is 4, but 3 come in");
+                 "system.toml:13, module 'm'", "'element' is 4, but the input has 3 elements");
   for (const std::string key : {"low", "high"}) {
     expect_refused(module("m", "one_hot", "input = \"joints\"\n" + key + " = [0, 1]"),
-                   "system.toml:13, module 'm'", "'" + key + "' has 2 numbers, but 3 elements");
+                   "system.toml:13, module 'm'",
+                   "'" + key + "' has 2 numbers, but the input has 3 elements");
   }
   expect_refused(module("m", "one_hot", "input = \"joints\"\nlow = 1\nhigh = 1"),
-                 "system.toml:13, module 'm'", "'low' is 1 and 'high' 1 for element 1");
+                 "system.toml:13, module 'm'", "'low' is 1 and 'high' is 1 for element 1");
   expect_refused(module("m", "one_hot", "input = \"joints\"\nlow = -1e300\nhigh = 1e300"),
                  "system.toml:13, module 'm'", "single precision");
   expect_refused(module("m", "number_code", "input = \"joints\"\nbits = 25"),
                  "system.toml:13, module 'm'", "1 to 24 bits");
   expect_refused(module("m", "t_mpsom", "inputs = [\"joints\", \"touch\"]\nshape = [3]"),
-                 "system.toml:13, module 'm'", "2 inputs on a grid of 1 axes");
+                 "system.toml:13, module 'm'", "2 inputs do not fit a grid of 1 axes");
 }
 
 TEST(System, RefusesRatesClocksAndShapesThatDoNotFit) {
@@ -130,30 +130,30 @@ TEST(System, RefusesRatesClocksAndShapesThatDoNotFit) {
   for (const char* type : {"first", "last", "delay", "change", "resampling", "onset_window",
                            "mean_removal", "spectrum", "accumulate", "leaky_accumulate"}) {
     expect_refused(last + module("m", type, "input = \"last\""),
-                   "system.toml:18, module 'm', port 'input'", "it takes frames");
+                   "system.toml:18, module 'm', port 'input'", "it requires frames");
   }
   for (const char* type : {"sum", "tensor_product", "concatenation"}) {
     expect_refused(last + module("m", type, "inputs = [\"joints\", \"last\"]"),
-                   "system.toml:18, module 'm', port 'inputs'", "once an exploration");
+                   "system.toml:18, module 'm', port 'inputs'", "another one per exploration");
     expect_refused(module("m", type, "inputs = [\"joints\", \"sound\"]"),
                    "system.toml:15, module 'm', port 'inputs'",
-                   "the frames of 'height' and of 'sound' are not taken together");
+                   "the frames of 'height' and of 'sound' are not recorded together");
   }
   expect_refused(module("m", "t_mpsom", "inputs = [\"joints\", \"sound\"]\nshape = [2, 2]"),
-                 "system.toml:15, module 'm', port 'inputs'", "are not taken together");
+                 "system.toml:15, module 'm', port 'inputs'", "are not recorded together");
   expect_refused(module("m", "sum", "inputs = [\"joints\", \"touch\"]"),
                  "system.toml:15, module 'm', port 'inputs'",
                  "2 x 2 elements cannot be added to 3");
   expect_refused(module("m", "spectrum", "input = \"joints\"\nspeed = \"touch\"\nhigh = 1"),
-                 "system.toml:16, module 'm', port 'speed'", "a speed is a single number");
+                 "system.toml:16, module 'm', port 'speed'", "a speed must be a single number");
   expect_refused(module("m", "spectrum", "input = \"joints\"\nspeed = \"height\""),
-                 "system.toml:16, module 'm', port 'speed'", "'bands' and their 'high'");
+                 "system.toml:16, module 'm', port 'speed'", "'bands' and 'high'");
   expect_built(module("m", "spectrum", "input = \"sound\"\nspeed = \"height\"\nhigh = 1"));
   // Each finds its own onset: their frames were not taken together, however many there are.
   const std::string window = "input = \"joints\"\nthreshold = 0.1\nlength = 2";
   expect_refused(module("one", "onset_window", window) + module("two", "onset_window", window) +
                      module("m", "sum", "inputs = [\"one\", \"two\"]"),
-                 "system.toml:25, module 'm', port 'inputs'", "are not taken together");
+                 "system.toml:25, module 'm', port 'inputs'", "are not recorded together");
 }
 
 TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {
@@ -161,13 +161,13 @@ TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {
       module("wide", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 1048576");
   expect_built(wide);
   expect_refused(wide + module("m", "tensor_product", "inputs = [\"wide\", \"wide\"]"),
-                 "system.toml:21, module 'm', port 'inputs'", "would have more than 4294967295");
+                 "system.toml:21, module 'm', port 'inputs'", "exceeds the maximum of 4294967295");
   expect_refused(wide + module("m", "number_code", "input = \"wide\"\nbits = 24"),
-                 "system.toml:21, module 'm', port 'input'", "would have more than 67108864");
+                 "system.toml:21, module 'm', port 'input'", "exceeds the maximum of 67108864");
   expect_refused(wide + module("m", "one_hot",
                                "input = \"wide\"\nlow = 0\nhigh = 1\n"
                                "elements = 1000"),
-                 "system.toml:21, module 'm', port 'input'", "would have more than");
+                 "system.toml:21, module 'm', port 'input'", "exceeds the maximum of");
   expect_refused(wide + module("m", "som",
                                "input = \"wide\"\nrows = 4096\ncolumns = 4096\n"
                                "initial_weights = \"uniform\""),
@@ -195,46 +195,48 @@ TEST(System, RefusesShapesWithoutARecordingThatNoMachineHolds) {
   EXPECT_EQ(system->modules()[0].output.size(), 1U);
   EXPECT_NE(to_string(without("channel = \"x\"\n").error()).find("its shape is unknown"),
             std::string::npos);
-  EXPECT_NE(to_string(without("shape = [3]\n").error()).find("which channel"), std::string::npos);
+  EXPECT_NE(to_string(without("shape = [3]\n").error()).find("'channel' is missing"),
+            std::string::npos);
   const auto large = without("channel = \"x\"\nshape = [16777216, 16777216, 16777216]\n");
   ASSERT_FALSE(large);
-  EXPECT_NE(to_string(large.error()).find("would have more than"), std::string::npos);
+  EXPECT_NE(to_string(large.error()).find("exceeds the maximum of"), std::string::npos);
 }
 
 TEST(System, RefusesLoopsThatCannotRun) {
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"c\"]") +
                      module("b", "scale", "input = \"a\"") + module("c", "scale", "input = \"b\""),
-                 "system.toml:16, module 'b'", "a loop needs a delay: b -> c -> a -> b");
+                 "system.toml:16, module 'b'", "a loop requires a delay: b -> c -> a -> b");
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"a\"]"), "system.toml:13, module 'a'",
-                 "a loop needs a delay: a -> a");
+                 "a loop requires a delay: a -> a");
   const std::string sum = module("a", "sum", "inputs = [\"joints\", \"d\"]");  // lines 13 to 15
   expect_refused(sum + module("d", "delay", "input = \"a\""), "system.toml:16, module 'd'",
-                 "a delay in a loop needs its 'shape'");
+                 "a delay in a loop requires 'shape'");
   expect_refused(sum + module("d", "delay", "input = \"a\"\nshape = [4]"),
                  "system.toml:15, module 'a', port 'inputs'", "4 elements cannot be added to 3");
   expect_refused(module("a", "concatenation", "inputs = [\"joints\", \"d\"]") +
                      module("d", "delay", "input = \"a\"\nshape = [3]"),
-                 "system.toml:18, module 'd', port 'input'", "its 'shape' is 3, but 6 comes in");
+                 "system.toml:18, module 'd', port 'input'",
+                 "its 'shape' is 3, but the input has 6");
   expect_refused(module("d", "delay", "input = \"d\"\nshape = [3]"), "system.toml:13, module 'd'",
-                 "no frames come into its loop from outside");
+                 "its loop receives no frames from outside");
   expect_refused(
       module("e", "scale", "input = \"d\"") + module("d", "delay", "input = \"e\"\nshape = [3]"),
-      "system.toml:16, module 'd'", "no frames come into its loop from outside");
+      "system.toml:16, module 'd'", "its loop receives no frames from outside");
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"d\"]") +
                      module("r", "mean_removal", "input = \"a\"") +
                      module("d", "delay", "input = \"r\"\nshape = [3]"),
-                 "system.toml:16, module 'r'", "it needs explorations as a whole");
+                 "system.toml:16, module 'r'", "it requires whole explorations");
   expect_refused(module("l", "last", "input = \"joints\"") +
                      module("a", "sum", "inputs = [\"l\", \"d\"]") +
                      module("d", "delay", "input = \"a\"\nshape = [3]"),
-                 "system.toml:19, module 'd'", "no frames come into its loop from outside");
+                 "system.toml:19, module 'd'", "its loop receives no frames from outside");
   expect_refused(module("a", "sum", "inputs = [\"height\", \"sound\", \"d\"]") +
                      module("d", "delay", "input = \"a\"\nshape = [1]"),
-                 "system.toml:15, module 'a', port 'inputs'", "are not taken together");
+                 "system.toml:15, module 'a', port 'inputs'", "are not recorded together");
   expect_refused(
       module("a", "concatenation", "inputs = [\"joints\", \"d\"]") +
           module("d", "delay", "input = \"a\"\nshape = [1048576, 1048576, 1048576, 1048576]"),
-      "system.toml:16, module 'd'", "would have more than");
+      "system.toml:16, module 'd'", "exceeds the maximum of");
   expect_built(sum + module("d", "delay", "input = \"a\"\nshape = [3]"));
 }
 
@@ -245,13 +247,13 @@ std::string two_maps(const std::string& between, const std::string& second) {
 
 TEST(System, RefusesPhasesThatCannotBe) {
   const std::string map = module("m", "som", "input = \"joints\"");  // lines 13 to 15
-  expect_refused(map + "[[phase]]\ndraws = 3\n", "system.toml:16", "does not say which modules");
+  expect_refused(map + "[[phase]]\ndraws = 3\n", "system.toml:16", "'learn' is missing or empty");
   expect_refused(map + "[[phase]]\nlearn = \"joints\"\n", "system.toml:16",
                  "'joints' has nothing to learn");
   expect_refused(map + "[[phase]]\nlearn = [\"m\", \"m\"]\n", "system.toml:16",
-                 "'m' is to learn twice");
+                 "'m' is listed twice");
   expect_refused(map + "[[phase]]\nlearn = \"m\"\n[[phase]]\nlearn = \"m\"\n", "system.toml:18",
-                 "'m' is to learn twice");
+                 "'m' is listed twice");
   expect_refused(map + "[[phase]]\nlearn = \"m\"\nof = \"explorations\"\n", "system.toml:16",
                  "'m' learns frames, not explorations");
   const std::string iterations = module("m", "som", "input = \"joints\"\niterations = 9");
@@ -261,40 +263,40 @@ TEST(System, RefusesPhasesThatCannotBe) {
   expect_refused(module("m", "som", "input = \"joints\"\ndraws = \"without_replacement\""),
                  "system.toml:16, module 'm'", "'draws' has no effect");
   expect_refused(module("m", "som", "input = \"joints\"\ntraining = \"batch\""), "system.toml:13",
-                 "'m' learns from everything at once, which it cannot do here");
+                 "'m' learns from all samples at once, which it cannot do here");
   expect_refused(module("l", "last", "input = \"joints\"") +
                      module("m", "som", "input = \"l\"\ntraining = \"batch\"") +
                      "[[phase]]\nlearn = \"m\"\ndraws = 9\n",
-                 "system.toml:20", "nothing is drawn");
+                 "system.toml:20", "without draws");
 }
 
 TEST(System, RefusesModulesThatCannotLearnTogether) {
   const std::string both = "[[phase]]\nlearn = [\"a\", \"b\"]\ndraws = 9\n";
   expect_built(two_maps("", "a") + both);
   expect_refused(two_maps("", "a") + "[[phase]]\nlearn = [\"a\", \"b\"]\n", "system.toml:23",
-                 "does not say how long");
+                 "does not specify how long");
   expect_refused(two_maps("", "sound") + both, "system.toml:23",
-                 "their frames are not taken together");
+                 "their frames are not recorded together");
   expect_refused(two_maps(module("l", "last", "input = \"a\""), "l") + both, "system.toml:26",
-                 "one learns frames, the other explorations");
+                 "one learns from frames and the other from explorations");
   expect_refused(two_maps(module("r", "mean_removal", "input = \"a\""), "r") + both,
-                 "system.toml:26", "'r' needs explorations as a whole");
+                 "system.toml:26", "'r' requires whole explorations");
   expect_refused(two_maps("", "a") + "[[phase]]\nlearn = \"b\"\n[[phase]]\nlearn = \"a\"\n",
                  "system.toml:23", "'b' learns before 'a', which it depends on");
   for (const char* type : {"standardization", "one_hot"}) {
     const std::string code = module("s", type, "input = \"joints\"") +
                              module("m", "som", "input = \"s\"\nrows = 2\ncolumns = 2");
     expect_refused(code + "[[phase]]\nlearn = [\"s\", \"m\"]\ndraws = 9\n", "system.toml:21",
-                   "'s' learns from everything at once");
+                   "'s' learns from all samples at once");
     expect_refused(code + "[[phase]]\nlearn = \"s\"\ndraws = 9\n", "system.toml:21",
-                   "nothing is drawn");
+                   "without draws");
     expect_refused(code + "[[phase]]\nlearn = \"s\"\norder = \"with_replacement\"\n",
-                   "system.toml:21", "nothing is drawn");
+                   "system.toml:21", "without draws");
   }
   expect_refused(module("a", "sum", "inputs = [\"joints\", \"d\"]") +
                      module("s", "standardization", "input = \"a\"") +
                      module("d", "delay", "input = \"s\"\nshape = [3]"),
-                 "system.toml:16", "learns from everything at once, which it cannot do here");
+                 "system.toml:16", "learns from all samples at once, which it cannot do here");
 }
 
 // Neither can wait for the other.
@@ -327,7 +329,7 @@ TEST(System, LearnersThatNoPhaseNamesLearnAsSoonAsTheyAreNeeded) {
   EXPECT_EQ(names, (std::vector<std::string>{"s", "m", "free"}));
 }
 
-TEST(System, TellsShapesRatesAndWhatNeverLearns) {
+TEST(System, DescribesShapesRatesAndFixedModules) {
   const auto system = try_build(
       kChannels + module("code", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 7") +
           module("one", "one_hot", "input = \"height\"\nlow = 0\nhigh = 1\nelements = 5") +

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "somato/graph/system_model.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
-#include "somato/maps/t_mpsom_training.h"
 #include "support/systems.h"
+#include "support/t_mpsom_training.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
@@ -57,7 +58,7 @@ Samples all_joints(const Recording& recording, std::size_t count) {
   return Samples::from_signals(frames);
 }
 
-TEST(SystemTraining, AMapAloneIsTrainedAsEver) {
+TEST(SystemTraining, ASingleMapIsTrainedAsWithoutASystem) {
   const Recording recording = hand_recording(9, 5);
   for (const std::string more :
        {"", "training = \"batch\"\nepochs = 5\n", "similarity = \"dot_product\"\niterations = 77\n",
@@ -78,53 +79,73 @@ TEST(SystemTraining, AMapAloneIsTrainedAsEver) {
   }
 }
 
-// Whoever trains the map of a system elsewhere gets the same system.
-TEST(SystemTraining, AMapAloneCanBeTrainedElsewhere) {
+std::string coded_map(const std::string& more) {
+  return channels({"joints"}) +
+         module("code", "one_hot", "input = \"joints\"\nelements = 5\noutside = \"clamp\"") +
+         module("sum", "accumulate", "input = \"code\"") +
+         module("map", "som", "input = \"sum\"" + std::string(kThreeByTwo) + "\n" + more);
+}
+
+// What the map is tested with decides nothing of it; but it knows these inputs by their products.
+TEST(SystemTraining, AMapKnowsWhatItIsTestedWith) {
   const Recording recording = hand_recording(9, 5);
-  const std::string text =
-      channels({"joints"}) +
-      module("code", "one_hot", "input = \"joints\"\nelements = 5\noutside = \"clamp\"") +
-      module("sum", "accumulate", "input = \"code\"") +
-      module("map", "som", "input = \"sum\"" + std::string(kThreeByTwo)) +
-      "[[phase]]\nlearn = [\"map\"]\ndraws = 70\norder = \"without_replacement\"\n";
+  const std::string text = coded_map("arithmetic = \"inner_products\"\n");
   const System expected = trained(build(text, recording), recording, 6, 4);
   System system = build(text, recording);
-  const std::size_t map = *system.find("map");
-  const auto parameters = parameters_alone(system, map, 4);
-  ASSERT_TRUE(parameters);
-  ASSERT_TRUE(try_train(system, recording, 6, {4, 1, {}, map}));
-  EXPECT_EQ(som_of(system, map)->neurons(), 0U);
-  std::vector<Signal> sums;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const Matrix<float> sum = dense(output_of(system, recording, "sum", i));
-    sums.push_back(Signal::dense({sum.row(0).begin(), sum.row(0).end()}));
-  }
-  set_map(system, map, train_som(*parameters, Samples::from_signals(sums)).value());
-  EXPECT_EQ(som_of(system, map)->weights(), som_of(expected, map)->weights());
+  Activations activations(system.modules().size(), 9);
+  const std::vector<std::size_t> tested{6, 8};
+  SystemTraining training;
+  training.seed = 4;
+  training.tested = tested;
+  ASSERT_TRUE(
+      train_system(system, recording, testing::first_explorations(6), training, activations));
+  const ExplorationValues& inputs = activations.values_of(*system.find("sum"));
+  EXPECT_EQ(inputs.explorations, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 8}));
+  const Som& som = map_of(system, "map");
+  EXPECT_TRUE(som.knows(inputs.samples));
+  SomWorkspace workspace;
+  EXPECT_NEAR(som.distance(inputs.samples, 7, 2, workspace),
+              som.distance(inputs.samples[7], 2, workspace), 1e-5);
   EXPECT_EQ(saved_bytes(system), saved_bytes(expected));
-  EXPECT_THROW(set_map(system, *system.find("sum"), Som()), InvalidArgument);
-  EXPECT_THROW(set_map(system, map, Som()), InvalidArgument);
 }
 
-TEST(SystemTraining, MapsThatLearnWithOthersOrFromFramesDoNotLearnAlone) {
+TEST(SystemTraining, ShowsTheMomentsOfMapsThatLearnByThemselves) {
   const Recording recording = hand_recording(9, 5);
-  const auto alone = [&](const std::string& text, const std::string& name) {
-    const System system = build(channels({"joints"}) + text, recording);
-    return parameters_alone(system, *system.find(name), 1).has_value();
+  const std::string text =
+      coded_map("") + module("second", "som", "input = \"map\"" + std::string(kThreeByTwo));
+  const System expected = trained(build(text, recording), recording, 6, 4);
+  System system = build(text, recording);
+  std::map<std::size_t, LaneMatrix<float>> last;
+  SystemTraining training;
+  training.seed = 4;
+  training.observer = [&](std::size_t module, const TrainingMoment& moment) {
+    last[module] = moment.map().weights();
+    return true;
   };
-  const std::string map = std::string(kThreeByTwo);
-  const std::string last = module("end", "last", "input = \"joints\"");
-  const std::string first_map = last + module("a", "som", "input = \"end\"" + map);
-  EXPECT_TRUE(alone(first_map, "a"));
-  EXPECT_FALSE(alone(first_map, "end"));
-  EXPECT_FALSE(alone(module("a", "som", "input = \"joints\"" + map), "a"));
-  const std::string both = first_map + module("b", "som", "input = \"a\"" + map);
-  EXPECT_FALSE(alone(both, "a"));  // what b learns comes from it
-  EXPECT_TRUE(alone(both, "b"));
-  EXPECT_FALSE(alone(both + "[[phase]]\nlearn = [\"a\", \"b\"]\ndraws = 9\n", "b"));
+  ASSERT_TRUE(try_train(system, recording, 6, training));
+  EXPECT_EQ(saved_bytes(system), saved_bytes(expected));
+  ASSERT_EQ(last.size(), 2U);
+  EXPECT_EQ(last[*system.find("map")], map_of(system, "map").weights());
+  EXPECT_EQ(last[*system.find("second")], map_of(system, "second").weights());
+  training.observer = [](std::size_t, const TrainingMoment& moment) { return moment.step < 5; };
+  EXPECT_EQ(try_train(system, recording, 6, training).error().kind, ErrorKind::kInterrupted);
 }
 
-TEST(SystemTraining, APhaseSaysHowLongAndInWhichOrderAMapAloneLearns) {
+TEST(SystemTraining, ShowsNoMomentsOfMapsThatLearnTogetherOrFromFrames) {
+  const Recording recording = hand_recording(9, 5);
+  SystemTraining training;
+  training.observer = [](std::size_t, const TrainingMoment&) { return false; };
+  const std::string map = std::string(kThreeByTwo);
+  System frames =
+      build(channels({"joints"}) + module("a", "som", "input = \"joints\"" + map), recording);
+  EXPECT_TRUE(try_train(frames, recording, 6, training));
+  System both = build(coded_map("") + module("second", "som", "input = \"map\"" + map) +
+                          "[[phase]]\nlearn = [\"map\", \"second\"]\ndraws = 9\n",
+                      recording);
+  EXPECT_TRUE(try_train(both, recording, 6, training));
+}
+
+TEST(SystemTraining, APhaseSetsDrawsAndOrderOfASingleMap) {
   const Recording recording = hand_recording(9, 5);
   const System system =
       trained(build(channels() + module("closed", "last", "input = \"joints\"") +
@@ -159,7 +180,7 @@ TEST(SystemTraining, ATMpsomLearnsFramesAsEver) {
   parameters.iterations = 101;
   parameters.seed = 77;
   TMpsom expected(parameters);
-  std::vector<TMpsomExploration> explorations(4);
+  std::vector<testing::TMpsomExploration> explorations(4);
   for (std::size_t i = 0; i < 4; ++i) {
     const Matrix<float>& joints = frames_of(recording, "joints", i);
     const Matrix<float>& touch = frames_of(recording, "touch", i);
@@ -168,7 +189,7 @@ TEST(SystemTraining, ATMpsomLearnsFramesAsEver) {
                                  Signal::dense({touch.row(f).begin(), touch.row(f).end()})});
     }
   }
-  ASSERT_TRUE(train_t_mpsom(expected, explorations));
+  testing::train_t_mpsom(expected, explorations);
   TMpsom::Workspace workspace(expected);
   std::vector<float> activity(12);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -281,7 +302,7 @@ TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
   EXPECT_EQ(map_of(system, "b").weights(), b.weights());
 }
 
-// Two maps in one phase, of which the first hears the same explorations throughout.
+// Two maps in one phase, of which the first has constant inputs for each exploration.
 std::string heard_map(const std::string& more) {
   return channels() +
          module("code", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 7") +
@@ -334,7 +355,8 @@ TEST(SystemTraining, InnerProductsNeedTheSameInputsThroughout) {
     ASSERT_FALSE(trained);
     EXPECT_EQ(trained.error().kind, ErrorKind::kUsage);
     EXPECT_NE(trained.error().where.find(where), std::string::npos) << to_string(trained.error());
-    EXPECT_NE(trained.error().what.find("inner products need the same inputs"), std::string::npos);
+    EXPECT_NE(trained.error().what.find("inner products require constant inputs"),
+              std::string::npos);
   };
   const std::string by_products = "\narithmetic = \"inner_products\"";
   refused(module("a", "som", "input = \"joints\"" + kSmall + by_products) +
@@ -347,7 +369,7 @@ TEST(SystemTraining, InnerProductsNeedTheSameInputsThroughout) {
           "module 'b'");
 }
 
-// A map that hears its own activity for the frame before.
+// A map that receives its own activity of the preceding frame.
 TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
   const Recording recording = hand_recording(6, 5);
   const std::size_t draws = 60;
@@ -388,7 +410,7 @@ TEST(SystemTraining, AMapInALoopLearnsAsInAnObviousLoop) {
   }
 }
 
-TEST(SystemTraining, AMapThatHearsItselfCannotStartFromWhatItHears) {
+TEST(SystemTraining, AMapThatReceivesItsOutputCannotStartFromItsInput) {
   const Recording recording = hand_recording(4, 5);
   System system =
       build(channels() + module("both", "concatenation", "inputs = [\"joints\", \"before\"]") +
@@ -467,7 +489,7 @@ TEST(SystemTraining, AProgressMayStopEveryPhase) {
                                               ++calls;
                                               return true;
                                             }}));
-  ASSERT_GE(calls, 4);  // at 64, 128 and 150 of the joint phase, and of the map alone
+  ASSERT_GE(calls, 4);  // at 64, 128 and 150 of the joint phase, and of the single map
   for (int allowed = 0; allowed < calls; ++allowed) {
     System system = build(kEverything, recording);
     int left = allowed;
@@ -480,7 +502,7 @@ TEST(SystemTraining, AProgressMayStopEveryPhase) {
 }
 
 // After each 64 draws and after the last, of frames as of explorations.
-TEST(SystemTraining, AProgressTellsHowManyDrawsAreDone) {
+TEST(SystemTraining, AProgressReportsTheNumberOfDraws) {
   using Numbers = std::vector<std::uint64_t>;
   const Recording recording = hand_recording(6, 5);
   for (const std::string heard : {"joints", "closed"}) {
@@ -492,14 +514,14 @@ TEST(SystemTraining, AProgressTellsHowManyDrawsAreDone) {
                     module("b", "som", "input = \"a\"" + kSmall) +
                     "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = " + std::to_string(draws) + "\n",
                 recording);
-      Numbers told;
+      Numbers reported;
       const auto tell = [&](std::uint64_t done, std::uint64_t all) {
         EXPECT_EQ(all, draws);
-        told.push_back(done);
+        reported.push_back(done);
         return true;
       };
       ASSERT_TRUE(try_train(system, recording, 6, {1, 1, tell}));
-      EXPECT_EQ(told, expected) << heard;
+      EXPECT_EQ(reported, expected) << heard;
     }
   }
 }

@@ -42,6 +42,11 @@ class Text(TreeTest):
         for place in ("build/tmp/a", "${x}/tmp/a", "http://example.org/work/a", "./tmp/a"):
             self.assertEqual(self.problems("docs/a.md", place + "\n"), [], place)
 
+    def test_refuses_wording_that_reads_as_translated(self):
+        for words in ("Whoever reads this", "the classes are told apart", "nobody knows", "told exactly"):
+            self.assertEqual(len(self.problems("docs/a.md", words + "\n")), 1, words)
+        self.assertEqual(self.problems("docs/a.md", "The map separates the classes.\n"), [])
+
     def test_notes_long_files(self):
         self.write("src/maps/a.cc", "\n" * 401)
         self.write("src/maps/b.cc", "\n" * 400)

@@ -17,9 +17,9 @@ HASH = "cdab067e9f3b"
 
 def claim(**changes):
     made = {"text": "It holds", "paper": "P11 IV", "question": "", "system": "texture", "variation": "",
-            "metric": "told_exactly", "protocol": "train_is_test", "group": "", "published": 5,
-            "at_least": 4, "at_most": 6, "share": 0.75, "mean": 5.25, "sd": 0.5, "by_luck": 7.5,
-            "pairs": 4, "verdict": "mostly", "reason": "", "chance_share": 0.25}
+            "metric": "classes_separated", "protocol": "train_is_test", "group": "", "published": 5,
+            "at_least": 4, "at_most": 6, "share": 0.75, "mean": 5.25, "sd": 0.5, "by_chance": 7.5,
+            "values": [5, 5, 5, 6], "verdict": "mostly", "reason": "", "chance_share": 0.25}
     return {**made, **changes}
 
 
@@ -38,11 +38,11 @@ FOLDS = protocol("leave_group_out", "trial",
 
 
 def results():
-    part = {"question": "", "system": "texture", "variation": "", "settings": {"b": 1, "a": "x"},
-            "recordings": ["one.mcap"], "pairs": [[0, 7], [0, 8]],
+    part = {"question": "", "system": "texture", "variation": "", "parameters": {"b": 1, "a": "x"},
+            "recordings": [0], "pairs": [[0, 7], [0, 8]],
             "protocols": [protocol("train_is_test", "", run(("felt", "felt"))), FOLDS]}
-    return {"seed": 7, "pairs": 2, "systems": [part], "claims": [claim(), claim(paper="", text="Ours")],
-            "recordings": [{"name": "one.mcap", "source": "probes", "seed": 7, "data_hash": "fnv1a64:12",
+    return {"parts": [part], "claims": [claim(), claim(paper="", text="Ours")],
+            "recordings": [{"name": "one.mcap", "source": "probes", "seed": 7, "hash": "fnv1a64:12",
                             "explorations": 4}]}
 
 
@@ -68,18 +68,18 @@ class Claims(unittest.TestCase):
 
     def test_a_row_has_the_share_of_chance_and_the_verdict(self):
         self.assertEqual(result_tables.claim_table([claim()]).splitlines()[2],
-                         "| texture: It holds | P11 IV | `told_exactly` 4 to 6, train = test | 5 | 5.25 ± 0.50 | "
+                         "| texture: It holds | P11 IV | `classes_separated` 4 to 6, train = test | 5 | 5.25 ± 0.50 | "
                          "7.5 | 75 % of 4 | 25 % | mostly |")
 
     def test_comparisons_of_our_own_have_no_column_of_papers(self):
-        text = result_tables.claim_table([claim(paper="", chance_share=None, by_luck=None)])
+        text = result_tables.claim_table([claim(paper="", chance_share=None, by_chance=None)])
         self.assertEqual(text.splitlines()[2].split(" | ")[5:], ["75 % of 4", "–", "mostly |"])
         self.assertNotIn("paper", text)
 
     def test_a_comparison_names_what_it_is_compared_with(self):
         compared = claim(than_system="hardness", than_variation="small", at_least=0, at_most=None)
         self.assertEqual(result_tables.bounds(compared),
-                         "`told_exactly` less that of hardness, small ≥ 0, train = test")
+                         "`classes_separated` less that of hardness, small ≥ 0, train = test")
 
     def test_what_cannot_be_decided_says_why(self):
         undecided = claim(verdict="cannot be decided here", reason="Too few | pairs.")
@@ -96,17 +96,17 @@ class Claims(unittest.TestCase):
 class Confusions(unittest.TestCase):
     def test_shares_are_of_the_row_over_all_runs(self):
         self.assertEqual(result_tables.confusion_table(FOLDS).splitlines(), [
-            "| explored \\ named, % | felt | wood | metal |", "| --- | --- | --- | --- |",
+            "| true \\ predicted, % | felt | wood | metal |", "| --- | --- | --- | --- |",
             "| **felt** | 75 | 25 |  |", "| **wood** | 50 | 50 |  |", "| **metal** |  | 50 | 50 |"])
 
     def test_the_greatest_come_first(self):
         self.assertEqual(result_tables.greatest_confusions(FOLDS),
-                         "Most often confused: wood is named felt (50.0 %), metal is named wood (50.0 %) and "
-                         "felt is named wood (25.0 %).")
+                         "Most often confused: wood is classified as felt (50.0 %), metal is classified as wood (50.0 %) and "
+                         "felt is classified as wood (25.0 %).")
 
     def test_without_any_it_says_so(self):
         right = protocol("leave_group_out", "trial", run(("felt", "felt")))
-        self.assertEqual(result_tables.greatest_confusions(right), "No exploration is named wrongly.")
+        self.assertEqual(result_tables.greatest_confusions(right), "All explorations are classified correctly.")
 
 
 class Sweeps(unittest.TestCase):
@@ -136,14 +136,14 @@ class Page(TreeTest):
 
     def test_papers_and_our_own_have_tables_of_their_own(self):
         page = self.make()
-        papers, ours = page.index("### Claims of the papers"), page.index("### Comparisons of our own")
+        papers, ours = page.index("### Claims of the papers"), page.index("### Comparisons by this project")
         self.assertLess(papers, page.index("| texture: It holds"))
         self.assertLess(ours, page.index("| texture: Ours"))
         self.assertIn("Verdicts on 1 claim of the papers", page)
 
-    def test_settings_have_a_hash_that_does_not_depend_on_their_order(self):
+    def test_parameters_have_a_hash_that_does_not_depend_on_their_order(self):
         # printf '{"a":"x","b":1}' | sha256sum
-        self.assertEqual(reproduction_page.settings_hash({"settings": {"b": 1, "a": "x"}}), HASH)
+        self.assertEqual(reproduction_page.parameters_hash({"parameters": {"b": 1, "a": "x"}}), HASH)
         self.assertIn(HASH, self.make())
 
     def test_nothing_is_left_to_fill_in(self):
@@ -166,7 +166,7 @@ class Unknowns(unittest.TestCase):
         rate = {"key": "module.map.rate", "low": 0.05, "high": 0.8, "scale": "logarithmic", "text": "Not given."}
         page = unknowns_page.make_page({"texture": {"rate": rate}, "hardness": {"rate": rate}},
                                        {"texture": sweep(swept(0.6))})
-        self.assertIn("- **texture and hardness**: `module.map.rate`\n  - tried: 0.05 to 0.8, logarithmic\n"
+        self.assertIn("- **texture and hardness**: `module.map.rate`\n  - tested values: 0.05 to 0.8, logarithmic\n"
                       "  - Not given.\n  - texture: It holds: `rate` (0.60): most at 0.2 to 0.8 (100 %)", page)
 
     def test_without_sweeps_it_says_so(self):

@@ -40,8 +40,8 @@ class DocBlocks(TreeTest):
         self.write("source/map.svg", "<svg/>\n")
         made = "<!-- test: made new.svg -->\n![a map](map.svg)\n"
         self.assert_passes(fenced("sh", "echo '<svg/>' > new.svg\n") + made)
-        self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg is not")
-        self.assert_fails(fenced("sh", "true\n") + made, "map.svg is not")
+        self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg differs from")
+        self.assert_fails(fenced("sh", "true\n") + made, "map.svg differs from")
 
     def test_leaves_the_source_tree_alone(self):
         self.assert_passes(fenced("sh", "touch new\n"))
@@ -53,14 +53,14 @@ class DocBlocks(TreeTest):
 
     def test_compares_what_a_console_block_shows(self):
         self.assert_passes(fenced("console", "$ echo hello\nhello\n$ true\n"))
-        self.assert_fails(fenced("console", "$ echo hello\nbye\n"), "and not:\nbye")
-        self.assert_fails(fenced("console", "$ printf 'a\\nb\\n'\na\n"), "and not:")
-        self.assert_fails(fenced("console", "$ echo 'a.b'\na+b\n"), "and not:")
+        self.assert_fails(fenced("console", "$ echo hello\nbye\n"), "instead of:\nbye")
+        self.assert_fails(fenced("console", "$ printf 'a\\nb\\n'\na\n"), "instead of:")
+        self.assert_fails(fenced("console", "$ echo 'a.b'\na+b\n"), "instead of:")
 
     def test_knows_wildcards_in_what_is_shown(self):
         self.assert_passes(fenced("console", "$ seq 1 9\n1\n...\n9\n"))
         self.assert_passes(fenced("console", "$ echo took 3.1 s\ntook ... s\n"))
-        self.assert_fails(fenced("console", "$ seq 1 9\n2\n...\n9\n"), "and not:")
+        self.assert_fails(fenced("console", "$ seq 1 9\n2\n...\n9\n"), "instead of:")
 
     def test_continues_commands(self):
         self.assert_passes(fenced("console", "$ echo one \\\n> two\none two\n"))
@@ -80,12 +80,12 @@ class DocBlocks(TreeTest):
     def test_skips_only_for_known_reasons_and_lines(self):
         mark = "<!-- test: skip sets up the machine -->\n"
         self.assertIn("skipped README.md:2", self.assert_passes(mark + fenced("sh", "./dev test\n")))
-        self.assert_fails(mark + fenced("sh", "./dev test\nsomato run\n"), "no line to skip")
+        self.assert_fails(mark + fenced("sh", "./dev test\nsomato run\n"), "cannot be skipped")
         mark = "<!-- test: skip needs data of others -->\n"
         self.assert_passes(mark + fenced("sh", 'false --data "$ICUB"\nls "$ICUB"/trials && false\n'))
-        self.assert_fails(mark + fenced("sh", "false\n"), "no line to skip")
-        self.assert_fails(mark + fenced("sh", "echo $HOME\n"), "no line to skip")
-        self.assert_fails("<!-- test: skip boring -->\n" + fenced("sh", "true\n"), "is no reason")
+        self.assert_fails(mark + fenced("sh", "false\n"), "cannot be skipped")
+        self.assert_fails(mark + fenced("sh", "echo $HOME\n"), "cannot be skipped")
+        self.assert_fails("<!-- test: skip boring -->\n" + fenced("sh", "true\n"), "is not a permitted reason")
 
 
 if __name__ == "__main__":

@@ -70,7 +70,7 @@ class TestCases(TreeTest):
         names, cases = json.loads((self.tree / "ran.json").read_text())
         self.assertEqual((names, cases), (r"^(web\.view|maps\.\d+)$", "Grid.A"))
         self.assertEqual(self.run_with([], {}, test_cases.run_failed)[1],
-                         "No test failed when tests were last run.\n")
+                         "No test failed in the last run.\n")
 
     def test_a_room_that_crashed_runs_again_whole(self):
         self.assertFalse(self.run_with([("maps.0", 3, "fail")], {})[0])

@@ -1,4 +1,4 @@
-#include "somato/live/address.h"
+#include "live/address.h"
 
 #include <gtest/gtest.h>
 

@@ -9,23 +9,23 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST(EventHubThread, TellsTheLatestOfEachKindInOrder) {
+TEST(EventHubThread, ReturnsTheLatestOfEachKindInOrder) {
   EventHub hub;
   hub.publish(EventKind::kFrame, "old frame");
   hub.publish(EventKind::kFrame, "frame");
   hub.publish(EventKind::kState, "state");
-  const auto seat = hub.take_seat(1);
-  const auto events = seat->next(milliseconds(0));
+  const auto subscription = hub.subscribe(1);
+  const auto events = subscription->next(milliseconds(0));
   ASSERT_EQ(events->size(), 2U);
   EXPECT_EQ(events->at(0).first, EventKind::kState);
   EXPECT_EQ(*events->at(1).second, "frame");
-  EXPECT_TRUE(seat->next(milliseconds(0))->empty());
+  EXPECT_TRUE(subscription->next(milliseconds(0))->empty());
 }
 
 TEST(EventHubThread, DropsWhatASlowOneMissedAndNeverWaitsForIt) {
   EventHub hub;
-  const auto slow = hub.take_seat(2);
-  const auto fast = hub.take_seat(2);
+  const auto slow = hub.subscribe(2);
+  const auto fast = hub.subscribe(2);
   for (int i = 0; i < 1000; ++i) {
     hub.publish(EventKind::kFrame, std::to_string(i));
     EXPECT_EQ(*fast->next(milliseconds(0))->at(0).second, std::to_string(i));
@@ -35,26 +35,26 @@ TEST(EventHubThread, DropsWhatASlowOneMissedAndNeverWaitsForIt) {
   EXPECT_EQ(*events->at(0).second, "999");
 }
 
-TEST(EventHubThread, HasSoManySeats) {
+TEST(EventHubThread, HasSoManySubscriptions) {
   EventHub hub;
   int changes = 0;
   hub.on_change([&] { ++changes; });
-  auto first = hub.take_seat(1);
-  EXPECT_EQ(hub.lookers_on(), 1U);
-  EXPECT_EQ(hub.take_seat(1), nullptr);
+  auto first = hub.subscribe(1);
+  EXPECT_EQ(hub.viewers(), 1U);
+  EXPECT_EQ(hub.subscribe(1), nullptr);
   first.reset();
-  EXPECT_EQ(hub.lookers_on(), 0U);
+  EXPECT_EQ(hub.viewers(), 0U);
   EXPECT_EQ(changes, 2);
-  EXPECT_NE(hub.take_seat(1), nullptr);
+  EXPECT_NE(hub.subscribe(1), nullptr);
 }
 
 TEST(EventHubThread, WakesThoseWhoWaitWhenItCloses) {
   EventHub hub;
-  const auto seat = hub.take_seat(1);
+  const auto subscription = hub.subscribe(1);
   std::thread closing([&] { hub.close(); });
-  EXPECT_FALSE(seat->next(std::chrono::hours(1)));
+  EXPECT_FALSE(subscription->next(std::chrono::hours(1)));
   closing.join();
-  EXPECT_EQ(hub.take_seat(2), nullptr);
+  EXPECT_EQ(hub.subscribe(2), nullptr);
 }
 
 TEST(EventHubThread, HandsOutFromManyThreads) {
@@ -62,9 +62,9 @@ TEST(EventHubThread, HandsOutFromManyThreads) {
   std::vector<std::thread> readers;
   for (int i = 0; i < 4; ++i) {
     readers.emplace_back([&] {
-      const auto seat = hub.take_seat(4);
+      const auto subscription = hub.subscribe(4);
       std::string last;
-      while (const auto events = seat->next(std::chrono::hours(1))) {
+      while (const auto events = subscription->next(std::chrono::hours(1))) {
         for (const auto& [kind, text] : *events) {
           EXPECT_LT(last.size(), text->size());
           last = *text;

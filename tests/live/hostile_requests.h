@@ -8,7 +8,7 @@
 
 namespace somato::testing {
 
-/// Something that no browser of ours would send, and the status that it is refused with.
+/// A request that the pages never send, and the status with which it is refused.
 struct HostileRequest {
   std::string name;
   std::string bytes;
@@ -52,11 +52,11 @@ class HostileRequests {
   static std::string length(std::size_t bytes) {
     return fmt::format("Content-Length: {}\r\n", bytes);
   }
-  std::string told(const std::string& body) const {
+  std::string command_request(const std::string& body) const {
     return post(own() + json() + length(body.size()), body);
   }
 
-  // Names that are made to point here, and all that is nearly ours.
+  // Names that may resolve to this machine, and names similar to those of the server.
   Requests hosts() const {
     Requests requests;
     const auto add = [&](const std::string& name, const std::string& host) {
@@ -168,8 +168,8 @@ class HostileRequests {
     std::string many;
     for (int i = 0; i < 200; ++i) many += fmt::format("X-{}: 1\r\n", i);
     return {
-        {"a body of 10 MB", told(std::string(10'000'000, ' ')), 413},
-        {"a body of 64 KiB and one", told(std::string(65537, ' ')), 413},
+        {"a body of 10 MB", command_request(std::string(10'000'000, ' ')), 413},
+        {"a body of 64 KiB and one", command_request(std::string(65537, ' ')), 413},
         {"a length beyond all numbers",
          post(own() + json() + "Content-Length: 99999999999999999999999\r\n", ""), 413},
         {"a length below 0", post(own() + json() + "Content-Length: -1\r\n", ""), 400},
@@ -180,7 +180,7 @@ class HostileRequests {
          post(own() + json() + "Transfer-Encoding: chunked\r\n", "2\r\n{}\r\n0\r\n\r\n"), 411},
         {"chunks and a length",
          post(own() + json() + length(2) + "Transfer-Encoding: chunked\r\n", "0\r\n\r\n"), 411},
-        {"asked before it is sent",
+        {"expects a response before the body",
          post(own() + json() + length(2) + "Expect: 100-continue\r\n", "{}"), 417},
         {"a body with GET", get(state(), length(5)) + "hello", 400},
         {"a header of 16 KiB", get(state(), "X-Long: " + std::string(16384, 'a') + "\r\n"), 431},
@@ -202,7 +202,7 @@ class HostileRequests {
             {"HTTP/0.9", "GET /\r\n\r\n", 400},
             {"HTTP/2.0", "GET / HTTP/2.0\r\nHost: " + host_ + "\r\n\r\n", 400},
             {"HTTP/1.10", "GET / HTTP/1.10\r\nHost: " + host_ + "\r\n\r\n", 400},
-            {"lines that end in LF alone",
+            {"lines that end in LF only",
              fmt::format("GET {} HTTP/1.1\nHost: {}\n\n", state(), host_), 408},
             {"a NUL in the path", std::string("GET /\0 HTTP/1.1\r\n", 17) + "Host: x\r\n\r\n", 400},
             {"a NUL in a header", get(state(), std::string("X: a\0b\r\n", 8)), 400},
@@ -247,9 +247,10 @@ class HostileRequests {
                              "{\"command\":\"\xff\xfe\"}",
                              R"({"command":"play"}{"command":"pause"})",
                              R"({"command":"speed","speed":NaN})"}) {
-      requests.push_back({fmt::format("command {}", body), told(body), 400});
+      requests.push_back({fmt::format("command {}", body), command_request(body), 400});
     }
-    requests.push_back({"a command that is nested deeply", told(std::string(60000, '[')), 400});
+    requests.push_back(
+        {"a command that is nested deeply", command_request(std::string(60000, '[')), 400});
     requests.push_back(
         {"a command to another path",
          fmt::format("POST /api/state?token={} HTTP/1.1\r\nHost: {}\r\n{}{}{}\r\n{{}}", token_,

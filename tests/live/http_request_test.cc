@@ -36,7 +36,7 @@ TEST(HttpRequest, MayBeAsLongAsItsLimitsAndNoLonger) {
   EXPECT_EQ(parse_http_head(start + "a" + most.substr(start.size())).error().status, 431);
 }
 
-TEST(HttpRequest, IsRefusedByItsFirstLineAlone) {
+TEST(HttpRequest, IsRefusedByItsFirstLine) {
   EXPECT_TRUE(check_first_line("GE"));
   EXPECT_TRUE(check_first_line("GET / HTTP/1.1\r\nHo"));
   EXPECT_EQ(check_first_line("GET /\r\n").error().status, 400);

@@ -7,11 +7,19 @@
 #include <string>
 
 #include "live/view_systems.h"
+#include "support/json_schema.h"
 
 namespace somato::live {
 namespace {
 
 using nlohmann::json;
+
+// An answer, checked by its schema.
+json checked(const Result<std::string>& answer, const std::string& name) {
+  EXPECT_TRUE(
+      testing::text_fits_schema(answer.value(), "view.json#/$defs/Answers/properties/" + name));
+  return json::parse(answer.value());
+}
 
 InquiredSystem asked_system() {
   auto recording = std::make_shared<const Recording>(testing::hand_recording(6, 2));
@@ -21,7 +29,7 @@ InquiredSystem asked_system() {
 TEST(Inquiries, TellWhatANeuronStandsFor) {
   Inquiries inquiries;
   const InquiredSystem asked = asked_system();
-  const json answer = json::parse(inquiries.neuron(asked, "map", 5).value());
+  const json answer = checked(inquiries.neuron(asked, "map", 5), "neuron");
   EXPECT_EQ(answer["map"], "map");
   EXPECT_EQ(answer["neuron"], 5);
   std::map<std::string, std::size_t> elements;
@@ -39,7 +47,7 @@ TEST(Inquiries, OrderExplorationsByTheirDistance) {
   const System& system = asked.model->system;
   const Som& som = *som_of(system, *system.find("map"));
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
-    const json nearest = json::parse(inquiries.neuron(asked, "map", neuron).value())["nearest"];
+    const json nearest = checked(inquiries.neuron(asked, "map", neuron), "neuron")["nearest"];
     ASSERT_EQ(nearest.size(), 6U);
     double before = 0.0;
     for (const json& one : nearest) {
@@ -86,14 +94,14 @@ TEST(Inquiries, LeaveOutWhatDoesNotFit) {
   Recording recording = *asked.recording;
   recording.explorations[2].channels.clear();
   const InquiredSystem broken{asked.model, std::make_shared<const Recording>(recording)};
-  const json answer = json::parse(Inquiries().neuron(broken, "map", 5).value());
+  const json answer = checked(Inquiries().neuron(broken, "map", 5), "neuron");
   EXPECT_EQ(answer["nearest"].size(), 5U);
 }
 
 TEST(Inquiries, TellWhereATaxelMatters) {
   Inquiries inquiries;
   const InquiredSystem asked = asked_system();
-  const json answer = json::parse(inquiries.taxel(asked, 2).value());
+  const json answer = checked(inquiries.taxel(asked, 2), "taxel");
   ASSERT_EQ(answer["maps"]["map"].size(), 12U);
   // The weights of an element of touch, summed over the code that it is crossed with.
   const Som& som = *som_of(asked.model->system, *asked.model->system.find("map"));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+
 namespace somato::live {
 namespace {
 
@@ -12,12 +15,16 @@ Exploration of_frames(std::size_t frames) {
   return {{}, "", {channel}};
 }
 
-KeptScene kept_scene(std::size_t moments) {
-  std::vector<std::vector<ScenePose>> poses(moments, std::vector<ScenePose>(1));
-  for (std::size_t i = 0; i < moments; ++i) poses[i][0].position[0] = static_cast<double>(i);
+std::unique_ptr<KeptScene> kept_scene(std::size_t moments) {
   Scene scene;
   scene.bodies = {"finger"};
-  return {std::make_shared<const Scene>(std::move(scene)), std::move(poses)};
+  auto kept = std::make_unique<KeptScene>(std::make_shared<const Scene>(std::move(scene)));
+  for (std::size_t i = 0; i < moments; ++i) {
+    ScenePose pose;
+    pose.position[0] = static_cast<double>(i);
+    kept->append({pose});
+  }
+  return kept;
 }
 
 double shown(KeptScene& scene, std::size_t frames, std::size_t frame) {
@@ -25,23 +32,23 @@ double shown(KeptScene& scene, std::size_t frames, std::size_t frame) {
 }
 
 TEST(KeptScene, ShowsTheMomentOfEachFrame) {
-  KeptScene scene = kept_scene(4);
+  const auto scene = kept_scene(4);
   for (std::size_t frame = 0; frame < 4; ++frame) {
-    EXPECT_EQ(shown(scene, 4, frame), static_cast<double>(frame));
+    EXPECT_EQ(shown(*scene, 4, frame), static_cast<double>(frame));
   }
 }
 
 // A probe that presses for a while gives one frame: it is shown pressed.
 TEST(KeptScene, ShowsTheEndOfWhatWentIntoAFrame) {
-  KeptScene scene = kept_scene(6);
-  EXPECT_EQ(shown(scene, 1, 0), 5.0);
-  EXPECT_EQ(shown(scene, 2, 0), 2.0);
-  EXPECT_EQ(shown(scene, 2, 1), 5.0);
+  const auto scene = kept_scene(6);
+  EXPECT_EQ(shown(*scene, 1, 0), 5.0);
+  EXPECT_EQ(shown(*scene, 2, 0), 2.0);
+  EXPECT_EQ(shown(*scene, 2, 1), 5.0);
 }
 
 TEST(KeptScene, RestsWhereNothingWasSeen) {
-  KeptScene scene = kept_scene(0);
-  EXPECT_EQ(shown(scene, 3, 1), 0.0);
+  const auto scene = kept_scene(0);
+  EXPECT_EQ(shown(*scene, 3, 1), 0.0);
 }
 
 }  // namespace

@@ -10,20 +10,45 @@
 #include <thread>
 
 #include "live/event_hub.h"
-#include "live/fake_watched_body.h"
-#include "somato/live/view_session.h"
+#include "live/fake_explorer.h"
+#include "live/view_session.h"
+#include "support/json_schema.h"
 
 namespace somato::testing {
 
+inline std::string name_of(live::EventKind kind) {
+  switch (kind) {
+    case live::EventKind::kState:
+      return "state";
+    case live::EventKind::kScene:
+      return "scene";
+    case live::EventKind::kTraining:
+      return "training";
+    case live::EventKind::kFrame:
+      break;
+  }
+  return "frame";
+}
+
+// The latest event of a kind, checked by its schema; null before the first.
 inline nlohmann::json latest(ViewSession& session, live::EventKind kind) {
   const auto text = session.hub().latest(kind);
-  return text ? nlohmann::json::parse(*text) : nlohmann::json();
+  if (!text) return {};
+  EXPECT_TRUE(text_fits_schema(*text, "view.json#/$defs/Events/properties/" + name_of(kind)));
+  return nlohmann::json::parse(*text);
 }
 inline nlohmann::json state_of(ViewSession& session) {
   return latest(session, live::EventKind::kState);
 }
 inline nlohmann::json frame_of(ViewSession& session) {
   return latest(session, live::EventKind::kFrame);
+}
+
+inline nlohmann::json strips_of(ViewSession& session) {
+  const auto strips = session.strips();
+  if (!strips) return strips.error().what;
+  EXPECT_TRUE(text_fits_schema(*strips, "view.json#/$defs/Answers/properties/strips"));
+  return nlohmann::json::parse(*strips);
 }
 
 // Looks until it holds, for as long as a slow machine may take.
@@ -44,7 +69,7 @@ inline bool command(ViewSession& session, const std::string& text) {
 inline ViewSource body_source(std::size_t steps = 10) {
   ViewSource source;
   source.name = "fake";
-  source.body = std::make_unique<FakeWatchedBody>(steps);
+  source.explorer = std::make_unique<FakeExplorer>(steps);
   return source;
 }
 

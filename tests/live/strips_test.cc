@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "live/growing_exploration.h"
+#include "support/json_schema.h"
 #include "support/systems.h"
 
 namespace somato::live {
@@ -30,8 +33,15 @@ Matrix<float> counted(std::size_t frames, std::size_t elements) {
   return made;
 }
 
-Strips strips_of_all(const Exploration& exploration) {
-  return strips_of(exploration, 0, Timeline(exploration));
+Strips strips_of_all(const Exploration& exploration, std::size_t index = 0) {
+  return strips_of({index, &exploration, std::make_shared<Timeline>(exploration), nullptr});
+}
+
+// The strips as text, checked by their schema.
+std::string checked_text(const Strips& strips) {
+  std::string text = strips_text(strips);
+  EXPECT_TRUE(testing::text_fits_schema(text, "view.json#/$defs/Strips"));
+  return text;
 }
 
 TEST(Strips, AreTheRecordingFrameByFrame) {
@@ -39,7 +49,7 @@ TEST(Strips, AreTheRecordingFrameByFrame) {
   for (std::size_t number = 0; number < 3; ++number) {
     Exploration exploration = recording.explorations[number];
     exploration.channels.pop_back();  // the sound
-    const Strips strips = strips_of(exploration, number, Timeline(exploration));
+    const Strips strips = strips_of_all(exploration, number);
     EXPECT_EQ(strips.exploration, number);
     ASSERT_EQ(strips.channels.size(), exploration.channels.size());
     for (std::size_t i = 0; i < strips.channels.size(); ++i) {
@@ -91,7 +101,7 @@ TEST(Strips, OfManyElementsHaveFewerMoments) {
 TEST(Strips, OfNothingAreEmpty) {
   const Strips strips = strips_of_all({{}, {}, {channel("touch", {})}});
   EXPECT_TRUE(strips.frame.empty());
-  EXPECT_EQ(strips_text(strips),
+  EXPECT_EQ(checked_text(strips),
             R"({"exploration":0,"frames":0,"frame":[],"time":[],"channels":{"touch":[]}})");
 }
 
@@ -105,10 +115,11 @@ BodyDescription body_of_strips() {
 }
 
 TEST(Strips, TellWhatABodyHasFeltSoFar) {
-  GrowingExploration growing(body_of_strips());
-  growing.append({7.5, {}, {counted(1, 1), {}}});
-  growing.append({8.0, {}, {counted(1, 1), counted(1, 4)}});
-  const json told = json::parse(strips_text(strips_of(growing, 2, 7.0)));
+  GrowingExploration growing(2, body_of_strips(), std::make_shared<Scene>());
+  growing.append({{7.0, {}, {counted(1, 1), {}}}, {}, Readings::kLeftOut});
+  growing.append({{7.5, {}, {counted(1, 1), {}}}, {}, Readings::kRecorded});
+  growing.append({{8.0, {}, {counted(1, 1), counted(1, 4)}}, {}, Readings::kRecorded});
+  const json told = json::parse(checked_text(strips_of(growing.played())));
   EXPECT_EQ(told["exploration"], 2);
   EXPECT_EQ(told["frames"], nullptr);
   EXPECT_EQ(told["frame"], (json{0, 1}));
@@ -119,8 +130,8 @@ TEST(Strips, TellWhatABodyHasFeltSoFar) {
 
 TEST(Strips, WriteWhatIsNotFiniteAsNull) {
   Strips strips{0, 1, {0}, {0.0}, {{"a \"name\"", {{std::numeric_limits<float>::infinity()}}}}};
-  EXPECT_EQ(strips_text(strips), R"({"exploration":0,"frames":1,"frame":[0],"time":[0],)"
-                                 R"("channels":{"a \"name\"":[[null]]}})");
+  EXPECT_EQ(checked_text(strips), R"({"exploration":0,"frames":1,"frame":[0],"time":[0],)"
+                                  R"("channels":{"a \"name\"":[[null]]}})");
 }
 
 }  // namespace

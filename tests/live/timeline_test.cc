@@ -22,7 +22,7 @@ TEST(Timeline, HasAMomentAFrame) {
   EXPECT_EQ(timeline.frames(0, 1), 2U);
 }
 
-TEST(Timeline, TakesTenMomentsASecondWhereNobodyKnows) {
+TEST(Timeline, HasTenMomentsPerSecondWithoutTimes) {
   const Timeline timeline(Exploration{{}, {}, {channel(5)}});
   EXPECT_DOUBLE_EQ(timeline.time(4), 0.4);
 }
@@ -48,17 +48,16 @@ TEST(Timeline, HasNoMomentWithoutFrames) {
   EXPECT_EQ(Timeline(Exploration{{}, {}, {channel(0)}}).moments(), 0U);
 }
 
-TEST(Timeline, CutsAnExplorationWhereItIs) {
-  Exploration whole{{{"object", "cup"}}, "file", {channel(3, 0.0, {1.0, 2.0, 3.0}), channel(1)}};
-  whole.channels[0].frames = Matrix<float>(3, 1, std::vector<float>{4, 5, 6});
-  whole.channels[0].valid = Matrix<std::uint8_t>(3, 1, std::vector<std::uint8_t>{1, 0, 1});
-  const Exploration cut = cut_at(whole, Timeline(whole), 1);
-  EXPECT_EQ(cut.labels, whole.labels);
-  EXPECT_EQ(cut.channels[0].frames, Matrix<float>(2, 1, std::vector<float>{4, 5}));
-  EXPECT_EQ(cut.channels[0].times, (std::vector<double>{1.0, 2.0}));
-  EXPECT_EQ(cut.channels[0].valid.rows(), 2U);
-  EXPECT_EQ(cut.channels[1].frames.rows(), 0U);
-  EXPECT_EQ(cut_at(whole, Timeline(whole), 2), whole);
+TEST(Timeline, Grows) {
+  Timeline timeline(std::vector<double>{0.0, 100.0});
+  EXPECT_EQ(timeline.moments(), 0U);
+  timeline.append(0.5, std::vector<std::size_t>{1, 50});
+  timeline.append(1.5, std::vector<std::size_t>{2, 151});
+  ASSERT_EQ(timeline.moments(), 2U);
+  EXPECT_EQ(timeline.time(1), 1.5);
+  EXPECT_EQ(timeline.frames(1, 0), 50U);
+  EXPECT_EQ(timeline.frames(1, 1), 151U);
+  EXPECT_EQ(timeline.rate(1), 100.0);
 }
 
 }  // namespace

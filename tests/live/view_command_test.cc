@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/json_schema.h"
+
 namespace somato::live {
 namespace {
 
@@ -9,6 +11,7 @@ template <typename Command>
 Command read(const std::string& text) {
   const auto command = parse_view_command(text);
   EXPECT_TRUE(command) << text;
+  EXPECT_TRUE(testing::text_fits_schema(text, "view.json#/$defs/Command")) << text;
   return std::get<Command>(*command);
 }
 
@@ -35,15 +38,15 @@ TEST(ViewCommand, IsReadFromJson) {
 }
 
 TEST(ViewCommand, SaysWhatIsWrong) {
-  EXPECT_EQ(refusal("[]"), "a command is an object in JSON");
-  EXPECT_EQ(refusal(R"({"command":"fly"})"), "there is no such command");
+  EXPECT_EQ(refusal("[]"), "a command must be a JSON object");
+  EXPECT_EQ(refusal(R"({"command":"fly"})"), "unknown command");
   EXPECT_EQ(refusal(R"({"command":"step"})"), "'frames' is missing");
   EXPECT_EQ(refusal(R"({"command":"step","frames":1.5})"), "'frames' must be a whole number");
   EXPECT_EQ(refusal(R"({"command":"speed","speed":101})"),
             "'speed' must be a number from 0.05 to 100");
   EXPECT_EQ(refusal(R"({"command":"speed","speed":"1"})"),
             "'speed' must be a number from 0.05 to 100");
-  EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "there is a field too many");
+  EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "the command has an unknown field");
   EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(257, 'a') + "\"}"),
             "'name' must be a text of at most 256 bytes");
 }
@@ -57,8 +60,24 @@ TEST(ViewCommand, AThingTurnsOnceAroundAtMost) {
   }
 }
 
+TEST(ViewCommand, IsRefusedWhereItsSchemaRefusesIt) {
+  for (const std::string text :
+       {R"([])", R"({})", R"({"command":"fly"})", R"({"command":"play","speed":1})",
+        R"({"command":"step"})", R"({"command":"step","frames":1.5})",
+        R"({"command":"step","frames":1000000001})",
+        R"({"command":"seek","exploration":-1,"frame":0})", R"({"command":"seek","exploration":0})",
+        R"({"command":"speed","speed":0.04})", R"({"command":"speed","speed":"1"})",
+        R"({"command":"thing"})", R"({"command":"system","name":1})",
+        R"({"command":"placement","x":0,"y":0})",
+        R"({"command":"placement","x":0,"y":-1001,"turn":0})",
+        R"({"command":"placement","x":0,"y":0,"turn":361})"}) {
+    EXPECT_FALSE(parse_view_command(text)) << text;
+    EXPECT_FALSE(testing::text_fits_schema(text, "view.json#/$defs/Command")) << text;
+  }
+}
+
 TEST(ViewCommand, IsNeverNested) {
-  EXPECT_EQ(refusal(R"({"command":"thing","name":{"a":[1]}})"), "a command is an object in JSON");
+  EXPECT_EQ(refusal(R"({"command":"thing","name":{"a":[1]}})"), "a command must be a JSON object");
 }
 
 }  // namespace

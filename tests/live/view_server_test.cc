@@ -1,4 +1,4 @@
-#include "somato/live/view_server.h"
+#include "live/view_server.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,16 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "live/hostile_requests.h"
+#include "live/view_systems.h"
 #include "live/viewing.h"
+#include "support/json_schema.h"
 
 namespace somato {
 namespace {
@@ -21,6 +27,7 @@ using testing::get_request;
 using testing::HttpClient;
 using testing::post_request;
 using testing::status_of;
+using testing::text_fits_schema;
 using testing::Viewing;
 
 // Paused at its first frame, so that each seek brings one frame more.
@@ -103,7 +110,7 @@ TEST_F(ServerThread, RefusesEventsWithoutTheirBody) {
   EXPECT_EQ(status_of(ask(viewing_.port(), request)), 405);
 }
 
-TEST_F(ServerThread, TellsTheBrowserToTrustNobodyElse) {
+TEST_F(ServerThread, SendsHeadersThatForbidOtherOrigins) {
   const std::string response = ask(viewing_.port(), get_request(viewing_.port(), "/"));
   for (const char* header :
        {"Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'",
@@ -121,7 +128,7 @@ TEST_F(ServerThread, DoesWhatACommandSays) {
   EXPECT_EQ(json::parse(body_of(done))["ok"], true);
   EXPECT_EQ(json::parse(body_of(viewing_.get("/api/state")))["exploration"], 1);
   const std::string refused = viewing_.command(R"({"command":"seek","exploration":9,"frame":1})");
-  EXPECT_EQ(json::parse(body_of(refused))["error"], "there are 3 explorations");
+  EXPECT_EQ(json::parse(body_of(refused))["error"], "the recording has 3 explorations");
 }
 
 TEST_F(ServerThread, TakesNoMoreViewersThanItMay) {
@@ -162,9 +169,59 @@ TEST_F(ServerThread, SurvivesManyWhoAreSlow) {
   EXPECT_EQ(status, 200);
 }
 
+// Checks all whole events of a stream by their schemas; returns their names.
+std::set<std::string> checked_events(std::string_view stream) {
+  constexpr std::string_view kEvent = "event: ";
+  constexpr std::string_view kData = "\ndata: ";
+  std::set<std::string> names;
+  std::size_t end = 0;
+  while (true) {
+    const std::size_t event = stream.find(kEvent, end);
+    const std::size_t data = stream.find(kData, event);
+    end = stream.find("\n\n", data);
+    if (end == std::string_view::npos) return names;
+    const std::size_t begin = data + kData.size();
+    const std::string name(stream.substr(event + kEvent.size(), data - event - kEvent.size()));
+    EXPECT_TRUE(text_fits_schema(stream.substr(begin, end - begin),
+                                 "view.json#/$defs/Events/properties/" + name))
+        << name;
+    names.insert(name);
+  }
+}
+
 TEST_F(ServerThread, SaysThatItIsStillThere) {
   const Listener listener(viewing_);
-  EXPECT_NE(listener.until("event: ping\ndata: {}\n\n").find("event: ping"), std::string::npos);
+  const std::string stream = listener.until("event: ping\ndata: {}\n\n");
+  EXPECT_EQ(checked_events(stream), (std::set<std::string>{"frame", "ping", "scene", "state"}));
+}
+
+ViewSource source_that_has_learned() {
+  ViewSource source = testing::hand_source(6);
+  source.systems = {testing::view_system(testing::crossed_system())};
+  source.systems[0].trained = testing::trained_model(testing::crossed_system(), source.recording);
+  source.system = 0;
+  return source;
+}
+
+TEST(ServerStartThread, AnswersAsItsSchemasSay) {
+  const Viewing viewing(source_that_has_learned(), {true, 1.0, 0.0});
+  for (const auto& [name, query] :
+       std::vector<std::pair<std::string, std::string>>{{"state", ""},
+                                                        {"scene", ""},
+                                                        {"strips", ""},
+                                                        {"neuron", "?map=map&neuron=5"},
+                                                        {"taxel", "?element=2"}}) {
+    const std::string answer = viewing.get("/api/" + name + query);
+    EXPECT_EQ(status_of(answer), 200) << name;
+    EXPECT_TRUE(text_fits_schema(body_of(answer), "view.json#/$defs/Answers/properties/" + name))
+        << name;
+  }
+  EXPECT_TRUE(
+      text_fits_schema(body_of(viewing.get("/api/taxel?element=99")), "view.json#/$defs/Refusal"));
+  EXPECT_TRUE(text_fits_schema(body_of(viewing.command(R"({"command":"fly"})")),
+                               "view.json#/$defs/Refusal"));
+  EXPECT_TRUE(text_fits_schema(body_of(viewing.command(R"({"command":"pause"})")),
+                               "view.json#/$defs/Done"));
 }
 
 TEST(ServerStartThread, MakesATokenOfItsOwn) {

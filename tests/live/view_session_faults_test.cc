@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "live/sessions.h"
+#include "live/view_session.h"
 #include "live/view_systems.h"
 #include "live/viewing.h"
-#include "somato/live/view_session.h"
 
 namespace somato {
 namespace {
@@ -45,7 +45,7 @@ TEST(SessionFaultsThread, OutlivesAMistakeWhileItPlays) {
   ViewSession session(std::move(source), testing::at_once());
   session.start();
   ASSERT_TRUE(eventually([&] { return !problem_of(session).empty(); }));
-  EXPECT_EQ(problem_of(session), "Something went wrong here: no such pose.");
+  EXPECT_EQ(problem_of(session), "Internal error: no such pose.");
   EXPECT_EQ(state_of(session)["playing"], false);
   EXPECT_FALSE(session.command(R"({"command":"seek","exploration":1,"frame":1})"));
   command(session, R"({"command":"seek","exploration":2,"frame":0})");
@@ -53,31 +53,31 @@ TEST(SessionFaultsThread, OutlivesAMistakeWhileItPlays) {
 }
 
 // Breaks as soon as it is to explore a cube.
-class BrokenBody : public testing::FakeWatchedBody {
- public:
-  Result<Exploration> explore(const WatchedExploration& what,
-                              ExplorationWatcher& watcher) const override {
-    auto explored = testing::FakeWatchedBody::explore(what, watcher);
-    if (what.thing == 1) throw std::runtime_error("a finger broke");
+class BrokenBody : public testing::FakeExplorer {
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) const override {
+    auto explored = testing::FakeExplorer::explore_thing(thing, trial, options);
+    if (thing == 1) throw std::runtime_error("a finger broke");
     return explored;
   }
 };
 
 TEST(SessionFaultsThread, OutlivesAMistakeWhileABodyExplores) {
   ViewSource source;
-  source.body = std::make_unique<BrokenBody>();
+  source.explorer = std::make_unique<BrokenBody>();
   source.thing = 1;
   ViewSession session(std::move(source), testing::at_once());
   session.start();
   ASSERT_TRUE(eventually([&] { return !problem_of(session).empty(); }));
-  EXPECT_EQ(problem_of(session), "Something went wrong here: a finger broke.");
+  EXPECT_EQ(problem_of(session), "Internal error: a finger broke.");
   EXPECT_EQ(state_of(session)["live"], false);
   command(session, R"({"command":"thing","name":"ball"})");
   command(session, R"({"command":"explore"})");
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
 }
 
-// A map of ten thousand neurons hears each frame: that takes its time.
+// A map of ten thousand neurons is evaluated for each frame, which takes time.
 ViewSystem slow_system(const Recording& recording) {
   const std::string text =
       testing::channels({"joints"}) +
@@ -127,8 +127,8 @@ TEST(SessionFaultsThread, PlaysOnWhileCommandsKeepComing) {
   for (std::thread& caller : callers) caller.join();
 }
 
-// Its channels are known once it explores: the problem is told at once, not at the end.
-TEST(SessionFaultsThread, TellsAtOnceThatABodyDoesNotFit) {
+// Its channels are known once it explores: the problem is reported immediately, not at the end.
+TEST(SessionFaultsThread, ReportsImmediatelyThatABodyDoesNotFit) {
   Recording other = testing::hand_recording(6, 2);
   for (Exploration& one : other.explorations) {
     one.channels[2].frames = Matrix<float>(one.channels[2].frames.rows(), 5, 0.5F);
@@ -151,7 +151,7 @@ TEST(SessionFaultsThread, PausesForGoodAndNotForWhatItRefuses) {
   ViewSession session(testing::body_source(100000), {false, 1.0, 0.0});
   session.start();
   ASSERT_TRUE(eventually([&] { return !frame_of(session).is_null(); }));
-  EXPECT_FALSE(session.command(R"({"command":"step","frames":-1})"));
+  EXPECT_FALSE(session.command(R"({"command":"seek","exploration":1,"frame":0})"));
   EXPECT_EQ(state_of(session)["playing"], true);
   command(session, R"({"command":"step","frames":90000})");
   command(session, R"({"command":"pause"})");

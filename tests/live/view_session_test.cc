@@ -1,4 +1,4 @@
-#include "somato/live/view_session.h"
+#include "live/view_session.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -20,7 +19,6 @@ namespace {
 
 using live::EventKind;
 using nlohmann::json;
-using testing::Viewing;
 
 using testing::body_source;
 using testing::command;
@@ -28,6 +26,7 @@ using testing::eventually;
 using testing::frame_of;
 using testing::latest;
 using testing::state_of;
+using testing::strips_of;
 
 ViewSource source_with_systems() {
   ViewSource source = testing::hand_source(6);
@@ -37,13 +36,13 @@ ViewSource source_with_systems() {
   return source;
 }
 
-// Begins with nobody there to look on, and rests.
+// Begins without viewers, and paused.
 class SessionThread : public ::testing::Test {
  protected:
   static ViewSettings resting() { return {true, 1.0, 0.0}; }
 };
 
-TEST_F(SessionThread, BeginsAtTheFirstFrameAndTellsWhatThereIs) {
+TEST_F(SessionThread, BeginsAtTheFirstFrameAndDescribesItsState) {
   ViewSession session(testing::hand_source(), resting());
   session.start();
   const json state = state_of(session);  // without waiting
@@ -84,12 +83,7 @@ TEST_F(SessionThread, StepsAndSeeksToAndFro) {
   EXPECT_EQ(frame_of(session)["frame"], 0);
 }
 
-json strips_of(ViewSession& session) {
-  const auto strips = session.strips();
-  return strips ? json::parse(*strips) : json(strips.error().what);
-}
-
-TEST_F(SessionThread, TellsOverTimeWhatItsFramesTell) {
+TEST_F(SessionThread, ReturnsStripsThatEqualItsFrames) {
   ViewSession session(testing::hand_source(), resting());
   session.start();
   command(session, R"({"command":"seek","exploration":1,"frame":0})");
@@ -109,37 +103,6 @@ TEST_F(SessionThread, TellsOverTimeWhatItsFramesTell) {
   }
 }
 
-TEST_F(SessionThread, TellsOverTimeWhatABodyHasFeltSoFar) {
-  ViewSession session(body_source(1000), {false, 1.0, 0.0});
-  session.start();
-  ASSERT_TRUE(eventually([&] {
-    const json frame = frame_of(session);
-    return !frame.is_null() && frame["frame"] >= 3;
-  }));
-  command(session, R"({"command":"pause"})");
-  json frame = frame_of(session);
-  // Between two steps that are felt the frame is told again, with what is not recorded.
-  command(session, R"({"command":"step","frames":1})");
-  ASSERT_TRUE(eventually([&] { return frame_of(session)["frame"] > frame["frame"]; }));
-  frame = frame_of(session);
-  const json strips = strips_of(session);
-  EXPECT_EQ(strips["frames"], nullptr);
-  EXPECT_EQ(strips["frame"].back(), frame["frame"]);
-  EXPECT_EQ(strips["frame"].size(), frame["frame"].get<std::size_t>() + 1);
-  EXPECT_EQ(strips["time"].back(), frame["time"]);
-  for (const auto& [channel, values] : frame["channels"].items()) {
-    EXPECT_EQ(strips["channels"][channel].back(), values) << channel;
-  }
-}
-
-TEST_F(SessionThread, TellsNothingOverTimeWhereNothingIsShown) {
-  ViewSession session(body_source(), {true, 1.0, 0.0});
-  session.start();
-  EXPECT_EQ(strips_of(session), nullptr);
-  session.stop();
-  EXPECT_FALSE(session.strips());
-}
-
 TEST_F(SessionThread, PlaysAllExplorationsToTheirEnd) {
   ViewSession session(testing::hand_source(), testing::at_once());
   session.start();
@@ -150,12 +113,12 @@ TEST_F(SessionThread, PlaysAllExplorationsToTheirEnd) {
   EXPECT_EQ(frame_of(session)["last"], true);
 }
 
-TEST_F(SessionThread, WaitsForSomebodyToLookOn) {
+TEST_F(SessionThread, WaitsForTheFirstViewer) {
   ViewSession session(testing::hand_source(), {true, 100.0, 0.0});
   session.start();
   ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
   EXPECT_EQ(state_of(session)["playing"], false);
-  const auto seat = session.hub().take_seat(1);
+  const auto subscription = session.hub().subscribe(1);
   EXPECT_TRUE(eventually([&] { return state_of(session)["exploration"] == 2; }));
   EXPECT_EQ(state_of(session)["clients"], 1);
 }
@@ -207,7 +170,7 @@ TEST_F(SessionThread, DoesNotTrainWhatWasGivenAsItHasLearned) {
   EXPECT_FALSE(session.command(R"({"command":"train"})"));
 }
 
-TEST_F(SessionThread, StopsTrainingWhenItIsTold) {
+TEST_F(SessionThread, StopsTrainingOnRequest) {
   ViewSession session(source_with_systems(), {true, 1.0, 30.0 / 1000.0});
   session.start();
   command(session, R"({"command":"train"})");
@@ -270,116 +233,6 @@ TEST_F(SessionThread, SaysWhyASystemDoesNotFit) {
   const std::string problem = state_of(session)["system_problem"];
   EXPECT_NE(problem.find("do not fit"), std::string::npos) << problem;
   EXPECT_EQ(frame_of(session)["reading"], nullptr);
-}
-
-// What a body explores until it has done so three times.
-struct Explored {
-  Recording recording;
-  json last_frame;
-};
-
-Explored explore_three_times(ViewSession& session) {
-  session.start();
-  for (std::size_t count = 1; count <= 3; ++count) {
-    EXPECT_TRUE(eventually([&] {
-      const json state = state_of(session);
-      return !state.is_null() && state["explorations"].size() == count && state["live"] == false;
-    }));
-    if (count < 3) command(session, R"({"command":"explore"})");
-  }
-  const json frame = frame_of(session);
-  session.stop();
-  return {session.recording(), frame};
-}
-
-ViewSource reading_body() {
-  ViewSource source = body_source();
-  ViewSystem system = testing::view_system(testing::crossed_system(), "crossed");
-  system.trained = testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2));
-  source.systems.push_back(std::move(system));
-  source.system = 0;
-  return source;
-}
-
-TEST_F(SessionThread, YieldsTheSameBitsWithEightViewersOfWhomOneIsStalledAsWithNone) {
-  ViewSession alone(reading_body(), testing::at_once());
-  const Explored expected = explore_three_times(alone);
-  ViewSession watched(reading_body(), testing::at_once());
-  const auto server = ViewServer::start(watched, {}).value();
-  const std::string events =
-      testing::get_request(server->port(), "/api/events?token=" + server->token());
-  std::vector<std::unique_ptr<testing::HttpClient>> clients;
-  std::vector<std::thread> readers;
-  for (int i = 0; i < 8; ++i) {
-    clients.push_back(std::make_unique<testing::HttpClient>(server->port()));
-    clients.back()->send(events);
-    // The first one never reads.
-    if (i > 0) readers.emplace_back([&client = *clients.back()] { client.receive(); });
-  }
-  const Explored seen = explore_three_times(watched);
-  for (std::thread& reader : readers) reader.join();
-  EXPECT_EQ(seen.recording, expected.recording);
-  EXPECT_EQ(seen.last_frame, expected.last_frame);
-  EXPECT_TRUE(expected.last_frame["reading"]["answer"].is_string());
-}
-
-TEST_F(SessionThread, ShowsABodyWhileItExplores) {
-  ViewSession session(body_source(1000), {false, 1.0, 0.0});
-  session.start();
-  ASSERT_TRUE(eventually([&] { return !frame_of(session).is_null(); }));
-  command(session, R"({"command":"pause"})");
-  const json state = state_of(session);
-  EXPECT_EQ(state["live"], true);
-  EXPECT_EQ(state["channels"][2]["elements"], (json{"1", "2", "3"}));
-  EXPECT_EQ(state["frames"], nullptr);
-  EXPECT_EQ(state["things"].size(), 2U);
-  EXPECT_EQ(latest(session, EventKind::kScene)["bodies"], (json{"finger"}));
-  const std::size_t before = frame_of(session)["frame"];
-  command(session, R"({"command":"step","frames":3})");
-  EXPECT_TRUE(eventually([&] { return frame_of(session)["frame"] >= before + 2; }));
-  EXPECT_EQ(frame_of(session)["poses"].size(), 7U);
-  EXPECT_FALSE(session.command(R"({"command":"step","frames":-1})"));
-  EXPECT_FALSE(session.command(R"({"command":"seek","exploration":0,"frame":0})"));
-}
-
-TEST_F(SessionThread, ExploresWhatIsChosen) {
-  ViewSession session(body_source(), testing::at_once());
-  session.start();
-  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
-  command(session, R"({"command":"thing","name":"cube"})");
-  command(session, R"({"command":"placement","x":5,"y":-5,"turn":10})");
-  command(session, R"({"command":"explore"})");
-  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 2; }));
-  const json state = state_of(session);
-  EXPECT_EQ(state["explorations"][1]["labels"]["object"], "cube");
-  EXPECT_EQ(state["placement"]["turn"], 10);
-  command(session, R"({"command":"placement","x":500,"y":0,"turn":0})");
-  command(session, R"({"command":"explore"})");
-  ASSERT_TRUE(eventually([&] { return state_of(session)["problem"] != nullptr; }));
-  EXPECT_EQ(state_of(session)["problem"], "the object is out of reach.");
-  // What was explored before can still be looked at, as it was seen.
-  command(session, R"({"command":"seek","exploration":0,"frame":1})");
-  EXPECT_EQ(frame_of(session)["poses"][0], 3.0);
-}
-
-TEST_F(SessionThread, DoesNotExploreAgainForTheFirstViewerAfterItsCommand) {
-  ViewSession session(body_source(), {true, 100.0, 0.0});
-  session.start();
-  command(session, R"({"command":"explore"})");
-  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
-  const auto seat = session.hub().take_seat(1);
-  command(session, R"({"command":"speed","speed":1})");  // done after the viewer is welcomed
-  EXPECT_EQ(state_of(session)["live"], false);
-  EXPECT_EQ(state_of(session)["explorations"].size(), 1U);
-}
-
-TEST_F(SessionThread, EndsWhileABodyExplores) {
-  ViewSession session(body_source(100000), {false, 0.05, 0.0});
-  session.start();
-  ASSERT_TRUE(eventually([&] { return !state_of(session).is_null(); }));
-  session.stop();
-  EXPECT_TRUE(session.recording().explorations.empty());
-  EXPECT_FALSE(session.command(R"({"command":"play"})"));
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
+#include "files/toml_file.h"
 #include "live/map_training.h"
-#include "somato/files/toml_file.h"
-#include "somato/live/view_source.h"
+#include "live/view_source.h"
 #include "support/systems.h"
 
 namespace somato::testing {
@@ -27,7 +27,7 @@ inline std::string sound_system() {
          module("map", "som", "input = 'spectrum'\nrows = 3\ncolumns = 3\niterations = 200");
 }
 
-/// Two maps, of which the second hears the first.
+/// Two maps, of which the second has the output of the first as input.
 inline std::string two_maps_system() {
   return channels({"height", "joints"}) + module("rest", "last", "input = 'joints'") +
          module("high", "last", "input = 'height'") +

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "live/event_hub.h"
-#include "somato/live/view_server.h"
-#include "somato/live/view_session.h"
+#include "live/view_server.h"
+#include "live/view_session.h"
 #include "support/http_client.h"
 #include "support/systems.h"
 
@@ -23,7 +23,7 @@ inline ViewSource hand_source(std::size_t explorations = 3) {
   return source;
 }
 
-/// Somebody who does not wait.
+/// A client that does not wait.
 inline ViewSettings at_once() {
   return {false, 100.0, 0.0};
 }

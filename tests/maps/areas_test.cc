@@ -1,4 +1,4 @@
-#include "somato/maps/areas.h"
+#include "maps/areas.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "somato/maps/batch_training.h"
+#include "maps/batch_training.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "somato/maps/fill_from_winner.h"
+#include "maps/fill_from_winner.h"
 
 #include <gtest/gtest.h>
 

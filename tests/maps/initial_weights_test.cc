@@ -1,4 +1,4 @@
-#include "somato/maps/initial_weights.h"
+#include "maps/initial_weights.h"
 
 #include <gtest/gtest.h>
 

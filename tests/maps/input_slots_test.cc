@@ -16,7 +16,7 @@ double product(const std::vector<float>& a, const std::vector<float>& b) {
   return sum;
 }
 
-// Written, and some of them written anew.
+// Written, and some of them overwritten.
 TEST(InputSlots, GiveInputsAndTheirProducts) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {

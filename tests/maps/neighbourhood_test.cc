@@ -1,4 +1,4 @@
-#include "somato/maps/neighbourhood.h"
+#include "maps/neighbourhood.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Neighbourhood, IsTheFunctionOfTheDistanceOnEveryGrid) {
   }
 }
 
-TEST(Neighbourhood, OfRadiusZeroIsTheWinnerAlone) {
+TEST(Neighbourhood, OfRadiusZeroIsOnlyTheWinner) {
   for (const auto shape : {NeighbourhoodShape::kGaussian, NeighbourhoodShape::kBubble}) {
     Neighbourhood neighbourhood(Grid(2, 2, Lattice::kHexagonal, Topology::kTorus), shape);
     std::vector<float> gains(4);

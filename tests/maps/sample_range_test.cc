@@ -1,4 +1,4 @@
-#include "somato/maps/sample_range.h"
+#include "maps/sample_range.h"
 
 #include <gtest/gtest.h>
 

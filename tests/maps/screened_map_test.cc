@@ -130,7 +130,7 @@ TEST(ScreenedMap, MeansOfBlocksHaveAllTheirNeuronsWithinTheirRadii) {
   }
 }
 
-TEST(ScreenedMap, TellsWhenAllWeightsAreTheSame) {
+TEST(ScreenedMap, ReportsWhenAllWeightsAreEqual) {
   EXPECT_TRUE(ScreenedMap(map_of(5, 5, Matrix<float>(25, 3, 0.5F)), 1).all_alike());
 }
 

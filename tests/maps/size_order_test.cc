@@ -1,4 +1,4 @@
-#include "somato/maps/size_order.h"
+#include "maps/size_order.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <set>
 
+#include "core/rank_correlation.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/core/rank_correlation.h"
 
 namespace somato {
 namespace {
@@ -138,7 +138,7 @@ TEST(CircularOrder, RefusesWhatHasNoOrder) {
   EXPECT_THROW((void)circular_order({{nan, 0, {0, 0}}}), InvalidArgument);
   EXPECT_THROW((void)circular_order({{0, 0, {nan, 0}}}), InvalidArgument);
   EXPECT_THROW((void)circular_order({{0, 0, {0, nan}}}), InvalidArgument);
-  EXPECT_THROW((void)circular_order_by_luck({}, 1, 1), InvalidArgument);
+  EXPECT_THROW((void)circular_order_chance({}, 1, 1), InvalidArgument);
 }
 
 // Groups: sides 0, corners 1.
@@ -164,7 +164,7 @@ TEST(CircularOrder, WithinGroupsHasOneDirectionForAll) {
   EXPECT_DOUBLE_EQ(circular_order(individuals).within, 0.8);
 }
 
-// Of the corners only two numbers: the sides alone count.
+// Only two numbers at the corners: only the sides matter.
 TEST(CircularOrder, WithinGroupsNeedsThreeNumbers) {
   const Individuals individuals = drawn({8, 1, 7,  //
                                          3, 0, 2,  //
@@ -175,51 +175,51 @@ TEST(CircularOrder, WithinGroupsNeedsThreeNumbers) {
 }
 
 // Four have six orders around: two of them (one a direction) with 1, four with 0.8.
-TEST(CircularOrderByLuck, GivesFourAMeanAndAShare) {
+TEST(CircularOrderByChance, GivesFourAMeanAndAShare) {
   const Individuals right = drawn({0, 1, 0,  //
                                    4, 0, 2,  //
                                    0, 3, 0});
-  const CircularOrderByLuck luck = circular_order_by_luck(right, 20000, 3);
-  EXPECT_NEAR(luck.mean.around, 2.6 / 3.0, 0.003);
-  EXPECT_NEAR(luck.share_as_high.around, 1.0 / 3.0, 0.015);
-  const CircularOrderByLuck of_nearly = circular_order_by_luck(drawn({0, 1, 0,  //
-                                                                      3, 0, 2,  //
-                                                                      0, 4, 0}),
-                                                               500, 3);
+  const CircularOrderByChance by_chance = circular_order_chance(right, 20000, 3);
+  EXPECT_NEAR(by_chance.mean.around, 2.6 / 3.0, 0.003);
+  EXPECT_NEAR(by_chance.share_as_high.around, 1.0 / 3.0, 0.015);
+  const CircularOrderByChance of_nearly = circular_order_chance(drawn({0, 1, 0,  //
+                                                                       3, 0, 2,  //
+                                                                       0, 4, 0}),
+                                                                500, 3);
   EXPECT_EQ(of_nearly.share_as_high.around, 1.0);
 }
 
 // Growing and falling, the six orders around of four have 1 and 0.6; 0.6 and 1; twice 0.8 and 0.8;
 // 0.8 and 0.4; 0.4 and 0.8. The better of both means, over the 36 pairs, adds up to 29.6; two of
 // the pairs have 1.
-TEST(CircularOrderByLuck, ShufflesWithinGroups) {
+TEST(CircularOrderByChance, ShufflesWithinGroups) {
   const Individuals right = drawn({8, 1, 5,  //
                                    4, 0, 2,  //
                                    7, 3, 6},
                                   kSidesAndCorners);
-  const CircularOrderByLuck luck = circular_order_by_luck(right, 20000, 4);
-  EXPECT_NEAR(luck.mean.within, 29.6 / 36.0, 0.004);
-  EXPECT_NEAR(luck.share_as_high.within, 2.0 / 36.0, 0.008);
+  const CircularOrderByChance by_chance = circular_order_chance(right, 20000, 4);
+  EXPECT_NEAR(by_chance.mean.within, 29.6 / 36.0, 0.004);
+  EXPECT_NEAR(by_chance.share_as_high.within, 2.0 / 36.0, 0.008);
 }
 
-TEST(CircularOrderByLuck, CountsTheTrueOrderToo) {
+TEST(CircularOrderByChance, CountsTheTrueOrderToo) {
   const Individuals right = drawn({1, 2, 3,  //
                                    8, 0, 4,  //
                                    7, 6, 5});
-  EXPECT_DOUBLE_EQ(circular_order_by_luck(right, 9, 1).share_as_high.around, 0.1);
-  const CircularOrderByLuck none = circular_order_by_luck(right, 0, 1);
+  EXPECT_DOUBLE_EQ(circular_order_chance(right, 9, 1).share_as_high.around, 0.1);
+  const CircularOrderByChance none = circular_order_chance(right, 0, 1);
   EXPECT_EQ(none.mean.around, 0.0);
   EXPECT_EQ(none.mean.within, 0.0);
   EXPECT_EQ(none.share_as_high.around, 1.0);
   EXPECT_EQ(none.share_as_high.within, 1.0);
 }
 
-TEST(CircularOrderByLuck, IsTheSameForASeed) {
+TEST(CircularOrderByChance, IsTheSameForASeed) {
   const Individuals individuals = drawn({1, 2, 3, 8, 0, 4, 7, 6, 5});
-  EXPECT_EQ(circular_order_by_luck(individuals, 50, 1).mean.around,
-            circular_order_by_luck(individuals, 50, 1).mean.around);
-  EXPECT_NE(circular_order_by_luck(individuals, 50, 1).mean.around,
-            circular_order_by_luck(individuals, 50, 2).mean.around);
+  EXPECT_EQ(circular_order_chance(individuals, 50, 1).mean.around,
+            circular_order_chance(individuals, 50, 1).mean.around);
+  EXPECT_NE(circular_order_chance(individuals, 50, 1).mean.around,
+            circular_order_chance(individuals, 50, 2).mean.around);
 }
 
 // The slow way: angles of circles, every individual as a start, both directions walked.

@@ -1,4 +1,4 @@
-#include "somato/maps/som_archive.h"
+#include "maps/som_archive.h"
 
 #include <gtest/gtest.h>
 
@@ -47,17 +47,18 @@ TEST(SomArchive, GivesTheSameMapBack) {
 }
 
 TEST(SomArchive, KeepsEveryWeightAndParameterThatIsPossible) {
-  Som som = small_som();
-  som.weights()(0, 0) = -0.0F;
-  som.weights()(1, 1) = std::numeric_limits<float>::denorm_min();
-  som.weights()(2, 2) = -std::numeric_limits<float>::max();
+  const Som som = small_som();
+  LaneMatrix<float> weights = som.weights();
+  weights(0, 0) = -0.0F;
+  weights(1, 1) = std::numeric_limits<float>::denorm_min();
+  weights(2, 2) = -std::numeric_limits<float>::max();
   SomParameters parameters = som.parameters();
   parameters.learning_rate_start = 0.1 + 0.2;
   parameters.radius_end = 1e-300;
   parameters.softmax_exponent = 1e300;
   parameters.seed = 1'000'000'000'000'000;
   parameters.arithmetic = Arithmetic::kInnerProducts;
-  const Som odd(parameters, som.weights());
+  const Som odd(parameters, weights);
   const Som again = som_from(archive_of(odd), "map.", "here").value();
   EXPECT_TRUE(std::signbit(again.weights()(0, 0)));
   EXPECT_EQ(again.weights(), odd.weights());
@@ -68,8 +69,9 @@ TEST(SomArchive, KeepsEveryWeightAndParameterThatIsPossible) {
 
 TEST(SomArchive, FindsTwoMapsByTheirPrefixes) {
   Archive archive("test");
-  Som other = small_som();
-  other.weights()(3, 0) = 70.0F;
+  LaneMatrix<float> weights = small_som().weights();
+  weights(3, 0) = 70.0F;
+  const Som other(small_som().parameters(), weights);
   add_som(archive, "first.", small_som());
   add_som(archive, "second.", other);
   EXPECT_EQ(som_from(archive, "first.", "")->weights(), small_som().weights());
@@ -108,10 +110,10 @@ TEST(SomArchive, RefusesElementsThatCannotBe) {
   expect_refused(with_elements({3}, {7, 9, 8}), "'map.elements' is not an ascending list");
   expect_refused(with_elements({3}, {7, 7, 8}), "'map.elements' is not an ascending list");
   expect_refused(with_elements({1, 3}, {7, 8, 9}), "'map.elements' is not an ascending list");
-  expect_refused(with_elements({3}, {7, 8, 300000}), "an element that the input has not");
-  expect_refused(with_elements({3}, {-1, 8, 9}), "an element that the input has not");
+  expect_refused(with_elements({3}, {7, 8, 300000}), "an element outside the input");
+  expect_refused(with_elements({3}, {-1, 8, 9}), "an element outside the input");
   // As a number of 32 bits it would be 9.
-  expect_refused(with_elements({3}, {7, 8, (std::int64_t{1} << 32) + 9}), "the input has not");
+  expect_refused(with_elements({3}, {7, 8, (std::int64_t{1} << 32) + 9}), "outside the input");
   expect_refused(with_elements({2}, {7, 8}), "'map.elements' does not fit the map's weights");
   expect_refused(with_elements({4}, {7, 8, 9, 10}), "'map.elements' does not fit");
   expect_refused(with_part(archive, "map.elements", Array<float>{{3}, {7, 8, 9}}), "another type");
@@ -128,11 +130,11 @@ TEST(SomArchive, RefusesInputSizesThatCannotBe) {
   for (const std::int64_t size :
        {std::int64_t{0}, std::int64_t{-1}, (std::int64_t{1} << 32) + 1,
         std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
-    expect_refused(with_size({1}, {size}), "'map.input_size' is not a size that an input can have");
+    expect_refused(with_size({1}, {size}), "'map.input_size' is not a valid input size");
   }
-  expect_refused(with_size({2}, {300000, 300000}), "'map.input_size' is not a size");
-  expect_refused(with_size({1, 1}, {300000}), "'map.input_size' is not a size");
-  expect_refused(with_size({1}, {299999}), "an element that the input has not");
+  expect_refused(with_size({2}, {300000, 300000}), "'map.input_size' is not a valid input size");
+  expect_refused(with_size({1, 1}, {300000}), "'map.input_size' is not a valid input size");
+  expect_refused(with_size({1}, {299999}), "an element outside the input");
   expect_refused(without_part(archive, "map.input_size"), "'map.input_size' is missing");
 }
 
@@ -186,7 +188,7 @@ TEST(SomArchive, RefusesWeightsThatAreNotFinite) {
 TEST(SomArchive, RefusesParametersThatAreLeftAutomatic) {
   for (const char* key : {"normalize_input", "iterations", "radius_start", "radius_reached_at",
                           "learning_rate_reached_at", "arithmetic"}) {
-    expect_line_refused(key, std::string(key) + " = \"automatic\"", "left automatic");
+    expect_line_refused(key, std::string(key) + " = \"automatic\"", "still automatic");
   }
 }
 

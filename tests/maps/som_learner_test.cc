@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "maps/som_archive.h"
+#include "maps/som_reference.h"
 #include "somato/core/check.h"
-#include "somato/maps/som_archive.h"
-#include "somato/maps/som_reference.h"
 #include "somato/maps/som_training.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
@@ -101,8 +101,8 @@ void for_each_stream(std::uint64_t seed, std::size_t rounds, std::size_t length,
   }
 }
 
-// The equations, with the winners told: where two neurons are as good as each other, rounding
-// decides which one wins.
+// The equations with given winners: if two neurons are equally similar, rounding decides which one
+// wins.
 class Oracle {
  public:
   explicit Oracle(const SampleStream& stream)
@@ -361,6 +361,33 @@ std::pair<LaneMatrix<float>, std::vector<std::size_t>> learned_and_settled(
   return {som.weights(), winners};
 }
 
+// A look shows what settling would, and what is learned afterwards has the bits as without it.
+TEST(SomLearner, IsNotChangedByLooks) {
+  Random random(91);
+  for (const testing::Variant& variant : testing::all_variants()) {
+    for (const bool sparse : {false, true}) {
+      SampleStream stream = random_stream(variant, sparse, 60, random);
+      const LaneMatrix<float> expected = learned_one_by_one(stream, 1);
+      Som som = stream.som;
+      SomLearner learner(som);
+      for (std::size_t t = 0; t < stream.size(); ++t) {
+        learner.learn(stream.input(t), stream.steps[t].learning_rate, stream.steps[t].radius);
+        if (t % 7 != 0) continue;
+        const Som seen = learner.look();
+        Som settled = stream.som;
+        {
+          SomLearner again(settled);
+          learn_all(again, stream, t + 1);
+        }
+        ASSERT_EQ(seen.weights(), settled.weights()) << stream.name << " " << t;
+        ASSERT_EQ(seen.elements(), settled.elements());
+      }
+      learner.settle();
+      EXPECT_EQ(som.weights(), expected) << stream.name;
+    }
+  }
+}
+
 TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
   Random random(85);
   for (const testing::Variant& variant : testing::all_variants()) {
@@ -371,7 +398,7 @@ TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
       const auto settled = learned_and_settled(stream, 1);
       testing::for_each_instruction_set([&](InstructionSet set) {
         for (const std::size_t threads : {1U, 2U, 4U}) {
-          const std::string what = fmt::format("{} {} {}", stream.name, choice_name(set), threads);
+          const std::string what = fmt::format("{} {} {}", stream.name, name_of(set), threads);
           EXPECT_EQ(learned_ahead(stream, threads), expected) << what;
           EXPECT_EQ(learned_one_by_one(stream, threads), expected) << what;
           EXPECT_EQ(learned_and_settled(stream, threads), settled) << what;
@@ -488,7 +515,7 @@ TEST(SomLearner, SettlesWhenItGoes) {
   EXPECT_EQ(settled.weights(), som.weights());
 }
 
-TEST(SomLearner, GoesOnWithAMapThatWasSaved) {
+TEST(SomLearner, ContinuesWithAMapThatWasSaved) {
   for_each_stream(88, 1, 30, [](const SampleStream& stream, Random& /*random*/) {
     Som som = stream.som;
     {

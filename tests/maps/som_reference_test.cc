@@ -1,4 +1,4 @@
-#include "somato/maps/som_reference.h"
+#include "maps/som_reference.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "maps/som_reference.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/maps/som_reference.h"
 #include "support/random_maps.h"
 
 namespace somato {
@@ -164,7 +164,7 @@ TEST(Som, RefusesInputsOfAnotherSize) {
   EXPECT_THROW(Som(resolve({}, 1, 2).value(), Matrix<float>(3, 2)), InvalidArgument);
 }
 
-TEST(NormalizeLength, LeavesZerosAlone) {
+TEST(NormalizeLength, KeepsZeros) {
   std::vector<float> zeros(3);
   normalize_length(zeros);
   EXPECT_EQ(zeros, (std::vector<float>{0, 0, 0}));

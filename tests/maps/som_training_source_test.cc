@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "somato/core/read_ahead.h"
+#include "core/read_ahead.h"
 #include "somato/maps/som_quality.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
@@ -58,7 +58,7 @@ TEST(SomTraining, FromASourceGivesTheSameBitsForEveryInstructionSet) {
   const LaneMatrix<float> expected = train_som(p, samples).value().weights();
   testing::for_each_instruction_set([&](InstructionSet set) {
     SamplesInMemory source(samples, 11);
-    EXPECT_EQ(train_som(p, source).value().weights(), expected) << choice_name(set);
+    EXPECT_EQ(train_som(p, source).value().weights(), expected) << name_of(set);
   });
 }
 
@@ -74,20 +74,20 @@ TEST(SomTraining, FromASourceMayStartAtFewSamples) {
   expect_same(train_som(p, source).value(), train_som(p, samples).value());
 }
 
-TEST(SomTraining, FromASourceTellsItsPartsAndStopsBetweenThem) {
+TEST(SomTraining, FromASourceReportsItsPartsAndStopsBetweenThem) {
   const Samples samples(Matrix<float>(10, 2, 1.0F));
   SomParameters p;
   p.training = Training::kBatch;
   p.epochs = 3;
   SamplesInMemory source(samples, 3);
-  std::vector<std::uint64_t> told;
+  std::vector<std::uint64_t> reported;
   const auto tell = [&](std::uint64_t done, std::uint64_t total) {
-    told.push_back(done);
+    reported.push_back(done);
     EXPECT_EQ(total, 12u);
     return true;
   };
   ASSERT_TRUE(train_som(p, source, {1, tell}));
-  EXPECT_EQ(told, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(reported, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
   for (const std::uint64_t last : {2U, 4U, 12U}) {
     const auto stop = [&](std::uint64_t done, std::uint64_t) { return done < last; };
     EXPECT_EQ(train_som(p, source, {1, stop}).error().kind, ErrorKind::kInterrupted) << last;

@@ -4,10 +4,10 @@
 
 #include <set>
 
+#include "maps/batch_training.h"
+#include "maps/som_reference.h"
 #include "somato/core/check.h"
-#include "somato/maps/batch_training.h"
 #include "somato/maps/som_learner.h"
-#include "somato/maps/som_reference.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
 #include "support/som_comparison.h"
@@ -51,8 +51,8 @@ TEST(SomTraining, ByInnerProductsIsPlainTrainingInDoublePrecision) {
     SomParameters p = testing::random_resolved(random, count, size);
     p.iterations = 100 + random.below(400);
     if (p.neighbourhood == NeighbourhoodShape::kBubble) {
-      // The neurons of a bubble move alike until only rounding tells them apart; short training at
-      // a low rate keeps the winner a question of the data.
+      // The neurons of a bubble are updated equally until only rounding distinguishes them; with
+      // short training at a low rate the winner depends on the data.
       p.iterations = 50;
       p.learning_rate_start *= 0.1;
       p.learning_rate_end *= 0.1;
@@ -139,7 +139,7 @@ TEST(SomTraining, GivesTheSameBitsForEveryNumberOfThreadsAndInstructionSet) {
       testing::for_each_instruction_set([&](InstructionSet set) {
         for (const std::size_t threads : {1U, 2U, 4U}) {
           EXPECT_EQ(train_som(p, samples, {threads, {}}).value().weights(), expected)
-              << testing::name_of(variant) << " " << choice_name(set) << " " << threads;
+              << testing::name_of(variant) << " " << name_of(set) << " " << threads;
         }
       });
     }
@@ -169,25 +169,67 @@ TEST(SomTraining, StopsWhenTheProgressSaysSo) {
   }
 }
 
-TEST(SomTraining, GoesOnFromAMapThatIsThere) {
+TEST(SomTraining, TakesRowsAsSamples) {
   Random random(60);
-  const Samples samples = testing::random_samples(5, 4, false, random);
+  Matrix<float> rows(5, 4);
+  for (float& value : rows.values()) value = static_cast<float>(random.uniform());
   SomParameters p;
   p.iterations = 100;
-  const Som first = train_som(p, samples).value();
-  Som second = first;
-  ASSERT_TRUE(continue_som(second, samples));
-  EXPECT_NE(second.weights(), first.weights());
-  // The same as going on by hand with the same draws.
-  Som expected = first;
-  SomLearner learner(expected);
-  const SomParameters& r = first.parameters();
-  DrawSequence draws(r.draws, samples.count(), r.seed);
-  for (std::uint64_t t = 0; t < 100; ++t) {
-    learner.learn(samples[draws.next()], r.learning_rate().at(t), r.radius().at(t));
+  EXPECT_EQ(train_som(p, rows)->weights(), train_som(p, Samples(rows))->weights());
+}
+
+TEST(SomTraining, ShowsMomentsThatChangeNothing) {
+  Random random(61);
+  for (const Arithmetic arithmetic : {Arithmetic::kPlain, Arithmetic::kInnerProducts}) {
+    for (const Training training : {Training::kOnline, Training::kBatch}) {
+      const Samples samples = testing::random_samples(6, 30, random.below(2) == 0, random);
+      SomParameters p;
+      p.arithmetic = arithmetic;
+      p.training = training;
+      p.iterations = 250;
+      p.epochs = 7;
+      std::vector<std::uint64_t> steps;
+      LaneMatrix<float> last;
+      TrainingOptions options;
+      options.observer = [&](const TrainingMoment& moment) {
+        EXPECT_EQ(moment.steps, training == Training::kBatch ? 7U : 250U);
+        EXPECT_EQ(moment.map().input_size(), 30U);
+        EXPECT_GT(moment.weights, 0U);
+        steps.push_back(moment.step);
+        last = moment.map().weights();
+        return true;
+      };
+      const Som som = train_som(p, samples, options).value();
+      EXPECT_EQ(som.weights(), train_som(p, samples)->weights());
+      EXPECT_EQ(last, som.weights());
+      ASSERT_EQ(steps.size(), training == Training::kBatch ? 7U : 100U);
+      EXPECT_EQ(steps.back(), training == Training::kBatch ? 7U : 250U);
+      EXPECT_EQ(steps[1], training == Training::kBatch ? 2U : 5U);
+    }
   }
-  learner.settle();
-  EXPECT_EQ(second.weights(), expected.weights());
+}
+
+TEST(SomTraining, ShowsTheMapOfEachMoment) {
+  Random random(62);
+  const Samples samples = testing::random_samples(6, 30, false, random);
+  SomParameters p;
+  p.iterations = 400;
+  TrainingOptions options;
+  options.observer = [&](const TrainingMoment& moment) {
+    if (moment.step != 200) return true;
+    SomParameters half = p;
+    half.learning_rate_reached_at = 400;
+    half.radius_reached_at = 400;
+    half.iterations = 200;
+    EXPECT_EQ(moment.map().weights(), train_som(half, samples)->weights());
+    EXPECT_DOUBLE_EQ(moment.radius, resolve(p, 6, 30)->radius().at(199));
+    return false;
+  };
+  p.learning_rate_reached_at = 400;
+  p.radius_reached_at = 400;
+  const auto stopped = train_som(p, samples, options);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
 }
 
 TEST(SomTraining, RefusesWhatCannotBeTrainedOn) {

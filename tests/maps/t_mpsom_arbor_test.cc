@@ -1,8 +1,8 @@
-#include "somato/maps/t_mpsom_arbor.h"
+#include "maps/t_mpsom_arbor.h"
 
 #include <gtest/gtest.h>
 
-#include "somato/maps/t_mpsom_reference.h"
+#include "maps/t_mpsom_reference.h"
 #include "support/t_mpsom_problems.h"
 
 namespace somato {

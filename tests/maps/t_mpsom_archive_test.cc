@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_archive.h"
+#include "maps/t_mpsom_archive.h"
 
 #include <gtest/gtest.h>
 

@@ -131,7 +131,7 @@ TEST(TMpsomLaws, TheSameBitsOnEveryInstructionSet) {
         results.insert(results.end(), weights.values().begin(), weights.values().end());
       }
       if (expected.empty()) expected = results;
-      EXPECT_EQ(results, expected) << choice_name(set);
+      EXPECT_EQ(results, expected) << name_of(set);
     });
   }
 }

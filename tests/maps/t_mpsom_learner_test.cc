@@ -44,7 +44,7 @@ TMpsom random_map(Random& random, const TMpsomParameters& p) {
   return TMpsom::from_weights(p, random_weights(random, p, Sign::kEither)).value();
 }
 
-// Now and then it settles, and hears something without learning it.
+// It settles occasionally, and evaluates inputs without learning them.
 void expect_plain_learning(Random& random, const TMpsomParameters& p) {
   TMpsom plain = random_map(random, p);
   TMpsom learned = plain;

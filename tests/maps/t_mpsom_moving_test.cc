@@ -73,11 +73,11 @@ TEST(TMpsomMoving, MovesAndNormalizesEachRow) {
         for (std::size_t row = 0; row < moved.rows(); ++row) {
           const std::vector<double> expected = moved_row(p, row, norm);
           for (std::size_t k = 0; k < moved.columns(); ++k) {
-            EXPECT_NEAR(double{moved(row, k)}, expected[k], 1e-6) << choice_name(set);
+            EXPECT_NEAR(double{moved(row, k)}, expected[k], 1e-6) << name_of(set);
           }
         }
         if (before.rows() == 0) before = moved;
-        EXPECT_EQ(moved, before) << choice_name(set);
+        EXPECT_EQ(moved, before) << name_of(set);
       });
     }
   }
@@ -103,7 +103,7 @@ TEST(TMpsomMoving, GivesBackTheLengthThatCancellingTakes) {
   }
 }
 
-TEST(TMpsomMoving, LeavesGroupsWithoutGainsAlone) {
+TEST(TMpsomMoving, KeepsGroupsWithoutGains) {
   Random random(3);
   MovingProblem p = random_problem(random, Sign::kPositive);
   for (float& weight : p.weights.values()) weight *= 3.0F;

@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_neighbourhood.h"
+#include "maps/t_mpsom_neighbourhood.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(GridGaussian, SpreadsAsTheSumOverAllPairs) {
   for (const Shape& shape : shapes()) {
     for (const double sigma : {0.4, 1.0, 3.5}) {
       const GridGaussian gaussian(shape, sigma);
-      GridGaussian::Workspace workspace(gaussian);
+      GridGaussian::Workspace workspace = gaussian.make_workspace();
       std::vector<double> values = random_values(random, shape);
       const std::vector<double> expected = spread_by_pairs(values, shape, sigma);
       gaussian.spread(values, workspace);
@@ -78,7 +78,7 @@ TEST(GridGaussian, IsWithinItsBoundOfTheSumOverAllPairs) {
   for (const Shape& shape : {Shape{46, 23}, Shape{60}, Shape{3, 25, 4}}) {
     for (const double sigma : {0.3, 1.0, 2.0}) {
       const GridGaussian gaussian(shape, sigma);
-      GridGaussian::Workspace workspace(gaussian);
+      GridGaussian::Workspace workspace = gaussian.make_workspace();
       std::vector<double> values = random_values(random, shape);
       for (double& value : values) value = std::pow(10.0, -60.0 * value);
       const std::vector<double> expected = spread_by_pairs(values, shape, sigma);
@@ -95,7 +95,7 @@ TEST(GridGaussian, IsWithinItsBoundOfTheSumOverAllPairs) {
 // or 9.1 sigma).
 TEST(GridGaussian, EndsWhereItIsNegligible) {
   const GridGaussian gaussian({41}, 1.0);
-  GridGaussian::Workspace workspace(gaussian);
+  GridGaussian::Workspace workspace = gaussian.make_workspace();
   std::vector<double> values(41);
   values[20] = 1.0;
   gaussian.spread(values, workspace);
@@ -109,14 +109,14 @@ TEST(GridGaussian, EndsWhereItIsNegligible) {
 TEST(GridGaussian, GivesTheSameBitsOnEveryInstructionSet) {
   Random random(2);
   const GridGaussian gaussian({23, 11}, 2.0);
-  GridGaussian::Workspace workspace(gaussian);
+  GridGaussian::Workspace workspace = gaussian.make_workspace();
   const std::vector<double> values = random_values(random, {23, 11});
   std::vector<double> expected;
   testing::for_each_instruction_set([&](InstructionSet set) {
     std::vector<double> spread = values;
     gaussian.spread(spread, workspace);
     if (expected.empty()) expected = spread;
-    EXPECT_EQ(spread, expected) << choice_name(set);
+    EXPECT_EQ(spread, expected) << name_of(set);
   });
 }
 
@@ -125,7 +125,7 @@ TEST(GridGaussian, RefusesWhatDoesNotFit) {
   EXPECT_THROW(GridGaussian({2, 0}, 1.0), InvalidArgument);
   const GridGaussian line({6}, 1.0);
   const GridGaussian square({2, 3}, 1.0);
-  GridGaussian::Workspace workspace(square);
+  GridGaussian::Workspace workspace = square.make_workspace();
   std::vector<double> values(5);
   EXPECT_THROW(square.spread(values, workspace), InvalidArgument);
   values.resize(6);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "maps/t_mpsom_reference.h"
 #include "somato/core/random.h"
-#include "somato/maps/t_mpsom_reference.h"
 #include "support/t_mpsom_problems.h"
 
 namespace somato {

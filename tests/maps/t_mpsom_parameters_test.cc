@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_parameters.h"
+#include "somato/maps/t_mpsom.h"
 
 #include <gtest/gtest.h>
 
@@ -42,13 +42,13 @@ TEST(TMpsomParameters, RefuseAGridThatDoesNotGoWithTheInputs) {
   p.input_sizes = {};
   expect_refused(p, "'input_sizes' is empty", "[90, 45]");
   p.input_sizes = {90, 45, 10};
-  expect_refused(p, "3 inputs on a grid of 2 axes", "'input_axes'");
+  expect_refused(p, "3 inputs do not fit a grid of 2 axes", "'input_axes'");
   p.input_axes = {0, 1};
   expect_refused(p, "'input_axes' lists 2 axes for 3 inputs", "one axis for each");
   p.input_axes = {0, 1, 2};
   expect_refused(p, "axis 2 of a grid of 2 axes", "counted from 0");
   p.input_axes = {1, 1, 1};
-  expect_refused(p, "no input is spread along axis 0", "leave that axis out");
+  expect_refused(p, "no input is spread along axis 0", "remove that axis");
 }
 
 TEST(TMpsomParameters, RefuseNumbersOutOfRange) {
@@ -66,7 +66,7 @@ TEST(TMpsomParameters, RefuseNumbersOutOfRange) {
   expect_refused(p, "'learning_rate_start' must be a number, 0 to 1", "");
   p = third();
   p.learning_rate_end = 0.2;
-  expect_refused(p, "'learning_rate_end' is above 'learning_rate_start'", "fall");
+  expect_refused(p, "'learning_rate_end' is above 'learning_rate_start'", "must not increase");
   p.learning_rate_schedule = ScheduleShape::kExponential;
   p.learning_rate_end = 0.0;
   expect_refused(p, "learning rate cannot start or end at 0", "linear");
@@ -75,7 +75,7 @@ TEST(TMpsomParameters, RefuseNumbersOutOfRange) {
   expect_refused(p, "'iterations' must be", "");
 }
 
-// Each number alone is in range; their product is beyond 2^64.
+// Each single number is in range; their product is above 2^64.
 TEST(TMpsomParameters, RefuseMoreWeightsThanCanBeCounted) {
   TMpsomParameters p;
   p.shape = {4096, 4096, 4096, 4096, 4096, 4096};
@@ -124,7 +124,7 @@ TEST(TMpsomParameters, SayWhatThePapersDoNotGive) {
         "learning_rate_end", "input_norm", "weight_norm"}) {
     const auto parameter = TMpsomParameters::declarations().find(name);
     ASSERT_TRUE(parameter) << name;
-    EXPECT_NE(parameter->info.text.find("not given in the paper"), std::string::npos) << name;
+    EXPECT_NE(parameter->info.text.find("ot given in the paper"), std::string::npos) << name;
   }
 }
 
@@ -139,7 +139,7 @@ TEST(TMpsomParameters, LetTheLearningRateFallInAStraightLine) {
   }
 }
 
-TEST(TMpsomParameters, LetTheLearningRateFallAsTold) {
+TEST(TMpsomParameters, DecreaseTheLearningRateAsSet) {
   TMpsomParameters p = third();
   p.learning_rate_schedule = ScheduleShape::kExponential;
   p.learning_rate_start = 0.4;

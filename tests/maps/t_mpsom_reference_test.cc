@@ -1,4 +1,4 @@
-#include "somato/maps/t_mpsom_reference.h"
+#include "maps/t_mpsom_reference.h"
 
 #include <gtest/gtest.h>
 

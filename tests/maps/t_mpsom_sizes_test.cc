@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "maps/t_mpsom_archive.h"
+#include "maps/t_mpsom_reference.h"
 #include "somato/maps/t_mpsom.h"
-#include "somato/maps/t_mpsom_archive.h"
-#include "somato/maps/t_mpsom_reference.h"
 #include "support/instruction_sets.h"
 #include "support/t_mpsom_problems.h"
 
@@ -140,7 +140,7 @@ TEST(TMpsomSizes, TheSameBitsOnEveryInstructionSetAndFromAFile) {
       const std::vector<Signal> frame = random_frame(random, p);
       const std::vector<float> y = activation(map, frame);
       if (expected.empty()) expected = y;
-      EXPECT_EQ(y, expected) << choice_name(set);
+      EXPECT_EQ(y, expected) << name_of(set);
       Archive archive("test");
       add_t_mpsom(archive, "", map);
       const TMpsom again = t_mpsom_from(archive, "", "here").value();

@@ -183,7 +183,7 @@ void expect_refused(const std::vector<Matrix<float>>& weights, const std::string
 }
 
 TEST(TMpsom, RefusesWeightsThatDoNotFit) {
-  expect_refused({Matrix<float>(6, 3)}, "weights of 1 inputs for a T-MPSOM of 2");
+  expect_refused({Matrix<float>(6, 3)}, "weights for 1 inputs given, but the T-MPSOM has 2");
   expect_refused({Matrix<float>(6, 3), Matrix<float>(6, 3)},
                  "the weights of input 1 are 6 x 3, not 6 x 2");
   expect_refused({Matrix<float>(5, 3), Matrix<float>(6, 2)},

@@ -76,7 +76,7 @@ TEST(TMpsomWorkspace, ForgetsWhatWasBeforeLearning) {
   EXPECT_EQ(after, activation(map, inputs));
 }
 
-TEST(TMpsomWorkspace, TellsACopyThatLearnedFromItsOriginal) {
+TEST(TMpsomWorkspace, DistinguishesACopyThatLearnedFromItsOriginal) {
   const TMpsom original(small_parameters());
   TMpsom copy = original;
   TMpsom::Workspace workspace(original);
@@ -88,7 +88,7 @@ TEST(TMpsomWorkspace, TellsACopyThatLearnedFromItsOriginal) {
   EXPECT_EQ(activation_with(original, inputs, workspace), before);
 }
 
-TEST(TMpsomWorkspace, TellsMapsFromWeightsApart) {
+TEST(TMpsomWorkspace, DistinguishesMapsWithGivenWeights) {
   const TMpsom ones =
       *TMpsom::from_weights(small_parameters(), {Matrix<float>(6, 3, 1), Matrix<float>(6, 2, 1)});
   const TMpsom twos =

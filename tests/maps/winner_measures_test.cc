@@ -1,4 +1,4 @@
-#include "somato/maps/winner_measures.h"
+#include "maps/winner_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -28,23 +28,23 @@ const Grid kTorus(3, 4, Lattice::kRectangular, Topology::kTorus);
 const Numbers kWinners{0, 2, 3, 7, 11, 8, 8};
 const Numbers kClasses{kA, kB, kB, kC, kC, kA, kB};
 
-TEST(ToldExactly, AreClassesThatShareNoNeuron) {
-  EXPECT_EQ(classes_told_exactly(kWinners, kClasses), (std::vector<bool>{false, false, true}));
-  EXPECT_EQ(classes_told_exactly({4, 4, 5}, {kA, kA, kB}), (std::vector<bool>{true, true}));
+TEST(ClassesSeparated, AreClassesThatShareNoNeuron) {
+  EXPECT_EQ(separated_classes(kWinners, kClasses), (std::vector<bool>{false, false, true}));
+  EXPECT_EQ(separated_classes({4, 4, 5}, {kA, kA, kB}), (std::vector<bool>{true, true}));
 }
 
-TEST(ToldExactly, IsNoClassWithoutSamples) {
-  EXPECT_EQ(classes_told_exactly({4, 5}, {kC, kA}), (std::vector<bool>{true, false, true}));
+TEST(ClassesSeparated, IsNoClassWithoutSamples) {
+  EXPECT_EQ(separated_classes({4, 5}, {kC, kA}), (std::vector<bool>{true, false, true}));
 }
 
 TEST(Undetermined, AreSamplesThatShareANeuronWithAnotherClass) {
-  EXPECT_EQ(undetermined_samples(kWinners, kClasses), 2U);
-  EXPECT_EQ(undetermined_samples({4, 4, 5}, {kA, kA, kB}), 0U);
+  EXPECT_EQ(ambiguous_samples(kWinners, kClasses), 2U);
+  EXPECT_EQ(ambiguous_samples({4, 4, 5}, {kA, kA, kB}), 0U);
 }
 
 // P11's bimodal system: three explorations of a and four of b with one centre of activation.
 TEST(Undetermined, CountsAllThatShare) {
-  EXPECT_EQ(undetermined_samples({9, 9, 9, 9, 9, 9, 9, 3, 2}, {0, 0, 0, 1, 1, 1, 1, 0, 1}), 7U);
+  EXPECT_EQ(ambiguous_samples({9, 9, 9, 9, 9, 9, 9, 3, 2}, {0, 0, 0, 1, 1, 1, 1, 0, 1}), 7U);
 }
 
 // The a above is 2 away from the b beside it and from both samples below it. The b in the corner
@@ -104,10 +104,10 @@ TEST(Border, OfASmallMapIsAllOfIt) {
 }
 
 TEST(WinnerMeasures, RefuseWhatDoesNotFit) {
-  EXPECT_THROW((void)classes_told_exactly({1, 2}, {0}), InvalidArgument);
-  EXPECT_THROW((void)classes_told_exactly({}, {}), InvalidArgument);
-  EXPECT_THROW((void)undetermined_samples({1}, {0, 1}), InvalidArgument);
-  EXPECT_THROW((void)undetermined_samples({}, {}), InvalidArgument);
+  EXPECT_THROW((void)separated_classes({1, 2}, {0}), InvalidArgument);
+  EXPECT_THROW((void)separated_classes({}, {}), InvalidArgument);
+  EXPECT_THROW((void)ambiguous_samples({1}, {0, 1}), InvalidArgument);
+  EXPECT_THROW((void)ambiguous_samples({}, {}), InvalidArgument);
   EXPECT_THROW((void)classes_of_surroundings(kPlane, {1, 2}, {0}), InvalidArgument);
   EXPECT_THROW((void)classes_of_surroundings(kPlane, {}, {}), InvalidArgument);
   EXPECT_THROW((void)classes_of_surroundings(kPlane, {12}, {0}), InvalidArgument);
@@ -198,7 +198,7 @@ TEST(Surroundings, AgreeWithWholeNumbers) {
   }
 }
 
-TEST(ToldExactlyAndUndetermined, AgreeWithAllPairs) {
+TEST(ClassesSeparatedAndSamplesAmbiguous, AgreeWithAllPairs) {
   Random random(12);
   for (int run = 0; run < 500; ++run) {
     const MeasuredWinners problem = random_winners(random);
@@ -213,12 +213,13 @@ TEST(ToldExactlyAndUndetermined, AgreeWithAllPairs) {
         blurred.insert(problem.classes[i]);
       }
     }
-    const std::vector<bool> told = classes_told_exactly(problem.winners, problem.classes);
-    ASSERT_EQ(told.size(), *with_samples.rbegin() + 1);
-    for (std::size_t its_class = 0; its_class < told.size(); ++its_class) {
-      EXPECT_EQ(told[its_class], with_samples.contains(its_class) && !blurred.contains(its_class));
+    const std::vector<bool> separated = separated_classes(problem.winners, problem.classes);
+    ASSERT_EQ(separated.size(), *with_samples.rbegin() + 1);
+    for (std::size_t its_class = 0; its_class < separated.size(); ++its_class) {
+      EXPECT_EQ(separated[its_class],
+                with_samples.contains(its_class) && !blurred.contains(its_class));
     }
-    EXPECT_EQ(undetermined_samples(problem.winners, problem.classes), undetermined.size());
+    EXPECT_EQ(ambiguous_samples(problem.winners, problem.classes), undetermined.size());
   }
 }
 

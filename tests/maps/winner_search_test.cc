@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "maps/batch_training.h"
+#include "maps/som_reference.h"
 #include "somato/core/random.h"
-#include "somato/maps/batch_training.h"
-#include "somato/maps/som_reference.h"
 #include "somato/maps/som_training.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
@@ -119,7 +119,8 @@ TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeighboursThatAreNearlyTheSame
   expect_obvious_winners(som, Samples(noise(200, 12, 1.0, random)), "a smooth map");
 }
 
-// All neurons nearly as far from each sample: integers alone cannot tell them apart.
+// All neurons have nearly the same distance from each sample, so that integers cannot distinguish
+// them.
 TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeuronsThatAreNearlyAsFar) {
   Random random(8);
   constexpr std::size_t kColumns = 20;

@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "program/program_test.h"
+#include "recording/icub_grasp.h"
 #include "somato/graph/system_model.h"
-#include "somato/recording/icub_grasp.h"
 
 namespace somato {
 namespace {
@@ -33,7 +33,7 @@ class Apply : public ProgramTest {
 TEST_F(Apply, AnswersAsTheStudyDid) {
   train_system();
   const auto rows = rows_of(output_of({"apply", "out/system.somato", kTrials}));
-  const Json run = Json::parse(read("out/results.json"))["systems"][0]["runs"][0];
+  const Json run = Json::parse(read("out/results.json"))["parts"][0]["protocols"][0]["runs"][0];
   ASSERT_EQ(rows.size(), 31u);
   EXPECT_EQ(rows[0], (Words{"exploration", "source", "winner", "row", "column", "distance",
                             "object", "given_object"}));
@@ -78,7 +78,7 @@ TEST_F(Apply, RefusesOtherFiles) {
   damaged[damaged.size() / 2] ^= 1;
   write("damaged", damaged);
   expect_refused(
-      1, {{{"apply", "good.map", kTrials}, {"good.map: the file holds 'som', not 'system'"}},
+      1, {{{"apply", "good.map", kTrials}, {"good.map: the file contains 'som', not 'system'"}},
           {{"apply", "study.toml", kTrials}, {"study.toml: this is not a model file of Somato"}},
           {{"apply", "notes", kTrials}, {"notes: this is not a model file of Somato"}},
           {{"apply", "damaged", kTrials}, {"damaged: "}},
@@ -110,7 +110,7 @@ TEST_F(Apply, RefusesASystemWithoutAnAnswer) {
   const SystemModel model = load_system(path("out/system.somato")).value();
   ASSERT_TRUE(save_system(path("mute"), model.system));
   expect_refused(1, {"apply", "mute", kTrials},
-                 {"mute: the system has no map that answers", "'somato run'"});
+                 {"mute: the system has no output map", "'somato run'"});
 }
 
 }  // namespace

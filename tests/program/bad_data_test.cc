@@ -28,7 +28,7 @@ std::string npy(std::string header, const std::string& values) {
 TEST_F(BadData, InText) {
   train();
   const std::vector<std::pair<std::string, Words>> cases{
-      {"1,2,3\n4,nan,6\n", {"bad:2:3", "'nan'", "no finite number", "leave the row out"}},
+      {"1,2,3\n4,nan,6\n", {"bad:2:3", "'nan'", "not a finite number", "leave the row out"}},
       {"1,2,3\n4,5,inf\n", {"bad:2:5", "'inf'"}},
       {"1,2,3\n-Infinity,5,6\n", {"bad:2:1", "'-Infinity'"}},
       {"1,2,3\n4,,6\n", {"bad:2:3", "empty"}},
@@ -60,14 +60,14 @@ TEST_F(BadData, InNpy) {
     return "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
   };
   const std::vector<std::pair<std::string, Words>> cases{
-      {not_a_number, {"bad: ", "row 2, column 3", "no finite"}},
-      {infinite, {"bad: ", "row 2, column 3", "no finite"}},
-      {infinite.substr(0, 140), {"bad", "cut short"}},
+      {not_a_number, {"bad: ", "row 2, column 3", "not a finite"}},
+      {infinite, {"bad: ", "row 2, column 3", "not a finite"}},
+      {infinite.substr(0, 140), {"bad", "truncated"}},
       {infinite.substr(0, 40), {"bad", "header"}},
       {infinite.substr(0, 6), {"bad"}},
       {infinite + "more", {"bad"}},
-      {npy(header("<f4", "(1000000000000000, 3)"), "1234"), {"bad", "cut short"}},
-      {npy(header("<f4", "(4294967296, 4294967296)"), "1234"), {"bad", "cut short"}},
+      {npy(header("<f4", "(1000000000000000, 3)"), "1234"), {"bad", "truncated"}},
+      {npy(header("<f4", "(4294967296, 4294967296)"), "1234"), {"bad", "truncated"}},
       {npy(header("<f4", "(99999999999999999999999, 3)"), "1234"), {"bad"}},
       {npy(header("<f4", "(0, 3)"), ""), {"bad", "empty"}},
       {npy(header("<f4", "(2, 3, 4)"), std::string(96, '\0')), {"bad", "3 dimensions", "reshape"}},
@@ -82,7 +82,7 @@ TEST_F(BadData, InNpy) {
 TEST_F(BadData, OfAnotherWidthThanTheMap) {
   train();
   write("wide.csv", "1,2,3,4\n5,6,7,8\n");
-  const Words says{"wide.csv", "4 numbers", "the map takes 3", "trained on"};
+  const Words says{"wide.csv", "4 columns", "the map requires 3", "trained on"};
   expect_refused(1, {{{"som", "map", "good.map", "wide.csv"}, says},
                      {{"som", "quality", "good.map", "wide.csv"}, says},
                      {{"som", "plot", "good.map", "wide.csv", "-o", "x"}, says}});
@@ -121,7 +121,7 @@ TEST_F(BadData, Labels) {
     return Words{"som", "train", "data.csv", "--labels", labels, "-o", "x"};
   };
   expect_refused(
-      1, {{train_with("few"), {"few", "2 labels for 12 rows", "one label a line"}},
+      1, {{train_with("few"), {"few", "2 labels for 12 rows", "one label per line"}},
           {train_with("many"), {"many", "13 labels for 12 rows"}},
           {train_with("gap"), {"gap:2", "line is empty"}},
           {train_with("none"), {"none"}},

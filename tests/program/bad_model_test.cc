@@ -1,5 +1,5 @@
+#include "files/checksum.h"
 #include "program/program_test.h"
-#include "somato/files/checksum.h"
 
 namespace somato {
 namespace {

@@ -43,16 +43,16 @@ class BadStudy : public ProgramTest {
 // Tables that 'reproduce' reads are not wrong unnoticed.
 TEST_F(BadStudy, WhatBelongsToReproduceIsRefusedToo) {
   const std::vector<std::pair<std::string, Words>> cases{
-      {kStudy + "[explore]\nobjects = 'x.toml'\n", {"study.toml:19", "[explore] needs a body"}},
+      {kStudy + "[explore]\nobjects = 'x.toml'\n", {"study.toml:19", "[explore] requires a body"}},
       {kStudy + "[explore]\nbody = 'lucs5'\n", {"study.toml:20", "lucs2"}},
       {kStudy + "[variation.wide]\nmodule.mpa.rows = 3\n",
        {"study.toml:20", "unknown module 'mpa'", "did you mean 'map'?"}},
       {kStudy + "[[claim]]\ntext = 't'\nmetric = 'accuracy'\n",
-       {"study.toml:19", "a claim needs a bound"}},
+       {"study.toml:19", "the claim has no bound"}},
       {kStudy + "[[claim]]\ntext = 't'\nmetric = 'accuracy'\nat_least = 0\nvariation = 'w'\n",
-       {"study.toml:19", "about something that is not run"}},
+       {"study.toml:19", "system or variation that is not run"}},
       {kStudy + "[question]\nname = 'q'\n",
-       {"study.toml", "asks a question about several systems", "somato reproduce"}},
+       {"study.toml", "contains a question about several systems", "somato reproduce"}},
   };
   for (const auto& [study, says] : cases) expect_study_refused(2, study, says);
 }
@@ -109,7 +109,7 @@ TEST_F(BadStudy, ModulesThatDoNotFitAreNamed) {
       {with("input = 'closed'\n", ""), {"study.toml:13, module 'map'", "input"}},
       {with("input = 'closed'", "input = 'map'"), {"map", "delay"}},
       {with("input = 'closed'", "input = 'joints'"),
-       {"study.toml:13, module 'map'", "frames coming in", "'last'"}},
+       {"study.toml:13, module 'map'", "one per frame", "'last'"}},
       {with("input = 'joints'", "input = 'map'"),
        {"study.toml:13, module 'map'", "map -> closed -> map"}},
       {with("'som'", "'last'"), {"study.toml:16, module 'map'", "unknown key 'rows'"}},
@@ -172,10 +172,10 @@ TEST_F(BadStudy, RecordingsThatCannotBeUsed) {
   const auto run_of = [](const std::string& data) {
     return Words{"run", "study.toml", "--data", data, "--out", "out"};
   };
-  expect_refused(1, {{run_of("missing"), {"missing: ", "No such file", "give the folder"}},
-                     {run_of("empty"), {"empty: ", "no files", "give the folder"}},
+  expect_refused(1, {{run_of("missing"), {"missing: ", "No such file", "use the folder"}},
+                     {run_of("empty"), {"empty: ", "no files", "use the folder"}},
                      {run_of("study.toml"), {"study.toml: "}},
-                     {run_of("broken"), {"broken/ball_small_2.txt:", "repair the file"}},
+                     {run_of("broken"), {"broken/ball_small_2.txt:", "repair or remove the file"}},
                      {run_of("hollow"), {"hollow/block_large_1.txt"}},
                      {run_of("single"), {"single: ", "two"}},
                      {run_of("alike"), {"alike", "same 'object'"}}});
@@ -189,14 +189,14 @@ TEST_F(BadStudy, OutputThatCannotBeSaved) {
   const auto run_to = [](const std::string& out) {
     return Words{"run", "study.toml", "--data", kTrials, "--out", out};
   };
-  expect_refused(1, {{run_to("file"), {"file: ", "folder cannot be made", "--out"}},
-                     {run_to("file/out"), {"file/out: ", "folder cannot be made"}},
-                     {run_to("/proc/somato"), {"/proc/somato: ", "folder cannot be made"}},
+  expect_refused(1, {{run_to("file"), {"file: ", "folder cannot be created", "--out"}},
+                     {run_to("file/out"), {"file/out: ", "folder cannot be created"}},
+                     {run_to("/proc/somato"), {"/proc/somato: ", "folder cannot be created"}},
                      {run_to("taken"), {"taken/map.svg", "name a file, not a folder"}},
                      {run_to("kept"), {"kept/unfinished.journal", "not a folder"}}});
 }
 
-// Whatever was done is kept: with room the same command goes on.
+// Completed work is kept: with enough space the same command resumes.
 TEST_F(BadStudy, ADiskThatIsFullKeepsWhatIsDone) {
   write("study.toml", kStudy);
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};

@@ -19,7 +19,7 @@ class Conventions : public ProgramTest {
   }
 };
 
-TEST_F(Conventions, QuietCommandsPrintNothingButWhatWasAskedFor) {
+TEST_F(Conventions, QuietCommandsPrintOnlyTheRequestedOutput) {
   write_study();
   const Words study{"run", "study.toml", "--data", kTrials, "--out", "out"};
   ProgramWorld terminal;
@@ -49,12 +49,12 @@ TEST_F(Conventions, StudiesAndTheirVectorsArePrintedAsTheirFiles) {
   const std::string printed =
       output_of({"run", "study.toml", "--data", kTrials, "-o", "out", "--json"});
   EXPECT_EQ(printed, read("out/results.json"));
-  const std::string vectors =
-      output_of({"information", "study.toml", "--data", kTrials, "-o", "told.json", "--json"});
-  EXPECT_EQ(vectors, read("told.json"));
+  const std::string vectors = output_of(
+      {"information", "study.toml", "--data", kTrials, "-o", "information.json", "--json"});
+  EXPECT_EQ(vectors, read("information.json"));
 }
 
-TEST_F(Conventions, RecordingsAreToldAsJson) {
+TEST_F(Conventions, RecordingsArePrintedAsJson) {
   output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
   const Json json = json_of({"inspect", "grasps.mcap"});
   EXPECT_EQ(json["explorations"], 30);
@@ -90,7 +90,7 @@ TEST_F(Conventions, AnswersAreTheSameAsJson) {
   EXPECT_EQ(csv, output_of({"apply", "out/system.somato", kTrials}));
 }
 
-TEST_F(Conventions, MapsAreToldAsJson) {
+TEST_F(Conventions, MapsArePrintedAsJson) {
   train();
   const Json quality = json_of({"som", "quality", "good.map", "data.csv"});
   EXPECT_EQ(quality["samples"], 12);
@@ -116,7 +116,7 @@ TEST_F(Conventions, MapsAreToldAsJson) {
   EXPECT_EQ(csv, output_of({"som", "map", "good.map", "data.csv"}));
 }
 
-TEST_F(Conventions, ListsAreToldAsJson) {
+TEST_F(Conventions, ListsArePrintedAsJson) {
   const Json systems = json_of({"systems"});
   ASSERT_EQ(systems["systems"].size(), 9u);
   EXPECT_EQ(
@@ -139,7 +139,7 @@ TEST_F(Conventions, OwnFilesAreFoundByNameAndByPathFromAnywhere) {
   }
   expect_refused(2, {{{"systems", "textur"}, {"unknown system 'textur'", "texture"}},
                      {{"systems", "texture", "--json"}, {"--json: the file is TOML"}},
-                     {{"modules", "--markdown", "--json"}, {"--markdown", "leave --json out"}}});
+                     {{"modules", "--markdown", "--json"}, {"--markdown", "omit --json"}}});
   // A file of that name in the folder is the one that is meant.
   write("texture", "not a study");
   EXPECT_EQ(run({"run", "texture", "--explain"}).exit_code, 2);

@@ -22,7 +22,7 @@ std::string single_blanks(const std::string& text) {
 }
 
 // 8 x 16 neurons of 36 elements of 4 bytes are 18 KiB.
-const Words kLines{"module type listens to shape elements every memory\n",
+const Words kLines{"module type input from shape elements every memory\n",
                    "hand channel 9 9 frame\n",
                    "code one_hot hand 9 x 4 36 (sparse) frame\n",
                    "memory accumulate code 9 x 4 36 (sparse) exploration\n",
@@ -31,7 +31,7 @@ const Words kLines{"module type listens to shape elements every memory\n",
                    "phase 2 map: all explorations\n",
                    "learned memory 18.0 KiB\n"};
 
-TEST_F(Explain, TellsShapesSizesAndMemoryWithoutData) {
+TEST_F(Explain, PrintsShapesSizesAndMemoryWithoutData) {
   write("study.toml", kSystem);
   const auto before = contents();
   const std::string shown = single_blanks(output_of({"run", "study.toml", "--explain"}));
@@ -53,7 +53,7 @@ TEST_F(Explain, TakesShapesFromTheData) {
 }
 
 // 4 x 4 neurons of as many elements of 4 bytes.
-TEST_F(Explain, TellsMemoryInBytesBelowAKibibyte) {
+TEST_F(Explain, PrintsMemoryInBytesBelowAKibibyte) {
   for (const auto& [elements, memory] :
        {std::pair{"9", "576 B"}, {"15", "960 B"}, {"16", "1.0 KiB"}}) {
     write("study.toml", std::string("[study]\nname = 'n'\n") +

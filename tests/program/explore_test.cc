@@ -30,7 +30,7 @@ cone = { shape = "cone", diameter = 80, height = 110, material = "wood" }
   }
 };
 
-TEST_F(Explore, RecordsEveryThingAsOftenAsAsked) {
+TEST_F(Explore, RecordsEveryThingAsOftenAsRequested) {
   const std::string out = output_of(explore({}));
   EXPECT_TRUE(out.starts_with("out.mcap: 4 explorations of 2 things, ")) << out;
   const Recording recording = recorded();
@@ -89,8 +89,9 @@ TEST_F(Explore, RefusesBeforeAnythingMoves) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
-  expect_refused(1, explore({"--images", "empty.toml/pictures"}),
-                 {"empty.toml/pictures: the folder cannot be made", "give --images a folder"});
+  expect_refused(
+      1, explore({"--images", "empty.toml/pictures"}),
+      {"empty.toml/pictures: the folder cannot be created", "a writable folder for --images"});
   const std::vector<Refusal> refusals = {
       {with({"--body", "lucs5"}), {"lucs5", "lucs"}},
       {with({"--body", "lucs2", "--objects", "none.toml"}), {"none.toml"}},
@@ -111,7 +112,7 @@ TEST_F(Explore, RefusesBeforeAnythingMoves) {
   }
 }
 
-TEST_F(Explore, WhatFailsIsToldAndNotRecorded) {
+TEST_F(Explore, FailuresAreReportedAndNotRecorded) {
   write("things.toml", R"([object]
 pea = { shape = "sphere", diameter = 6, material = "wood" }
 tube = { shape = "cylinder", diameter = 62, height = 121, material = "hard_board" }

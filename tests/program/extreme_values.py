@@ -101,11 +101,11 @@ class Runs:
     def judge_recording(self, place):
         if not (place / "x.mcap").exists():
             return None
-        told = subprocess.run([self.program, "inspect", "x.mcap", "--json"], cwd=place,
-                              capture_output=True, text=True, check=False)
-        if told.returncode != 0:
+        inspected = subprocess.run([self.program, "inspect", "x.mcap", "--json"], cwd=place,
+                                   capture_output=True, text=True, check=False)
+        if inspected.returncode != 0:
             return "its recording is not whole"
-        summary = json.loads(told.stdout)
+        summary = json.loads(inspected.stdout)
         most = (LONGEST + 1.0) * summary["explorations"]
         if summary.get("duration", 0.0) > most:
             return f"its explorations take {summary['duration']} s of the body's time"

@@ -25,14 +25,15 @@ TEST_F(HostileInputs, RowsThatTrainingWouldRefuseAreNotMapped) {
   write("large.csv", "1,2,3\n3e37,4,1\n");
   for (const char* command : {"map", "quality"}) {
     expect_refused(1, {"som", command, "good.map", "large.csv"},
-                   {"large.csv: row 2 is too large for the map"});
+                   {"large.csv: row 2 has values too large for the map"});
   }
   write("tiny.csv", "1e-30,2\n2e-30,4\n3e-30,7\n");
   output_of({"som", "train", "tiny.csv", "-o", "tiny.map", "--standardize", "--rows", "3",
              "--columns", "3"});
   write("wide.csv", "1e-30,2\n1e20,2\n");
   for (const char* command : {"map", "quality"}) {
-    expect_refused(1, {"som", command, "tiny.map", "wide.csv"}, {"wide.csv: row 2 is too large"});
+    expect_refused(1, {"som", command, "tiny.map", "wide.csv"},
+                   {"wide.csv: row 2 has values too large"});
   }
 }
 
@@ -45,14 +46,15 @@ TEST_F(HostileInputs, AStandardizationThatMakesNumbersInfiniteIsNotMapped) {
     model.standardization->means[0] = mean;
     model.standardization->deviations[0] = deviation;
     ASSERT_TRUE(save_som_model(path("b.map"), model));
-    expect_refused(1, {"som", "map", "b.map", "data.csv"}, {"data.csv: row 1 is too large"});
+    expect_refused(1, {"som", "map", "b.map", "data.csv"},
+                   {"data.csv: row 1 has values too large"});
   }
 }
 
 TEST_F(HostileInputs, AResultsFileNestedDeeplyIsRefused) {
   const std::string lists = std::string(100000, '[') + std::string(100000, ']');
   write("deep.json", "{\"x\":" + lists + ",\"a\":1,\"b\":2}");
-  expect_refused(1, {"report", "deep.json", "-o", "x.html"}, {"deep.json:1:", "nested more than"});
+  expect_refused(1, {"report", "deep.json", "-o", "x.html"}, {"deep.json:1:", "levels of nesting"});
 }
 
 TEST_F(HostileInputs, WhatNeverEndsIsNotReadWhole) {
@@ -89,10 +91,10 @@ TEST_F(HostileInputs, AFolderInWhichAnotherRunWorksIsRefused) {
   const int folder = open(path("out").c_str(), O_RDONLY | O_DIRECTORY);
   ASSERT_EQ(flock(folder, LOCK_EX), 0);
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};
-  expect_refused(1, words, {"out: another run of somato works in this folder"});
+  expect_refused(1, words, {"out: another somato process is using this folder"});
   close(folder);
   const std::string mine = fmt::format("out/.somato-{}-0.partial", getpid());
-  write("out/.somato-2000000000-3.partial", "of a process that is gone");
+  write("out/.somato-2000000000-3.partial", "of a process that has ended");
   write(mine, "of a process that lives");
   EXPECT_EQ(run(words).exit_code, 0);
   EXPECT_FALSE(fs::exists(path("out/.somato-2000000000-3.partial")));
@@ -176,7 +178,8 @@ TEST_F(HostileExploring, CtrlCEndsAnExplorationAtOnce) {
   world.seconds = 30;
   const ProgramRun done = run(explore("lucs3"), world);
   EXPECT_EQ(done.exit_code, 130);
-  EXPECT_NE(done.err.find("stopping; once more ends at once"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("stopping; press Ctrl-C again to end immediately"), std::string::npos)
+      << done.err;
   EXPECT_FALSE(fs::exists(path("x.mcap")));
 }
 
@@ -189,7 +192,7 @@ TEST_F(HostileExploring, APictureThatCannotBeSavedDropsNoExploration) {
   fs::create_directories(path("im/tube-1-1.png"));
   const ProgramRun done = run(explore("lucs3", {"--objects", "things.toml", "--images", "im"}));
   EXPECT_EQ(done.exit_code, 3);
-  EXPECT_NE(done.err.find("all is recorded, but 1 of the pictures could not be saved"),
+  EXPECT_NE(done.err.find("all explorations are recorded, but 1 picture could not be saved"),
             std::string::npos)
       << done.err;
   EXPECT_NE(output_of({"inspect", "x.mcap"}).find("whole"), std::string::npos);

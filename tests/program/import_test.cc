@@ -65,26 +65,27 @@ TEST_F(Import, RefusesWrongUsage) {
     return all;
   };
   expect_refused(
-      2,
-      {{{"import", "csb", "trials", "-o", "x"}, {"unknown format 'csb'", "did you mean 'csv'?"}},
-       {{"import", "csv", "trials"}, {"--output is required"}},
-       {{"import", "csv"}, {"is required"}},
-       {{"import", "hkust_press_slide", "trials", "-o", "x", "--time", "t"},
-        {"--time: the format 'hkust_press_slide' is known"}},
-       {{"import", "automatic", "trials", "-o", "x", "--description", "d.toml"},
-        {"--description: the format 'automatic' is known"}},
-       {with({"--description", "d.toml"}), {"--channels: the files are described twice"}},
-       {csv({"--description", "d.toml", "--rate", "5"}), {"--rate: the files are described twice"}},
-       {csv({}), {"[import]: 'files' is missing"}},
-       {csv({"--files", "{a}.csv"}), {"[import]: there are no channels"}},
-       {csv({"--files", "{a}.csv", "--channels", "touch"}),
-        {"--channels: 'touch' is no channel", "write such as"}},
-       {csv({"--files", "{a}.csv", "--channels", "=x"}), {"the channel has no name"}},
-       {csv({"--files", "{a}.csv", "--channels", "touch="}), {"a column has no name"}},
-       {with({"--rate", "5"}), {"there are both 'time' and 'rate'"}},
-       {with({"--tine", "5"}), {"unknown flag '--tine'", "'--time'"}},
-       {{"import", "csv", "trials", "-o", "d.toml", "--description", "d.toml"},
-        {"the file is given twice"}}});
+      2, {{{"import", "csb", "trials", "-o", "x"}, {"unknown format 'csb'", "did you mean 'csv'?"}},
+          {{"import", "csv", "trials"}, {"--output is required"}},
+          {{"import", "csv"}, {"is required"}},
+          {{"import", "hkust_press_slide", "trials", "-o", "x", "--time", "t"},
+           {"--time: the format 'hkust_press_slide' needs no description"}},
+          {{"import", "automatic", "trials", "-o", "x", "--description", "d.toml"},
+           {"--description: the format 'automatic' needs no description"}},
+          {with({"--description", "d.toml"}),
+           {"--channels: the files are described by both a flag and --description"}},
+          {csv({"--description", "d.toml", "--rate", "5"}),
+           {"--rate: the files are described by both a flag and --description"}},
+          {csv({}), {"[import]: 'files' is missing"}},
+          {csv({"--files", "{a}.csv"}), {"[import]: there are no channels"}},
+          {csv({"--files", "{a}.csv", "--channels", "touch"}),
+           {"--channels: 'touch' is not a channel", "write for example"}},
+          {csv({"--files", "{a}.csv", "--channels", "=x"}), {"the channel has no name"}},
+          {csv({"--files", "{a}.csv", "--channels", "touch="}), {"a column has no name"}},
+          {with({"--rate", "5"}), {"there are both 'time' and 'rate'"}},
+          {with({"--tine", "5"}), {"unknown flag '--tine'", "'--time'"}},
+          {{"import", "csv", "trials", "-o", "d.toml", "--description", "d.toml"},
+           {"the file is given twice"}}});
 }
 
 TEST_F(Import, RefusesBadDataAndWritesNothing) {
@@ -101,12 +102,12 @@ TEST_F(Import, FailsWhereTheDescriptionIsWrongAtItsPlace) {
   expect_refused(2, csv({"--description", "d.toml"}), {"d.toml:3: unknown key 'factor'"});
 }
 
-TEST_F(Import, CutsWindowsAndTellsWhatIsLeft) {
+TEST_F(Import, CutsWindowsAndReportsTheRemainder) {
   write("trials/a_3.csv", "t,x,y\n0,1,2\n1,1,2\n2,1,2\n3,1,2\n4,1,2\n");
   EXPECT_EQ(output_of(csv({"--files", "{object}_{trial}.csv", "--time", "t", "--channels",
                            "touch=*", "--window", "2"})),
             "out.mcap: 3 explorations; labels: object, trial, file, window; channels: touch (2)\n"
-            "left out, as they fill no window: 2 rows, with 1 file that no window fits into\n");
+            "left out, because they fill no window: 2 rows, with 1 file shorter than a window\n");
   EXPECT_EQ(output_of(csv({"--files", "{object}_{trial}.csv", "--time", "t", "--channels",
                            "touch=*", "--window", "1"})),
             "out.mcap: 8 explorations; labels: object, trial, file, window; channels: touch (2)\n");
@@ -142,11 +143,11 @@ TEST_F(Import, JoinsRecordingsWithTheLabelsOfTheirNames) {
   };
   expect_refused(2, {{with({"x"}), {"'files': the pattern has no labels"}},
                      {with({"x", "--files", "{a}.mcap", "--window", "5"}),
-                      {"--window: recordings tell their channels themselves"}},
-                     {with({"x", "--description", "d.toml"}), {"--description: recordings tell"}},
-                     {with({"x", "--channels", "touch=x"}), {"--channels: recordings tell"}},
+                      {"--window: recordings define their channels"}},
+                     {with({"x", "--description", "d.toml"}), {"--description: recordings define"}},
+                     {with({"x", "--channels", "touch=x"}), {"--channels: recordings define"}},
                      {with({"runs/a_1.mcap", "--files", "{h}_{d}.mcap"}),
-                      {"runs/a_1.mcap: saving would write over a file of the folder DIR"}}});
+                      {"runs/a_1.mcap: saving would overwrite a file of the folder DIR"}}});
   ASSERT_EQ(::mkfifo(path("runs/c_3.mcap").c_str(), 0600), 0);
   expect_refused(1, with({"x", "--files", "{h}_{d}.mcap"}),
                  {"runs/c_3.mcap: it is not a regular file"});
@@ -162,7 +163,7 @@ TEST_F(Import, RefusesWrongWindowsAndTables) {
                      {with({"--channels", "touch=x", "--window", "5", "--overlap", "5"}),
                       {"[import]: 'overlap' is 5, which is not below 'window', 5"}},
                      {with({"--channels", "touch=x", "--rows", "explorations", "--window", "5"}),
-                      {"'window' has no effect where rows = \"explorations\""}},
+                      {"'window' has no effect with rows = \"explorations\""}},
                      {with({"--channels", "touch=x", "--rows", "exploration"}),
                       {"did you mean 'explorations'?"}},
                      {csv({"--channels", "touch=x", "--window", "5"}), {"'files' is missing"}},
@@ -172,9 +173,9 @@ TEST_F(Import, RefusesWrongWindowsAndTables) {
   expect_refused(1, with({"--channels", "touch=*", "--window", "3"}),
                  {"trials: no file has 3 rows; the most are 2"});
   expect_refused(1, with({"--channels", "touch=z*", "--other-columns", "ignore"}),
-                 {"trials/a_1.csv:1: no column fits 'z*'"});
+                 {"trials/a_1.csv:1: no column matches 'z*'"});
   expect_refused(1, with({"--channels", "touch=*", "--ignore", "aux*"}),
-                 {"trials: 'ignore': no column fits 'aux*'"});
+                 {"trials: 'ignore': no column matches 'aux*'"});
   expect_refused(1, with({"--channels", "touch=*", "--labels", "what"}),
                  {"trials/a_1.csv:1: there is no column 'what'"});
 }

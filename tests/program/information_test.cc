@@ -32,7 +32,7 @@ TEST_F(InformationProgram, PrintsAndSavesTheFigures) {
   write_things();
   const std::string shown =
       output_of({"information", "study.toml", "--data", "things.mcap", "--individual", "object",
-                 "--order", "girth", "--shuffles", "200", "-o", "told.json"});
+                 "--order", "girth", "--shuffles", "200", "-o", "information.json"});
   EXPECT_NE(shown.find("small: 6 explorations, vectors of 1 elements from 'closed'\n"),
             std::string::npos)
       << shown;
@@ -46,13 +46,13 @@ TEST_F(InformationProgram, PrintsAndSavesTheFigures) {
                        "  correlation                       1.000\n"),
             std::string::npos)
       << shown;
-  const Json told = Json::parse(read("told.json"));
-  EXPECT_EQ(told["asked"]["shuffles"], 200);
-  EXPECT_NEAR(told["labels"][0]["distance_ratio"], 20.0 / 3.0, 1e-6);
-  EXPECT_EQ(told["order"]["correlation"], 1.0);
+  const Json information = Json::parse(read("information.json"));
+  EXPECT_EQ(information["parameters"]["shuffles"], 200);
+  EXPECT_NEAR(information["labels"][0]["distance_ratio"], 20.0 / 3.0, 1e-6);
+  EXPECT_EQ(information["order"]["correlation"], 1.0);
 }
 
-TEST_F(InformationProgram, AsksForSeveralLabels) {
+TEST_F(InformationProgram, MeasuresSeveralLabels) {
   const std::string study =
       "[study]\nname = 'own'\n[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
       "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
@@ -73,13 +73,14 @@ TEST_F(InformationProgram, RefusesWhatCannotBe) {
     return words;
   };
   expect_refused(2, {{with({"--labels", "objcet"}), {"did you mean 'object'?"}},
-                     {with({"--map", "closed"}), {"map: the module 'closed' is no map"}},
+                     {with({"--map", "closed"}), {"map: the module 'closed' is not a map"}},
                      {with({"--shuffles", "many"}), {"--shuffles", "many"}},
                      {{"information", "study.toml"}, {"--data"}}});
   expect_refused(
       1, {{with({"--labels", "shape"}), {"things.mcap: every exploration has the same 'shape'"}},
-          {with({"--order", "object"}), {"things.mcap: the label 'object' says 'a', no number"}},
-          {with({"-o", "nowhere/told.json"}), {"nowhere"}}});
+          {with({"--order", "object"}),
+           {"things.mcap: the label 'object' is 'a', which is not a number"}},
+          {with({"-o", "nowhere/information.json"}), {"nowhere"}}});
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST_F(LargeFiles, AreNotForOnlineTraining) {
                  {"rows.npy: online training", "40 x 3", "--training batch", "--memory"});
 }
 
-TEST_F(LargeFiles, AFaultInTheLastRowIsToldBeforeAnythingIsWritten) {
+TEST_F(LargeFiles, AFaultInTheLastRowIsReportedBeforeAnythingIsWritten) {
   write_numbers();
   output_of(with(training({"rows.npy"}), {"-o", "good.map"}));
   Matrix<float> matrix = numbers();
@@ -124,8 +124,8 @@ TEST_F(LargeFiles, AFaultInTheLastRowIsToldBeforeAnythingIsWritten) {
   write("short.csv", read("rows.csv") + "1,2\n");
   write("none.csv", "\n# nothing but a remark that is longer than the memory\n\n\n\n\n\n\n\n\n");
   const std::vector<std::pair<std::string, Words>> files{
-      {"bad.npy", {"bad.npy: ", "row 40, column 2", "no finite"}},
-      {"cut.npy", {"cut.npy: ", "cut short"}},
+      {"bad.npy", {"bad.npy: ", "row 40, column 2", "not a finite"}},
+      {"cut.npy", {"cut.npy: ", "truncated"}},
       {"bad.csv", {"bad.csv:41:3: ", "'inf'"}},
       {"short.csv", {"short.csv:41: ", "expected 3 fields, found 2"}},
       {"none.csv", {"none.csv: ", "no rows of numbers"}}};

@@ -86,7 +86,7 @@ TEST_F(MissingValues, AreFilledFromTheNearestCompleteRow) {
   EXPECT_NE(said.find("filled 3 values in 2 rows (nearest)\n"), std::string::npos) << said;
   EXPECT_TRUE(read("x.map") == read("nearest.map"));
   expect_refused(1, with_words(training({"holes.csv", "--missing", "nearest"}), kPieces),
-                 {"holes.csv: ", "more memory than they may", "--missing mean", "--memory"});
+                 {"holes.csv: ", "needs all rows in memory", "--missing mean", "--memory"});
 }
 
 // By a, in metres, the last row is nearer to the first; in standard deviations, to the second.
@@ -137,7 +137,7 @@ TEST_F(MissingValues, OfNewRowsAreFilledWithTheMeansOfTheTraining) {
   }
   output_of(training({"mean.csv"}));
   expect_refused(2, {"som", "map", "x.map", "new.csv", "--missing", "mean"},
-                 {"x.map: the map does not know the means", "--missing nearest"});
+                 {"x.map: the map does not contain the means", "--missing nearest"});
 }
 
 // The winner is the neuron that is nearest by what is known, and the distance is what is known.

@@ -32,7 +32,7 @@ TEST_F(Modules, RefusesWhatItDoesNotKnow) {
                       {"modules: unknown type of module 'one_hat'", "did you mean 'one_hot'?"}},
                      {{"modules", "som", "more"}, {"unexpected argument 'more'"}},
                      {{"modules", "som", "--markdown"},
-                      {"--markdown: the page holds all types", "leave TYPE out"}}});
+                      {"--markdown: the page contains all types", "omit TYPE"}}});
 }
 
 }  // namespace

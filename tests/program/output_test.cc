@@ -1,7 +1,7 @@
 #include <csignal>
 
+#include "core/memory.h"
 #include "program/program_test.h"
-#include "somato/core/memory.h"
 #include "somato/recording/recording_file.h"
 #include "support/sanitized.h"
 
@@ -16,7 +16,7 @@ class Output : public ProgramTest {
     return world;
   }
 
-  // Whatever was done, it was not told: exit code 1 and one line that says so.
+  // The output could not be written: exit code 1 and one line that states this.
   void expect_unheard(const Words& arguments, const std::string& where) const {
     SCOPED_TRACE(::testing::PrintToString(arguments));
     const ProgramRun done = run(arguments, output_to(where));
@@ -42,17 +42,17 @@ TEST_F(Output, ThatCannotBeSavedIsRefused) {
   std::filesystem::create_symlink("loop", path("loop"));
   std::filesystem::create_symlink("nowhere/x", path("dangling"));
   for (const Words& words : {kTrain, kMap, kActivity, kPlot}) {
-    expect_refused(
-        1, {{to(words, "no/x"), {"no/x: cannot save", "No such file", "check the path"}},
-            {to(words, "folder"), {"folder: cannot save", "name a file, not a folder"}},
-            {to(words, "data.csv/x"), {"data.csv/x: cannot save", "Not a directory"}},
-            {to(words, "loop"), {"loop: cannot save", "symbolic links"}},
-            {to(words, "dangling"), {"x: cannot save", "No such file"}},
-            {to(words, "/dev/full"), {"/dev/full: cannot save", "No space left", "make room"}}});
+    expect_refused(1, {{to(words, "no/x"), {"no/x: cannot save", "No such file", "check the path"}},
+                       {to(words, "folder"), {"folder: cannot save", "name a file, not a folder"}},
+                       {to(words, "data.csv/x"), {"data.csv/x: cannot save", "Not a directory"}},
+                       {to(words, "loop"), {"loop: cannot save", "symbolic links"}},
+                       {to(words, "dangling"), {"x: cannot save", "No such file"}},
+                       {to(words, "/dev/full"),
+                        {"/dev/full: cannot save", "No space left", "free disk space"}}});
   }
 }
 
-// Before the data are read, let alone learned from.
+// Before the data are read.
 TEST_F(Output, ItsPlaceIsLookedAtFirst) {
   expect_refused(1, {{{"som", "train", "missing", "-o", "no/x"}, {"no/x"}},
                      {{"som", "map", "missing", "missing", "-o", "no/x"}, {"no/x"}},
@@ -128,7 +128,7 @@ TEST_F(Output, ShortMemoryIsAnErrorLikeOthers) {
 #endif
   write_data();
   ProgramWorld world;
-  // Weights alone take 192 MiB, and the activity of one row 64.
+  // Weights take 192 MiB, and the activity of one row 64.
   const Words words{"som", "train",  "data.csv", "-o",        "x",   "--iterations",
                     "1",   "--rows", "4096",     "--columns", "4096"};
   world.memory = std::size_t{100} << 20;
@@ -149,7 +149,8 @@ TEST_F(Output, RecordingsThatUnpackToMoreThanThereIsAreRefused) {
   ProgramWorld world;
   world.memory = std::size_t{180} << 20;
   expect_refused(1, {"run", "study.toml", "--data", "zeros.mcap", "--out", "out"},
-                 {"zeros.mcap: its frames take more than the", "shorter recording"}, world);
+                 {"zeros.mcap: its frames exceed the available memory", "shorter recording"},
+                 world);
   EXPECT_EQ(run({"inspect", "zeros.mcap"}, world).exit_code, 0);
 }
 
@@ -166,7 +167,8 @@ TEST_F(Output, ModulesThatTakeMoreMemoryThanThereIsAreNamed) {
   ProgramWorld world;
   world.memory = std::size_t{400} << 20;
   expect_refused(1, {"run", "study.toml", "--data", kTrials, "--out", "out"},
-                 {"study.toml:8, module 'curve': ", "memory", "give it fewer elements"}, world);
+                 {"study.toml:8, module 'curve': ", "memory", "reduce the number of its elements"},
+                 world);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST_F(Outputs, AreNeverWhatIsRead) {
       for (const std::string& read : command.reads) {
         Words words = command.words;
         words.insert(words.end(), {flag, read});
-        expect_refused(2, words, {read + ": ", "saving would write over"});
+        expect_refused(2, words, {read + ": ", "saving would overwrite"});
       }
     }
   }
@@ -78,25 +78,25 @@ TEST_F(Outputs, AreNotWhatIsReadUnderAnotherName) {
   fs::create_hard_link(path("data.csv"), path("hard"));
   fs::create_symlink("data.csv", path("soft"));
   for (const char* name : {"hard", "soft", "in/../data.csv"}) {
-    expect_refused(2, {"som", "train", "data.csv", "-o", name}, {"saving would write over DATA"});
+    expect_refused(2, {"som", "train", "data.csv", "-o", name}, {"saving would overwrite DATA"});
   }
   fs::create_hard_link(path(trial()), path("hard_trial"));
   expect_refused(2, {"apply", "out/system.somato", "grasps", "-o", "hard_trial"},
-                 {"saving would write over a file of the folder DATA"});
+                 {"saving would overwrite a file of the folder DATA"});
 }
 
 TEST_F(Outputs, DifferFromEachOther) {
   expect_refused(2, {"som", "map", "good.map", "data.csv", "-o", "x", "--activity", "x"},
-                 {"saving would write over --output"});
+                 {"saving would overwrite --output"});
 }
 
 TEST_F(Outputs, OfAFolderAreNotWhatIsRead) {
   write("out/results.json", read("study.toml"));
   expect_refused(2, {"run", "out/results.json", "--data", "grasps.mcap", "--out", "out"},
-                 {"out/results.json: ", "written over", "STUDY"});
+                 {"out/results.json: ", "would overwrite it", "STUDY"});
   fs::copy(path("grasps.mcap"), path("out/map.svg"), fs::copy_options::overwrite_existing);
   expect_refused(2, {"run", "study.toml", "--data", "out/map.svg", "--out", "out"},
-                 {"out/map.svg: ", "written over", "--data"});
+                 {"out/map.svg: ", "would overwrite it", "--data"});
 }
 
 // What lies beside it is of no concern.

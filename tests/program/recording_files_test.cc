@@ -43,7 +43,7 @@ class RecordingFiles : public ProgramTest {
   }
 };
 
-TEST_F(RecordingFiles, InspectTellsWhatIsInside) {
+TEST_F(RecordingFiles, InspectSummarizesTheContent) {
   write_recording_file("a.mcap", Compression::kLz4);
   EXPECT_EQ(output_of({"inspect", "a.mcap"}),
             "size: " + std::to_string(std::filesystem::file_size(path("a.mcap"))) +
@@ -58,7 +58,7 @@ TEST_F(RecordingFiles, InspectTellsWhatIsInside) {
                 "whole: yes\n");
 }
 
-TEST_F(RecordingFiles, InspectTellsWhereItIsNotWhole) {
+TEST_F(RecordingFiles, InspectReportsTheFirstDamage) {
   write_recording_file("a.mcap", Compression::kNone);
   std::filesystem::resize_file(path("a.mcap"), std::filesystem::file_size(path("a.mcap")) - 1);
   const ProgramRun cut = run({"inspect", "a.mcap"});
@@ -69,7 +69,7 @@ TEST_F(RecordingFiles, InspectTellsWhereItIsNotWhole) {
   EXPECT_NE(cut.err.find("somato recover a.mcap"), std::string::npos);
 }
 
-TEST_F(RecordingFiles, RecoverTellsByItsExitCodeWhatWasLost) {
+TEST_F(RecordingFiles, RecoverReportsLossesByItsExitCode) {
   write_recording_file("a.mcap", Compression::kNone);
   EXPECT_EQ(output_of({"recover", "a.mcap", "-o", "b.mcap"}),
             "saved: 3 explorations, 22 frames\nincomplete: 0 explorations\n");
@@ -83,12 +83,12 @@ TEST_F(RecordingFiles, RecoverTellsByItsExitCodeWhatWasLost) {
   const ProgramRun lossy = run({"recover", "a.mcap", "-o", "b.mcap", "--compression", "none"});
   EXPECT_EQ(lossy.exit_code, 3);
   EXPECT_NE(lossy.out.find("incomplete: 1 exploration\n"), std::string::npos) << lossy.out;
-  EXPECT_NE(lossy.err.find("something was lost"), std::string::npos);
+  EXPECT_NE(lossy.err.find("some data could not be recovered"), std::string::npos);
   EXPECT_EQ(run({"inspect", "b.mcap"}).exit_code, 0);
 
   std::filesystem::resize_file(path("a.mcap"), 100);
   std::filesystem::remove(path("b.mcap"));
-  expect_refused(1, {"recover", "a.mcap", "-o", "b.mcap"}, {"nothing can be saved"});
+  expect_refused(1, {"recover", "a.mcap", "-o", "b.mcap"}, {"nothing can be recovered"});
 }
 
 TEST_F(RecordingFiles, WrongUsageIsRefused) {
@@ -123,7 +123,7 @@ TEST_F(RecordingFiles, LargeFilesTakeLittleMemory) {
   const ProgramRun longer = run_small({"inspect", "longer"});
   EXPECT_EQ(longer.exit_code, 1);
   EXPECT_NE(longer.out.find("explorations: 3\n"), std::string::npos);
-  EXPECT_NE(longer.err.find("bytes stand behind the end"), std::string::npos) << longer.err;
+  EXPECT_NE(longer.err.find("bytes follow the end"), std::string::npos) << longer.err;
 
   std::ofstream attachment(path("attachment"), std::ios::binary);
   attachment << whole.substr(0, header) << '\x09';
@@ -138,7 +138,7 @@ TEST_F(RecordingFiles, LargeFilesTakeLittleMemory) {
   EXPECT_NE(attached.out.find("explorations: 3\n"), std::string::npos);
 }
 
-// One exploration of 100 MB, with many values of a label that nobody could keep.
+// One exploration of 100 MB, with more values of a label than fit into memory.
 TEST_F(RecordingFiles, LongRecordingsTakeLittleMemory) {
   RecordingFileParameters parameters;
   parameters.compression = Compression::kLz4;

@@ -52,12 +52,12 @@ TEST_F(Report, OfAStudyWithAllThatIsAtHand) {
   const Json& system = report["systems"][0];
   EXPECT_EQ(system["missing"], Json::array());
   EXPECT_EQ(system["file"], "out/results.json");
-  EXPECT_EQ(system["protocols"][0]["metrics"], without_groupings(results["systems"][0]["metrics"]));
-  EXPECT_EQ(system["protocols"][1]["runs"][1]["winners"],
-            results["systems"][1]["runs"][1]["winners"]);
+  const Json& protocols = results["parts"][0]["protocols"];
+  EXPECT_EQ(system["protocols"][0]["metrics"], without_groupings(protocols[0]["metrics"]));
+  EXPECT_EQ(system["protocols"][1]["runs"][1]["winners"], protocols[1]["runs"][1]["winners"]);
   EXPECT_EQ(system["trained"]["seed"], 1);
   EXPECT_EQ(system["trained"]["file"], "out/system.somato");
-  EXPECT_EQ(system["samples"].size(), results["systems"][0]["samples"]);
+  EXPECT_EQ(system["samples"].size(), protocols[0]["samples"]);
   EXPECT_TRUE(read("report.html").starts_with("<!doctype html>"));
 }
 
@@ -71,15 +71,16 @@ TEST_F(Report, FindsARecordingBesideTheResultsByWhatIsInIt) {
   output_of({"report", "out/results.json", "-o", "report.html"});
   const Json system = data_of("report.html")["systems"][0];
   EXPECT_EQ(system["missing"], Json::array());
-  EXPECT_EQ(system["recordings"], Json::array({"some.mcap"}));
+  EXPECT_EQ(system["samples"].size(), 30U);
+  EXPECT_EQ(system["recordings"], Json::array({"grasps.mcap"}));  // as it was called
 }
 
 TEST_F(Report, SaysWhatIsMissing) {
   make_results();
   fs::remove(path("out/system.somato"));
   const std::string said = output_of({"report", "out/results.json", "-o", "report.html"});
-  EXPECT_NE(said.find("The trained system is not at hand"), std::string::npos);
-  EXPECT_NE(said.find("The recording is not at hand"), std::string::npos);
+  EXPECT_NE(said.find("The trained system was not found"), std::string::npos);
+  EXPECT_NE(said.find("The recording was not found"), std::string::npos);
   const Json system = data_of("report.html")["systems"][0];
   EXPECT_TRUE(says(system["missing"], "--model"));
   EXPECT_TRUE(says(system["missing"], "--data"));
@@ -92,33 +93,38 @@ TEST_F(Report, ARecordingOfSomethingElseIsNotTaken) {
   output_of({"report", "out/results.json", "--data", "press.mcap", "-o", "report.html"});
   const Json system = data_of("report.html")["systems"][0];
   EXPECT_TRUE(system["samples"].is_null());
-  EXPECT_TRUE(says(system["missing"], "The recording is not at hand"));
-  EXPECT_TRUE(says(system["missing"], "'press.mcap' is not what these results are of"));
+  EXPECT_TRUE(says(system["missing"], "The recording was not found"));
+  EXPECT_TRUE(says(system["missing"], "'press.mcap' is not the one of these results"));
 }
 
-// Such as the one somebody works in: results of others lie in it, too.
+// For example the working folder, which also contains results of others.
 TEST_F(Report, FindsTheRecordingInAFolderWithResultsBelow) {
   make_results();
   fs::create_directories(path("all/out"));
   fs::copy(path("out/results.json"), path("all/out/results.json"));
   output_of({"import", "icub_grasp", kTrials, "-o", "all/grasps.mcap"});
   output_of({"report", "out/results.json", "--data", "all", "-o", "report.html"});
-  EXPECT_EQ(data_of("report.html")["systems"][0]["recordings"], Json::array({"grasps.mcap"}));
+  EXPECT_EQ(data_of("report.html")["systems"][0]["samples"].size(), 30U);
 }
 
-TEST_F(Report, AModelOfAnotherSystemIsNotTaken) {
+// The same study, trained with another seed: its file says so by its hash.
+TEST_F(Report, AnotherModelIsNotTaken) {
   make_results();
-  write("other.toml",
-        "[study]\nname = 'other'\nseeds = 1\nprotocols = 'train_is_test'\n"
-        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
-        "[module.closed]\ntype = 'first'\ninput = 'joints'\n"
-        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n");
-  output_of({"run", "other.toml", "--data", kTrials, "--out", "other"});
-  fs::remove(path("out/system.somato"));
-  output_of({"report", "out/results.json", "--model", "other/system.somato", "-o", "report.html"});
+  fs::rename(path("out"), path("first"));
+  std::string other = read("study.toml");
+  other.insert(other.find("name"), "first_seed = 7\n");
+  write("study.toml", other);
+  output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
+  fs::copy(path("first/results.json"), path("out/results.json"),
+           fs::copy_options::overwrite_existing);
+  output_of({"report", "out/results.json", "-o", "report.html"});
   const Json system = data_of("report.html")["systems"][0];
   EXPECT_TRUE(system["trained"].is_null());
-  EXPECT_TRUE(says(system["missing"], "'other/system.somato' has other settings"));
+  EXPECT_TRUE(says(system["missing"], "out/system.somato: the trained system is not the one"));
+  output_of({"report", "out/results.json", "--model", "first/system.somato", "-o", "report.html"});
+  const Json found = data_of("report.html")["systems"][0];
+  EXPECT_EQ(found["trained"]["file"], "first/system.somato");
+  EXPECT_EQ(found["trained"]["seed"], 1);
 }
 
 TEST_F(Report, OfAReproductionFindsItsRecordings) {
@@ -132,11 +138,12 @@ TEST_F(Report, OfAReproductionFindsItsRecordings) {
   const Json report = data_of("report.html");
   const Json found = results("out");
   ASSERT_EQ(report["systems"].size(), 3U);
+  const Json names = {found["recordings"][0]["name"], found["recordings"][1]["name"]};
   for (std::size_t i = 0; i < 3; ++i) {
     const Json& system = report["systems"][i];
-    EXPECT_EQ(system["recordings"], found["systems"][i]["recordings"]);
+    EXPECT_EQ(system["recordings"], names);
     EXPECT_EQ(system["protocols"][0]["metrics"],
-              without_groupings(found["systems"][i]["protocols"][0]["metrics"]));
+              without_groupings(found["parts"][i]["protocols"][0]["metrics"]));
     EXPECT_EQ(system["protocols"][0]["runs"][2]["recording"], 1);
     EXPECT_EQ(system["samples"].size(), 16U);
     EXPECT_EQ(system["missing"], Json::array());
@@ -149,7 +156,7 @@ TEST_F(Report, OfAReproductionFindsItsRecordings) {
   EXPECT_EQ(report["claims"][0]["text"], "Named rightly </script><b>");
   EXPECT_EQ(report["claims"][0]["share"], found["claims"][0]["share"]);
   EXPECT_EQ(report["claims"][0]["values"],
-            found["systems"][0]["protocols"][0]["metrics"]["accuracy"]["values"]);
+            found["parts"][0]["protocols"][0]["metrics"]["accuracy"]["values"]);
   EXPECT_EQ(report["curves"][0]["x"], "iterations");
   EXPECT_EQ(report["curves"][0]["lines"][0]["points"].size(), 3U);
   EXPECT_EQ(read("report.html").find("</script><b>"), std::string::npos);
@@ -171,19 +178,22 @@ TEST_F(Report, RefusesWhatCannotBe) {
     return more;
   };
   write("bad.json", read("out/results.json").substr(0, 400));
-  write("nan.json", "{\"version\": 3, \"study\": NaN}");
+  write("nan.json", "{\"version\": 4, \"parts\": NaN}");
   write("foreign.json", "{\"version\": 1, \"study\": \"a\"}");
+  write("old.json", R"({"version": 3, "study": "a", "systems": []})");
   write("junk.somato", "junk");
   expect_refused(2, {"report", "-o", "x"}, {"RESULTS is required"});
   expect_refused(2, {"report", "out/results.json"}, {"--output is required"});
   expect_refused(1, {"report", "none.json", "-o", "x"}, {"none.json"});
   expect_refused(1, {"report", "bad.json", "-o", "x"},
-                 {"bad.json", "ends too early", "give a results.json"});
+                 {"bad.json", "ends too early", "use a results.json"});
   expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "not valid JSON"});
-  expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "no results.json"});
+  expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "not a results.json"});
+  expect_refused(1, {"report", "old.json", "-o", "x"},
+                 {"old.json: 'version' is 3, but must be 4", "of this version again"});
   expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "not valid JSON"});
   expect_refused(2, {"report", "out/results.json", "./out/results.json", "-o", "x"}, {"twice"});
-  expect_refused(2, {"report", "out/results.json", "-o", "out/results.json"}, {"write over"});
+  expect_refused(2, {"report", "out/results.json", "-o", "out/results.json"}, {"overwrite"});
   expect_refused(1, {"report", "out/results.json", "-o", "no/where.html"}, {"no/where.html"});
   expect_refused(1, {"report", "out/results.json", "-o", "out"}, {"out"});
   expect_refused(1, with({"--model", "junk.somato"}), {"junk.somato"});
@@ -191,7 +201,7 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(1, with({"--data", "none"}), {"none"});
   expect_refused(
       2, {"report", "out/results.json", "--model", "out/system.somato", "-o", "out/system.somato"},
-      {"write over"});
+      {"overwrite"});
 }
 
 TEST_F(Report, IsSavedWhollyOrNotAtAll) {

@@ -30,7 +30,7 @@ TEST_F(ReproduceGiven, MayBeAFile) {
   ASSERT_EQ(json["recordings"].size(), 1U);
   EXPECT_EQ(json["recordings"][0]["name"], recordings_[2]);
   EXPECT_EQ(json["recordings"][0]["source"], "given");
-  EXPECT_EQ(json["systems"][0]["pairs"], Json::parse("[[0, 2011], [0, 2012], [0, 2013]]"));
+  EXPECT_EQ(json["parts"][0]["pairs"], Json::parse("[[0, 2011], [0, 2012], [0, 2013]]"));
   EXPECT_TRUE(files("given/recordings").empty());
 }
 
@@ -39,18 +39,20 @@ TEST_F(ReproduceGiven, MayBeAFolderOfFiles) {
   for (const char* folder : {"explored/recordings", "explored/recordings/"}) {
     const Json json =
         given("press.toml", folder, {"--test-data", "explored/recordings/" + recordings_[3]});
-    ASSERT_EQ(json["recordings"].size(), 3U);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(json["recordings"][i]["name"], recordings_[i]);
-    EXPECT_EQ(json["systems"][0]["pairs"], Json::parse("[[0, 2011], [1, 2012], [2, 2013]]"));
-    EXPECT_EQ(json["systems"][0]["protocols"][2]["protocol"], "test_data");
+    ASSERT_EQ(json["recordings"].size(), 4U);
+    EXPECT_EQ(json["parts"][0]["recordings"], Json::parse("[0, 1, 2]"));
+    EXPECT_EQ(json["parts"][0]["test_recordings"], Json::parse("[3, 3, 3]"));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(json["recordings"][i]["name"], recordings_[i]);
+    EXPECT_EQ(json["parts"][0]["pairs"], Json::parse("[[0, 2011], [1, 2012], [2, 2013]]"));
+    EXPECT_EQ(json["parts"][0]["protocols"][2]["protocol"], "test_data");
   }
 }
 
 TEST_F(ReproduceGiven, ThatDoesNotFitIsPassedOverForAllAndAnErrorWhenNamed) {
   const std::string data = "explored/recordings/" + recordings_[0];
   const Json json = given("all", data);
-  ASSERT_FALSE(json["systems"].empty());
-  for (const Json& one : json["systems"]) EXPECT_EQ(one["system"], "hardness");
+  ASSERT_FALSE(json["parts"].empty());
+  for (const Json& one : json["parts"]) EXPECT_EQ(one["system"], "hardness");
   EXPECT_GE(json["not_applicable"].size(), 8U);
   bool texture = false;
   for (const Json& one : json["not_applicable"]) {
@@ -75,7 +77,7 @@ TEST_F(ReproduceGiven, ThatCannotBeMeasuredAlikeIsAnError) {
   const ProgramRun done = run({"reproduce", "press.toml", "--data", "explored/recordings", "--out",
                                "given", "--pairs", "5"});
   EXPECT_EQ(done.exit_code, 1);
-  EXPECT_NE(done.err.find("do not let the same things be measured"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("do not permit the same measurements"), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(path("given/results.json")));
 }
 
@@ -115,13 +117,14 @@ TEST_F(ReproduceDataSets, MayBeOneOrAFolderOfThem) {
 TEST_F(ReproduceDataSets, AreNotForSystemsOfBodies) {
   const ProgramRun done = run(reproduce("hardness", "out", {"--data", "sets"}));
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_NE(done.err.find("this is run on recordings, and --data holds none; give --data a file"),
+  EXPECT_NE(done.err.find(
+                "the system needs recordings, and --data contains none; use --data with a file"),
             std::string::npos)
       << done.err;
   write("press.toml", press());
   // Nor can a system for data sets do without them.
   expect_refused(2, reproduce("joints.toml", "none"),
-                 {"joints.toml:1", "'joints' does not say what explores", "give --data"});
+                 {"joints.toml:1", "'joints' does not define an exploration", "use --data"});
 }
 
 }  // namespace

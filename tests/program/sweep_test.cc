@@ -16,7 +16,7 @@ class Sweep : public Reproduce {
     write("press.toml",
           press("press", iterations, "4") +
               "[variation.single]\nmodule.map.rows = 1\nmodule.map.columns = 1\n"
-              "[[claim]]\ntext = 'Five are named.'\nmetric = 'told_exactly'\nat_least = 5\n"
+              "[[claim]]\ntext = 'Five are named.'\nmetric = 'classes_separated'\nat_least = 5\n"
               "[[claim]]\ntext = 'One neuron names fewer.'\nvariation = 'single'\n"
               "than_system = 'press'\nmetric = 'accuracy'\nat_most = 0\n");
   }
@@ -72,8 +72,8 @@ TEST_F(Sweep, FindsWhatReproduceFinds) {
   const auto values_of = [&](const std::string& system, const std::string& out) {
     write(out + ".toml", system);
     output_of({"reproduce", out + ".toml", "--out", out, "--pairs", "2", "--recordings", "1"});
-    const Json results = Json::parse(read(out + "/results.json"))["systems"][0]["protocols"][0];
-    return results["metrics"]["told_exactly"]["values"];
+    const Json results = Json::parse(read(out + "/results.json"))["parts"][0]["protocols"][0];
+    return results["metrics"]["classes_separated"]["values"];
   };
   std::string system = read("press.toml");
   EXPECT_EQ(points[0]["claims"][0]["values"], values_of(system, "same"));
@@ -194,8 +194,8 @@ TEST_F(Sweep, TakesItsPartFromSlurmAndSaysSo) {
   EXPECT_TRUE(run(sweep("out"), task("2", "", "4")).out.starts_with("Part 2 of 4 "));
   EXPECT_TRUE(run(sweep("out", {"--part", "1/9"}), task("2", "", "4"))
                   .out.starts_with("Part 1 of 9 is done.\n"));
-  expect_refused(2, sweep("out"), {"SLURM_ARRAY_TASK_ID", "give --part K/N"}, task("7", "3", "4"));
-  expect_refused(2, sweep("out"), {"SLURM_ARRAY_TASK_ID", "give --part K/N"}, task("x", "3", "4"));
+  expect_refused(2, sweep("out"), {"SLURM_ARRAY_TASK_ID", "--part K/N"}, task("7", "3", "4"));
+  expect_refused(2, sweep("out"), {"SLURM_ARRAY_TASK_ID", "--part K/N"}, task("x", "3", "4"));
 }
 
 TEST_F(Sweep, RecordingsMayBeGiven) {
@@ -203,13 +203,13 @@ TEST_F(Sweep, RecordingsMayBeGiven) {
   write_sweep();
   output_of({"explore", "--body", "hardness", "--explorations", "2", "-o", "given.mcap"});
   expect_refused(2, sweep("out", {"--data", "given.mcap"}),
-                 {"over.toml:12", "force_noise", "changes nothing where --data is given"});
+                 {"over.toml:12", "force_noise", "has no effect with --data"});
   write("over.toml", "[sweep]\ndesign = 'one_at_a_time'\npairs = 2\n" +
                          kUnknowns.substr(0, kUnknowns.find("[unknown.noise]")));
   output_of(sweep("out", {"--data", "given.mcap"}));
   const Json json = Json::parse(read("out/sweep.json"));
   EXPECT_EQ(json["points"][0]["recordings"], Json::parse("[\"given.mcap\"]"));
-  // Another recording under the same name is run anew.
+  // Another recording with the same name is processed again.
   output_of(
       {"explore", "--body", "hardness", "--explorations", "2", "--seed", "9", "-o", "given.mcap"});
   output_of(sweep("out", {"--data", "given.mcap"}));
@@ -221,7 +221,7 @@ TEST_F(Sweep, RecordingsMayBeGiven) {
   EXPECT_EQ(files("out/parts/1-of-1").size(), 3U * 2 * 6);
 }
 
-TEST_F(Sweep, InterruptedGoesOnWithTheSameBytes) {
+TEST_F(Sweep, InterruptedResumesWithTheSameBytes) {
   write_system("4000");
   write_sweep();
   ProgramWorld world;
@@ -229,14 +229,15 @@ TEST_F(Sweep, InterruptedGoesOnWithTheSameBytes) {
   world.interrupt_at = " left";
   const ProgramRun done = run(sweep("out", {"--threads", "1"}), world);
   EXPECT_EQ(done.exit_code, 130);
-  EXPECT_NE(done.err.find("the same command goes on from there"), std::string::npos) << done.err;
+  // The signal may arrive in the study or while the next point's recording is explored.
+  EXPECT_NE(done.err.find("the same command resumes"), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(path("out/sweep.json")));
   output_of(sweep("out"));
   output_of(sweep("whole"));
   expect_same("out", "whole");
 }
 
-TEST_F(Sweep, WhatIsDamagedIsRunAnew) {
+TEST_F(Sweep, DamagedResultsAreComputedAgain) {
   write_system();
   write_sweep();
   output_of(sweep("out"));
@@ -270,11 +271,11 @@ TEST_F(Sweep, RefusesBeforeAnythingRuns) {
                      {over("e.toml", head), {"e.toml:3", "has no key"}},
                      {over("f.toml", head + "key = 'module.map.rows'\nvalues = ['a']\n"),
                       {"f.toml:3", "whole number"}},
-                     {sweep("out", {"--part", "0/7"}), {"--part", "is no part"}},
-                     {sweep("out", {"--part", "8/7"}), {"--part", "is no part"}},
-                     {sweep("out", {"--part", "3"}), {"--part", "is no part"}},
-                     {sweep("out", {"--part", "a/b"}), {"--part", "is no part"}},
-                     {{"sweep", "choices", "--over", "over.toml"}, {"not of a question"}}});
+                     {sweep("out", {"--part", "0/7"}), {"--part", "is not a part"}},
+                     {sweep("out", {"--part", "8/7"}), {"--part", "is not a part"}},
+                     {sweep("out", {"--part", "3"}), {"--part", "is not a part"}},
+                     {sweep("out", {"--part", "a/b"}), {"--part", "is not a part"}},
+                     {{"sweep", "choices", "--over", "over.toml"}, {"not a question"}}});
 }
 
 TEST_F(Sweep, TheSamePartTwiceAtOnceIsRefused) {
@@ -286,7 +287,7 @@ TEST_F(Sweep, TheSamePartTwiceAtOnceIsRefused) {
   world.before_interrupt = [&](const std::string&) {
     const ProgramRun second = run(sweep("out", {"--part", "2/3"}));
     EXPECT_EQ(second.exit_code, 1);
-    EXPECT_NE(second.err.find("another run of somato works in this folder"), std::string::npos);
+    EXPECT_NE(second.err.find("another somato process is using this folder"), std::string::npos);
     EXPECT_EQ(run(sweep("out", {"--part", "1/9"})).exit_code, 0);
   };
   EXPECT_EQ(run(sweep("out", {"--part", "2/3", "--threads", "1"}), world).exit_code, 130);

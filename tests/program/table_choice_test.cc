@@ -79,7 +79,7 @@ TEST_F(TableChoice, ColumnsWithoutNamesAreChosenByNumber) {
   const ProgramRun mapped = run({"som", "map", "x.map", "bare.npy", "--columns-to-use", "2..3"});
   EXPECT_EQ(mapped.out, output_of({"som", "map", "x.map", "rows.csv"}));
   EXPECT_EQ(mapped.err, "somato: bare.npy: left out 1\n");
-  expect_refused(1, {"som", "map", "x.map", "bare.npy"}, {"3 numbers", "--columns-to-use"});
+  expect_refused(1, {"som", "map", "x.map", "bare.npy"}, {"3 columns", "--columns-to-use"});
 }
 
 TEST_F(TableChoice, NumberedNamesAreListedInShort) {
@@ -113,9 +113,9 @@ TEST_F(TableChoice, ATrainedMapPicksItsColumnsByName) {
   write("short.csv", "mass,lenght\n1,2\n3,4\n");
   for (const Words& command : {Words{"map"}, {"quality"}, {"plot", "-o", "c.svg"}}) {
     expect_refused(1, with(with({"som"}, command), {"x.map", "short.csv"}),
-                   {"short.csv: column 'length' is needed", "did you mean 'lenght'?"});
+                   {"short.csv: column 'length' is required", "did you mean 'lenght'?"});
     expect_refused(1, with(with({"som"}, command), {"x.map", "cut.csv", "--skip", "mass"}),
-                   {"column 'mass' is needed, but is left out"});
+                   {"column 'mass' is required, but is left out"});
   }
 }
 
@@ -126,11 +126,12 @@ TEST_F(TableChoice, IsRefusedWhereItIsWrong) {
   expect_refused(
       2, {{train({"--skip", "sliped"}), {"wide.csv: there is no column 'sliped'", "'slipped'?"}},
           {train({"--columns-to-use", "mas"}), {"no column 'mas'", "did you mean 'mass'?"}},
-          {train(skip_all), {"no column of numbers left"}},
-          {train({"--skip", "fruit", "--label-column", "fruit"}), {"holds the labels"}},
-          {train({"--columns-to-use", "mass,id", "--skip", "id"}), {"'id' is both to be used"}},
+          {train(skip_all), {"no numeric column is left"}},
+          {train({"--skip", "fruit", "--label-column", "fruit"}), {"contains the labels"}},
+          {train({"--columns-to-use", "mass,id", "--skip", "id"}),
+           {"'id' is both selected and skipped"}},
           {train({"--skip", "mass,,id"}), {"--skip: a name is empty"}},
-          {train({"--skip", "2"}), {"choose them by name"}},
+          {train({"--skip", "2"}), {"select them by name"}},
           {train({"--missing", "men"}), {"--missing: ", "'men'", "did you mean 'mean'?"}},
           {train({"--decimal", ","}), {"--decimal: must be point or comma"}},
           {train({"--decimal", "comma"}), {"wide.csv:1: commas separate the fields"}}});
@@ -173,7 +174,7 @@ TEST_F(TableChoice, DecimalCommasAreReadWhenTheyAreAnnounced) {
     expect_refused(1, with(training({"comma.csv"}), memory),
                    {"comma.csv:2:1: '1,5' is not a number", "--decimal comma"});
     expect_refused(1, with(training({"quoted.csv"}), memory),
-                   {"quoted.csv:2:1: '1,000' is not a number", "thousands without a mark"});
+                   {"quoted.csv:2:1: '1,000' is not a number", "thousands without a separator"});
     expect_refused(1, with(training({"thousands.csv", "--decimal", "comma"}), memory),
                    {"thousands.csv:2:1: '1.000,5' is not a number", "without a point"});
   }

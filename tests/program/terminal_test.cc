@@ -88,12 +88,12 @@ class TerminalStudy : public Terminal {
     EXPECT_EQ(done.out, "");
     EXPECT_NE(done.err.find("somato: the study was stopped before its end"), std::string::npos)
         << done.err;
-    EXPECT_NE(done.err.find("the same command goes on from there"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("the same command resumes it"), std::string::npos) << done.err;
     return done;
   }
 };
 
-TEST_F(TerminalStudy, AnInterruptKeepsWhatIsDoneAndTheSameCommandGoesOn) {
+TEST_F(TerminalStudy, AnInterruptKeepsCompletedWorkAndTheSameCommandResumes) {
   write_study("10", "20000");
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out", "--threads", "1"};
   interrupted(words);
@@ -115,13 +115,13 @@ TEST_F(TerminalStudy, AnotherStudyDoesNotGoOnWithIt) {
   interrupted(words);
   write_study("100000", "401");
   expect_refused(2, words,
-                 {"out/unfinished.journal: ", "other settings or data", "give another --out"});
+                 {"out/unfinished.journal: ", "other settings or data", "use another --out"});
   std::string damaged = read("out/unfinished.journal");
-  damaged[20] ^= 1;  // of the line that tells what it is
+  damaged[20] ^= 1;  // of the line that identifies the file
   write("out/unfinished.journal", damaged);
   write_study("100000", "400");
   expect_refused(1, words,
-                 {"out/unfinished.journal: ", "damaged", "remove it to begin the study anew"});
+                 {"out/unfinished.journal: ", "damaged", "remove it to restart the study"});
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "program/program_test.h"
+#include "somato/recording/recording_file.h"
 #include "support/http_client.h"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace somato {
@@ -19,14 +22,16 @@ class View : public ProgramTest {
 TEST_F(View, RefusesWhatItCannotShow) {
   write("nothing.mcap", "nothing");
   expect_refused(
-      2, {{{"view"}, {"name a recording to play, or a body"}},
+      2, {{{"view"}, {"a recording or a body"}},
           {{"view", "a.mcap", "--body", "lucs9"}, {"lucs9"}},
           {{"view", "--body", "lucs4"}, {"lucs4", "did you mean", "lucs"}},
           {{"view", "--body", "probes"}, {"only one body"}},
           {{"view", "--body", "lucs2", "--object", "boul"}, {"boul", "did you mean 'boule'"}},
-          {{"view", "a.mcap", "--object", "boule"}, {"--object", "a recording holds"}},
+          {{"view", "a.mcap", "--object", "boule"}, {"--object", "objects of a recording"}},
+          {{"view", "a.mcap", "-o", "b.mcap"}, {"--output", "recorded again"}},
+          {{"view", "nothing.mcap", "--body", "lucs2", "-o", "nothing.mcap"}, {"nothing.mcap"}},
           {{"view", "a.mcap", "--port", "65536"}, {"--port", "65535"}},
-          {{"view", "a.mcap", "--address", "0.0.0.0"}, {"--address", "one address alone"}},
+          {{"view", "a.mcap", "--address", "0.0.0.0"}, {"--address", "a single address"}},
           {{"view", "a.mcap", "--address", "192.168.7.7"}, {"--address", "--allow-others"}}});
   expect_refused(1, {{{"view", "missing.mcap"}, {"missing.mcap"}},
                      {{"view", "nothing.mcap"}, {"nothing.mcap"}}});
@@ -58,7 +63,7 @@ TEST_F(View, PrintsWhereItIsServesItsPagesAndEndsPolitely) {
   record();
   ProgramWorld world;
   world.before_interrupt = expect_pages;
-  world.interrupt_at = "Ctrl-C ends the view.";
+  world.interrupt_at = "Press Ctrl-C to close the view.";
   for (const Words& words : {Words{"view", "pressed.mcap"}, Words{"view", "--body", "texture"}}) {
     const ProgramRun done = run(words, world);
     if (done.exit_code == 2 && done.err.find("without its pages") != std::string::npos) {
@@ -70,6 +75,55 @@ TEST_F(View, PrintsWhereItIsServesItsPagesAndEndsPolitely) {
     EXPECT_NE(done.out.find("/?token="), std::string::npos);
     EXPECT_TRUE(done.out.ends_with("The view is closed.\n")) << done.out;
   }
+}
+
+// Of the same address.
+std::string token_in(const std::string& out) {
+  const std::string before = "?token=";
+  const std::size_t begin = out.find(before) + before.size();
+  return out.substr(begin, out.find('\n', begin) - begin);
+}
+
+void expect_done(const std::string& out, const std::string& command) {
+  const std::uint16_t port = port_in(out);
+  const std::string answer = testing::ask(
+      port, testing::post_request(port, "/api/command?token=" + token_in(out), command));
+  EXPECT_EQ(testing::status_of(answer), 200) << answer;
+}
+
+// Has the body explore, fast, and waits until it has.
+void explore_once(const std::string& out) {
+  const std::uint16_t port = port_in(out);
+  expect_done(out, R"({"command":"speed","speed":100})");
+  expect_done(out, R"({"command":"explore"})");
+  const std::string state = testing::get_request(port, "/api/state?token=" + token_in(out));
+  for (int i = 0; i < 3000; ++i) {
+    if (testing::ask(port, state).find(R"({"index":0)") != std::string::npos) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ADD_FAILURE() << "the body does not explore";
+}
+
+// The same writer as that of `somato explore`, and the same exploration.
+TEST_F(View, SavesWhatABodyExplores) {
+  record();
+  ProgramWorld world;
+  world.interrupt_at = "Press Ctrl-C to close the view.";
+  const Words words{"view", "--body", "hardness", "-o", "live.mcap"};
+  const ProgramRun nothing = run(words, world);
+  if (nothing.err.find("without its pages") != std::string::npos) {
+    GTEST_SKIP() << "the program was built without npm";
+  }
+  EXPECT_NE(nothing.out.find("live.mcap: not written"), std::string::npos) << nothing.out;
+  EXPECT_FALSE(read_recording(path("live.mcap")));
+  world.before_interrupt = explore_once;
+  const ProgramRun done = run(words, world);
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("live.mcap: 1 exploration\n"), std::string::npos) << done.out;
+  const auto live = read_recording(path("live.mcap"));
+  ASSERT_TRUE(live);
+  ASSERT_EQ(live->explorations.size(), 1U);
+  EXPECT_EQ(live->explorations[0], read_recording(path("pressed.mcap"))->explorations[0]);
 }
 
 TEST_F(View, RefusesObjectsThatItCannotRead) {

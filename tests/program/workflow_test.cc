@@ -330,7 +330,7 @@ TEST_F(Workflow, ColumnsAreFoundByTheNamesThatTheMapLearned) {
     EXPECT_EQ(output_of({"som", command, "a.map", "ba.csv"}),
               output_of({"som", command, "a.map", "ab.csv"}));
     expect_refused(1, {"som", command, "a.map", "ac.csv"},
-                   {"ac.csv: ", "column 'b' is needed, but is not there"});
+                   {"ac.csv: ", "column 'b' is required, but is missing"});
   }
 }
 
@@ -358,7 +358,7 @@ TEST_F(Workflow, AHeaderOfNumbersCanBeNamedAsOne) {
             std::string::npos);
 }
 
-TEST_F(Workflow, PlotDrawsThePanelsAskedFor) {
+TEST_F(Workflow, PlotDrawsTheRequestedPanels) {
   train();
   const auto drawn = [&](const Words& flags) {
     output_of(with({"som", "plot", "good.map", "data.csv", "-o", "p.svg"}, flags));

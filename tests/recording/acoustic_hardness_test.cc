@@ -1,4 +1,4 @@
-#include "somato/recording/acoustic_hardness.h"
+#include "recording/acoustic_hardness.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class ImportAcousticHardness : public testing::Test {
     const auto recording = import();
     if (recording) return "none";
     EXPECT_EQ(recording.error().kind, ErrorKind::kData);
-    EXPECT_EQ(recording.error().advice, "repair the file or take it out");
+    EXPECT_EQ(recording.error().advice, "repair or remove the file");
     return recording.error().where.substr(folder_.path().size() + 1) + ": " +
            recording.error().what;
   }
@@ -71,7 +71,7 @@ TEST_F(ImportAcousticHardness, ReadsSoundAndLabels) {
                          {sound}}));
 }
 
-TEST_F(ImportAcousticHardness, TellsHowTheMarbleWasReleased) {
+TEST_F(ImportAcousticHardness, LabelsHowTheMarbleWasReleased) {
   Json impact = impact_of("1");
   for (const auto& [comment, release] :
        {std::pair("manual", "manual"), {"", "device"}, {"by foot", "by foot"}}) {
@@ -142,7 +142,7 @@ TEST_F(ImportAcousticHardness, RefusesSamplesThatAreNone) {
       {-32769, "-32769"}, {1e30, "1e+30"}, {true, "true"}};
   for (const auto& [value, text] : samples) {
     EXPECT_EQ(error_with("/audio/values/2", value),
-              fmt::format("1.json:/audio/values/2: '{}' is no whole number of 16 bits", text));
+              fmt::format("1.json:/audio/values/2: '{}' is not a 16-bit integer", text));
   }
   EXPECT_EQ(error_with("/audio/values", Json::array()),
             "1.json:/audio/values: a list of samples is missing");
@@ -157,9 +157,9 @@ TEST_F(ImportAcousticHardness, RefusesAWrongCount) {
 
 TEST_F(ImportAcousticHardness, RefusesASamplingRateThatIsNone) {
   EXPECT_EQ(error_with("/audio/sample_rate", 0),
-            "1.json:/audio/sample_rate: 0 Hz is no sampling rate");
+            "1.json:/audio/sample_rate: 0 Hz is not a valid sampling rate");
   EXPECT_EQ(error_with("/audio/sample_rate", -8000),
-            "1.json:/audio/sample_rate: -8000 Hz is no sampling rate");
+            "1.json:/audio/sample_rate: -8000 Hz is not a valid sampling rate");
 }
 
 TEST_F(ImportAcousticHardness, RefusesWhatIsNoImpact) {
@@ -167,7 +167,7 @@ TEST_F(ImportAcousticHardness, RefusesWhatIsNoImpact) {
   EXPECT_EQ(error_for("3"), "1.json:/metadata/sample_id: a text is missing");
   EXPECT_EQ(error_for(""), "1.json:1:1: not valid JSON: it ends too early");
   EXPECT_EQ(error_for("{\n  \"a\": ]"), "1.json:2:8: not valid JSON");
-  EXPECT_EQ(error_for(R"({"a": 1e999})"), "1.json: a number is larger than any that can be read");
+  EXPECT_EQ(error_for(R"({"a": 1e999})"), "1.json: a number is out of range");
 }
 
 TEST_F(ImportAcousticHardness, RefusesTextThatIsNotUtf8) {
@@ -175,12 +175,12 @@ TEST_F(ImportAcousticHardness, RefusesTextThatIsNotUtf8) {
   const auto recording = import();
   ASSERT_FALSE(recording);
   EXPECT_EQ(recording.error().where, folder_.file("1.json") + ":2");
-  EXPECT_EQ(recording.error().what, "byte 0xFF is no UTF-8 text");
+  EXPECT_EQ(recording.error().what, "byte 0xFF is not UTF-8 text");
 }
 
 TEST_F(ImportAcousticHardness, RefusesNestingWithoutEnd) {
   EXPECT_EQ(error_for(std::string(1000000, '[')),
-            "1.json:1:17: the JSON is nested more than 16 deep");
+            "1.json:1:17: the JSON has more than 16 levels of nesting");
   Json impact = impact_of("1");
   impact["metadata"]["material"] = "\" [[[[[[[[[[[[[[[[[[[[ \\";
   EXPECT_EQ(read(impact).labels[1].value, "\" [[[[[[[[[[[[[[[[[[[[ \\");
@@ -216,7 +216,7 @@ TEST_F(ImportAcousticHardness, RefusesTheSameSampleTwice) {
   ASSERT_FALSE(recording);
   EXPECT_EQ(to_string(recording.error()), folder_.file("2.json") +
                                               ": the file has the same sample_id as " +
-                                              folder_.file("1.json") + "; take one of them out");
+                                              folder_.file("1.json") + "; remove one of them");
 }
 
 TEST_F(ImportAcousticHardness, RefusesAnEmptyOrMissingFolder) {

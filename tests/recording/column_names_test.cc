@@ -9,6 +9,8 @@
 namespace somato {
 namespace {
 
+using Names = std::vector<std::string>;
+
 TEST(FitsColumnPattern, TakesAStarForAnyText) {
   for (const char* name : {"tax_", "tax_1", "tax_a_b", "tax_*"}) {
     EXPECT_TRUE(fits_column_pattern("tax_*", name)) << name;
@@ -58,6 +60,30 @@ TEST(FitsColumnPattern, FitsWhatTryingEveryTextFits) {
 TEST(IsColumnPattern, LooksForAStar) {
   EXPECT_TRUE(is_column_pattern("a*"));
   EXPECT_FALSE(is_column_pattern("a1..a2"));
+}
+
+TEST(ExpandColumns, CountsRangesUp) {
+  EXPECT_EQ(expand_columns({"a", "b1..b3", "c"}), (Names{"a", "b1", "b2", "b3", "c"}));
+  EXPECT_EQ(expand_columns({"b8..b11"}), (Names{"b8", "b9", "b10", "b11"}));
+  EXPECT_EQ(expand_columns({"b08..b11"}), (Names{"b08", "b09", "b10", "b11"}));
+  EXPECT_EQ(expand_columns({"2..4"}), (Names{"2", "3", "4"}));
+  EXPECT_EQ(expand_columns({"x1y7..x1y7"}), (Names{"x1y7"}));
+  EXPECT_EQ(expand_columns({"a*", "*..*"}), (Names{"a*", "*..*"}));
+  EXPECT_EQ(expand_columns({}), Names{});
+}
+
+TEST(ExpandColumns, RefusesWhatIsNoRange) {
+  for (const char* range : {"..", "a..b", "a1..", "..a1", "a1..b2", "a2..a1", "a1..a2..a3",
+                            "a1..a99999999999999999999", "1a..2a"}) {
+    const auto columns = expand_columns({range});
+    ASSERT_FALSE(columns) << range;
+    EXPECT_EQ(columns.error().what, "'" + std::string(range) + "' is not a range of columns");
+  }
+  EXPECT_EQ(expand_columns({"a1..a100000"})->size(), 100000U);
+  EXPECT_EQ(expand_columns({"a0..a100000"}).error().what,
+            "'a0..a100000' gives more than 100000 columns");
+  EXPECT_EQ(expand_columns({"a1..a100000", "b1..b2"}).error().what,
+            "'b1..b2' gives more than 100000 columns");
 }
 
 }  // namespace

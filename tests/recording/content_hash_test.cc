@@ -1,4 +1,4 @@
-#include "somato/recording/content_hash.h"
+#include "recording/content_hash.h"
 
 #include <gtest/gtest.h>
 

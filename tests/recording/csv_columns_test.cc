@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "somato/recording/csv_trials.h"
+#include "somato/recording/csv_import.h"
 #include "support/csv_channel.h"
 #include "support/temporary_folder.h"
 
@@ -57,7 +57,7 @@ TEST_F(FindCsvColumns, TakesAColumnOnceInAChannel) {
 TEST_F(FindCsvColumns, RefusesAColumnThatTwoChannelsTake) {
   plan_.channels = {channel_of("touch", {"*1"}), channel_of("force", {"a*"})};
   EXPECT_EQ(refusal({"a2", "a1"}),
-            "patterns of the channels 'touch' and 'force' both take column 'a1'; name the column "
+            "patterns of the channels 'touch' and 'force' both match column 'a1'; name the column "
             "in one of them, or narrow a pattern");
   plan_.channels[0].columns = {"a1"};
   EXPECT_EQ(find({"a2", "a1"})->channels, (std::vector<Names>{{"a1"}, {"a2"}}));
@@ -65,10 +65,10 @@ TEST_F(FindCsvColumns, RefusesAColumnThatTwoChannelsTake) {
 
 TEST_F(FindCsvColumns, RefusesAPatternThatTakesNothing) {
   plan_.channels = {channel_of("touch", {"taxl*"})};
-  EXPECT_EQ(refusal({"t", "taxel"}), "no column fits 'taxl*'; did you mean 'taxel'?");
+  EXPECT_EQ(refusal({"t", "taxel"}), "no column matches 'taxl*'; did you mean 'taxel'?");
   plan_.trials.ignore = {"taxl1", "taxl2"};
   EXPECT_EQ(refusal({"taxl1", "taxl2"}),
-            "all columns that fit 'taxl*' are ignored or taken already; leave the pattern out, or "
+            "all columns that match 'taxl*' are ignored or already used; leave the pattern out, or "
             "correct it");
 }
 
@@ -114,10 +114,10 @@ TEST_F(ImportByPattern, BringsColumnsIntoTheOrderOfTheFirstFile) {
 TEST_F(ImportByPattern, RefusesOtherColumnsThanInTheFirstFile) {
   const std::string first = folder_.file("1.csv");
   folder_.with("2.csv", "x1,x2,x3\n1,2,3\n");
-  EXPECT_EQ(refusal(), "/2.csv: a pattern takes column 'x3' here, but not in " + first +
+  EXPECT_EQ(refusal(), "/2.csv: a pattern matches column 'x3' here, but not in " + first +
                            "; name the column, ignore it, or import the files separately");
   folder_.with("2.csv", "x1\n1\n");
-  EXPECT_EQ(refusal(), "/2.csv: a pattern takes column 'x2' in " + first +
+  EXPECT_EQ(refusal(), "/2.csv: a pattern matches column 'x2' in " + first +
                            ", but not here; name the column, ignore it, or import the files "
                            "separately");
 }
@@ -125,7 +125,7 @@ TEST_F(ImportByPattern, RefusesOtherColumnsThanInTheFirstFile) {
 TEST_F(ImportByPattern, NamesThePlaceOfAPatternWithoutColumns) {
   plan_.trials.other_columns = Unmentioned::kIgnore;
   folder_.with("2.csv", "# made by hand\nX1,y2\n1,2\n");
-  EXPECT_EQ(refusal(), "/2.csv:2: no column fits 'x*'; did you mean 'X1'?");
+  EXPECT_EQ(refusal(), "/2.csv:2: no column matches 'x*'; did you mean 'X1'?");
 }
 
 TEST_F(ImportByPattern, RefusesAnIgnoredColumnThatIsInNoFile) {
@@ -135,7 +135,7 @@ TEST_F(ImportByPattern, RefusesAnIgnoredColumnThatIsInNoFile) {
   for (const char* entry : {"x02", "x02*"}) {
     plan_.trials.ignore = {"aux", entry};
     EXPECT_EQ(refusal(),
-              std::string(": 'ignore': no column fits '") + entry + "'; did you mean 'x2'?");
+              std::string(": 'ignore': no column matches '") + entry + "'; did you mean 'x2'?");
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -107,26 +107,25 @@ TEST(ReadCsvImport, NamesFileAndLineOfWhatIsUnknown) {
 
 TEST(ReadCsvImport, RefusesTablesOfAnotherKind) {
   EXPECT_EQ(refusal(kImport + "[channel]\n"),
-            "import.toml:3: 'channel' must be a list of tables; write [[channel]] on a line of its "
-            "own, its keys below");
+            "import.toml:3: 'channel' must be a list of tables; write [[channel]] on a separate "
+            "line, followed by its keys");
   EXPECT_EQ(refusal("import = 1\n" + kTouch),
-            "import.toml:1: 'import' must be a table; write [import] on a line of its own, its "
-            "keys below");
+            "import.toml:1: 'import' must be a table; write [import] on a separate line, "
+            "followed by its keys");
 }
 
 TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
-  EXPECT_EQ(
-      refusal(kTouch),
-      "import.toml:1: 'files' is missing; write files = \"{object}_{trial:number}.csv\" or the "
-      "like");
+  EXPECT_EQ(refusal(kTouch),
+            "import.toml:1: 'files' is missing; write for example files = "
+            "\"{object}_{trial:number}.csv\"");
   EXPECT_EQ(refusal(kImport),
             "import.toml:1: there are no channels; add [[channel]] with name, "
             "unit and columns");
   EXPECT_EQ(refusal("[import]\nfiles = \"all.csv\"\n" + kTouch),
-            "import.toml:1: 'files': the pattern has no labels; write such as "
+            "import.toml:1: 'files': the pattern has no labels; write for example "
             "\"{object}_{trial:number}.csv\"");
   EXPECT_EQ(refusal(kImport + "time = \"t\"\nrate = 5\n" + kTouch),
-            "import.toml:1: there are both 'time' and 'rate'; keep the one that tells the truth");
+            "import.toml:1: there are both 'time' and 'rate'; keep the correct one");
   EXPECT_EQ(refusal(kImport + kTouch + "from_label = \"a\"\n"),
             "import.toml:3: channel 'touch' has both columns and a label; write columns = [...] or "
             "from_label = \"...\"");
@@ -146,24 +145,24 @@ TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(refusal(kImport + "[[channel]]\nname = \"x\"\ncolumns = \"\"\n"),
             "import.toml:3: a column has no name; name it, or leave it out");
   EXPECT_EQ(refusal(kImport + "ignore = \"a..b\"\n" + kTouch),
-            "import.toml:1: 'ignore': 'a..b' is no range of columns; write such as "
+            "import.toml:1: 'ignore': 'a..b' is not a range of columns; write for example "
             "\"taxel1..taxel16\"");
 }
 
 TEST(ReadCsvImport, RefusesWindowsThatAreNone) {
   EXPECT_EQ(refusal(kImport + "window = 0\n" + kTouch),
             "import.toml:3: 'window' must be a whole number, at least 1, not 0; \"automatic\" is "
-            "possible too");
+            "also accepted");
   EXPECT_EQ(refusal(kImport + "window = 500.5\n" + kTouch),
             "import.toml:3: 'window' must be a whole number, at least 1, not 500.5; \"automatic\" "
-            "is possible too");
+            "is also accepted");
   for (const char* overlap : {"3", "4"}) {
     EXPECT_EQ(refusal(kImport + "window = 3\noverlap = " + overlap + "\n" + kTouch),
               std::string("import.toml:1: 'overlap' is ") + overlap +
-                  ", which is not below 'window', 3; windows must begin at least a row apart");
+                  ", which is not below 'window', 3; windows must begin at least one row apart");
   }
   EXPECT_EQ(refusal(kImport + "overlap = 2\n" + kTouch),
-            "import.toml:1: there is 'overlap', but no 'window'; write window = 500 or the like");
+            "import.toml:1: there is 'overlap', but no 'window'; write for example window = 500");
   EXPECT_EQ(refusal(kImport + "window = 3\noverlap = -1\n" + kTouch),
             "import.toml:4: 'overlap' must be a whole number, at least 0, not -1");
 }
@@ -173,7 +172,7 @@ TEST(ReadCsvImport, RefusesWhatHasNoEffectOnExplorationsOfOneRow) {
     const std::string name(key, std::string(key).find(' '));
     EXPECT_EQ(refusal(kImport + "rows = \"explorations\"\n" + key + "\n" + kTouch),
               "import.toml:1: '" + name +
-                  "' has no effect where rows = \"explorations\"; leave one of them out");
+                  "' has no effect with rows = \"explorations\"; leave one of them out");
   }
 }
 
@@ -183,9 +182,9 @@ TEST(ReadCsvImport, RefusesTwoLabelsOfOneName) {
   EXPECT_EQ(refusal(kImport + "labels = [\"c\", \"c\"]\n" + kTouch),
             "import.toml:1: there are two labels 'c'; rename or remove one of them");
   EXPECT_EQ(refusal(kImport + "labels = \"window\"\nwindow = 3\n" + kTouch),
-            "import.toml:1: the label 'window' is made of the windows or rows; rename yours");
+            "import.toml:1: the label 'window' is generated from the windows or rows; rename it");
   EXPECT_EQ(refusal("[import]\nfiles = \"{file}.csv\"\nrows = \"explorations\"\n" + kTouch),
-            "import.toml:1: the label 'file' is made of the windows or rows; rename yours");
+            "import.toml:1: the label 'file' is generated from the windows or rows; rename it");
   EXPECT_TRUE(read(kImport + "labels = \"window\"\n" + kTouch));
 }
 
@@ -193,12 +192,12 @@ TEST(ReadCsvImport, RefusesALabelWithoutColumnAndOneThatIsAChannel) {
   EXPECT_EQ(refusal(kImport + "labels = \"\"\n" + kTouch),
             "import.toml:1: 'labels': a column has no name; name it, or leave it out");
   EXPECT_EQ(refusal(kImport + "labels = \"t3\"\n" + kTouch),
-            "import.toml:4: column 't3' is used twice; make the channel of the label: from_label = "
+            "import.toml:4: column 't3' is used twice; use the label for the channel: from_label = "
             "\"t3\"");
   EXPECT_EQ(refusal(kImport + "labels = \"t\"\ntime = \"t\"\n" + kTouch),
             "import.toml:1: column 't' is used twice; name each column once");
   EXPECT_EQ(refusal(kImport + "labels = \"t\"\nignore = \"t\"\n" + kTouch),
-            "import.toml:1: column 't' is both used and ignored; decide");
+            "import.toml:1: column 't' is both used and ignored; remove one of them");
 }
 
 TEST(ReadCsvImport, NeedsNoPatternWhereLabelsComeFromElsewhere) {
@@ -216,9 +215,9 @@ TEST(ReadCsvImport, LeavesTheShapeOfAPatternToTheFiles) {
 
 TEST(ReadCsvImport, RefusesAColumnThatIsUsedAndIgnored) {
   EXPECT_EQ(refusal(kImport + "ignore = \"t4..t5\"\n" + kTouch),
-            "import.toml:1: column 't4' is both used and ignored; decide");
+            "import.toml:1: column 't4' is both used and ignored; remove one of them");
   EXPECT_EQ(refusal(kImport + "time = \"t\"\nignore = \"t\"\n" + kTouch),
-            "import.toml:1: column 't' is both used and ignored; decide");
+            "import.toml:1: column 't' is both used and ignored; remove one of them");
 }
 
 TEST(ReadCsvImport, RefusesAShapeThatIsNotFilled) {
@@ -241,31 +240,7 @@ TEST(CheckCsvImport, NamesThePart) {
   EXPECT_EQ(check_csv_import(description).error().where, "[[channel]] 2");
   description.trials.rate = std::nan("");
   EXPECT_EQ(to_string(check_csv_import(description).error()),
-            "[import]: the rate is nan Hz; give a rate above 0, or none");
-}
-
-TEST(ExpandColumns, CountsRangesUp) {
-  EXPECT_EQ(expand_columns({"a", "b1..b3", "c"}), (Names{"a", "b1", "b2", "b3", "c"}));
-  EXPECT_EQ(expand_columns({"b8..b11"}), (Names{"b8", "b9", "b10", "b11"}));
-  EXPECT_EQ(expand_columns({"b08..b11"}), (Names{"b08", "b09", "b10", "b11"}));
-  EXPECT_EQ(expand_columns({"2..4"}), (Names{"2", "3", "4"}));
-  EXPECT_EQ(expand_columns({"x1y7..x1y7"}), (Names{"x1y7"}));
-  EXPECT_EQ(expand_columns({"a*", "*..*"}), (Names{"a*", "*..*"}));
-  EXPECT_EQ(expand_columns({}), Names{});
-}
-
-TEST(ExpandColumns, RefusesWhatIsNoRange) {
-  for (const char* range : {"..", "a..b", "a1..", "..a1", "a1..b2", "a2..a1", "a1..a2..a3",
-                            "a1..a99999999999999999999", "1a..2a"}) {
-    const auto columns = expand_columns({range});
-    ASSERT_FALSE(columns) << range;
-    EXPECT_EQ(columns.error().what, "'" + std::string(range) + "' is no range of columns");
-  }
-  EXPECT_EQ(expand_columns({"a1..a100000"})->size(), 100000U);
-  EXPECT_EQ(expand_columns({"a0..a100000"}).error().what,
-            "'a0..a100000' makes more than 100000 columns");
-  EXPECT_EQ(expand_columns({"a1..a100000", "b1..b2"}).error().what,
-            "'b1..b2' makes more than 100000 columns");
+            "[import]: the rate is nan Hz; use a rate above 0, or none");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "somato/core/random.h"
-#include "somato/recording/csv_trials.h"
+#include "somato/recording/csv_import.h"
 #include "support/csv_channel.h"
 #include "support/temporary_folder.h"
 
@@ -36,7 +36,7 @@ class ImportWindows : public ::testing::Test {
   }
 
   // "labels: values of the channel x" of each exploration.
-  Names told() {
+  Names imported() {
     const auto recording = import();
     if (!recording) return {to_string(recording.error())};
     EXPECT_TRUE(validate(*recording));
@@ -67,7 +67,7 @@ TEST_F(ImportWindows, CutsFilesAndCountsWhatIsLeft) {
   count("a.csv", 8);
   count("b.csv", 3);
   count("c.csv", 2);
-  EXPECT_EQ(told(), (Names{"a a.csv 1 012", "a a.csv 2 345", "b b.csv 1 012"}));
+  EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 345", "b b.csv 1 012"}));
   EXPECT_EQ(left_out_.rows, 4U);
   EXPECT_EQ(left_out_.files, 1U);
   EXPECT_EQ(import()->explorations[1].source, folder_.file("a.csv"));
@@ -78,11 +78,11 @@ TEST_F(ImportWindows, CutsFilesAndCountsWhatIsLeft) {
 TEST_F(ImportWindows, Overlap) {
   count("a.csv", 8);
   plan_.trials.overlap = 2;
-  EXPECT_EQ(told(), (Names{"a a.csv 1 012", "a a.csv 2 123", "a a.csv 3 234", "a a.csv 4 345",
-                           "a a.csv 5 456", "a a.csv 6 567"}));
+  EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 123", "a a.csv 3 234", "a a.csv 4 345",
+                               "a a.csv 5 456", "a a.csv 6 567"}));
   EXPECT_EQ(left_out_.rows, 0U);
   plan_.trials.overlap = 1;
-  EXPECT_EQ(told(), (Names{"a a.csv 1 012", "a a.csv 2 234", "a a.csv 3 456"}));
+  EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 234", "a a.csv 3 456"}));
   EXPECT_EQ(left_out_.rows, 1U);
 }
 
@@ -91,7 +91,7 @@ TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {
   folder_.with("a.csv",
                "x,what,day\n0,up,1\n1,up,1\n2,up,1\n3,up,1\n4,down,1\n5,down,2\n6,down,2\n"
                "7,down,2\n8,up,2\n");
-  EXPECT_EQ(told(), (Names{"a up 1 a.csv 1 012", "a down 2 a.csv 2 567"}));
+  EXPECT_EQ(imported(), (Names{"a up 1 a.csv 1 012", "a down 2 a.csv 2 567"}));
   EXPECT_EQ(left_out_.rows, 3U);
   EXPECT_EQ(import()->explorations[0].labels,
             (std::vector<Label>{
@@ -129,7 +129,7 @@ TEST_F(ImportWindows, TellFilesOfSeveralFoldersApart) {
   std::filesystem::create_directories(folder_.file("2"));
   count("1/a.csv", 3);
   count("2/a.csv", 3);
-  EXPECT_EQ(told(), (Names{"1 a 1/a.csv 1 012", "2 a 2/a.csv 1 012"}));
+  EXPECT_EQ(imported(), (Names{"1 a 1/a.csv 1 012", "2 a 2/a.csv 1 012"}));
 }
 
 TEST_F(ImportWindows, RefuseToBeLongerThanEveryFile) {
@@ -154,8 +154,8 @@ TEST_F(ImportWindows, TakeOneFileWithoutPattern) {
             (std::vector<Label>{{"file", "a.csv"}, {"window", "1"}}));
   EXPECT_EQ(to_string(import().error()),
             folder_.path() +
-                ": 'files' is missing, which a folder needs; write files = "
-                "\"{object}_{trial:number}.csv\" or the like, or give one file");
+                ": 'files' is missing, which is required for a folder; write for example files = "
+                "\"{object}_{trial:number}.csv\", or import one file");
   plan_.trials.files = "{run}.csv";
   EXPECT_EQ(import_csv_trials(folder_.file("a.csv"), plan_)->explorations[0].labels[0].value, "a");
 }
@@ -177,7 +177,7 @@ class ImportTable : public ImportWindows {
 
 TEST_F(ImportTable, MakesEachRowAnExploration) {
   folder_.with("t.csv", "object,x,grasp\n\"red, cup\",1.5,1\nnone,2,01\ncup,3,1.0\n");
-  EXPECT_EQ(told(),
+  EXPECT_EQ(imported(),
             (Names{"t red, cup 1 t.csv 1 1.5", "t none 01 t.csv 2 2", "t cup 1.0 t.csv 3 3"}));
   EXPECT_EQ(left_out_.rows, 0U);
   EXPECT_EQ(import()->explorations[0].labels[4], (Label{"row", "1"}));
@@ -195,7 +195,7 @@ TEST_F(ImportTable, RefusesLabelsThatAreMissing) {
   for (const char* cell : {"", "NaN", "NA", "null", "None", "?"}) {
     folder_.with("t.csv", fmt::format("object,x,grasp\na,1,1\nb,2,{}\n", cell));
     EXPECT_EQ(refusal(), fmt::format("t.csv:3:5: the label 'grasp' is missing: '{}'; fill it in, "
-                                     "take the row out, or leave the label out",
+                                     "remove the row, or leave the label out",
                                      cell));
   }
   folder_.with("t.csv", "object,x\na,1\n");
@@ -211,7 +211,7 @@ TEST_F(ImportTable, RefusesLabelsThatAreNoNames) {
 
 TEST_F(ImportTable, RefusesMissingNumbersAndTwoColumnsOfOneName) {
   folder_.with("t.csv", "object,x,grasp\na,nan,1\n");
-  EXPECT_TRUE(refusal().starts_with("t.csv:2:3: 'nan' is no finite number")) << refusal();
+  EXPECT_TRUE(refusal().starts_with("t.csv:2:3: 'nan' is not a finite number")) << refusal();
   folder_.with("t.csv", "object,x,grasp,object\na,1,1,b\n");
   EXPECT_EQ(refusal(), "t.csv:1:16: there are two columns 'object'; rename one of them");
 }
@@ -219,11 +219,11 @@ TEST_F(ImportTable, RefusesMissingNumbersAndTwoColumnsOfOneName) {
 TEST_F(ImportTable, RefusesLabelsThatChangeInAWholeFile) {
   plan_.trials.rows = CsvRows::kFrames;
   folder_.with("t.csv", "object,x,grasp\na,1,1\na,2,1\n");
-  EXPECT_EQ(told(), (Names{"t a 1 12"}));
+  EXPECT_EQ(imported(), (Names{"t a 1 12"}));
   folder_.with("t.csv", "object,x,grasp\na,1,1\na,2,2\n");
   EXPECT_EQ(refusal(),
-            "t.csv:3: the labels of columns change within the file; divide it: write window = 500 "
-            "or the like, or rows = \"explorations\"");
+            "t.csv:3: the labels of columns change within the file; divide it: write for "
+            "example window = 500, or rows = \"explorations\"");
 }
 
 // By looking at each row whether a window begins there.

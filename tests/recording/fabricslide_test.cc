@@ -1,4 +1,4 @@
-#include "somato/recording/fabricslide.h"
+#include "recording/fabricslide.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

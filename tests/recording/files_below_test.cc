@@ -53,8 +53,8 @@ TEST(FilesBelow, RefusesACircleOfLinks) {
   fs::create_directory_symlink(folder.path(), folder.file("again"));
   const auto files = files_below(folder.path(), ".csv");
   ASSERT_FALSE(files);
-  EXPECT_EQ(files.error().what, "there are folders more than 16 deep");
-  EXPECT_EQ(files.error().advice, "a link may lead round in a circle");
+  EXPECT_EQ(files.error().what, "there are more than 16 levels of folders");
+  EXPECT_EQ(files.error().advice, "check for a loop of links");
 }
 
 TEST(FilesBelow, RefusesWhatCannotBeRead) {

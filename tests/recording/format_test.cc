@@ -45,7 +45,7 @@ TEST(RecognizeFormat, SaysWhatWasLookedFor) {
   EXPECT_EQ(format.error().kind, ErrorKind::kData);
   EXPECT_EQ(format.error().where, folder.path());
   EXPECT_EQ(format.error().what,
-            "the folder holds none of the known formats: icub_grasp "
+            "the folder contains none of the known formats: icub_grasp "
             "({object}_{trial:number}.txt), fabricslide "
             "({fabric}_F{force:number}_V{velocity:number}mmps_{trial:number}.csv), "
             "hkust_press_slide (Material_{material}_raw_{trial:number}.csv), acoustic_hardness "
@@ -59,7 +59,7 @@ TEST(RecognizeFormat, RefusesTwoFormats) {
   const auto format = recognize_format(folder.path());
   ASSERT_FALSE(format);
   EXPECT_EQ(format.error().what,
-            "the folder holds more than one format: icub_grasp ({object}_{trial:number}.txt), "
+            "the folder contains more than one format: icub_grasp ({object}_{trial:number}.txt), "
             "acoustic_hardness ({sample}.json)");
 }
 
@@ -72,16 +72,16 @@ TEST(RecognizeFormat, SaysWhatCannotBeRead) {
 }
 
 // What a study leaves is no data set.
-TEST(RecognizeFormat, AsksForOneOfTheRecordingsThatAFolderHolds) {
+TEST(RecognizeFormat, AdvisesToUseOneOfTheRecordingsInAFolder) {
   const TemporaryFolder folder;
   add(folder, "run/results.json", "{}");
   const auto without = recognize_format(folder.path());
   ASSERT_FALSE(without);
-  EXPECT_TRUE(without.error().what.starts_with("the folder holds none of the known formats"));
+  EXPECT_TRUE(without.error().what.starts_with("the folder contains none of the known formats"));
   add(folder, "run/hand2.mcap");
   const auto format = recognize_format(folder.path());
   ASSERT_FALSE(format);
-  EXPECT_EQ(format.error().what, "the folder holds recordings, such as run/hand2.mcap");
+  EXPECT_EQ(format.error().what, "the folder contains recordings, such as run/hand2.mcap");
 }
 
 TEST(LoadRecording, ReadsTheFormatThatIsNamedOrFoundOut) {

@@ -1,4 +1,4 @@
-#include "somato/recording/hkust_press_slide.h"
+#include "recording/hkust_press_slide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "somato/recording/icub_grasp.h"
+#include "recording/icub_grasp.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ class ImportIcubGrasp : public testing::Test {
     std::string where = recording.error().where;
     where.erase(0, folder_.string().size() + 1);
     EXPECT_EQ(recording.error().kind, ErrorKind::kData);
-    EXPECT_EQ(recording.error().advice, "repair the file or remove it");
+    EXPECT_EQ(recording.error().advice, "repair or remove the file");
     return where + ": " + recording.error().what;
   }
 

@@ -53,7 +53,7 @@ TEST(InspectRecording, CountsWhatReadingGives) {
   }
 }
 
-TEST(InspectRecording, ToldOfWhatIsNoRecordingFails) {
+TEST(InspectRecording, FailsForOtherFiles) {
   const TemporaryFolder folder;
   EXPECT_EQ(inspect_recording(folder.file("a")).error().kind, ErrorKind::kSystem);
   EXPECT_EQ(inspect_recording(folder.with("a", "1,2\n")).error().kind, ErrorKind::kData);

@@ -15,7 +15,7 @@ Exploration with_frames(std::size_t a, std::size_t b, std::size_t c) {
            {"c", "", {}, Matrix<float>(c, 1), {}}}};
 }
 
-TEST(Layout, TellsWhatExplorationsHaveInCommon) {
+TEST(Layout, DescribesThePropertiesSharedByExplorations) {
   const RecordingLayout layout = layout_of({{with_frames(4, 4, 4), with_frames(2, 9, 2)}});
   const ChannelLayout a{"a", "deg", {2}, {"x", "y"}, "a"};
   const ChannelLayout b{"b", "", {2, 3}, {}, "b"};

@@ -1,4 +1,4 @@
-#include "somato/recording/mcap_trials.h"
+#include "recording/mcap_trials.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -61,7 +61,7 @@ TEST_F(ImportMcapTrials, RefusesALabelWithTwoValues) {
   save("cup_1.mcap", {touched({{"object", "mug"}}, 1)});
   EXPECT_EQ(refusal(),
             "cup_1.mcap: label 'object' is 'mug' in the recording, but 'cup' in the file name; "
-            "rename the file, or give the label of its name another name");
+            "rename the file, or rename the label in its name");
 }
 
 TEST_F(ImportMcapTrials, RefusesOtherChannelsAndLabelsWithFileAndName) {
@@ -89,8 +89,8 @@ TEST_F(ImportMcapTrials, RefusesFilesThatDoNotFitUnlessTheyArePassedOver) {
   save("summary.mcap", {touched({}, 1)});
   folder_.with("notes.txt", "");
   EXPECT_EQ(refusal(),
-            "summary.mcap: the file name does not fit the pattern "
-            "\"{object}_{trial:number}.mcap\"; rename it, take it out of the folder, or correct "
+            "summary.mcap: the file name does not match the pattern "
+            "\"{object}_{trial:number}.mcap\"; rename it, remove it from the folder, or correct "
             "the pattern");
   EXPECT_EQ(import("{object}_{trial:number}.mcap", true)->explorations.size(), 1U);
 }
@@ -114,7 +114,7 @@ TEST_F(ImportMcapTrials, RefusesWhatIsNoRecording) {
 TEST_F(ImportMcapTrials, RefusesAPipe) {
   save("cup_1.mcap", {touched({}, 1)});
   ASSERT_EQ(::mkfifo(folder_.file("cup_2.mcap").c_str(), 0600), 0);
-  EXPECT_EQ(refusal(), "cup_2.mcap: it is not a regular file; take it out of the folder");
+  EXPECT_EQ(refusal(), "cup_2.mcap: it is not a regular file; remove it from the folder");
 }
 
 TEST_F(ImportMcapTrials, RefusesAPatternWithoutLabels) {

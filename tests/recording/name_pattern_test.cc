@@ -74,12 +74,12 @@ TEST(NamePattern, RefusesAWrongPattern) {
   EXPECT_EQ(refusal("all.csv"), "the pattern has no labels");
   EXPECT_EQ(refusal(""), "the pattern has no labels");
   EXPECT_EQ(refusal("{a}{b}.csv"),
-            "two labels of the pattern touch, so that nothing tells where one ends");
+            "two labels of the pattern are adjacent, so that their boundary is undefined");
   EXPECT_EQ(refusal("{a}_{a}"), "two labels are named 'a'");
   EXPECT_EQ(refusal("{}_1"), "a label of the pattern has no name");
   EXPECT_EQ(refusal("{:number}_1"), "a label of the pattern has no name");
-  EXPECT_EQ(refusal("{a:text}"), "a label cannot be narrowed to 'text', only to 'number'");
-  EXPECT_EQ(refusal("{a:}"), "a label cannot be narrowed to '', only to 'number'");
+  EXPECT_EQ(refusal("{a:text}"), "a label cannot be restricted to 'text', only to 'number'");
+  EXPECT_EQ(refusal("{a:}"), "a label cannot be restricted to '', only to 'number'");
   for (const char* pattern : {"{a", "a}", "{a}_}", "{a{b}}", "{a}_{"}) {
     EXPECT_EQ(refusal(pattern), "a brace of the pattern has no counterpart") << pattern;
   }

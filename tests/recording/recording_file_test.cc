@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "files/file_system.h"
-#include "somato/files/whole_file.h"
+#include "files/whole_file.h"
 #include "support/failing_file_system.h"
 #include "support/made_recording.h"
 #include "support/random_recordings.h"

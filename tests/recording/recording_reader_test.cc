@@ -1,4 +1,4 @@
-#include "somato/recording/recording_reader.h"
+#include "somato/recording/recording_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include "recording/mcap_compression.h"
 #include "recording/mcap_writer.h"
 #include "recording/recording_layout.h"
-#include "somato/recording/recording_file.h"
 #include "support/made_recording.h"
 #include "support/mcap_walk.h"
 #include "support/temporary_folder.h"
@@ -83,8 +82,8 @@ void expect_refused(const std::string& says, const std::function<void(MadeFile&)
 }
 
 TEST(RecordingReader, RefusesExplorationsThatDoNotFollow) {
-  expect_refused("outside explorations", [](MadeFile& f) { f.frame("touch", 2, 1); });
-  expect_refused("outside explorations", [](MadeFile& f) {
+  expect_refused("outside all explorations", [](MadeFile& f) { f.frame("touch", 2, 1); });
+  expect_refused("outside all explorations", [](MadeFile& f) {
     f.say(Event::kBegin);
     f.say(Event::kEnd);
     f.frame("touch", 2, 1);
@@ -94,9 +93,9 @@ TEST(RecordingReader, RefusesExplorationsThatDoNotFollow) {
     f.say(Event::kBegin);
     f.say(Event::kBegin, 1);
   });
-  expect_refused("exploration 1 ends or goes on, but has not begun",
+  expect_refused("exploration 1 ends or continues, but has not begun",
                  [](MadeFile& f) { f.say(Event::kEnd); });
-  expect_refused("exploration 8 ends or goes on", [](MadeFile& f) {
+  expect_refused("exploration 8 ends or continues", [](MadeFile& f) {
     f.say(Event::kBegin);
     f.say(Event::kContinue, 7);
   });
@@ -116,7 +115,7 @@ TEST(RecordingReader, RefusesFramesThatDoNotFit) {
     f.say(Event::kBegin);
     f.frame("touch", 5, 1, {2, 3});
   });
-  expect_refused("run backwards", [](MadeFile& f) {
+  expect_refused("decrease", [](MadeFile& f) {
     f.say(Event::kBegin);
     f.frame("touch", 2, 2);
     f.frame("touch", 2, 1);
@@ -187,12 +186,13 @@ TEST(RecordingReader, BelievesNoLengthAndNoSize) {
   EXPECT_NE(error_with(kLength, ~0ULL).find("longer than the rest"), std::string::npos);
   EXPECT_NE(error_with(kLength, 5000000).find("longer than the rest"), std::string::npos);
   EXPECT_NE(error_with(kUnpackedSize, ~0ULL).find("more than 25165824"), std::string::npos);
-  EXPECT_NE(error_with(kUnpackedSize, 25165824).find("not the size it says"), std::string::npos);
+  EXPECT_NE(error_with(kUnpackedSize, 25165824).find("its size differs from the declared size"),
+            std::string::npos);
   EXPECT_NE(error_after([](std::string& bytes) {
               bytes[chunk_place(bytes) + 9 + 24] ^= 1;
-            }).find("another checksum"),
+            }).find("the checksum of a chunk does not match"),
             std::string::npos);
-  EXPECT_NE(error_after([](std::string& bytes) { bytes += "more"; }).find("4 bytes stand behind"),
+  EXPECT_NE(error_after([](std::string& bytes) { bytes += "more"; }).find("4 bytes follow"),
             std::string::npos);
   EXPECT_NE(error_after([](std::string& bytes) { bytes.resize(20); }).find(":byte 8: a record of"),
             std::string::npos);
@@ -200,7 +200,7 @@ TEST(RecordingReader, BelievesNoLengthAndNoSize) {
             std::string::npos);
 }
 
-TEST(RecordingReader, UnpacksNoMoreThanItIsTold) {
+TEST(RecordingReader, DecompressesNoMoreThanTheDeclaredSize) {
   const std::string large(5'000'000, 'x');
   for (const Compression compression : {Compression::kLz4, Compression::kZstd}) {
     const std::string packed = pack(compression, large).value();

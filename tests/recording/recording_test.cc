@@ -97,11 +97,11 @@ TEST(Validate, RefusesElementNamesAndTimesThatDoNotFit) {
   EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {0.0}; }).what,
             "channel 'touch' has 1 times for 2 frames");
   EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {0.5, 0.25}; }).what,
-            "channel 'touch', frame 2: the time 0.25 s is not finite or lies before the one of the "
-            "frame before");
+            "channel 'touch', frame 2: the time 0.25 s is not finite or precedes that of the "
+            "preceding frame");
   EXPECT_EQ(error_after([](Exploration& e) { e.channels[1].times = {HUGE_VAL, HUGE_VAL}; }).what,
-            "channel 'touch', frame 1: the time inf s is not finite or lies before the one of the "
-            "frame before");
+            "channel 'touch', frame 1: the time inf s is not finite or precedes that of the "
+            "preceding frame");
 }
 
 TEST(Validate, RefusesWhatIsNotFinite) {
@@ -163,7 +163,7 @@ TEST(Validate, RefusesAShapeThatDoesNotFitOrDiffers) {
 TEST(Validate, RefusesAMaskThatDoesNotFit) {
   EXPECT_NE(error_after([](Exploration& e) {
               e.channels[1].valid = Matrix<std::uint8_t>(2, 3, 1);
-            }).what.find("2 x 3 marks"),
+            }).what.find("2 x 3 validity marks"),
             std::string::npos);
   EXPECT_NE(error_after([](Exploration& e) {
               e.channels[1].valid = Matrix<std::uint8_t>(2, 4, 2);

@@ -125,7 +125,7 @@ TEST(RecordingWriter, DoesNotTouchAFileThatIsThere) {
   EXPECT_EQ(bytes_of(folder.file("a")), "precious");
 }
 
-// Records frames 0, 1, 2, ... until something fails; tells how many were taken.
+// Records frames 0, 1, 2, ... until a failure; returns their number.
 std::size_t record(RecordingWriter& writer, std::size_t count, Result<void>& done) {
   std::size_t taken = 0;
   done = writer.begin_exploration(start_of_two());
@@ -229,7 +229,7 @@ TEST(RecordingWriterThread, TakesFramesFromSeveralThreads) {
 
 using Clock = std::chrono::steady_clock;
 
-// Records for ever and tells through `pipe` when each frame was taken.
+// Records without end and reports the time of each frame through `pipe`.
 [[noreturn]] void record_for_ever(const std::string& path, Compression compression, int pipe) {
   auto writer = RecordingWriter::create(path, packed_writer(compression, 1 << 20, 0.5));
   if (!writer || !writer->begin_exploration(start_of_two())) ::_exit(1);

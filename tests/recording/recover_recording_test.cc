@@ -84,13 +84,13 @@ Channel first_frames(const Channel& channel, std::size_t count) {
   return first;
 }
 
-// What the messages tell of `whole`, in order and without gaps.
-Recording told_by(const std::vector<WalkedMessage>& messages, const Recording& whole) {
-  Recording told;
+// The content of the messages of `whole`, in order and without gaps.
+Recording described_by(const std::vector<WalkedMessage>& messages, const Recording& whole) {
+  Recording described;
   std::map<std::string, std::size_t> frames;
   const auto take = [&] {
-    if (told.explorations.empty()) return;
-    for (Channel& channel : told.explorations.back().channels) {
+    if (described.explorations.empty()) return;
+    for (Channel& channel : described.explorations.back().channels) {
       channel = first_frames(channel, frames[topic_of(channel.name)]);
     }
     frames.clear();
@@ -99,10 +99,10 @@ Recording told_by(const std::vector<WalkedMessage>& messages, const Recording& w
     if (!is_control(message)) ++frames[message.topic];
     if (!says(message, "begin")) continue;
     take();
-    told.explorations.push_back(whole.explorations[told.explorations.size()]);
+    described.explorations.push_back(whole.explorations[described.explorations.size()]);
   }
   take();
-  return told;
+  return described;
 }
 
 void expect_cut_file_saved(const std::string& whole, std::size_t size, const Recording& recording,
@@ -139,7 +139,7 @@ void expect_cut_file_saved(const std::string& whole, std::size_t size, const Rec
           std::count_if(messages.begin(), messages.end(), [](auto& m) { return says(m, "end"); }));
   const Result<Recording> read = read_recording(out);
   ASSERT_TRUE(read) << to_string(read.error());
-  EXPECT_TRUE(*read == told_by(messages, recording));
+  EXPECT_TRUE(*read == described_by(messages, recording));
 }
 
 // Every place of a plain file is damaged. A compressed chunk is read whole or not at all, and

@@ -50,14 +50,14 @@ TEST_F(FindTrialFiles, MayBeOneFile) {
   EXPECT_EQ(in("{object}_1.csv")->at(0).name, "a_1.csv");
   EXPECT_EQ(in("{object}_1.csv")->at(0).path, file);
   EXPECT_EQ(in("b_{trial}.csv").error().what,
-            "the file name does not fit the pattern \"b_{trial}.csv\"");
+            "the file name does not match the pattern \"b_{trial}.csv\"");
 }
 
 TEST_F(FindTrialFiles, RefuseOthersUnlessTheyMayBePassedOver) {
   folder_.with("a_1.csv", "");
   folder_.with("summary.CSV", "");
   expect_refused("{object}_{trial}.csv", folder_.file("summary.CSV"),
-                 "the file name does not fit the pattern \"{object}_{trial}.csv\"");
+                 "the file name does not match the pattern \"{object}_{trial}.csv\"");
   EXPECT_EQ(find("{object}_{trial}.csv", true)->size(), 1U);
 }
 
@@ -89,7 +89,7 @@ TEST_F(FindTrialFiles, RefuseANameWithTwoReadings) {
 TEST_F(FindTrialFiles, RefuseALabelThatIsNoText) {
   folder_.with("a\xFF.csv", "");
   expect_refused("{object}.csv", folder_.file("a\xFF.csv"),
-                 "the label 'object' in the file name is no UTF-8 text");
+                 "the label 'object' in the file name is not UTF-8 text");
 }
 
 }  // namespace

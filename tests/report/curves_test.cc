@@ -3,15 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
+
+#include "support/json_schema.h"
 
 namespace somato {
 namespace {
 
-using detail::CurvePart;
-using detail::curves_json;
 using Json = nlohmann::ordered_json;
+
+// The curves, each checked by its schema.
+Json curves_json(const std::vector<const PartResults*>& parts,
+                 const std::vector<const ClaimOutcome*>& claims,
+                 const std::map<std::string, std::string>& units) {
+  Json curves = detail::curves_json(parts, claims, units);
+  EXPECT_TRUE(testing::fits_schema(curves, "report.json#/$defs/ReportData/properties/curves"));
+  return curves;
+}
 
 // Parts of one question, with a metric a protocol.
 class Curves : public ::testing::Test {
@@ -22,14 +32,14 @@ class Curves : public ::testing::Test {
     part.question = "placement";
     part.system = system;
     part.variation = variation;
-    part.settings = settings;
-    SystemResults protocol;
+    part.parameters = std::move(settings);
+    ProtocolResults protocol;
     protocol.protocol = "leave_group_out";
     protocol.group = "trial";
-    protocol.metrics = {{"accuracy", accuracy}, {"with_own", {7, 9}}};
+    protocol.metrics = {{"accuracy", accuracy}, {"neighbours_same_class", {7, 9}}};
     part.protocols = {protocol};
     results_.push_back(std::move(part));
-    parts_.push_back({&results_.back(), std::move(settings)});
+    parts_.push_back(&results_.back());
   }
 
   static std::vector<Settings> noise(const std::string& value, const std::string& seed = "1") {
@@ -38,7 +48,7 @@ class Curves : public ::testing::Test {
   }
 
   std::deque<PartResults> results_;
-  std::vector<CurvePart> parts_;
+  std::vector<const PartResults*> parts_;
 };
 
 TEST_F(Curves, PartsThatDifferInOneNumberAreALine) {
@@ -66,16 +76,16 @@ TEST_F(Curves, PartsThatDifferInOneNumberAreALine) {
 
 TEST_F(Curves, WhatIsClaimedHasACurveToo) {
   for (const std::string value : {"0.0", "1.0", "2.0"}) add("a", value, noise(value), {0, 1});
-  JudgedClaim judged;
-  judged.outcome.claim.question = "placement";
-  judged.outcome.claim.system = "a";
-  judged.outcome.claim.metric = "with_own";
-  judged.outcome.claim.protocol = "leave_group_out";
-  judged.outcome.claim.group = "trial";
-  ASSERT_EQ(curves_json(parts_, {judged, judged}, {}).size(), 2U);
-  EXPECT_EQ(curves_json(parts_, {judged}, {})[1]["metric"], "with_own");
-  judged.outcome.claim.question = "another";
-  EXPECT_EQ(curves_json(parts_, {judged}, {}).size(), 1U);
+  ClaimOutcome judged;
+  judged.claim.question = "placement";
+  judged.claim.system = "a";
+  judged.claim.metric = "neighbours_same_class";
+  judged.claim.protocol = "leave_group_out";
+  judged.claim.group = "trial";
+  ASSERT_EQ(curves_json(parts_, {&judged, &judged}, {}).size(), 2U);
+  EXPECT_EQ(curves_json(parts_, {&judged}, {})[1]["metric"], "neighbours_same_class");
+  judged.claim.question = "another";
+  EXPECT_EQ(curves_json(parts_, {&judged}, {}).size(), 1U);
 }
 
 TEST_F(Curves, OneNumberOfSeveralModulesIsOne) {

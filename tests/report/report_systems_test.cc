@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "somato/report/report.h"
+#include "report/report.h"
 #include "somato/studies/own_systems.h"
-#include "somato/studies/reproduction_plan.h"
+#include "somato/studies/reproduction.h"
 #include "support/made_report.h"
 
 namespace somato {
@@ -58,6 +58,12 @@ class OfNineSystems : public ::testing::TestWithParam<std::size_t> {
   }
 };
 
+std::vector<Claim> claims_of(const NamedFile& file) {
+  ReproductionPlan plan;
+  static_cast<void>(add_to_plan(file, {}, plan));
+  return plan.claims;
+}
+
 StudyDescription once(const NamedFile& file, const std::vector<NamedFile>& systems) {
   ReproductionPlan plan;
   static_cast<void>(add_to_plan(file, systems, plan));
@@ -66,6 +72,7 @@ StudyDescription once(const NamedFile& file, const std::vector<NamedFile>& syste
   description.study.wrong_groupings = 2;
   description.study.protocols = {Protocol::kTrainIsTest};
   description.study.groups = {};
+  description.text.clear();
   return description;
 }
 
@@ -77,10 +84,10 @@ TEST_P(OfNineSystems, HoldsWhatTheResultsSay) {
   ReportSources sources = study.sources();
   sources.things = {boule()};
   const Json report = report_of({study.file()}, sources);
-  const Json results = Json::parse(to_json(study.outcome.results));
+  const Json results = Json::parse(to_json(study.file().results));
   const Json& system = report["systems"][0];
   EXPECT_EQ(system["missing"], Json::array());
-  Json metrics = results["systems"][0]["metrics"];
+  Json metrics = results["parts"][0]["protocols"][0]["metrics"];
   for (Json& metric : metrics) metric.erase("of_each");
   EXPECT_EQ(system["protocols"][0]["metrics"], metrics);
   EXPECT_EQ(system["graph"]["modules"].size(), study.description.system.modules.size());
@@ -100,19 +107,13 @@ TEST_P(OfNineSystems, HoldsWhatTheResultsSay) {
   EXPECT_FALSE(system["not_given"].empty());
 }
 
-// The same claims, judged in the same way as the reproduction of the system judges them.
-TEST_P(OfNineSystems, JudgesTheClaimsOfTheSystemsOwnFile) {
+TEST_P(OfNineSystems, HasTheClaimsOfTheResults) {
   const OwnSystems own = own_systems().value();
   const NamedFile& file = own.systems.at(GetParam());
   const MadeStudy study(once(file, own.systems),
                         made_touch(file.name == "shape_and_size" ? 11 : 6));
-  const Json report = report_of({study.file()}, study.sources());
-  ReproductionPlan plan;
-  ASSERT_TRUE(add_to_plan(file, own.systems, plan));
-  PartResults part;
-  part.system = study.description.study.name;
-  part.protocols = study.outcome.results.systems;
-  const auto judged = judge(plan.claims, {part});
+  const Json report = report_of({study.file(claims_of(file))}, study.sources());
+  const auto judged = judge(claims_of(file), {study.outcome.results});
   ASSERT_EQ(report["claims"].size(), judged.size());
   EXPECT_GT(judged.size(), 0U);
   for (std::size_t i = 0; i < judged.size(); ++i) {
@@ -166,11 +167,11 @@ TEST(ReportOfSystems, ClaimsThatTheExplorationsCannotDecideHaveAReason) {
     return one.name == "t_mpsom_multiplied";
   });
   const MadeStudy study(once(*file, own.systems), made_touch(6));
-  const Json report = report_of({study.file()}, study.sources());
+  const Json report = report_of({study.file(claims_of(*file))}, study.sources());
   EXPECT_EQ(report["systems"][0]["missing"], Json::array());
-  const Json with_own = claim_about(report, "with_own");
-  EXPECT_EQ(with_own["verdict"], "cannot be decided here");
-  EXPECT_EQ(with_own["reason"], "8 explorations; 28 are needed");
+  const Json neighbours_same_class = claim_about(report, "neighbours_same_class");
+  EXPECT_EQ(neighbours_same_class["verdict"], "cannot be decided here");
+  EXPECT_EQ(neighbours_same_class["reason"], "8 explorations; 28 are needed");
   EXPECT_EQ(claim_about(report, "mapped_with boccia boule")["reason"],
             "no exploration of 'boccia'");
   EXPECT_EQ(claim_about(report, "shape.areas_connected")["reason"], "1 pair; 20 are needed");
@@ -186,12 +187,12 @@ TEST(ReportOfSystems, AClaimAboutTwoThingsIsJudgedWhereBothAreThere) {
     if (exploration.labels[0].value == "thing 1") exploration.labels[0].value = "boccia";
   }
   const MadeStudy study(once(*file, own.systems), recording);
-  const Json report = report_of({study.file()}, study.sources());
+  const Json report = report_of({study.file(claims_of(*file))}, study.sources());
   EXPECT_EQ(claim_about(report, "mapped_with boccia boule")["reason"], "1 pair; 20 are needed");
 }
 
-// A system of that name with another setting is not what the claims are about.
-TEST(ReportOfSystems, ClaimsAreNotThoseOfAChangedSystem) {
+// The name is that of one of the nine, and its results make no claim.
+TEST(ReportOfSystems, WhatIsNotInTheResultsIsNotClaimed) {
   const OwnSystems own = own_systems().value();
   const auto file = std::find_if(own.systems.begin(), own.systems.end(),
                                  [](const NamedFile& one) { return one.name == "hardness"; });

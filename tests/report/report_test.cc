@@ -1,4 +1,4 @@
-#include "somato/report/report.h"
+#include "report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -41,19 +41,20 @@ bool says(const Json& missing, const std::string& part) {
 
 TEST(Report, HasTheValuesOfResultsJson) {
   const Json report = whole_report(small());
-  const Json results = Json::parse(to_json(small().outcome.results));
+  const Json results = Json::parse(to_json(small().file().results));
+  const Json& protocols = results["parts"][0]["protocols"];
   EXPECT_EQ(report["version"], 1);
   EXPECT_EQ(report["somato"], "1.2.3");
   const Json& system = report["systems"][0];
   EXPECT_EQ(system["file"], "results.json");
   EXPECT_EQ(system["name"], "small");
-  EXPECT_EQ(system["data_hash"], results["data_hash"]);
-  ASSERT_EQ(system["protocols"].size(), results["systems"].size());
-  for (std::size_t i = 0; i < results["systems"].size(); ++i) {
-    const Json& expected = results["systems"][i];
+  EXPECT_EQ(system["data_hash"], results["recordings"][0]["hash"]);
+  EXPECT_EQ(system["settings"], results["parts"][0]["parameters"]);
+  ASSERT_EQ(system["protocols"].size(), protocols.size());
+  for (std::size_t i = 0; i < protocols.size(); ++i) {
+    const Json& expected = protocols[i];
     const Json& found = system["protocols"][i];
     EXPECT_EQ(found["protocol"], expected["protocol"]);
-    EXPECT_FALSE(found.contains("name"));  // that of the system, which stands above
     Json metrics = expected["metrics"];
     for (Json& metric : metrics) metric.erase("of_each");
     EXPECT_EQ(found["metrics"], metrics);
@@ -64,6 +65,17 @@ TEST(Report, HasTheValuesOfResultsJson) {
       EXPECT_EQ(of_report, expected["runs"][run]);
     }
   }
+}
+
+TEST(Report, AMetricWithoutAValueIsNull) {
+  ReportFile file = small().file();
+  Metric& metric = file.results.parts[0].protocols[0].metrics[0];
+  metric.values[0] = std::nan("");
+  const Json report = report_of({file}, small().sources());
+  const Json& found = report["systems"][0]["protocols"][0]["metrics"][metric.name];
+  EXPECT_TRUE(found["mean"].is_null());
+  EXPECT_TRUE(found["sd"].is_null());
+  EXPECT_TRUE(found["values"][0].is_null());
 }
 
 TEST(Report, HasAllThatThereIsAndMissesNothing) {
@@ -81,7 +93,7 @@ TEST(Report, HasAllThatThereIsAndMissesNothing) {
 TEST(Report, DrawsTheGraphAsItWasBuilt) {
   for (const bool with_model : {false, true}) {
     const Json system =
-        report_of({learning().file(with_model)}, learning().sources())["systems"][0];
+        report_of({learning().file()}, learning().sources(true, with_model))["systems"][0];
     const Json& graph = system["graph"];
     EXPECT_EQ(graph["map"], "map");
     const System& built = learning().outcome.model.system;
@@ -168,7 +180,7 @@ TEST(Report, PlanesOfAShortInputAreItsWeights) {
   }
 }
 
-TEST(Report, ReceptiveFieldsAreWhatATMpsomHears) {
+TEST(Report, ReceptiveFieldsAreArborTimesWeights) {
   const Json fields = whole_report(learning())["systems"][0]["trained"]["receptive_fields"];
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_EQ(fields[1]["module"], "binding");
@@ -188,7 +200,7 @@ TEST(Report, ReceptiveFieldsAreWhatATMpsomHears) {
 }
 
 TEST(Report, WithoutRecordingAndModelItSaysWhatIsMissing) {
-  const Json report = report_of({small().file(false)}, small().sources(false));
+  const Json report = report_of({small().file()}, small().sources(false, false));
   const Json& system = report["systems"][0];
   EXPECT_TRUE(system["trained"].is_null());
   EXPECT_TRUE(system["samples"].is_null());
@@ -201,25 +213,46 @@ TEST(Report, WithoutRecordingAndModelItSaysWhatIsMissing) {
   EXPECT_TRUE(says(system["missing"], "graph"));
 }
 
-TEST(Report, AModelOfAnotherSystemIsNotUsed) {
-  ReportFile file = small().file(false);
-  file.models.push_back(learning().model());
-  const Json system = report_of({file}, small().sources())["systems"][0];
-  EXPECT_TRUE(system["trained"].is_null());
-  EXPECT_TRUE(says(system["missing"], "'system.somato' has other settings"));
+TEST(Report, RequestsTheModelNamedInTheResults) {
+  ReportFile file = small().file();
+  file.path = "some/results.json";
+  file.results.parts[0].model = ModelFile{"a/b.somato", "fnv1a64:12", 6};
+  ReportSources sources = small().sources();
+  std::string wanted;
+  sources.model = [&](const std::string& results, const ModelFile& model) -> Result<ReportModel> {
+    wanted = results + " " + model.path + " " + model.hash;
+    return small().model();
+  };
+  const Json system = report_of({file}, sources)["systems"][0];
+  EXPECT_EQ(wanted, "some/results.json a/b.somato fnv1a64:12");
+  EXPECT_EQ(system["trained"]["seed"], 6);
 }
 
-// The same settings, trained with another seed: it may be looked at, and is not called what it is
-// not.
-TEST(Report, AModelOfAnotherSeedIsToldApart) {
-  StudyDescription description = small_study("none");
-  description.study.first_seed = 77;
-  const MadeStudy other(description, grasps(3, 4, 1));
-  ReportFile file = small().file(false);
-  file.models.push_back(other.model());
+TEST(Report, SaysWhyTheModelIsNotAtHand) {
+  ReportSources sources = small().sources();
+  sources.model = [](const std::string&, const ModelFile&) -> Result<ReportModel> {
+    return fail(ErrorKind::kData, "it is another", "system.somato", "do this");
+  };
+  const Json system = report_of({small().file()}, sources)["systems"][0];
+  EXPECT_TRUE(system["trained"].is_null());
+  EXPECT_TRUE(says(system["missing"], "--model (system.somato: it is another; do this)"));
+}
+
+// The model of the same settings is there, but no fact says that it is theirs.
+TEST(Report, WithoutANameOfAModelNoneIsUsed) {
+  ReportFile file = small().file();
+  file.results.parts[0].model.reset();
   const Json system = report_of({file}, small().sources())["systems"][0];
-  EXPECT_TRUE(system["trained"]["seed"].is_null());
-  EXPECT_TRUE(says(system["missing"], "winners of 'system.somato' are those of no run"));
+  EXPECT_TRUE(system["trained"].is_null());
+  EXPECT_TRUE(says(system["missing"], "No trained system was saved"));
+}
+
+TEST(Report, AStudyThatCannotBeReadHasNoGraph) {
+  ReportFile file = small().file();
+  file.results.parts[0].study = "[study]\nnmae = 'small'\n";
+  const Json system = report_of({file}, small().sources(true, false))["systems"][0];
+  EXPECT_TRUE(system["graph"].is_null());
+  EXPECT_TRUE(says(system["missing"], "the study of 'small':2"));
 }
 
 TEST(Report, AnotherRecordingIsNotUsed) {
@@ -227,13 +260,13 @@ TEST(Report, AnotherRecordingIsNotUsed) {
   const Json system = report_of({small().file()}, other.sources())["systems"][0];
   EXPECT_TRUE(system["samples"].is_null());
   EXPECT_EQ(system["trained"]["hits"], Json::array());
-  EXPECT_TRUE(says(system["missing"], "recording is not at hand"));
+  EXPECT_TRUE(says(system["missing"], "recording was not found"));
 }
 
 TEST(Report, ARecordingOfAnotherLengthIsNotUsedWhateverItsHash) {
   ReportSources sources = small().sources();
   sources.recording = [](const std::string&) {
-    return ReportRecording{"wrong", std::make_shared<const Recording>(grasps(3, 5, 1))};
+    return std::make_shared<const Recording>(grasps(3, 5, 1));
   };
   const Json system = report_of({small().file()}, sources)["systems"][0];
   EXPECT_TRUE(system["samples"].is_null());
@@ -249,7 +282,7 @@ TEST(Report, AWinnerThatIsNotOnTheMapIsRefused) {
   EXPECT_NE(report.error().what.find("neuron 25"), std::string::npos);
 }
 
-TEST(Report, SamplesAreThoseThatWereAskedAbout) {
+TEST(Report, SamplesAreThoseOfTheStudy) {
   StudyDescription description = small_study("none");
   description.study.only = {"object 3", "object 1"};
   const MadeStudy made(description, grasps(3, 4, 1));
@@ -262,7 +295,7 @@ TEST(Report, SamplesAreThoseThatWereAskedAbout) {
 }
 
 TEST(Report, ManyFilesStandOneAfterTheOther) {
-  const Json report = report_of({small().file(false), learning().file(false)}, small().sources());
+  const Json report = report_of({small().file(), learning().file()}, small().sources(true, false));
   EXPECT_EQ(report["systems"].size(), 2U);
   EXPECT_EQ(report["systems"][1]["name"], "learning");
 }

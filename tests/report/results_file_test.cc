@@ -1,4 +1,4 @@
-#include "somato/report/results_file.h"
+#include "report/results_file.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "somato/studies/reproduction.h"
 #include "support/made_study.h"
 #include "support/study_results.h"
 
@@ -16,27 +17,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const StudyResults& made_study() {
-  static const StudyResults results =
-      testing::outcome_of(testing::small_study(), testing::grasps(3, 4, 1)).results;
-  return results;
-}
-
 // Two parts on two recordings, with a claim that compares them.
-ReproductionResults made_reproduction() {
-  ReproductionResults all;
-  all.seed = 5;
-  all.pairs = 2;
-  all.recordings = {{"a.mcap", "lucs2, simulated", 5, "fnv1a64:0", 12},
-                    {"b.mcap", "lucs2, simulated", 6, "fnv1a64:1", 12}};
+Results made_results() {
+  static const PartResults found =
+      testing::outcome_of(testing::small_study(), testing::grasps(3, 4, 1)).results;
+  Results all;
   for (const std::string variation : {"", "other"}) {
-    PartResults part;
-    part.system = "small";
+    PartResults part = found;
     part.variation = variation;
-    part.recordings = {"a.mcap", "b.mcap"};
-    part.settings = made_study().settings;
-    part.protocols = made_study().systems;
+    part.recordings = {{"a.mcap", "lucs2, simulated", 5, "fnv1a64:0", 12},
+                       {"b.mcap", "lucs2, simulated", 6, "fnv1a64:1", 12}};
     part.pairs = {{0, 5}, {1, 6}};
+    if (variation.empty()) part.model = ModelFile{"systems/small.somato", "fnv1a64:2", 5};
+    if (!variation.empty()) part.test_recordings = {part.recordings[1], part.recordings[0]};
     all.parts.push_back(std::move(part));
   }
   Claim claim;
@@ -47,11 +40,12 @@ ReproductionResults made_reproduction() {
   claim.metric = "accuracy";
   claim.at_least = 0.0;
   claim.published = 0.25;
-  Claim told = claim;
-  told.metric = "told_exactly";
-  told.than_system.clear();
-  told.than_variation.clear();
-  all.claims = judge({claim, told}, all.parts);
+  Claim other_claim = claim;
+  other_claim.metric = "classes_separated";
+  other_claim.than_system.clear();
+  other_claim.than_variation.clear();
+  all.claims = judge({claim, other_claim}, all.parts);
+  all.not_applicable = {{"texture", "no sound"}};
   return all;
 }
 
@@ -69,7 +63,7 @@ void expect_same(const Run& a, const Run& b) {
   EXPECT_EQ(a.other_predictions, b.other_predictions);
 }
 
-void expect_same(const std::vector<SystemResults>& a, const std::vector<SystemResults>& b) {
+void expect_same(const std::vector<ProtocolResults>& a, const std::vector<ProtocolResults>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].protocol, b[i].protocol);
@@ -97,52 +91,69 @@ void expect_same(const std::vector<Settings>& a, const std::vector<Settings>& b)
   }
 }
 
-TEST(ResultsFile, AStudyReadsBackAsItWas) {
-  const auto file = parse_results(to_json(made_study()), "results.json");
-  ASSERT_TRUE(file) << to_string(file.error());
-  EXPECT_TRUE(file->is_study);
-  ASSERT_EQ(file->parts.size(), 1U);
-  const PartResults& part = file->parts.front();
-  EXPECT_EQ(part.system, "small");
-  EXPECT_EQ(file->find_recording(part.recordings.front())->data_hash, made_study().data_hash);
-  expect_same(part.protocols, made_study().systems);
-  expect_same(part.settings, made_study().settings);
-  EXPECT_EQ(part.pairs.at(1).seed, 6U);
-}
-
-TEST(ResultsFile, AReproductionReadsBackAsItWas) {
-  const ReproductionResults all = made_reproduction();
-  const auto file = parse_results(to_json(all), "results.json");
-  ASSERT_TRUE(file) << to_string(file.error());
-  EXPECT_FALSE(file->is_study);
-  ASSERT_EQ(file->parts.size(), 2U);
-  EXPECT_EQ(file->parts[1].variation, "other");
-  expect_same(file->parts[1].protocols, all.parts[1].protocols);
-  expect_same(file->parts[1].settings, all.parts[1].settings);
-  EXPECT_EQ(file->parts[0].pairs[1].recording, 1U);
-  EXPECT_EQ(file->find_recording("b.mcap")->data_hash, "fnv1a64:1");
-  EXPECT_EQ(file->find_recording("c.mcap"), nullptr);
-  ASSERT_FALSE(all.parts[0].protocols[0].find_metric("told_exactly_by_luck")->of_each.empty());
-  ASSERT_EQ(file->claims.size(), 2U);
-  EXPECT_TRUE(file->claims[1].outcome.chance_share);
-  EXPECT_EQ(file->claims[1].outcome.chance_share, all.claims[1].chance_share);
-  EXPECT_EQ(file->claims[1].outcome.reason(), "2 pairs; 20 are needed");
-  EXPECT_EQ(file->claims[0].outcome.values, all.claims[0].values);
-  EXPECT_EQ(file->claims[0].outcome.claim.published, 0.25);
-  EXPECT_EQ(file->claims[0].share, all.claims[0].share());
+TEST(ResultsFile, ReadBackAsTheyWere) {
+  const Results all = made_results();
+  const auto read = parse_results(to_json(all), "results.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(to_json(*read), to_json(all));
+  ASSERT_EQ(read->parts.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read->parts[i].study, all.parts[i].study);
+    expect_same(read->parts[i].protocols, all.parts[i].protocols);
+    expect_same(read->parts[i].parameters, all.parts[i].parameters);
+    EXPECT_EQ(read->parts[i].recordings, all.parts[i].recordings);
+    EXPECT_EQ(read->parts[i].test_recordings, all.parts[i].test_recordings);
+    EXPECT_EQ(read->parts[i].pairs[1].recording, 1U);
+    EXPECT_EQ(read->parts[i].pairs[1].seed, 6U);
+  }
+  ASSERT_TRUE(read->parts[0].model);
+  EXPECT_EQ(read->parts[0].model->path, "systems/small.somato");
+  EXPECT_EQ(read->parts[0].model->seed, 5U);
+  EXPECT_FALSE(read->parts[1].model);
+  ASSERT_FALSE(all.parts[0].protocols[0].find_metric("classes_separated_chance")->of_each.empty());
+  ASSERT_EQ(read->claims.size(), 2U);
+  EXPECT_TRUE(read->claims[1].chance_share);
+  EXPECT_EQ(read->claims[1].chance_share, all.claims[1].chance_share);
+  EXPECT_EQ(read->claims[1].reason(), "2 pairs; 20 are needed");
+  EXPECT_EQ(read->claims[0].values, all.claims[0].values);
+  EXPECT_EQ(read->claims[0].claim.published, 0.25);
+  EXPECT_EQ(read->not_applicable.at(0).reason, "no sound");
 }
 
 // JSON has no NaN: it stands as null.
 TEST(ResultsFile, AMetricThatIsNoNumberStaysNone) {
-  StudyResults results = made_study();
-  results.systems[0].metrics[0].values[1] = std::nan("");
-  const auto file = parse_results(to_json(results), "results.json");
-  ASSERT_TRUE(file) << to_string(file.error());
-  EXPECT_TRUE(std::isnan(file->parts[0].protocols[0].metrics[0].values[1]));
+  Results results = made_results();
+  results.parts[0].protocols[0].metrics[0].values[1] = std::nan("");
+  results.claims[0].values[1] = std::nan("");
+  const auto read = parse_results(to_json(results), "results.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_TRUE(std::isnan(read->parts[0].protocols[0].metrics[0].values[1]));
+  EXPECT_TRUE(std::isnan(read->claims[0].values[1]));
 }
 
-Json& luck_of(Json& json) {
-  return json["systems"][0]["protocols"][0]["metrics"]["told_exactly_by_luck"]["of_each"];
+// Version 3 of a study had `systems` by protocol, version 1 of a reproduction by part.
+TEST(ResultsFile, OfAnEarlierVersionIsRefusedWithAdvice) {
+  for (const std::string text : {R"({"version": 3, "study": "small", "systems": []})",
+                                 R"({"version": 1, "systems": [], "claims": []})"}) {
+    const auto read = parse_results(text, "old/results.json");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().kind, ErrorKind::kData);
+    EXPECT_EQ(read.error().where, "old/results.json");
+    EXPECT_NE(read.error().what.find("but must be 4"), std::string::npos);
+    EXPECT_NE(read.error().advice.find("of this version again"), std::string::npos);
+  }
+}
+
+Json& part_of(Json& json) {
+  return json["parts"][0];
+}
+
+Json& protocol_of(Json& json) {
+  return part_of(json)["protocols"][0];
+}
+
+Json& chance_of(Json& json) {
+  return protocol_of(json)["metrics"]["classes_separated_chance"]["of_each"];
 }
 
 struct Damage {
@@ -155,113 +166,100 @@ void PrintTo(const Damage& damage, std::ostream* out) {
   *out << damage.name;
 }
 
-class DamagedStudy : public ::testing::TestWithParam<Damage> {};
+class DamagedResults : public ::testing::TestWithParam<Damage> {};
 
-TEST_P(DamagedStudy, IsRefusedWithFileAndField) {
-  Json json = Json::parse(to_json(made_study()));
+TEST_P(DamagedResults, AreRefusedWithFileAndField) {
+  Json json = Json::parse(to_json(made_results()));
   GetParam().make(json);
-  const auto file = parse_results(json.dump(), "some/results.json");
-  ASSERT_FALSE(file);
-  EXPECT_EQ(file.error().kind, ErrorKind::kData);
-  EXPECT_EQ(file.error().where, "some/results.json");
-  EXPECT_NE(file.error().what.find(GetParam().says), std::string::npos) << file.error().what;
+  const auto read = parse_results(json.dump(), "some/results.json");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().kind, ErrorKind::kData);
+  EXPECT_EQ(read.error().where, "some/results.json");
+  EXPECT_FALSE(read.error().advice.empty());
+  EXPECT_NE(read.error().what.find(GetParam().says), std::string::npos) << read.error().what;
 }
 
+const std::string kProtocol = "'parts[0].protocols[0].";
+
 INSTANTIATE_TEST_SUITE_P(
-    By, DamagedStudy,
+    By, DamagedResults,
     ::testing::Values(
-        Damage{"version", [](Json& j) { j["version"] = 2; }, "'version' is 2"},
+        Damage{"version", [](Json& j) { j["version"] = 5; }, "'version' is 5, but must be 4"},
         Damage{"version_text", [](Json& j) { j["version"] = "3"; }, "'version' is string"},
-        Damage{"no_version", [](Json& j) { j.erase("version"); }, "no results.json"},
-        Damage{"no_systems", [](Json& j) { j.erase("systems"); }, "no results.json"},
-        Damage{"study_number", [](Json& j) { j["study"] = 7; }, "'study' is number"},
-        Damage{"no_hash", [](Json& j) { j.erase("data_hash"); }, "'data_hash' is missing"},
-        Damage{"settings_list", [](Json& j) { j["settings"] = Json::array(); }, "'settings'"},
-        Damage{"setting_object", [](Json& j) { j["settings"]["module.map"]["rows"] = {{"a", 1}}; },
-               "'settings.module.map.rows' is object"},
-        Damage{"setting_huge",
-               [](Json& j) { j["settings"]["module.map"]["rows"] = 18446744073709551615ULL; },
-               "too large"},
-        Damage{"setting_name", [](Json& j) { j["settings"]["study"]["a = 1\n[module.x]"] = 1; },
-               "no name"},
-        Damage{"part_name", [](Json& j) { j["settings"]["x]\n[y"]["a"] = 1; }, "no name"},
-        Damage{"systems_object", [](Json& j) { j["systems"] = Json::object(); }, "'systems'"},
-        Damage{"system_null", [](Json& j) { j["systems"][0] = nullptr; }, "'systems[0]' is null"},
-        Damage{"samples_negative", [](Json& j) { j["systems"][0]["samples"] = -1; },
-               "'systems[0].samples' is number"},
-        Damage{"samples_huge", [](Json& j) { j["systems"][0]["samples"] = 1000000000000; },
-               "'systems[0].runs[0].winners' has 12 entries"},
-        Damage{"samples_part", [](Json& j) { j["systems"][0]["samples"] = 11.5; }, "whole number"},
-        Damage{"winner_text", [](Json& j) { j["systems"][0]["runs"][1]["winners"][3] = "9"; },
-               "'systems[0].runs[1].winners[3]' is string"},
-        Damage{"winner_huge", [](Json& j) { j["systems"][0]["runs"][1]["winners"][3] = 1U << 30U; },
-               "'systems[0].runs[1].winners[3]'"},
-        Damage{"labels_short", [](Json& j) { j["systems"][0]["runs"][1]["labels"].erase(0); },
-               "'systems[0].runs[1].labels' has 11 entries, where 12"},
+        Damage{"no_version", [](Json& j) { j.erase("version"); }, "not a results.json"},
+        Damage{"no_parts", [](Json& j) { j.erase("parts"); }, "not a results.json"},
+        Damage{"no_claims", [](Json& j) { j.erase("claims"); }, "'claims' is missing"},
+        Damage{"system_number", [](Json& j) { part_of(j)["system"] = 7; }, "system' is number"},
+        Damage{"no_study", [](Json& j) { part_of(j).erase("study"); }, "study' is missing"},
+        Damage{"no_hash", [](Json& j) { j["recordings"][1].erase("hash"); },
+               "'recordings[1].hash' is missing"},
+        Damage{"parameters_list", [](Json& j) { part_of(j)["parameters"] = Json::array(); },
+               "'parts[0].parameters'"},
+        Damage{"parameter_number",
+               [](Json& j) { part_of(j)["parameters"]["module.map"]["rows"] = 5; },
+               "'parts[0].parameters.module.map.rows' is number"},
+        Damage{"no_model", [](Json& j) { part_of(j).erase("model"); }, "model' is missing"},
+        Damage{"model_outside", [](Json& j) { part_of(j)["model"]["path"] = "a/../../b"; },
+               "'parts[0].model.path' is not in the folder"},
+        Damage{"model_anywhere", [](Json& j) { part_of(j)["model"]["path"] = "/b.somato"; },
+               "'parts[0].model.path' is not in the folder"},
+        Damage{"model_seed", [](Json& j) { part_of(j)["model"]["seed"] = -1; }, "model.seed'"},
+        Damage{"parts_object", [](Json& j) { j["parts"] = Json::object(); }, "'parts'"},
+        Damage{"part_null", [](Json& j) { j["parts"][1] = nullptr; }, "'parts[1]' is null"},
+        Damage{"samples_negative", [](Json& j) { protocol_of(j)["samples"] = -1; },
+               kProtocol + "samples' is number"},
+        Damage{"samples_huge", [](Json& j) { protocol_of(j)["samples"] = 1000000000000; },
+               kProtocol + "runs[0].winners' has 12 entries"},
+        Damage{"samples_part", [](Json& j) { protocol_of(j)["samples"] = 11.5; }, "whole number"},
+        Damage{"winner_text", [](Json& j) { protocol_of(j)["runs"][1]["winners"][3] = "9"; },
+               kProtocol + "runs[1].winners[3]' is string"},
+        Damage{"winner_huge", [](Json& j) { protocol_of(j)["runs"][1]["winners"][3] = 1U << 30U; },
+               kProtocol + "runs[1].winners[3]'"},
+        Damage{"labels_short", [](Json& j) { protocol_of(j)["runs"][1]["labels"].erase(0); },
+               kProtocol + "runs[1].labels' has 11 entries, but needs 12"},
         Damage{"labels_long",
-               [](Json& j) { j["systems"][0]["runs"][1]["labels"].push_back("more"); },
-               "'systems[0].runs[1].labels' has 13 entries, where 12"},
+               [](Json& j) { protocol_of(j)["runs"][1]["labels"].push_back("more"); },
+               kProtocol + "runs[1].labels' has 13 entries, but needs 12"},
         Damage{"prediction_number",
-               [](Json& j) { j["systems"][0]["runs"][0]["predictions"][0] = 4; }, "predictions[0]"},
+               [](Json& j) { protocol_of(j)["runs"][0]["predictions"][0] = 4; }, "predictions[0]"},
         Damage{"values_short",
-               [](Json& j) { j["systems"][0]["metrics"]["accuracy"]["values"].erase(0); },
-               "'systems[0].metrics.accuracy.values' has 1 entries, where 2"},
+               [](Json& j) { protocol_of(j)["metrics"]["accuracy"]["values"].erase(0); },
+               kProtocol + "metrics.accuracy.values' has 1 entries, but needs 2"},
         Damage{"value_text",
-               [](Json& j) { j["systems"][0]["metrics"]["accuracy"]["values"][0] = "1"; },
+               [](Json& j) { protocol_of(j)["metrics"]["accuracy"]["values"][0] = "1"; },
                "accuracy.values[0]"},
         Damage{"metric_missing_mean",
-               [](Json& j) { j["systems"][0]["metrics"]["accuracy"].erase("mean"); },
+               [](Json& j) { protocol_of(j)["metrics"]["accuracy"].erase("mean"); },
                "accuracy.mean' is missing"},
-        Damage{"runs_differ",
-               [](Json& j) {
-                 j["systems"][1]["runs"].erase(0);
-                 for (auto& metric : j["systems"][1]["metrics"]) {
-                   metric["values"].erase(0);
-                   if (metric.contains("of_each")) metric["of_each"].erase(0);
-                 }
-               },
-               "'systems[1]' has another number of runs"},
         Damage{"other_predictions",
-               [](Json& j) { j["systems"][0]["runs"][0]["other_predictions"] = {1, 2}; },
-               "other_predictions' is array"}),
-    [](const auto& test) { return test.param.name; });
-
-class DamagedReproduction : public ::testing::TestWithParam<Damage> {};
-
-TEST_P(DamagedReproduction, IsRefusedWithFileAndField) {
-  Json json = Json::parse(to_json(made_reproduction()));
-  GetParam().make(json);
-  const auto file = parse_results(json.dump(), "results.json");
-  ASSERT_FALSE(file);
-  EXPECT_EQ(file.error().kind, ErrorKind::kData);
-  EXPECT_NE(file.error().what.find(GetParam().says), std::string::npos) << file.error().what;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    By, DamagedReproduction,
-    ::testing::Values(
-        Damage{"version", [](Json& j) { j["version"] = 3; }, "'version' is 3"},
-        Damage{"claims_missing", [](Json& j) { j.erase("claims"); }, "no results.json"},
-        Damage{"pair_recording", [](Json& j) { j["systems"][0]["pairs"][0][0] = 2; },
-               "'systems[0].pairs[0]' is of a recording that is not there"},
-        Damage{"pair_short", [](Json& j) { j["systems"][0]["pairs"][0] = {1}; }, "has 1 entries"},
-        Damage{"pairs_few", [](Json& j) { j["systems"][0]["pairs"].erase(0); },
-               "'systems[0].pairs' are not as many"},
-        Damage{"recording_unknown", [](Json& j) { j["systems"][1]["recordings"][0] = "c.mcap"; },
-               "'systems[1].recordings' names one"},
-        Damage{"of_each_length", [](Json& j) { luck_of(j).erase(0); }, "of_each' has 1 entries"},
-        Damage{"of_each_empty", [](Json& j) { luck_of(j)[0] = Json::array(); }, "has no value"},
-        Damage{"of_each_times", [](Json& j) { luck_of(j)[0][0][1] = 0.5; }, "does not say how"},
-        Damage{"of_each_pair", [](Json& j) { luck_of(j)[0][0].push_back(1); }, "has 3 entries"},
-        Damage{"share", [](Json& j) { j["claims"][0]["share"] = 1.5; }, "'claims[0].share'"},
+               [](Json& j) { protocol_of(j)["runs"][0]["other_predictions"] = {1, 2}; },
+               "other_predictions' is array"},
+        Damage{"pair_recording", [](Json& j) { part_of(j)["pairs"][0][0] = 2; },
+               "'parts[0].pairs[0]' refers to a recording that does not exist"},
+        Damage{"pair_short", [](Json& j) { part_of(j)["pairs"][0] = {1}; }, "has 1 entries"},
+        Damage{"pairs_few", [](Json& j) { part_of(j)["pairs"].erase(0); },
+               kProtocol + "runs' has 2 entries, but needs 1"},
+        Damage{"recording_unknown", [](Json& j) { j["parts"][1]["recordings"][0] = 2; },
+               "'parts[1].recordings[0]' refers to a recording that does not exist"},
+        Damage{"test_recordings_few", [](Json& j) { j["parts"][1]["test_recordings"].erase(0); },
+               "'parts[1].test_recordings' has 1 entries, but needs 2"},
+        Damage{"of_each_length", [](Json& j) { chance_of(j).erase(0); }, "of_each' has 1 entries"},
+        Damage{"of_each_empty", [](Json& j) { chance_of(j)[0] = Json::array(); }, "has no value"},
+        Damage{"of_each_times", [](Json& j) { chance_of(j)[0][0][1] = 0.5; }, "does not state how"},
+        Damage{"of_each_pair", [](Json& j) { chance_of(j)[0][0].push_back(1); }, "has 3 entries"},
+        Damage{"share", [](Json& j) { j["claims"][0]["share"] = 0.5; }, "'claims[0].share'"},
+        Damage{"verdict", [](Json& j) { j["claims"][0]["verdict"] = "holds"; },
+               "'claims[0].verdict' is 'holds'"},
+        Damage{"claim_values", [](Json& j) { j["claims"][0].erase("values"); },
+               "'claims[0].values' is missing"},
         Damage{"published", [](Json& j) { j["claims"][0]["published"] = "all"; },
                "'claims[0].published' is string"},
-        Damage{"claim_metric", [](Json& j) { j["claims"][0]["metric"] = "luck"; },
-               "'claims[0]' is about something that is not in the file"}),
+        Damage{"not_applicable", [](Json& j) { j["not_applicable"][0].erase("reason"); },
+               "'not_applicable[0].reason'"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(ResultsFile, WhatIsCutOffIsRefusedWhereverItIs) {
-  const std::string whole = to_json(made_study());
+  const std::string whole = to_json(made_results());
   for (std::size_t length = 0; length + 2 < whole.size(); length += 97) {
     const auto file = parse_results(std::string_view(whole).substr(0, length), "results.json");
     ASSERT_FALSE(file) << length;
@@ -272,7 +270,7 @@ TEST(ResultsFile, WhatIsCutOffIsRefusedWhereverItIs) {
 TEST(ResultsFile, WhatIsNoJsonIsRefused) {
   for (const std::string text :
        {"", "null", "[]", "{}", "7", "\"results\"", "{\"version\": NaN}", "{\"version\": 1e400}",
-        "{\"version\": 3, }", "\xFF\xFE", "<html></html>", "{\"version\": 3} {}"}) {
+        "{\"version\": 4, }", "\xFF\xFE", "<html></html>", "{\"version\": 4} {}"}) {
     const auto file = parse_results(text, "results.json");
     ASSERT_FALSE(file) << text;
     EXPECT_EQ(file.error().kind, ErrorKind::kData);
@@ -281,14 +279,13 @@ TEST(ResultsFile, WhatIsNoJsonIsRefused) {
 
 TEST(ResultsFile, WhatIsDeepIsNoTrouble) {
   const std::string deep =
-      "{\"version\": 3, \"study\": \"a\", \"systems\": " + std::string(100000, '[') +
-      std::string(100000, ']') + "}";
+      "{\"version\": 4, \"parts\": " + std::string(100000, '[') + std::string(100000, ']') + "}";
   EXPECT_FALSE(parse_results(deep, "results.json"));
   EXPECT_FALSE(parse_results(std::string(1000000, '['), "results.json"));
 }
 
 TEST(ResultsFile, ManyFieldsOfChanceAreRefusedOrRead) {
-  const std::string whole = to_json(made_study());
+  const std::string whole = to_json(made_results());
   Random random(4);
   for (int i = 0; i < 2000; ++i) {
     std::string text = whole;

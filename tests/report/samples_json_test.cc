@@ -5,15 +5,30 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include "support/json_schema.h"
 
 namespace somato {
 namespace {
 
 using detail::Evidence;
-using detail::moments_json;
-using detail::samples_json;
-using detail::things_json;
 using Json = nlohmann::ordered_json;
+
+// A part of a system of the report, checked by its schema.
+Json checked(Json part, const std::string& name) {
+  EXPECT_TRUE(testing::fits_schema(part, "report.json#/$defs/SystemReport/properties/" + name));
+  return part;
+}
+Json samples_of(const Evidence& evidence) {
+  return checked(detail::samples_json(evidence), "samples");
+}
+Json things_of(const Evidence& evidence, const std::vector<ReportThing>& known) {
+  return checked(detail::things_json(evidence, known), "things");
+}
+Json moments_of(const Evidence& evidence) {
+  return checked(detail::moments_json(evidence), "moments");
+}
 
 Channel channel(const std::string& name, std::size_t frames, std::size_t elements, double rate) {
   Matrix<float> values(frames, elements);
@@ -26,7 +41,7 @@ Channel channel(const std::string& name, std::size_t frames, std::size_t element
 class SamplesJson : public ::testing::Test {
  protected:
   SamplesJson() {
-    results_.protocols.push_back({"s", "train_is_test", "", "object", 3, {}, {}});
+    results_.protocols.push_back({"train_is_test", "", "object", 3, {}, {}});
     evidence_.part = &results_;
     evidence_.explorations = {0, 1, 2};
     for (const std::string name : {"ball", "ball", "cube"}) {
@@ -44,17 +59,17 @@ class SamplesJson : public ::testing::Test {
 
 TEST_F(SamplesJson, LabelsStandInTheOrderOfTheSamples) {
   evidence_.explorations = {2, 0};
-  EXPECT_EQ(samples_json(evidence_)[0]["object"], "cube");
-  EXPECT_EQ(samples_json(evidence_)[1]["material"], "wood");
+  EXPECT_EQ(samples_of(evidence_)[0]["object"], "cube");
+  EXPECT_EQ(samples_of(evidence_)[1]["material"], "wood");
   evidence_.recording = nullptr;
-  EXPECT_TRUE(samples_json(evidence_).is_null());
+  EXPECT_TRUE(samples_of(evidence_).is_null());
 }
 
 TEST_F(SamplesJson, AThingThatIsKnownIsCompletedUnlessItContradicts) {
   using Size = std::array<double, 3>;
   const ReportThing steel{"ball", "sphere", Size{1, 1, 1}, 0, "metal", "hard", {}, 2.0};
   const ReportThing wooden{"ball", "sphere", Size{7, 7, 7}, 0, "wood", "hard", Size{1, 0, 0}, 3.0};
-  const Json things = things_json(evidence_, {steel, wooden});
+  const Json things = things_of(evidence_, {steel, wooden});
   ASSERT_EQ(things.size(), 2U);
   EXPECT_EQ(things[0]["size"], Json::array({7.0, 7.0, 7.0}));
   EXPECT_EQ(things[0]["colour"], Json::array({1.0, 0.0, 0.0}));
@@ -68,11 +83,11 @@ TEST_F(SamplesJson, AThingThatIsKnownIsCompletedUnlessItContradicts) {
 TEST_F(SamplesJson, WithoutARecordingThingsAreTheClasses) {
   evidence_.recording = nullptr;
   results_.protocols[0].runs = {{1, {0, 0, 0}, {"b", "a", "b"}, {"b", "a", "b"}, {}}};
-  const Json things = things_json(evidence_, {});
+  const Json things = things_of(evidence_, {});
   ASSERT_EQ(things.size(), 2U);
   EXPECT_EQ(things[0]["name"], "b");
   results_.protocols[0].label = "shape";
-  EXPECT_EQ(things_json(evidence_, {}), Json::array());
+  EXPECT_EQ(things_of(evidence_, {}), Json::array());
 }
 
 TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
@@ -84,7 +99,7 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
     exploration(i).channels = {channel("joints", 10, 3, 0.0), touch, channel("sound", 100, 1, 100),
                                channel("odd", 4, 1, 0.0)};
   }
-  const Json moments = moments_json(evidence_);
+  const Json moments = moments_of(evidence_);
   ASSERT_EQ(moments.size(), 2U);  // one exploration a thing
   EXPECT_EQ(moments[1]["labels"]["object"], "cube");
   const Json& channels = moments[0]["channels"];
@@ -94,7 +109,7 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
   EXPECT_EQ(channels[1]["values"], Json::array({1, 5}));
   EXPECT_EQ(channels[2]["frame"], 60);  // 0.6 s
   EXPECT_EQ(channels[2]["time"], 0.6);
-  EXPECT_EQ(channels[3]["frame"], 3);  // nobody knows when: the last
+  EXPECT_EQ(channels[3]["frame"], 3);  // the time is unknown: the last frame
   EXPECT_EQ(channels[0]["channel"]["elements"], Json::array({"1", "2", "3"}));
   EXPECT_EQ(channels[0]["channel"]["unit"], "u");
 }
@@ -102,14 +117,14 @@ TEST_F(SamplesJson, TheMomentIsThatOfMostTouch) {
 TEST_F(SamplesJson, WithoutTouchTheMomentIsTheLast) {
   exploration(0).channels = {channel("joints", 9, 3, 0.0)};
   evidence_.explorations = {0};
-  EXPECT_EQ(moments_json(evidence_)[0]["channels"][0]["frame"], 8);
+  EXPECT_EQ(moments_of(evidence_)[0]["channels"][0]["frame"], 8);
 }
 
 TEST_F(SamplesJson, AtMost200FramesFromFirstToLastAreShown) {
   exploration(0).channels = {channel("sound", 44100, 1, 44100), channel("skin", 5, 65, 1.0),
                              channel("one", 1, 2, 0.0)};
   evidence_.explorations = {0};
-  const Json channels = moments_json(evidence_)[0]["channels"];
+  const Json channels = moments_of(evidence_)[0]["channels"];
   EXPECT_EQ(channels[0]["times"].size(), 200U);
   EXPECT_EQ(channels[0]["times"][0], 0);
   EXPECT_NEAR(channels[0]["times"][199].get<double>(), 44099.0 / 44100.0, 1e-5);
@@ -127,7 +142,7 @@ TEST_F(SamplesJson, TheMomentIsAmongTheFramesShown) {
     for (float& value : touch.frames.values()) value = 0.0F;
     touch.frames(moment, 0) = 1.0F;
     exploration(0).channels = {touch};
-    const Json shown = moments_json(evidence_)[0]["channels"][0];
+    const Json shown = moments_of(evidence_)[0]["channels"][0];
     ASSERT_EQ(shown["times"].size(), 200U);
     EXPECT_EQ(shown["frame"], moment);
     EXPECT_EQ(shown["time"], moment);

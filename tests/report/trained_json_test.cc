@@ -4,7 +4,8 @@
 
 #include <set>
 
-#include "somato/graph/learned_parts.h"
+#include "graph/learned_parts.h"
+#include "support/json_schema.h"
 #include "support/systems.h"
 
 namespace somato {
@@ -33,6 +34,8 @@ TEST(ReceptiveFields, AreArborTimesWeightOfNeuronsOfAllColumns) {
   const Json fields = receptive_fields_json(system, missing);
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_TRUE(missing.empty());
+  EXPECT_TRUE(
+      testing::fits_schema(fields, "report.json#/$defs/TrainedData/properties/receptive_fields"));
   const auto map = t_mpsom_of(system, *system.find("felt"));
   for (std::size_t input = 0; input < 2; ++input) {
     const Json& field = fields[input];

@@ -1,6 +1,7 @@
 // Prints a line for each case: its name and a checksum of the bits it gives. The test
 // house.same_bits compares the lines of two compilers.
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,20 +13,20 @@
 #include <string>
 #include <vector>
 
+#include "core/elementary.h"
+#include "files/archive.h"
+#include "files/toml_file.h"
+#include "kernels/instruction_set.h"
+#include "maps/som_archive.h"
 #include "somato/codes/spectrum.h"
-#include "somato/core/elementary.h"
-#include "somato/core/instruction_set.h"
 #include "somato/core/random.h"
 #include "somato/core/signal.h"
 #include "somato/core/value.h"
-#include "somato/files/archive.h"
-#include "somato/files/toml_file.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
-#include "somato/maps/som_archive.h"
 #include "somato/maps/som_training.h"
-#include "somato/maps/t_mpsom_training.h"
+#include "somato/maps/t_mpsom.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -184,17 +185,19 @@ std::string saved_t_mpsom() {
   parameters.iterations = 300;
   TMpsom map(parameters);
   Random random(12);
-  TMpsomExploration exploration;
-  for (int frame = 0; frame < 50; ++frame) {
-    exploration.emplace_back();
-    for (const std::size_t size : parameters.input_sizes) {
-      std::vector<float> values(size);
-      for (float& value : values) value = static_cast<float>(random.uniform());
-      exploration.back().push_back(Signal::dense(std::move(values)));
+  std::vector<std::array<std::vector<float>, 2>> frames(50);
+  for (auto& frame : frames) {
+    for (std::size_t input = 0; input < 2; ++input) {
+      frame[input].resize(parameters.input_sizes[input]);
+      for (float& value : frame[input]) value = static_cast<float>(random.uniform());
     }
   }
-  const std::vector<TMpsomExploration> explorations{exploration};
-  if (!train_t_mpsom(map, explorations)) return {};
+  TMpsom::Workspace workspace(map);
+  for (std::uint64_t t = 0; t < parameters.iterations; ++t) {
+    const auto& frame = frames[t % frames.size()];
+    const SignalView inputs[] = {SignalView::dense(frame[0]), SignalView::dense(frame[1])};
+    map.learn(inputs, parameters.learning_rate().at(t), workspace);
+  }
   std::string bytes;
   for (std::size_t input = 0; input < 2; ++input) {
     const Matrix<float> weights = map.weights(input);
@@ -309,8 +312,7 @@ bool print_everywhere_the_same(const std::string& name, const Make& make) {
     use_instruction_set(set);
     for (const std::size_t threads : {1U, 2U, 4U}) {
       if (make(threads) == expected) continue;
-      std::printf("%s differs with %s, %zu threads\n", name.c_str(), choice_name(set).c_str(),
-                  threads);
+      std::printf("%s differs with %s, %zu threads\n", name.c_str(), name_of(set).c_str(), threads);
       return false;
     }
   }
@@ -321,7 +323,7 @@ bool print_trained_maps() {
   const Samples samples = noise(30, 70);
   bool same = true;
   for (const InstructionSet set : available_instruction_sets()) {
-    std::printf("compared: %s\n", choice_name(set).c_str());
+    std::printf("compared: %s\n", name_of(set).c_str());
   }
   for (const SomParameters& parameters : kinds_of_training()) {
     same &= print_everywhere_the_same(name_of(parameters), [&](std::size_t threads) {

@@ -1,10 +1,10 @@
-#include "somato/simulation/hand_picture.h"
+#include "simulation/hand_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "somato/files/whole_file.h"
+#include "files/whole_file.h"
 #include "support/temporary_folder.h"
 #include "support/things.h"
 
@@ -24,7 +24,7 @@ std::string picture_of(const SimulatedHand& hand) {
   return read_whole(folder.file("hand.png")).value();
 }
 
-// A PNG file tells its width and height, big end first, from byte 16 on.
+// A PNG file contains its width and height, big-endian, from byte 16.
 unsigned number_at(const std::string& png, std::size_t at) {
   unsigned number = 0;
   for (std::size_t i = at; i < at + 4; ++i)
@@ -57,7 +57,7 @@ TEST(HandPicture, OfAGraspIsNamedByThingTrialAndGraspFromOneOn) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("tall_tube-4-7.png")));
 }
 
-TEST(HandPicture, AFolderThatIsMissingIsTold) {
+TEST(HandPicture, AMissingFolderIsReported) {
   const TemporaryFolder folder;
   const auto refused =
       save_hand_picture(*hand_before(cylinder_thing()), folder.file("missing/hand.png"));

@@ -1,12 +1,12 @@
-#include "somato/simulation/hand_poses.h"
+#include "simulation/hand_poses.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "somato/bodies/motion.h"
-#include "somato/simulation/watched_explorer.h"
+#include "bodies/frame_log.h"
+#include "bodies/motion.h"
 #include "support/things.h"
 
 namespace somato {

@@ -50,7 +50,7 @@ TEST(HandScene, HandThreeHasThePapersNumbers) {
 
 TEST(HandScene, LimitsAndPacesComeFromTheModel) {
   const HandScene scene = scene_of(Hand::kLucs2, cylinder_thing());
-  const auto& servos = scene.shared_parts()->description.degrees_of_freedom;
+  const auto& servos = scene.shared_impl()->description.degrees_of_freedom;
   EXPECT_EQ(servos[0].least, 100.0);
   EXPECT_EQ(servos[0].most, 250.0);
   EXPECT_NEAR(servos[0].fastest, 100.0, 1e-9);
@@ -62,10 +62,10 @@ TEST(HandScene, ASoftMaterialGivesWayMore) {
     Object object = block_thing();
     object.material.stiffness = stiffness;
     const HandScene scene = scene_of(Hand::kLucs2, object);
-    const auto& parts = *scene.shared_parts();
+    const auto& parts = *scene.shared_impl();
     return parts.model->geom_solref[mjNREF * parts.object_geom];
   };
-  EXPECT_NEAR(time_constant(1e6), 0.01, 1e-5);                // the skin's alone
+  EXPECT_NEAR(time_constant(1e6), 0.01, 1e-5);                // only that of the skin
   EXPECT_NEAR(time_constant(20.0), 0.01 * 1.41421356, 1e-6);  // as stiff as the skin
   EXPECT_GT(time_constant(1.0), 0.04);
 }
@@ -76,7 +76,7 @@ TEST(HandScene, TheObjectsFrictionCountsUnlessTheCallerSaysOtherwise) {
   SimulationParameters parameters;
   const auto friction = [&] {
     const HandScene scene = scene_of(Hand::kLucs2, object, parameters);
-    const auto& parts = *scene.shared_parts();
+    const auto& parts = *scene.shared_impl();
     return parts.model->geom_friction[3 * parts.object_geom];
   };
   EXPECT_EQ(friction(), 0.7);
@@ -87,21 +87,21 @@ TEST(HandScene, TheObjectsFrictionCountsUnlessTheCallerSaysOtherwise) {
 TEST(HandScene, TheWiderSideGoesAgainstThePalm) {
   const HandScene wide = scene_of(Hand::kLucs3, thing(Shape::kBlock, 70, 45, 120));
   const HandScene deep = scene_of(Hand::kLucs3, thing(Shape::kBlock, 45, 70, 120));
-  EXPECT_FALSE(wide.shared_parts()->turn_to_palm);
-  EXPECT_TRUE(deep.shared_parts()->turn_to_palm);
-  EXPECT_FALSE(scene_of(Hand::kLucs2, thing(Shape::kBlock, 45, 70, 100)).shared_parts()->at_palm);
+  EXPECT_FALSE(wide.shared_impl()->turn_to_palm);
+  EXPECT_TRUE(deep.shared_impl()->turn_to_palm);
+  EXPECT_FALSE(scene_of(Hand::kLucs2, thing(Shape::kBlock, 45, 70, 100)).shared_impl()->at_palm);
 }
 
-TEST(HandScene, TaxelsOfHandThreeAreThereWhenAskedFor) {
+TEST(HandScene, HandThreeHasTaxelsOnRequest) {
   SimulationParameters parameters;
   const auto count = [&] {
     const HandScene scene = scene_of(Hand::kLucs3, cylinder_thing(), parameters);
-    return scene.shared_parts()->taxels.names.size();
+    return scene.shared_impl()->taxels.names.size();
   };
   // Those that can touch something.
   const auto touchable = [&] {
     const HandScene scene = scene_of(Hand::kLucs3, cylinder_thing(), parameters);
-    const mjModel& model = *scene.shared_parts()->model;
+    const mjModel& model = *scene.shared_impl()->model;
     const auto geoms = detail::find_taxels(model).taxel_of_geom;
     int found = 0;
     for (std::size_t geom = 0; geom < geoms.size(); ++geom)

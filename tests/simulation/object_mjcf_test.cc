@@ -168,7 +168,7 @@ TEST(ObjectMjcf, MeshesWithoutSenseAreRefused) {
   }
 }
 
-TEST(ObjectMjcf, AMeshOfAnotherUnitIsTold) {
+TEST(ObjectMjcf, AMeshWithAnotherUnitIsReported) {
   const TemporaryFolder folder;
   Object object = object_of(Shape::kMesh, 0, 0, 0);
   object.mesh_file = folder.with("cube.obj", kCube);

@@ -20,7 +20,7 @@ HandScene scene_with(const Object& object, bool free) {
 
 struct Placed {
   explicit Placed(const HandScene& scene, const Placement& placement = {})
-      : parts(*scene.shared_parts()),
+      : parts(*scene.shared_impl()),
         pose(object_pose(parts, placement)),
         data(mj_makeData(parts.model.get())) {
     put_object(parts, pose, *data);
@@ -38,7 +38,7 @@ struct Placed {
     return check_object(parts, pose, *data);
   }
 
-  const HandScene::Parts& parts;
+  const HandScene::Impl& parts;
   Pose pose;
   PhysicsData data;
 };
@@ -65,7 +65,7 @@ TEST(ObjectMotion, AFreeObjectThatStaysIsFine) {
   EXPECT_TRUE(placed.check());
 }
 
-TEST(ObjectMotion, AFreeObjectThatIsGoneIsNamedWithWhatItDid) {
+TEST(ObjectMotion, ALostFreeObjectIsReportedWithItsMotion) {
   const HandScene scene = scene_with(cylinder_thing(), true);
   const auto said = [&](auto&& move) {
     Placed placed(scene);

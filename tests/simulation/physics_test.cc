@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "simulation/simulated_hand_works.h"
+#include "simulation/simulated_hand_impl.h"
 #include "support/things.h"
 
 namespace somato::detail {
@@ -20,7 +20,7 @@ TEST(Physics, CompilesAModelAndKnowsItsParts) {
   EXPECT_EQ(find_in(**model, mjOBJ_BODY, "cube"), -1);
 }
 
-TEST(Physics, WhatTheEngineRefusesIsToldWithItsName) {
+TEST(Physics, ModelsThatTheEngineRefusesAreReportedByName) {
   for (const char* text : {"", "<mujoco>", "no markup",
                            R"(<mujoco><worldbody><geom size="-1"/></worldbody></mujoco>)"}) {
     const auto model = compile_model(text, "thing.xml");
@@ -52,7 +52,7 @@ TEST(Physics, AHandWhoseSimulationDivergesEndsItsStepWithTheObjectsName) {
   const auto hand = SimulatedHand::create(*scene, {}, 1);
   ASSERT_TRUE(hand);
   ASSERT_TRUE((*hand)->step(0.1));
-  (*hand)->works().data->qvel[3] = 1e20;
+  (*hand)->impl().data->qvel[3] = 1e20;
   const auto step = (*hand)->step(0.1);
   ASSERT_FALSE(step);
   EXPECT_EQ(step.error().where, "thing");

@@ -1,12 +1,12 @@
-#include "somato/simulation/probe_poses.h"
+#include "simulation/probe_poses.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "somato/bodies/material_colour.h"
-#include "somato/simulation/watched_explorer.h"
+#include "bodies/material_colour.h"
+#include "somato/simulation/simulated_explorer.h"
 
 namespace somato {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 Exploration explored(ExploringBody body, std::size_t thing = 0) {
   const auto things = default_things(body).value();
-  return Explorer::build(body, things, {}, 3).value().explore(thing, 0).value();
+  return simulated_explorer(body, things, {}, 3).value()->explore(thing, 0).value();
 }
 
 double lever_degrees(const ScenePose& pose) {
@@ -35,40 +35,36 @@ std::array<double, 4> slab_colour(const Scene& scene) {
 }
 
 // What was seen of a body whenever it felt something, with the frames that it had felt till then.
-class Looking : public ExplorationWatcher {
- public:
-  void begins(const BodyDescription& /*body*/, const Scene& seen) override { scene = seen; }
-  Result<void> moved(const BodyState& /*state*/, const std::vector<ScenePose>& now) override {
-    poses_ = now;
-    return {};
-  }
-  Result<void> felt(const BodyState& state) override {
-    frames_ += state.readings.front().rows();
-    felt_poses.emplace_back(frames_, poses_);
-    return {};
-  }
-
+struct Looking {
   Scene scene;
   std::vector<std::pair<std::size_t, std::vector<ScenePose>>> felt_poses;
-
- private:
-  std::size_t frames_ = 0;
-  std::vector<ScenePose> poses_;
 };
 
-Exploration look(ExploringBody body, Looking& watcher) {
-  const auto watched = watch_body(body, default_things(body).value(), {}, 3).value();
-  return watched->explore({2, 0, {}}, watcher).value();
+Exploration look(ExploringBody body, Looking& seen) {
+  std::size_t frames = 0;
+  ExploreOptions options;
+  options.observer.on_begin = [&](const BodyDescription&, const Scene& scene) -> Result<void> {
+    seen.scene = scene;
+    return {};
+  };
+  options.observer.on_step = [&](const ExplorationStep& step) -> Result<void> {
+    if (step.readings == Readings::kLeftOut) return {};
+    frames += step.state.readings.front().rows();
+    seen.felt_poses.emplace_back(frames, step.poses);
+    return {};
+  };
+  const auto explorer = simulated_explorer(body, default_things(body).value(), {}, 3).value();
+  return explorer->explore(2, 0, options).value();
 }
 
 TEST(ProbePoses, TurnTheLeverAsItTurned) {
-  Looking watcher;
-  const Exploration recorded = look(ExploringBody::kTexture, watcher);
+  Looking seen;
+  const Exploration recorded = look(ExploringBody::kTexture, seen);
   const auto player = play_probes(recorded);
   ASSERT_TRUE(player);
-  EXPECT_EQ(player->scene().bodies, watcher.scene.bodies);
-  ASSERT_EQ(watcher.felt_poses.size(), 10U);
-  for (const auto& [frames, poses] : watcher.felt_poses) {
+  EXPECT_EQ(player->scene().bodies, seen.scene.bodies);
+  ASSERT_EQ(seen.felt_poses.size(), 10U);
+  for (const auto& [frames, poses] : seen.felt_poses) {
     const auto played = player->poses(recorded, frames - 1);
     ASSERT_EQ(played.size(), 1U);
     EXPECT_NEAR(lever_degrees(played[0]), lever_degrees(poses[0]), 0.01);  // two frames of sound
@@ -78,16 +74,16 @@ TEST(ProbePoses, TurnTheLeverAsItTurned) {
 }
 
 TEST(ProbePoses, PutTheStickWhereItsPotentiometerReads) {
-  Looking watcher;
-  const Exploration recorded = look(ExploringBody::kHardness, watcher);
+  Looking seen;
+  const Exploration recorded = look(ExploringBody::kHardness, seen);
   const double counts{recorded.channels.front().frames(0, 0)};
   const auto player = play_probes(recorded);
   ASSERT_TRUE(player);
-  EXPECT_EQ(player->scene().bodies, watcher.scene.bodies);
+  EXPECT_EQ(player->scene().bodies, seen.scene.bodies);
   const ScenePose pose = player->poses(recorded, 0).at(0);
   EXPECT_NEAR(stick_millimetres(pose), 10.0 * counts / 262143.0, 1e-9);
   EXPECT_GT(stick_millimetres(pose), 1.0);
-  EXPECT_EQ(pose.position, watcher.felt_poses.back().second.at(0).position);
+  EXPECT_EQ(pose.position, seen.felt_poses.back().second.at(0).position);
 }
 
 // The only reading of the potentiometer lasts as long as the sound.
@@ -129,7 +125,7 @@ Exploration with_channel(const char* name, const char* unit, Matrix<float> frame
 }
 
 // A stroke of another length, or a reading that no potentiometer of these bits gives.
-TEST(ProbePoses, RestWhereNobodyKnows) {
+TEST(ProbePoses, RestIfThePoseIsUnknown) {
   const Exploration shorter = with_channel("sound", "counts", Matrix<float>(4096, 1), 8192.0);
   const auto lever = play_probes(shorter);
   ASSERT_TRUE(lever);

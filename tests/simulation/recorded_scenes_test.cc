@@ -1,11 +1,11 @@
-#include "somato/simulation/recorded_scenes.h"
+#include "simulation/recorded_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "somato/bodies/object_table.h"
-#include "somato/simulation/explorer.h"
+#include "somato/simulation/simulated_explorer.h"
 #include "support/things.h"
 
 namespace somato {
@@ -78,7 +78,7 @@ TEST(RecordedScenes, TakeNoObjectForAnotherOfItsName) {
   EXPECT_EQ(shown_object(recorded_scenes()(named)).shape, GeomShape::kSphere);
 }
 
-TEST(RecordedScenes, ShowTheHandAloneWithWhatDoesNotFitIt) {
+TEST(RecordedScenes, ShowOnlyTheHandIfTheObjectDoesNotFit) {
   Object wall = thing(Shape::kBlock, 2000, 2000, 2000);
   wall.name = "wall";
   EXPECT_TRUE(shows_nothing(recorded_scenes({wall})(of_hand(wall, 11))));
@@ -103,8 +103,8 @@ TEST(RecordedScenes, RememberHandsAndForgetThem) {
 
 TEST(RecordedScenes, ShowProbes) {
   const auto things = default_things(ExploringBody::kHardness).value();
-  const auto explorer = Explorer::build(ExploringBody::kHardness, things, {}, 1).value();
-  const auto player = recorded_scenes()(explorer.explore(0, 0).value());
+  const auto explorer = simulated_explorer(ExploringBody::kHardness, things, {}, 1).value();
+  const auto player = recorded_scenes()(explorer->explore(0, 0).value());
   ASSERT_TRUE(player);
   EXPECT_EQ(player->scene().bodies, (std::vector<std::string>{"stick"}));
 }

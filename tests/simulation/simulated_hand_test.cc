@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulation/simulated_hand_works.h"
+#include "simulation/simulated_hand_impl.h"
 #include "support/things.h"
 
 namespace somato {
@@ -103,7 +103,7 @@ TEST(SimulatedHand, ServosArriveWhereTheyAreDriven) {
   const std::vector<double> expected{150, 30, 5, -40, 5, -40, 5, -40};
   for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(hand->state().positions[i], expected[i], 1e-9);
   // The servos are springs: gravity and friction leave the joints off by a little.
-  const auto& works = hand->works();
+  const auto& works = hand->impl();
   EXPECT_NEAR(works.data->qpos[0], 0.150, 0.002);
   EXPECT_NEAR(works.data->qpos[1], 30 * std::numbers::pi / 180, 0.005);
   EXPECT_NEAR(works.data->qpos[3], -40 * std::numbers::pi / 180, 0.02);
@@ -124,8 +124,8 @@ TEST(SimulatedHand, AGraspIsFeltAndComesToRest) {
       grasp(*hand);
       EXPECT_GT(sum(touch(*hand)), 2.0);
       go(*hand, posture(130, 21, -20), 2.0);
-      const auto& data = *hand->works().data;
-      for (int i = 0; i < static_cast<int>(hand->works().scene->model->nv); ++i)
+      const auto& data = *hand->impl().data;
+      for (int i = 0; i < static_cast<int>(hand->impl().scene->model->nv); ++i)
         EXPECT_NEAR(data.qvel[i], 0.0, 2e-3) << i << (free ? " free" : " held");
       const double before = sum(touch(*hand));
       go(*hand, posture(130, 21, -20), 1.0);
@@ -141,7 +141,7 @@ TEST(SimulatedHand, ForcesOfAHeldGraspBalanceThoseOfTheServos) {
   const auto hand = hand_with(cylinder_thing());
   grasp(*hand);
   go(*hand, posture(130, 21, 0), 2.0);
-  const auto& works = hand->works();
+  const auto& works = hand->impl();
   const mjModel& model = *works.scene->model;
   const mjData& data = *works.data;
   const int joint = mj_name2id(&model, mjOBJ_JOINT, "finger1_distal");
@@ -171,7 +171,7 @@ TEST(SimulatedHand, ServosNeverExceedTheirTorqueAndSpeed) {
     SimulationParameters parameters;
     parameters.free = free;
     const auto hand = hand_with(cylinder_thing(), parameters);
-    const auto& works = hand->works();
+    const auto& works = hand->impl();
     double fastest = 0.0;
     double strongest = 0.0;
     const auto watch = [&](const std::vector<double>& targets) {
@@ -207,7 +207,7 @@ TEST(SimulatedHand, TheTimeBetweenReadingsChangesNoPhysics) {
     ASSERT_TRUE(fine->command(targets));
     for (int step = 0; step < seconds / 5; ++step) ASSERT_TRUE(fine->step(0.005));
   }
-  EXPECT_EQ(coarse->works().forces, fine->works().forces);
+  EXPECT_EQ(coarse->impl().forces, fine->impl().forces);
   EXPECT_NEAR(coarse->state().time, fine->state().time, 1e-9);
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulation/simulated_hand_works.h"
-#include "somato/bodies/closing.h"
+#include "simulation/simulated_hand_impl.h"
+#include "somato/bodies/explore_by.h"
 #include "support/things.h"
 
 namespace somato {
@@ -91,7 +91,7 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
     SimulationParameters parameters = quiet_three();
     parameters.free = free;
     const auto hand = three_with(tube(70), parameters);
-    const auto& works = hand->works();
+    const auto& works = hand->impl();
     const mjModel& model = *works.scene->model;
     const auto& servos = hand->description().degrees_of_freedom;
     std::vector<double> targets(servos.size(), 0.0);
@@ -122,7 +122,7 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
 TEST(SimulatedHandThree, NoTaxelReadsWithoutContactOfItsOwn) {
   const auto hand = three_with(thing(Shape::kBlock, 70, 45, 120));
   close(*hand);
-  const auto& works = hand->works();
+  const auto& works = hand->impl();
   std::vector<bool> has_contact(works.forces.size(), false);
   for (int i = 0; i < works.data->ncon; ++i) {
     for (const int geom : detail::contact_geoms(works.data->contact[i])) {
@@ -161,8 +161,8 @@ TEST(SimulatedHandThree, ATurnedBlockStandsAgainstThePalmWithItsCorner) {
     const auto hand = SimulatedHand::create(*scene, {.x = 0, .y = 0, .turn = turn}, 1);
     EXPECT_TRUE(hand) << turn << ": " << hand.error().what;
   }
-  const auto away = detail::object_pose(*scene->shared_parts(), {.x = 0, .y = -5.0, .turn = 0});
-  const auto back = detail::object_pose(*scene->shared_parts(), {});
+  const auto away = detail::object_pose(*scene->shared_impl(), {.x = 0, .y = -5.0, .turn = 0});
+  const auto back = detail::object_pose(*scene->shared_impl(), {});
   EXPECT_NEAR(away.position[1] - back.position[1], 0.005, 1e-9);  // never into the palm
 }
 

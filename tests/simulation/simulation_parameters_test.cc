@@ -5,9 +5,9 @@
 namespace somato {
 namespace {
 
-TEST(SimulationParameters, EveryNumberIsDeclaredAsOurs) {
+TEST(SimulationParameters, EveryNumberIsDeclaredAsNotGivenInThePaper) {
   for (const auto& parameter : SimulationParameters::declarations().all()) {
-    EXPECT_NE(parameter.info.text.find("not given in the paper"), std::string::npos)
+    EXPECT_NE(parameter.info.text.find("ot given in the paper"), std::string::npos)
         << parameter.info.name;
   }
 }

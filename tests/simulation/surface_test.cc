@@ -75,7 +75,7 @@ TEST(Surface, IsThereBeforeAnybodyVisitsIt) {
   for (int i = -20; i < 20; ++i) {
     EXPECT_EQ(straight.height(0.37 * i, 0.2 * i), visited.height(0.37 * i, 0.2 * i));
   }
-  for (const double y : {5.0, 6.0, 5.0}) {  // from here to there along one direction alone
+  for (const double y : {5.0, 6.0, 5.0}) {  // along one direction only
     Surface fresh(rough(10.0, 0.3, 0.7), 0.01, 5);
     EXPECT_EQ(straight.height(2.0, y), fresh.height(2.0, y));
   }

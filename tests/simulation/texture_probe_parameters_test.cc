@@ -1,4 +1,4 @@
-#include "somato/simulation/texture_probe_parameters.h"
+#include "somato/simulation/simulation_parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ TEST(TextureProbeParameters, TheDefaultsFitEachOther) {
 TEST(TextureProbeParameters, EveryParameterSaysWhatThePaperGives) {
   for (const auto& parameter : TextureProbeParameters::declarations().all()) {
     const std::string& text = parameter.info.text;
-    EXPECT_TRUE(text.find("not given in the paper") != std::string::npos ||
+    EXPECT_TRUE(text.find("ot given in the paper") != std::string::npos ||
                 text.find("P11") != std::string::npos)
         << parameter.info.name;
   }

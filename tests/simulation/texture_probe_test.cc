@@ -1,4 +1,4 @@
-#include "somato/simulation/texture_probe.h"
+#include "simulation/texture_probe.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cstring>
 #include <numbers>
 
-#include "somato/bodies/stroking.h"
-#include "somato/files/checksum.h"
+#include "files/checksum.h"
+#include "somato/bodies/explore_by.h"
 
 namespace somato {
 namespace {
@@ -25,7 +25,7 @@ Material plain_material() {
   return material;
 }
 
-// Nothing but the edge, heard with 24 bits.
+// Only the edge, recorded with 24 bits.
 TextureProbeParameters noiseless_texture() {
   TextureProbeParameters parameters;
   parameters.placement_noise = 0.0;

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "somato/studies/results.h"
+
 #include <cmath>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -33,11 +35,11 @@ TEST(ReadClaims, ReadsEveryKeyAndTheDefaults) {
 name = "s"
 
 [[claim]]
-text = "Wood is told from plastic."
+text = "Wood and plastic are separated."
 paper = "P11 IV-F"
 system = "texture"
 variation = "wide"
-metric = "told_exactly"
+metric = "classes_separated"
 protocol = "leave_group_out"
 group = "trial"
 than_system = "hardness"
@@ -54,11 +56,11 @@ at_most = 0.5
   ASSERT_TRUE(read);
   ASSERT_EQ(read->size(), 2U);
   const Claim& first = read->at(0);
-  EXPECT_EQ(first.text, "Wood is told from plastic.");
+  EXPECT_EQ(first.text, "Wood and plastic are separated.");
   EXPECT_EQ(first.paper, "P11 IV-F");
   EXPECT_EQ(first.system, "texture");
   EXPECT_EQ(first.variation, "wide");
-  EXPECT_EQ(first.metric, "told_exactly");
+  EXPECT_EQ(first.metric, "classes_separated");
   EXPECT_EQ(first.protocol, "leave_group_out");
   EXPECT_EQ(first.group, "trial");
   EXPECT_EQ(first.than_system, "hardness");
@@ -82,15 +84,17 @@ TEST(ReadClaims, AreNoneInAFileWithoutThem) {
 
 TEST(ReadClaims, RefusesWhatCannotHoldAtItsLine) {
   expect_refused("claim = 3\n",
-                 "system.toml:1: claims are a list; write [[claim]] on a line of its own for each");
+                 "system.toml:1: 'claim' must be a list of tables; write each claim as a separate "
+                 "table [[claim]]");
   expect_refused("[claim]\ntext = 't'\n",
-                 "system.toml:1: claims are a list; write [[claim]] on a line of its own for each");
+                 "system.toml:1: 'claim' must be a list of tables; write each claim as a separate "
+                 "table [[claim]]");
   expect_refused("\n[[claim]]\nmetric = 'accuracy'\nat_least = 0\n",
-                 "system.toml:2: a claim needs its text; add text = \"...\"");
+                 "system.toml:2: the claim has no text; add text = \"...\"");
   expect_refused("[[claim]]\ntext = 't'\nat_least = 0\n",
-                 "system.toml:1: a claim needs a metric; add metric = \"accuracy\"");
+                 "system.toml:1: the claim has no metric; add metric = \"accuracy\"");
   expect_refused("[[claim]]\ntext = 't'\nmetric = 'accuracy'\n",
-                 "system.toml:1: a claim needs a bound; add at_least = ... or at_most = ...");
+                 "system.toml:1: the claim has no bound; add at_least = ... or at_most = ...");
   expect_refused("[[claim]]\ntext = 't'\nmetrics = 'accuracy'\n",
                  "system.toml:3: unknown key 'metrics'; did you mean 'metric'?");
 }
@@ -128,7 +132,7 @@ TEST(Claim, OfNoPairsHoldsInNone) {
 // `holding` pairs of 1, then others of 0, for a claim of at least 1.
 ClaimOutcome pairs(std::size_t holding, std::size_t others) {
   ClaimOutcome outcome;
-  outcome.claim.metric = "told_exactly";
+  outcome.claim.metric = "classes_separated";
   outcome.claim.at_least = 1.0;
   outcome.values.assign(holding, 1.0);
   outcome.values.resize(holding + others, 0.0);
@@ -191,12 +195,12 @@ TEST(Claim, ChanceIsTheMeanShareOfWrongGroupingsWithinTheBounds) {
   Claim claim;
   claim.at_least = 4.0;
   claim.at_most = 6.0;
-  Metric luck{"told_exactly_by_luck",
-              {5.0, 6.0},
-              {{{4.0, 2}, {5.0, 1}, {7.0, 1}}, {{3.0, 1}, {6.0, 1}, {8.0, 2}}}};
-  EXPECT_EQ(chance_share_of(claim, luck), 0.5);
-  luck.of_each.clear();
-  EXPECT_FALSE(chance_share_of(claim, luck));
+  Metric by_chance{"classes_separated_chance",
+                   {5.0, 6.0},
+                   {{{4.0, 2}, {5.0, 1}, {7.0, 1}}, {{3.0, 1}, {6.0, 1}, {8.0, 2}}}};
+  EXPECT_EQ(chance_share_of(claim, by_chance), 0.5);
+  by_chance.of_each.clear();
+  EXPECT_FALSE(chance_share_of(claim, by_chance));
 }
 
 TEST(Claim, SaysItsBounds) {
@@ -210,11 +214,11 @@ TEST(Claim, SaysItsBounds) {
 }
 
 TEST(ReasonUndecidable, IsABoundAboveTheExplorationsOrAThingThatIsNotThere) {
-  SystemResults system;
+  ProtocolResults system;
   system.samples = 8;
   system.runs = {{1, {}, {"boule", "cube"}, {}, {}}};
   Claim claim;
-  claim.metric = "shape.with_own";
+  claim.metric = "shape.neighbours_same_class";
   claim.at_least = 8.0;
   EXPECT_EQ(reason_undecidable(claim, system), "");
   claim.at_least = 29.0;

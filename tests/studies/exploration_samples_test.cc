@@ -24,20 +24,5 @@ TEST(NumbersOf, AreEqualWhereLabelsAre) {
   EXPECT_EQ(numbers_of(recording(), "objcet").error().kind, ErrorKind::kUsage);
 }
 
-TEST(SingleValues, ComeInTheOrderAskedFor) {
-  Activations activations(2, 3);
-  for (std::size_t exploration = 0; exploration < 3; ++exploration) {
-    const auto value = static_cast<float>(exploration);
-    activations.set(1, exploration,
-                    std::make_shared<const Sequence>(
-                        Sequence{Samples(Matrix<float>(1, 2, {value, -value})), 0.0}));
-  }
-  const Samples samples = single_values(activations, 1, {2, 0});
-  ASSERT_EQ(samples.count(), 2U);
-  EXPECT_EQ(samples[0].values[0], 2.0F);
-  EXPECT_EQ(samples[0].values[1], -2.0F);
-  EXPECT_EQ(samples[1].values[0], 0.0F);
-}
-
 }  // namespace
 }  // namespace somato

@@ -1,4 +1,4 @@
-#include "somato/studies/first_order.h"
+#include "studies/first_order.h"
 
 #include <gtest/gtest.h>
 

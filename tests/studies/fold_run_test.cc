@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
+#include "maps/areas.h"
 #include "somato/codes/standardization.h"
 #include "somato/graph/system_model.h"
-#include "somato/maps/areas.h"
 #include "somato/maps/som_training.h"
-#include "somato/studies/wrong_groupings.h"
 #include "studies/metrics.h"
+#include "studies/wrong_groupings.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 #include "support/temporary_folder.h"
@@ -31,20 +32,19 @@ Recording fold_recording() {
   return testing::objects_apart(3, kSamples / 3, 150.0, 7);
 }
 
-Question question_of(const Recording& asked, const StudyDescription& description = small_study()) {
-  return make_question(description, asked, nullptr, 1).value();
+PreparedStudy question_of(const Recording& asked,
+                          const StudyDescription& description = small_study()) {
+  return prepare_study(description, asked, nullptr, 1).value();
 }
 
-TrainedFold trained_on(const Question& question, const Fold& fold,
+TrainedFold trained_on(const PreparedStudy& prepared, const Fold& fold,
                        const StudyDescription& description = small_study()) {
-  TrainedFold trained = train_fold(description, question, fold, kSeed, {}).value();
-  form_map(trained, question);
-  return trained;
+  return train_fold(description, prepared, fold, kSeed, {}).value();
 }
 
-std::vector<Fold> folds_of(const Question& question, Protocol protocol) {
+std::vector<Fold> folds_of(const PreparedStudy& prepared, Protocol protocol) {
   const bool groups = protocol == Protocol::kLeaveGroupOut;
-  return folds(protocol, question.divided_by(groups ? question.groups.begin()->first : ""));
+  return folds(protocol, prepared.divided_by(groups ? prepared.groups.begin()->first : ""));
 }
 
 // What the map is to see, put together by hand: joints of the last frame, standardized.
@@ -70,9 +70,9 @@ SomParameters parameters(std::uint64_t seed) {
 }
 
 std::vector<float> input_of(const TrainedFold& trained, std::size_t exploration) {
-  const Samples& samples = trained.inputs.samples.samples();
+  const Samples& samples = trained.inputs.samples;
   std::vector<float> values(samples.size());
-  write_dense(samples[trained.inputs.places_of({exploration}).front()], values);
+  write_dense(samples[trained.inputs.places_of(std::vector{exploration}).front()], values);
   return values;
 }
 
@@ -91,7 +91,7 @@ class Recomputed {
     return som_.distance(at(sample), winner(sample), workspace_);
   }
 
-  bool torn(std::size_t sample) {
+  bool topographic_errors(std::size_t sample) {
     const Winners winners = som_.winners(at(sample), workspace_);
     return !som_.grid().adjacent(winners.first, winners.second);
   }
@@ -124,17 +124,18 @@ class Recomputed {
 };
 
 // What is tested of a training, as test_fold() and nearest_neighbours() give it together.
-FoldOutcome outcome_of(const TrainedFold& trained, const Question& question, const Fold& fold) {
-  return test_fold(trained, question, fold, nearest_neighbours(trained.vectors, fold));
+FoldOutcome outcome_of(const TrainedFold& trained, const PreparedStudy& prepared,
+                       const Fold& fold) {
+  return test_fold(trained, prepared, fold, nearest_neighbours(trained.vectors, fold));
 }
 
-std::map<std::string, double> metrics_by_name(const Question& question, const Fold& fold,
+std::map<std::string, double> metrics_by_name(const PreparedStudy& prepared, const Fold& fold,
                                               const FoldOutcome& outcome) {
   StudyParameters study = small_study().study;
   study.wrong_groupings = kGroupings;
   const std::vector<Fold> folds{fold};
   // Of one fold of one seed: what the whole protocol averages.
-  const Asked asked{study, question, Protocol::kLeaveOneOut, folds};
+  const MeasuredStudy asked{study, prepared, Protocol::kLeaveOneOut, folds};
   std::map<std::string, double> found;
   for (const Metric& metric : metrics_of(asked, {{kSeed, {&outcome}}})) {
     found[metric.name] = metric.values.at(0);
@@ -142,11 +143,11 @@ std::map<std::string, double> metrics_by_name(const Question& question, const Fo
   return found;
 }
 
-void compare_areas(const std::map<std::string, double>& metrics, const Question& question,
+void compare_areas(const std::map<std::string, double>& metrics, const PreparedStudy& prepared,
                    const WinnerAreas& areas, const Numbers& winners) {
-  const Numbers& classes = question.classes().of_sample;
+  const Numbers& classes = prepared.classes().of_sample;
   const auto wrong =
-      wrong_groupings(classes, question.labels.front().individuals, kGroupings, kSeed);
+      wrong_groupings(classes, prepared.labels.front().individuals, kGroupings, kSeed);
   EXPECT_EQ(metrics.at("individuals_apart"), individuals_apart(winners, classes) ? 1.0 : 0.0);
   EXPECT_EQ(metrics.at("areas_connected"), areas.connected(classes) ? 1.0 : 0.0);
   double connected = 0.0;
@@ -155,20 +156,20 @@ void compare_areas(const std::map<std::string, double>& metrics, const Question&
     connected += areas.connected(grouping) ? 1.0 : 0.0;
     apart += individuals_apart(winners, grouping) ? 1.0 : 0.0;
   }
-  EXPECT_NEAR(metrics.at("areas_connected_by_luck"), connected / kGroupings, 1e-12);
-  EXPECT_NEAR(metrics.at("individuals_apart_by_luck"), apart / kGroupings, 1e-12);
+  EXPECT_NEAR(metrics.at("areas_connected_chance"), connected / kGroupings, 1e-12);
+  EXPECT_NEAR(metrics.at("individuals_apart_chance"), apart / kGroupings, 1e-12);
 }
 
-void compare(const Fold& fold, const Question& question) {
-  const Numbers& classes = question.classes().of_sample;
-  const TrainedFold trained = trained_on(question, fold);
-  const FoldOutcome outcome = outcome_of(trained, question, fold);
-  const Som& som = *som_of(trained.system, question.map);
+void compare(const Fold& fold, const PreparedStudy& prepared) {
+  const Numbers& classes = prepared.classes().of_sample;
+  const TrainedFold trained = trained_on(prepared, fold);
+  const FoldOutcome outcome = outcome_of(trained, prepared, fold);
+  const Som& som = *som_of(trained.system, prepared.map);
   Recomputed expected(fold, classes, som.parameters().seed);
   EXPECT_EQ(som.weights(), expected.som().weights());
-  const Numbers named = predictions(question.classes(), fold, outcome);
+  const Numbers named = predictions(prepared.classes(), fold, outcome);
   double distance = 0.0;
-  double torn = 0.0;
+  double topographic_errors = 0.0;
   ASSERT_EQ(outcome.winners.size(), fold.test.size());
   ASSERT_EQ(named.size(), fold.test.size());
   for (std::size_t i = 0; i < fold.test.size(); ++i) {
@@ -176,10 +177,10 @@ void compare(const Fold& fold, const Question& question) {
     EXPECT_EQ(outcome.winners[i], expected.winner(sample));
     EXPECT_EQ(named[i], expected.prediction(sample));
     distance += expected.distance(sample);
-    torn += expected.torn(sample) ? 1.0 : 0.0;
+    topographic_errors += expected.topographic_errors(sample) ? 1.0 : 0.0;
   }
   EXPECT_NEAR(outcome.summed_distance, distance, 1e-9 * distance);
-  EXPECT_NEAR(outcome.torn, torn, 1e-9);
+  EXPECT_NEAR(outcome.topographic_errors, topographic_errors, 1e-9);
   Numbers winners;
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     winners.push_back(expected.winner(sample));
@@ -188,14 +189,14 @@ void compare(const Fold& fold, const Question& question) {
   for (std::size_t i = 0; i < fold.training.size(); ++i) {
     EXPECT_EQ(outcome.training_winners[i], winners[fold.training[i]]);
   }
-  compare_areas(metrics_by_name(question, fold, outcome), question,
+  compare_areas(metrics_by_name(prepared, fold, outcome), prepared,
                 WinnerAreas(expected.som().grid(), winners), winners);
 }
 
 TEST(FoldRun, GivesWhatFollowsFromItsMap) {
-  const Question question = question_of(fold_recording());
+  const PreparedStudy prepared = question_of(fold_recording());
   for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
-    for (const Fold& fold : folds_of(question, protocol)) compare(fold, question);
+    for (const Fold& fold : folds_of(prepared, protocol)) compare(fold, prepared);
   }
 }
 
@@ -217,48 +218,69 @@ void expect_same_but_for_rounding(const FoldOutcome& a, const FoldOutcome& b) {
   EXPECT_EQ(a.named_by, b.named_by);
   EXPECT_EQ(a.nearest, b.nearest);
   EXPECT_NEAR(a.summed_distance, b.summed_distance, 1e-4 * b.summed_distance);
-  EXPECT_EQ(a.torn, b.torn);
+  EXPECT_EQ(a.topographic_errors, b.topographic_errors);
 }
 
-// The plain way: weights are formed, and asked.
+// The same values, but not the ones that the map knows.
+Samples equal_samples(const Samples& samples) {
+  std::vector<std::size_t> all(samples.count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return samples.subset(all);
+}
+
+// The direct way: weights are formed and evaluated.
 TEST(FoldRun, InnerProductsAnswerAsTheFormedMapDoes) {
   const Recording asked = testing::grasps(3, 4, 11);
   const StudyDescription description = by_products("inner_products");
-  const Question question = question_of(asked, description);
+  const PreparedStudy prepared = question_of(asked, description);
   for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
-    for (const Fold& fold : folds_of(question, protocol)) {
-      TrainedFold trained = trained_on(question, fold, description);
-      ASSERT_TRUE(trained.products);
-      const FoldOutcome by_inner_products = outcome_of(trained, question, fold);
-      trained.products.reset();
-      expect_same_but_for_rounding(by_inner_products, outcome_of(trained, question, fold));
+    for (const Fold& fold : folds_of(prepared, protocol)) {
+      TrainedFold trained = trained_on(prepared, fold, description);
+      const Som& som = *som_of(trained.system, prepared.map);
+      ASSERT_TRUE(som.knows(trained.inputs.samples));
+      const FoldOutcome by_inner_products = outcome_of(trained, prepared, fold);
+      trained.inputs.samples = equal_samples(trained.inputs.samples);
+      ASSERT_FALSE(som.knows(trained.inputs.samples));
+      expect_same_but_for_rounding(by_inner_products, outcome_of(trained, prepared, fold));
     }
   }
 }
 
-TEST(FoldRun, PlainArithmeticFormsItsMapAtOnce) {
+// All folds and seeds find what was computed of the samples.
+TEST(FoldRun, FoldsShareTheSamplesProducts) {
   const Recording asked = testing::grasps(3, 4, 11);
-  const StudyDescription description = by_products("plain");
-  const Question question = question_of(asked, description);
-  const Fold fold = folds_of(question, Protocol::kTrainIsTest).front();
-  const TrainedFold trained = train_fold(description, question, fold, kSeed, {}).value();
-  EXPECT_FALSE(trained.products);
-  EXPECT_EQ(som_of(trained.system, question.map)->neurons(), 25U);
+  const StudyDescription description = by_products("inner_products");
+  const PreparedStudy prepared = question_of(asked, description);
+  const auto folds = folds_of(prepared, Protocol::kLeaveOneOut);
+  const TrainedFold first = trained_on(prepared, folds[0], description);
+  const TrainedFold second = trained_on(prepared, folds[1], description);
+  EXPECT_TRUE(first.inputs.samples.is_same_as(second.inputs.samples));
+  EXPECT_TRUE(som_of(first.system, prepared.map)->knows(second.inputs.samples));
 }
 
-// 0 would say that luck never does it.
-TEST(FoldRun, WithoutWrongGroupingsSaysNothingOfLuck) {
-  const Question question = question_of(fold_recording());
-  const std::vector<Fold> all = folds_of(question, Protocol::kTrainIsTest);
-  const FoldOutcome outcome = outcome_of(trained_on(question, all[0]), question, all[0]);
+TEST(FoldRun, PlainArithmeticKnowsNoSamples) {
+  const Recording asked = testing::grasps(3, 4, 11);
+  const StudyDescription description = by_products("plain");
+  const PreparedStudy prepared = question_of(asked, description);
+  const Fold fold = folds_of(prepared, Protocol::kTrainIsTest).front();
+  const TrainedFold trained = trained_on(prepared, fold, description);
+  EXPECT_FALSE(som_of(trained.system, prepared.map)->knows(trained.inputs.samples));
+  EXPECT_EQ(som_of(trained.system, prepared.map)->neurons(), 25U);
+}
+
+// a value of 0 would state that it never occurs by chance.
+TEST(FoldRun, WithoutWrongGroupingsSaysNothingAboutChance) {
+  const PreparedStudy prepared = question_of(fold_recording());
+  const std::vector<Fold> all = folds_of(prepared, Protocol::kTrainIsTest);
+  const FoldOutcome outcome = outcome_of(trained_on(prepared, all[0]), prepared, all[0]);
   StudyParameters study = small_study().study;
   study.wrong_groupings = 0;
-  const Asked asked{study, question, Protocol::kTrainIsTest, all};
+  const MeasuredStudy asked{study, prepared, Protocol::kTrainIsTest, all};
   const std::vector<Metric> metrics = metrics_of(asked, {{kSeed, {&outcome}}});
   ASSERT_FALSE(metrics.empty());
   for (const Metric& metric : metrics) {
-    if (metric.name == "on_border_by_luck") continue;  // of neurons, not of groupings
-    EXPECT_EQ(metric.name.find("_by_luck"), std::string::npos) << metric.name;
+    if (metric.name == "on_border_chance") continue;  // of neurons, not of groupings
+    EXPECT_EQ(metric.name.find("_chance"), std::string::npos) << metric.name;
   }
 }
 
@@ -285,7 +307,7 @@ void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
   EXPECT_EQ(a.named_by, b.named_by);
   EXPECT_EQ(a.nearest, b.nearest);
   EXPECT_EQ(a.summed_distance, b.summed_distance);
-  EXPECT_EQ(a.torn, b.torn);
+  EXPECT_EQ(a.topographic_errors, b.topographic_errors);
 }
 
 // Changes every exploration that a fold tests, and expects that nothing learned from them: the same
@@ -293,14 +315,14 @@ void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
 void expect_nothing_leaks(const StudyDescription& description, const Recording& asked,
                           Protocol protocol) {
   SCOPED_TRACE(choice_name(protocol) + " of " + description.study.name);
-  const Question question = question_of(asked, description);
-  for (const Fold& fold : folds_of(question, protocol)) {
-    const Question other = question_of(with_extreme(asked, fold.test), description);
-    const TrainedFold before = trained_on(question, fold, description);
+  const PreparedStudy prepared = question_of(asked, description);
+  for (const Fold& fold : folds_of(prepared, protocol)) {
+    const PreparedStudy other = question_of(with_extreme(asked, fold.test), description);
+    const TrainedFold before = trained_on(prepared, fold, description);
     const TrainedFold after = trained_on(other, fold, description);
     EXPECT_TRUE(saved_bits(after) == saved_bits(before));
     const Fold learned{fold.training, fold.training};
-    expect_same_answers(outcome_of(after, other, learned), outcome_of(before, question, learned));
+    expect_same_answers(outcome_of(after, other, learned), outcome_of(before, prepared, learned));
     EXPECT_NE(input_of(after, fold.test.front()), input_of(before, fold.test.front()));
   }
 }
@@ -322,8 +344,9 @@ TEST(HeldOut, NothingThatLearnsLearnsFromTheValuesOfWhatIsTested) {
   expect_nothing_leaks(description, asked, Protocol::kLeaveOneOut);
 }
 
-// The tested sample lies far out in one element. Scaled by the others alone, that element decides
-// who is near it; scaled by the sample as well, it would count for next to nothing.
+// The tested sample is far from the others in one element. If it is scaled by the others only, that
+// element decides the nearest neighbour; if scaled by the sample as well, its weight would be
+// negligible.
 TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
   Recording asked;
   for (const auto& [object, joints] :
@@ -334,41 +357,41 @@ TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
                                                                {"x", {1.9F, 9.0F}}}) {
     asked.explorations.push_back(testing::exploration_of(object, joints));
   }
-  const Question question = question_of(asked, small_study("none"));
-  const Fold first = folds_of(question, Protocol::kLeaveOneOut)[0];
-  const TrainedFold trained = trained_on(question, first, small_study("none"));
+  const PreparedStudy prepared = question_of(asked, small_study("none"));
+  const Fold first = folds_of(prepared, Protocol::kLeaveOneOut)[0];
+  const TrainedFold trained = trained_on(prepared, first, small_study("none"));
   const Neighbours nearest = nearest_neighbours(trained.vectors, first);
-  EXPECT_EQ(question.classes().of_sample.at(nearest.standardized.at(0)), 0U);
+  EXPECT_EQ(prepared.classes().of_sample.at(nearest.standardized.at(0)), 0U);
 }
 
 // The same change does reach the folds that train on the sample: the tests above can fail.
 TEST(HeldOut, TheOtherFoldsDoLearnFromIt) {
   const Recording asked = testing::grasps(3, 3, 4);
-  const Question question = question_of(asked, learning_study());
-  const Question changed = question_of(with_extreme(asked, {0}), learning_study());
-  const auto folds = folds_of(question, Protocol::kLeaveOneOut);
+  const PreparedStudy prepared = question_of(asked, learning_study());
+  const PreparedStudy changed = question_of(with_extreme(asked, {0}), learning_study());
+  const auto folds = folds_of(prepared, Protocol::kLeaveOneOut);
   for (std::size_t fold = 1; fold < folds.size(); ++fold) {
     EXPECT_FALSE(saved_bits(trained_on(changed, folds[fold], learning_study())) ==
-                 saved_bits(trained_on(question, folds[fold], learning_study())));
+                 saved_bits(trained_on(prepared, folds[fold], learning_study())));
   }
 }
 
 // Samples 1 to 3 of each object; the first keeps the classes numbered as they are.
 TEST(HeldOut, NothingIsLearnedFromTheLabelOfTheTestedSample) {
-  const Question question = question_of(fold_recording());
-  const auto folds = folds_of(question, Protocol::kLeaveOneOut);
+  const PreparedStudy prepared = question_of(fold_recording());
+  const auto folds = folds_of(prepared, Protocol::kLeaveOneOut);
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     if (sample % 4 == 0) continue;
-    const TrainedFold trained = trained_on(question, folds[sample]);
-    const FoldOutcome before = outcome_of(trained, question, folds[sample]);
+    const TrainedFold trained = trained_on(prepared, folds[sample]);
+    const FoldOutcome before = outcome_of(trained, prepared, folds[sample]);
     for (std::size_t wrong_class = 0; wrong_class < 3; ++wrong_class) {
-      Question relabelled = question;
+      PreparedStudy relabelled = prepared;
       relabelled.labels.front().classes.of_sample[sample] = wrong_class;
       const FoldOutcome after =
           outcome_of(trained_on(relabelled, folds[sample]), relabelled, folds[sample]);
       EXPECT_EQ(after.nearest, before.nearest);
       EXPECT_EQ(predictions(relabelled.classes(), folds[sample], after),
-                predictions(question.classes(), folds[sample], before));
+                predictions(prepared.classes(), folds[sample], before));
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 
@@ -39,7 +39,7 @@ StudyDescription raw_study() {
   return testing::small_study("none");
 }
 
-InformationParameters asked(const std::string& order = {}) {
+InformationParameters default_parameters(const std::string& order = {}) {
   InformationParameters parameters;
   parameters.labels = {"object", "kind"};
   parameters.individual = "object";
@@ -55,8 +55,9 @@ Error error_of(const Recording& recording, const InformationParameters& paramete
 }
 
 // Two samples of a thing lie 2 apart, the next thing 8 or 10 away, the other kind 80 or more.
-TEST(Information, TellsWhatTheVectorsTell) {
-  const auto found = measure_information(raw_study(), recording_of(kThings), asked()).value();
+TEST(Information, MeasuresTheInformationInTheVectors) {
+  const auto found =
+      measure_information(raw_study(), recording_of(kThings), default_parameters()).value();
   EXPECT_EQ(found.study, "small");
   EXPECT_EQ(found.module, "closed");
   EXPECT_EQ(found.explorations, 12U);
@@ -77,10 +78,10 @@ TEST(Information, TellsWhatTheVectorsTell) {
   EXPECT_DOUBLE_EQ(kind.chance_new_individuals.value(), 0.4);
 }
 
-// a at 0 and 2, b at 10 and 12, both alone of their kind: within 2, between 8, 10, 10, 12.
+// a at 0 and 2, b at 10 and 12, both the only ones of their kind: within 2, between 8, 10, 10, 12.
 TEST(Information, DividesDistancesBetweenByThoseWithin) {
   const Recording recording = recording_of({{"a", "x", "1", 0.0F}, {"b", "y", "2", 10.0F}});
-  const auto found = measure_information(raw_study(), recording, asked()).value();
+  const auto found = measure_information(raw_study(), recording, default_parameters()).value();
   EXPECT_DOUBLE_EQ(found.labels[0].distance_ratio.value(), 5.0);
 }
 
@@ -90,14 +91,14 @@ TEST(Information, NewIndividualsMayBeTakenForAnotherKind) {
                                             {"b", "y", "1", 10.0F},
                                             {"c", "x", "1", 40.0F},
                                             {"d", "y", "1", 55.0F}});
-  const auto found = measure_information(raw_study(), recording, asked()).value();
+  const auto found = measure_information(raw_study(), recording, default_parameters()).value();
   EXPECT_DOUBLE_EQ(found.labels[1].accuracy, 1.0);
   EXPECT_DOUBLE_EQ(found.labels[1].accuracy_new_individuals.value(), 0.0);
   EXPECT_DOUBLE_EQ(found.labels[1].chance_new_individuals.value(), 1.0 / 3.0);
 }
 
 TEST(Information, EachExplorationIsAnIndividualUnlessOneIsNamed) {
-  InformationParameters alone = asked();
+  InformationParameters alone = default_parameters();
   alone.individual.clear();
   const auto found = measure_information(raw_study(), recording_of(kThings), alone).value();
   EXPECT_DOUBLE_EQ(found.labels[1].accuracy, 1.0);
@@ -105,14 +106,15 @@ TEST(Information, EachExplorationIsAnIndividualUnlessOneIsNamed) {
 }
 
 TEST(Information, OrdersMeansWithinEachGroup) {
-  const auto found = measure_information(raw_study(), recording_of(kThings), asked("size")).value();
+  const auto found =
+      measure_information(raw_study(), recording_of(kThings), default_parameters("size")).value();
   ASSERT_TRUE(found.order.has_value());
   ASSERT_EQ(found.order->groups.size(), 2U);
   EXPECT_EQ(found.order->groups[0].name, "flat");
   EXPECT_EQ(found.order->groups[0].individuals, 3U);
   EXPECT_DOUBLE_EQ(found.order->groups[0].correlation, 1.0);
   EXPECT_DOUBLE_EQ(found.order->correlation, 1.0);
-  // Both groups of three come as high with 1/3 each; the absolute correlation is 2/3 by luck.
+  // Both groups of three come as high with 1/3 each; the absolute correlation is 2/3 by chance.
   EXPECT_NEAR(found.order->shuffled, 2.0 / 3.0, 0.03);
   EXPECT_NEAR(found.order->shuffled_share, 1.0 / 9.0, 0.04);
 }
@@ -122,7 +124,8 @@ TEST(Information, SeesThatNumbersAreOutOfOrder) {
   std::vector<Thing> things = kThings;
   things[1].size = "30";
   things[2].size = "20";
-  const auto found = measure_information(raw_study(), recording_of(things), asked("size")).value();
+  const auto found =
+      measure_information(raw_study(), recording_of(things), default_parameters("size")).value();
   EXPECT_DOUBLE_EQ(found.order->groups[1].correlation, 0.5);
   EXPECT_DOUBLE_EQ(found.order->correlation, 0.75);
 }
@@ -130,7 +133,8 @@ TEST(Information, SeesThatNumbersAreOutOfOrder) {
 // Samples overlap so that each lies nearest to another thing, but the means are in order.
 TEST(Information, OrderIsThatOfTheMeans) {
   const auto found =
-      measure_information(raw_study(), recording_of(kThings, 300.0F), asked("size")).value();
+      measure_information(raw_study(), recording_of(kThings, 300.0F), default_parameters("size"))
+          .value();
   EXPECT_LT(found.labels[0].accuracy, 0.1);
   EXPECT_DOUBLE_EQ(found.order->correlation, 1.0);
 }
@@ -148,7 +152,7 @@ TEST(Information, AMeanIsThatOfAllSamplesHoweverMany) {
     exploration.labels.push_back({"size", size});
     recording.explorations.push_back(std::move(exploration));
   }
-  InformationParameters parameters = asked("size");
+  InformationParameters parameters = default_parameters("size");
   parameters.labels = {"object"};
   parameters.within.clear();
   const auto found = measure_information(raw_study(), recording, parameters).value();
@@ -158,19 +162,21 @@ TEST(Information, AMeanIsThatOfAllSamplesHoweverMany) {
 TEST(Information, AGroupOfTwoNumbersHasNoOrder) {
   std::vector<Thing> things = kThings;
   things[2].size = "20";
-  const auto found = measure_information(raw_study(), recording_of(things), asked("size")).value();
+  const auto found =
+      measure_information(raw_study(), recording_of(things), default_parameters("size")).value();
   ASSERT_EQ(found.order->groups.size(), 1U);
   EXPECT_EQ(found.order->groups[0].name, "flat");
   things[5].size = "20";
-  EXPECT_NE(error_of(recording_of(things), asked("size")).what.find("no group has 3"),
+  EXPECT_NE(error_of(recording_of(things), default_parameters("size")).what.find("no group has 3"),
             std::string::npos);
 }
 
 // As a study's baseline does: the standardization learns and is left out.
 TEST(Information, LooksBeforeAStandardization) {
-  const auto raw = measure_information(raw_study(), recording_of(kThings), asked()).value();
+  const auto raw =
+      measure_information(raw_study(), recording_of(kThings), default_parameters()).value();
   const auto standardized = measure_information(testing::small_study("constant_columns = 'zero'\n"),
-                                                recording_of(kThings), asked())
+                                                recording_of(kThings), default_parameters())
                                 .value();
   EXPECT_EQ(standardized.module, "closed");
   EXPECT_EQ(to_json(standardized), to_json(raw));
@@ -178,8 +184,10 @@ TEST(Information, LooksBeforeAStandardization) {
 
 TEST(Information, IsTheSameForAnyNumberOfThreads) {
   const Recording recording = recording_of(kThings);
-  const auto one = measure_information(raw_study(), recording, asked("size"), 1).value();
-  const auto three = measure_information(raw_study(), recording, asked("size"), 3).value();
+  const auto one =
+      measure_information(raw_study(), recording, default_parameters("size"), 1).value();
+  const auto three =
+      measure_information(raw_study(), recording, default_parameters("size"), 3).value();
   EXPECT_EQ(to_json(one), to_json(three));
 }
 
@@ -193,11 +201,11 @@ StudyDescription study_with(const std::string& modules) {
                              modules);
 }
 
-TEST(Information, AsksWhichOfTheFirstMapsIsMeant) {
-  const Error error = error_of(recording_of(kThings), asked(), study_with(kTwoMaps));
+TEST(Information, RequiresTheNameOfOneOfTheFirstMaps) {
+  const Error error = error_of(recording_of(kThings), default_parameters(), study_with(kTwoMaps));
   EXPECT_EQ(error.kind, ErrorKind::kUsage);
-  EXPECT_EQ(error.advice, "name one of map, second as 'map'");
-  InformationParameters second = asked();
+  EXPECT_EQ(error.advice, "set 'map' to one of map, second");
+  InformationParameters second = default_parameters();
   second.map = "second";
   const auto found =
       measure_information(study_with(kTwoMaps), recording_of(kThings), second).value();
@@ -211,17 +219,18 @@ TEST(Information, FindsAMapThatIsDescribedFirst) {
       "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\n"
       "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
       "[module.closed]\ntype = 'last'\ninput = 'joints'\n");
-  const auto found = measure_information(study, recording_of(kThings), asked());
+  const auto found = measure_information(study, recording_of(kThings), default_parameters());
   ASSERT_TRUE(found) << to_string(found.error());
   EXPECT_EQ(found->module, "closed");
 }
 
 TEST(Information, RefusesVectorsThatLearningModulesGive) {
-  InformationParameters parameters = asked();
+  InformationParameters parameters = default_parameters();
   parameters.map = "after";
   const Error error = error_of(recording_of(kThings), parameters, study_with(kTwoMaps));
   EXPECT_EQ(error.kind, ErrorKind::kUsage);
-  EXPECT_NE(error.what.find("depends on what 'second' learned"), std::string::npos) << error.what;
+  EXPECT_NE(error.what.find("depend on modules that learn: 'second'"), std::string::npos)
+      << error.what;
   EXPECT_NE(error.where.find("'after'"), std::string::npos) << error.where;
   // All that learns before the map is named: two one-hot codes without ranges and a T-MPSOM.
   const Error many =
@@ -231,57 +240,59 @@ TEST(Information, RefusesVectorsThatLearningModulesGive) {
 }
 
 TEST(Information, RefusesMapsThatAreNone) {
-  InformationParameters parameters = asked();
+  InformationParameters parameters = default_parameters();
   parameters.map = "closed";
-  EXPECT_NE(error_of(recording_of(kThings), parameters).what.find("'closed' is no map"),
+  EXPECT_NE(error_of(recording_of(kThings), parameters).what.find("'closed' is not a map"),
             std::string::npos);
   parameters.map = "mpa";
   EXPECT_EQ(error_of(recording_of(kThings), parameters).advice, "did you mean 'map'?");
 }
 
 TEST(Information, RefusesLabelsThatTellNothing) {
-  InformationParameters parameters = asked();
+  InformationParameters parameters = default_parameters();
   parameters.labels = {"objcet"};
   EXPECT_EQ(error_of(recording_of(kThings), parameters).advice, "did you mean 'object'?");
   const Recording of_one = recording_of({kThings[0], kThings[1]});
-  EXPECT_EQ(error_of(of_one, asked()).what, "every exploration has the same 'kind'");
+  EXPECT_EQ(error_of(of_one, default_parameters()).what, "every exploration has the same 'kind'");
   const Recording one_thing = recording_of({kThings[0]});
-  EXPECT_EQ(error_of(one_thing, asked()).what, "every exploration has the same 'object'");
+  EXPECT_EQ(error_of(one_thing, default_parameters()).what,
+            "every exploration has the same 'object'");
 }
 
 TEST(Information, RefusesOrdersThatCannotBe) {
-  EXPECT_EQ(error_of(recording_of(kThings), asked("object")).what,
-            "the label 'object' says 'a', no number");
+  EXPECT_EQ(error_of(recording_of(kThings), default_parameters("object")).what,
+            "the label 'object' is 'a', which is not a number");
   std::vector<Thing> measured = kThings;
   measured[0].size = "10 mm";
-  EXPECT_EQ(error_of(recording_of(measured), asked("size")).what,
-            "the label 'size' says '10 mm', no number");
-  InformationParameters parameters = asked("size");
+  EXPECT_EQ(error_of(recording_of(measured), default_parameters("size")).what,
+            "the label 'size' is '10 mm', which is not a number");
+  InformationParameters parameters = default_parameters("size");
   parameters.individual = "kind";
   EXPECT_EQ(error_of(recording_of(kThings), parameters).what,
             "explorations with the same 'kind' differ in 'size'");
   std::vector<Thing> things = kThings;
   things[3].name = "a";  // of the same size, but of another kind
-  EXPECT_EQ(error_of(recording_of(things), asked("size")).what,
+  EXPECT_EQ(error_of(recording_of(things), default_parameters("size")).what,
             "explorations with the same 'object' differ in 'kind'");
 }
 
 TEST(Information, RefusesASingleExploration) {
   Recording one = recording_of({kThings[0]});
   one.explorations.pop_back();
-  InformationParameters parameters = asked();
+  InformationParameters parameters = default_parameters();
   parameters.individual.clear();
   EXPECT_EQ(error_of(one, parameters).what, "the recording has only one exploration");
 }
 
 TEST(Information, StandsInJson) {
-  const auto found = measure_information(raw_study(), recording_of(kThings), asked("size")).value();
+  const auto found =
+      measure_information(raw_study(), recording_of(kThings), default_parameters("size")).value();
   const auto json = nlohmann::json::parse(to_json(found));
   EXPECT_EQ(json["version"], 1);
   EXPECT_EQ(json["module"], "closed");
   EXPECT_EQ(json["explorations"], 12);
-  EXPECT_EQ(json["asked"]["individual"], "object");
-  EXPECT_EQ(json["asked"]["shuffles"], 1000);
+  EXPECT_EQ(json["parameters"]["individual"], "object");
+  EXPECT_EQ(json["parameters"]["shuffles"], 1000);
   EXPECT_EQ(json["labels"][0]["label"], "object");
   EXPECT_TRUE(json["labels"][0]["accuracy_new_individuals"].is_null());
   EXPECT_EQ(json["labels"][1]["accuracy_new_individuals"], 1.0);
@@ -294,12 +305,12 @@ TEST(Information, StandsInJsonThatPeopleRead) {
   StudyDescription study = raw_study();
   study.study.name = "gr\u00f6\u00dfe";
   const std::string json =
-      to_json(measure_information(study, recording_of(kThings), asked()).value());
+      to_json(measure_information(study, recording_of(kThings), default_parameters()).value());
   EXPECT_TRUE(json.starts_with("{\n \"version\": 1,\n \"study\": \"gr\u00f6\u00dfe\",\n"));
   EXPECT_TRUE(json.ends_with("\n}\n"));
 }
 
-TEST(Information, MayBeAskedWithoutShufflings) {
+TEST(Information, WorksWithoutShuffles) {
   const auto table = parse_toml("shuffles = 0\nseed = 0\n", "asked");
   const auto parameters = read_parameters<InformationParameters>(*table);
   ASSERT_TRUE(parameters) << to_string(parameters.error());

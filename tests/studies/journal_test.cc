@@ -21,7 +21,7 @@ FoldOutcome outcome_number(std::size_t number) {
   outcome.nearest.raw = {0, 0};
   outcome.nearest.standardized = {number, 1};
   outcome.summed_distance = 0.1 + static_cast<double>(number) / 3.0;
-  outcome.torn = 1.0 / 7.0;
+  outcome.topographic_errors = 1.0 / 7.0;
   return outcome;
 }
 
@@ -75,7 +75,7 @@ TEST_F(JournalFile, WithoutAPathNothingIsKept) {
   EXPECT_EQ(journal.find(0, 0), nullptr);
 }
 
-TEST_F(JournalFile, GoesOnWhereItWas) {
+TEST_F(JournalFile, ContinuesWhereItWas) {
   write_some();
   EXPECT_TRUE(open().add(0, 9, outcome_number(9)));
   const Journal journal = open();
@@ -102,8 +102,8 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
   }
 }
 
-// No bit may turn unnoticed: a figure would be another, and nobody would know. A turned line end
-// makes of two lines one that does not fit its checksum.
+// Every flipped bit must be detected, since it could change a result. A flipped line end joins two
+// lines to one that does not match its checksum.
 TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
   const std::string whole = write_some(3);
   const std::size_t header = whole.find('\n') + 1;
@@ -111,7 +111,7 @@ TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
     std::string turned = whole;
     turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
     if (bit / 8 < header) {
-      expect_refused(turned, ErrorKind::kData, "remove it to begin the study anew");
+      expect_refused(turned, ErrorKind::kData, "remove it to restart the study");
       continue;
     }
     folder_.with("journal", turned);
@@ -127,7 +127,7 @@ TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
   }
 }
 
-TEST_F(JournalFile, GoesOnAfterADamagedLine) {
+TEST_F(JournalFile, ContinuesAfterADamagedLine) {
   const std::string whole = write_some(3);
   std::string turned = whole;
   turned[turned.size() / 2] ^= 1;
@@ -146,12 +146,12 @@ TEST_F(JournalFile, OfAnotherStudyIsRefused) {
   const auto other = Journal::open(path(), kStudy + "with other settings");
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().kind, ErrorKind::kUsage);
-  EXPECT_NE(other.error().advice.find("give another --out"), std::string::npos);
+  EXPECT_NE(other.error().advice.find("use another --out"), std::string::npos);
   EXPECT_TRUE(bytes_of(path()) == bytes);
 }
 
 TEST_F(JournalFile, RefusesWhatIsNoJournal) {
-  const std::string advice = "remove it to begin the study anew";
+  const std::string advice = "remove it to restart the study";
   for (const std::string other : {"notes", "notes\nof mine\n", "{}\n", "00000000 \n", "\n"}) {
     expect_refused(other, ErrorKind::kData, advice);
   }

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "somato/maps/size_order.h"
+#include "maps/size_order.h"
 #include "support/made_study.h"
+#include "support/prepared_study.h"
 
 namespace somato {
 namespace {
@@ -15,26 +16,6 @@ using Numbers = std::vector<std::size_t>;
 using ByName = std::map<std::string, double>;
 
 constexpr std::uint64_t kReadingSeed = 3;
-
-// Asked of samples that are individuals of their own; names are one letter a sample.
-AskedLabel label(const std::string& name, const std::string& letters) {
-  AskedLabel asked{name, {}, {}};
-  std::vector<std::string> names;
-  for (const char letter : letters) {
-    asked.individuals.push_back(names.size());
-    names.emplace_back(1, letter);
-  }
-  asked.classes = Classes::from_names(names);
-  return asked;
-}
-
-Question question_on(const Grid& grid, const std::vector<AskedLabel>& labels) {
-  Question question;
-  question.grid = grid;
-  question.labels = labels;
-  question.samples.samples = labels.front().classes.of_sample.size();
-  return question;
-}
 
 StudyParameters study_reading(const std::vector<std::string>& mapped_with,
                               std::size_t wrong_groupings = 50) {
@@ -50,8 +31,8 @@ ByName by_name(const std::vector<Reading>& readings) {
   return values;
 }
 
-ByName read(const StudyParameters& study, const Question& question, const Numbers& winners) {
-  return by_name(read_map(study, question, winners, kReadingSeed));
+ByName read(const StudyParameters& study, const PreparedStudy& prepared, const Numbers& winners) {
+  return by_name(read_map(study, prepared, winners, kReadingSeed));
 }
 
 const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
@@ -59,14 +40,15 @@ const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
 // C alone at 8; A and B share 4; the nearest to the first A is the B beside it.
 //   neuron  0 1 . . 4 . . . 8
 //   sample  A B     AB      CC
-TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
-  const Question question = question_on(kRow, {label("object", "ABABCC")});
+TEST(ReadMap, CountsSeparatedClassesAndNeighboursOfTheSameClass) {
+  const PreparedStudy prepared =
+      testing::study_on(kRow, {testing::letter_label("object", "ABABCC")});
   const ByName values =
-      read(study_reading({"A B", "B A", "A C", "C C"}), question, {0, 1, 4, 4, 8, 8});
-  EXPECT_EQ(values.at("told_exactly"), 1.0);
-  EXPECT_EQ(values.at("undetermined"), 2.0);
-  EXPECT_EQ(values.at("with_own"), 2.0);
-  EXPECT_EQ(values.at("winner_shared_with_own"), 2.0);
+      read(study_reading({"A B", "B A", "A C", "C C"}), prepared, {0, 1, 4, 4, 8, 8});
+  EXPECT_EQ(values.at("classes_separated"), 1.0);
+  EXPECT_EQ(values.at("samples_ambiguous"), 2.0);
+  EXPECT_EQ(values.at("neighbours_same_class"), 2.0);
+  EXPECT_EQ(values.at("winner_shared_within_class"), 2.0);
   EXPECT_EQ(values.at("mapped_with A B"), 2.0);
   EXPECT_EQ(values.at("mapped_with B A"), 2.0);
   EXPECT_EQ(values.at("mapped_with A C"), 0.0);
@@ -74,66 +56,69 @@ TEST(ReadMap, CountsWhatIsToldExactlyAndWhatLiesWithItsOwn) {
 }
 
 // Only A's first sample is mapped with B: its nearest is the B at 1, while that B's nearest is 0.
-TEST(ReadMap, TellsWhichIsMappedWithWhich) {
-  const Question question = question_on(kRow, {label("object", "ABBAA")});
-  const ByName values = read(study_reading({"A B", "B A"}), question, {1, 2, 2, 7, 8});
+TEST(ReadMap, CountsWhichIsMappedWithWhich) {
+  const PreparedStudy prepared =
+      testing::study_on(kRow, {testing::letter_label("object", "ABBAA")});
+  const ByName values = read(study_reading({"A B", "B A"}), prepared, {1, 2, 2, 7, 8});
   EXPECT_EQ(values.at("mapped_with A B"), 1.0);
   EXPECT_EQ(values.at("mapped_with B A"), 0.0);
 }
 
 // Two neurons with two samples each, a class a neuron: every other dealing mixes both.
-TEST(ReadMap, SaysWhatLuckWouldGive) {
-  const Question question = question_on(kRow, {label("object", "AABB")});
-  const ByName together = read(study_reading({}), question, {0, 0, 8, 8});
-  EXPECT_EQ(together.at("told_exactly"), 2.0);
-  EXPECT_EQ(together.at("told_exactly_by_luck"), 0.0);
-  EXPECT_EQ(together.at("undetermined"), 0.0);
-  EXPECT_EQ(together.at("undetermined_by_luck"), 4.0);
-  EXPECT_EQ(together.at("with_own"), 4.0);
-  EXPECT_EQ(together.at("with_own_by_luck"), 0.0);
-  EXPECT_EQ(together.at("winner_shared_with_own"), 4.0);
-  EXPECT_EQ(together.at("winner_shared_with_own_by_luck"), 0.0);
-  // At neurons of their own all are told, however they are dealt.
-  const ByName apart = read(study_reading({}), question, {0, 2, 4, 6});
-  EXPECT_EQ(apart.at("told_exactly_by_luck"), 2.0);
-  EXPECT_EQ(apart.at("undetermined_by_luck"), 0.0);
+TEST(ReadMap, ReportsValuesByChance) {
+  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABB")});
+  const ByName together = read(study_reading({}), prepared, {0, 0, 8, 8});
+  EXPECT_EQ(together.at("classes_separated"), 2.0);
+  EXPECT_EQ(together.at("classes_separated_chance"), 0.0);
+  EXPECT_EQ(together.at("samples_ambiguous"), 0.0);
+  EXPECT_EQ(together.at("samples_ambiguous_chance"), 4.0);
+  EXPECT_EQ(together.at("neighbours_same_class"), 4.0);
+  EXPECT_EQ(together.at("neighbours_same_class_chance"), 0.0);
+  EXPECT_EQ(together.at("winner_shared_within_class"), 4.0);
+  EXPECT_EQ(together.at("winner_shared_within_class_chance"), 0.0);
+  // With separate winners all classes are separated, for every grouping.
+  const ByName apart = read(study_reading({}), prepared, {0, 2, 4, 6});
+  EXPECT_EQ(apart.at("classes_separated_chance"), 2.0);
+  EXPECT_EQ(apart.at("samples_ambiguous_chance"), 0.0);
 }
 
-// The first two samples share a neuron. There are two wrong groupings of A B B A: A A B B, of which
-// the map tells both classes, and A B A B, of which it tells none.
+// The first two samples share a neuron. There are two wrong groupings of A B B A: A A B B, for
+// which the map separates both classes, and A B A B, for which it separates none.
 TEST(ReadMap, KeepsTheValueOfEachWrongGrouping) {
-  const Question question = question_on(kRow, {label("object", "ABBA")});
-  for (const Reading& reading : read_map(study_reading({}), question, {0, 0, 4, 8}, kReadingSeed)) {
-    if (reading.name == "told_exactly_by_luck") {
+  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABBA")});
+  for (const Reading& reading : read_map(study_reading({}), prepared, {0, 0, 4, 8}, kReadingSeed)) {
+    if (reading.name == "classes_separated_chance") {
       ASSERT_EQ(reading.of_each.size(), 2U);
       EXPECT_EQ(reading.of_each.at(0.0) + reading.of_each.at(2.0), 50U);
       EXPECT_EQ(reading.value, 2.0 * static_cast<double>(reading.of_each.at(2.0)) / 50.0);
-    } else if (reading.name == "on_border_by_luck") {
+    } else if (reading.name == "on_border_chance") {
       EXPECT_EQ(reading.of_each, (Distribution{{1.0, 1}}));  // a row is all border
-    } else if (!reading.name.ends_with("_by_luck")) {
+    } else if (!reading.name.ends_with("_chance")) {
       EXPECT_TRUE(reading.of_each.empty()) << reading.name;
     }
   }
 }
 
-TEST(ReadMap, SaysNothingOfLuckWithoutWrongGroupings) {
-  const Question question = question_on(kRow, {label("object", "AABB")});
-  const ByName values = read(study_reading({}, 0), question, {0, 0, 8, 8});
-  EXPECT_TRUE(values.contains("told_exactly"));
-  for (const char* name : {"told_exactly_by_luck", "undetermined_by_luck", "with_own_by_luck"}) {
+TEST(ReadMap, SaysNothingAboutChanceWithoutWrongGroupings) {
+  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABB")});
+  const ByName values = read(study_reading({}, 0), prepared, {0, 0, 8, 8});
+  EXPECT_TRUE(values.contains("classes_separated"));
+  for (const char* name :
+       {"classes_separated_chance", "samples_ambiguous_chance", "neighbours_same_class_chance"}) {
     EXPECT_FALSE(values.contains(name)) << name;
   }
 }
 
-TEST(ReadMap, AsksEveryLabel) {
-  const Question question = question_on(kRow, {label("object", "ABCD"), label("shape", "rrss")});
-  const ByName values = read(study_reading({"A B"}), question, {0, 0, 4, 8});
-  EXPECT_EQ(values.at("told_exactly"), 2.0);
-  EXPECT_EQ(values.at("shape.told_exactly"), 2.0);
-  EXPECT_EQ(values.at("undetermined"), 2.0);
-  EXPECT_EQ(values.at("shape.undetermined"), 0.0);
-  EXPECT_EQ(values.at("winner_shared_with_own"), 0.0);
-  EXPECT_EQ(values.at("shape.winner_shared_with_own"), 2.0);
+TEST(ReadMap, MeasuresEveryLabel) {
+  const PreparedStudy prepared = testing::study_on(
+      kRow, {testing::letter_label("object", "ABCD"), testing::letter_label("shape", "rrss")});
+  const ByName values = read(study_reading({"A B"}), prepared, {0, 0, 4, 8});
+  EXPECT_EQ(values.at("classes_separated"), 2.0);
+  EXPECT_EQ(values.at("shape.classes_separated"), 2.0);
+  EXPECT_EQ(values.at("samples_ambiguous"), 2.0);
+  EXPECT_EQ(values.at("shape.samples_ambiguous"), 0.0);
+  EXPECT_EQ(values.at("winner_shared_within_class"), 0.0);
+  EXPECT_EQ(values.at("shape.winner_shared_within_class"), 2.0);
   EXPECT_FALSE(values.contains("shape.mapped_with A B"));
   EXPECT_FALSE(values.contains("order_around"));
 }
@@ -141,31 +126,32 @@ TEST(ReadMap, AsksEveryLabel) {
 // 4 x 4 neurons, 12 of them on the border; three of five winners.
 TEST(ReadMap, SeesTheBorder) {
   const Grid square(4, 4, Lattice::kRectangular, Topology::kPlane);
-  const Question question = question_on(square, {label("object", "AABBC")});
-  const ByName values = read(study_reading({}), question, {0, 5, 7, 10, 14});
+  const PreparedStudy prepared =
+      testing::study_on(square, {testing::letter_label("object", "AABBC")});
+  const ByName values = read(study_reading({}), prepared, {0, 5, 7, 10, 14});
   EXPECT_EQ(values.at("on_border"), 0.6);
-  EXPECT_EQ(values.at("on_border_by_luck"), 0.75);
+  EXPECT_EQ(values.at("on_border_chance"), 0.75);
 }
 
 // (3, 4) and (4, 3) of different classes have the cosine 24/25; the last one was not learned from.
 TEST(ReadMap, ComparesTheVectorsWhereNothingBeforeTheMapLearns) {
-  Question question = question_on(kRow, {label("object", "ABA")});
-  question.samples.samples = 2;
-  EXPECT_FALSE(read(study_reading({}), question, {0, 8}).contains("cosine_between_classes"));
-  question.fixed_vectors =
-      ExplorationValues{{0, 1, 2}, KnownSamples(Samples(Matrix<float>(3, 2, {3, 4, 4, 3, -5, 1})))};
-  EXPECT_DOUBLE_EQ(read(study_reading({}), question, {0, 8}).at("cosine_between_classes"), 0.96);
+  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABA")});
+  prepared.samples.samples = 2;
+  EXPECT_FALSE(read(study_reading({}), prepared, {0, 8}).contains("cosine_between_classes"));
+  prepared.fixed_vectors =
+      ExplorationValues{{0, 1, 2}, Samples(Matrix<float>(3, 2, {3, 4, 4, 3, -5, 1}))};
+  EXPECT_DOUBLE_EQ(read(study_reading({}), prepared, {0, 8}).at("cosine_between_classes"), 0.96);
 }
 
 // Explorations of what is tested with stand after those that were learned from.
-TEST(ReadMap, LooksAtWhatWasLearnedFromAlone) {
-  Question question = question_on(kRow, {label("object", "AABBAB")});
-  question.samples.samples = 4;
-  question.samples.test_samples = 2;
-  question.order = AskedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
-  const ByName values = read(study_reading({}), question, {0, 0, 8, 8});
-  EXPECT_EQ(values.at("with_own"), 4.0);
-  EXPECT_EQ(values.at("with_own_by_luck"), 0.0);
+TEST(ReadMap, UsesOnlyTheTrainingSamples) {
+  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABBAB")});
+  prepared.samples.samples = 4;
+  prepared.samples.test_samples = 2;
+  prepared.order = AskedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
+  const ByName values = read(study_reading({}), prepared, {0, 0, 8, 8});
+  EXPECT_EQ(values.at("neighbours_same_class"), 4.0);
+  EXPECT_EQ(values.at("neighbours_same_class_chance"), 0.0);
   EXPECT_TRUE(values.contains("order_around"));
 }
 
@@ -178,9 +164,10 @@ class ReadOrder : public ::testing::Test {
   static ByName read_numbers(const std::vector<double>& numbers,
                              const Numbers& groups = {0, 0, 0, 0}) {
     const Grid square(3, 3, Lattice::kRectangular, Topology::kPlane);
-    Question question = question_on(square, {label("object", "AABBCCDD")});
-    question.order = AskedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
-    return read(study_reading({}), question, {0, 0, 2, 2, 8, 8, 6, 6});
+    PreparedStudy prepared =
+        testing::study_on(square, {testing::letter_label("object", "AABBCCDD")});
+    prepared.order = AskedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
+    return read(study_reading({}), prepared, {0, 0, 2, 2, 8, 8, 6, 6});
   }
 };
 
@@ -198,22 +185,22 @@ TEST_F(ReadOrder, HasARankCorrelation) {
 
 // There are three ways around of four numbers, up to start and direction: 1 2 3 4 with 1,
 // 1 3 2 4 and 1 2 4 3 with 0.8 each.
-TEST_F(ReadOrder, ByLuckLiesBetweenTheWorstAndTheBest) {
+TEST_F(ReadOrder, ByChanceIsBetweenTheWorstAndTheBest) {
   const ByName values = read_numbers({1, 3, 2, 4});
-  EXPECT_GT(values.at("order_around_by_luck"), 0.8);
-  EXPECT_LT(values.at("order_around_by_luck"), 0.95);
-  EXPECT_GT(values.at("order_within_by_luck"), 0.8);
+  EXPECT_GT(values.at("order_around_chance"), 0.8);
+  EXPECT_LT(values.at("order_around_chance"), 0.95);
+  EXPECT_GT(values.at("order_within_chance"), 0.8);
 }
 
 // From left to right 4 2 3 1: the squared differences from 1 to 4 are 9 + 9, and 1 - 6 * 18 / 60 is
 // -0.8. Of the 24 orders of four numbers the absolute correlation is 1 in 2, 0.8 in 6, 0.6 in 2,
 // 0.4 in 8, 0.2 in 4 and 0 in 2.
-TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndBesideLuck) {
-  Question question = question_on(kRow, {label("object", "ABCD")});
-  question.order = AskedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
-  const ByName values = read(study_reading({}), question, {0, 3, 4, 8});
+TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndComparedWithChance) {
+  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABCD")});
+  prepared.order = AskedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
+  const ByName values = read(study_reading({}), prepared, {0, 3, 4, 8});
   EXPECT_DOUBLE_EQ(values.at("order_along"), 0.8);
-  EXPECT_NEAR(values.at("order_along_by_luck"), 12.0 / 24, 0.1);
+  EXPECT_NEAR(values.at("order_along_chance"), 12.0 / 24, 0.1);
 }
 
 // A and B are of one group, C and D of the other; A and C are the small ones. The C at 1 lies with
@@ -221,11 +208,11 @@ TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndBesideLuck) {
 //   neuron  0 0 1 5 6 8 8
 //   sample  A A C C D B B
 TEST_F(ReadOrder, FindsOutliersOfTheRightSize) {
-  Question question = question_on(kRow, {label("object", "AACCDBB")});
-  question.order = AskedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
-  const ByName values = read(study_reading({}), question, {0, 0, 1, 5, 6, 8, 8});
+  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AACCDBB")});
+  prepared.order = AskedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
+  const ByName values = read(study_reading({}), prepared, {0, 0, 1, 5, 6, 8, 8});
   EXPECT_EQ(values.at("right_size_wrong_group"), 1.0);
-  EXPECT_GT(values.at("right_size_wrong_group_by_luck"), 0.0);
+  EXPECT_GT(values.at("right_size_wrong_group_chance"), 0.0);
 }
 
 // Two of a group are always in order, so they count for nothing.
@@ -239,10 +226,10 @@ TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
 class ReadPlaced : public ::testing::Test {
  protected:
   ReadPlaced() {
-    question_.grid = kRow;
-    question_.samples.samples = 4;
-    question_.samples.test_samples = 4;
-    question_.order = AskedOrder{
+    prepared_.grid = kRow;
+    prepared_.samples.samples = 4;
+    prepared_.samples.test_samples = 4;
+    prepared_.order = AskedOrder{
         {0, 1, 2, 2, 3, 4, 5, 6}, {1.0, 2.0, 1.2, 1.4, 1.5, 9.0, 1.0}, {0, 0, 1, 0, 0, 1, 2}};
     outcome_.training_winners = {0, 3, 6, 6};
     outcome_.winners = {1, 2, 5, 8};
@@ -251,10 +238,10 @@ class ReadPlaced : public ::testing::Test {
   ByName placed(const Numbers& named_by, const Neighbours& nearest) {
     outcome_.named_by = named_by;
     outcome_.nearest = nearest;
-    return by_name(read_placed(question_, outcome_, kReadingSeed));
+    return by_name(read_placed(prepared_, outcome_, kReadingSeed));
   }
 
-  Question question_;
+  PreparedStudy prepared_;
   FoldOutcome outcome_;
 };
 
@@ -278,7 +265,7 @@ TEST_F(ReadPlaced, StandsBesideTheBetterBaseline) {
 }
 
 TEST_F(ReadPlaced, IsNothingWithoutAnOrder) {
-  question_.order.reset();
+  prepared_.order.reset();
   EXPECT_TRUE(placed({0, 0, 0, 0}, {{0, 0, 0, 0}, {0, 0, 0, 0}}).empty());
 }
 
@@ -295,12 +282,12 @@ Recording sized(const std::vector<std::pair<std::string, std::string>>& things) 
   return recording;
 }
 
-std::map<std::string, std::string> size_groups(const Question& question) {
-  const AskedLabel& groups = question.labels.back();
+std::map<std::string, std::string> size_groups(const PreparedStudy& prepared) {
+  const StudiedLabel& groups = prepared.labels.back();
   EXPECT_EQ(groups.name, "size_group");
   std::map<std::string, std::string> found;
-  for (std::size_t i = 0; i < question.recording.explorations.size(); ++i) {
-    found[question.recording.explorations[i].labels[0].value] =
+  for (std::size_t i = 0; i < prepared.recording.explorations.size(); ++i) {
+    found[prepared.recording.explorations[i].labels[0].value] =
         groups.classes.names[groups.classes.of_sample[i]];
   }
   return found;
@@ -314,13 +301,13 @@ TEST(SizeGroups, OfTheKnownStayWhateverIsTestedWith) {
   const Recording known = sized({{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}, {"e", "5"}});
   const Recording fresh =
       sized({{"p", "2.9"}, {"q", "3"}, {"r", "30"}, {"s", "31"}, {"t", "32"}, {"u", "33"}});
-  const auto alone = size_groups(make_question(description, known, nullptr, 1).value());
+  const auto alone = size_groups(prepare_study(description, known, nullptr, 1).value());
   EXPECT_EQ(alone, (std::map<std::string, std::string>{{"a", "small round"},
                                                        {"b", "small round"},
                                                        {"c", "large round"},
                                                        {"d", "large round"},
                                                        {"e", "large round"}}));
-  auto with_new = size_groups(make_question(description, known, &fresh, 1).value());
+  auto with_new = size_groups(prepare_study(description, known, &fresh, 1).value());
   for (const auto& [name, group] : alone) EXPECT_EQ(with_new.at(name), group) << name;
   EXPECT_EQ(with_new.at("p"), "small round");
   for (const char* name : {"q", "r", "u"}) EXPECT_EQ(with_new.at(name), "large round") << name;

@@ -7,15 +7,15 @@ namespace {
 
 TEST(MetricNames, HoldThoseOfOtherLabelsAndOfWrongGroupings) {
   for (const char* name :
-       {"accuracy", "shape.accuracy", "accuracy_by_luck", "a.b.order_around_by_luck",
-        "mapped_with boccia boule", "winner_shared_with_own", "order_along_by_luck",
+       {"accuracy", "shape.accuracy", "accuracy_chance", "a.b.order_around_chance",
+        "mapped_with boccia boule", "winner_shared_within_class", "order_along_chance",
         "right_size_wrong_group", "cosine_between_classes"}) {
     EXPECT_TRUE(check_metric_name(name, "a.toml:3")) << name;
   }
 }
 
 TEST(MetricNames, RefuseOthersWithTheNearest) {
-  for (const char* name : {"acuracy", "shape.acuracy", "acuracy_by_luck"}) {
+  for (const char* name : {"acuracy", "shape.acuracy", "acuracy_chance"}) {
     const auto known = check_metric_name(name, "a.toml:3");
     ASSERT_FALSE(known) << name;
     EXPECT_EQ(known.error().kind, ErrorKind::kUsage);

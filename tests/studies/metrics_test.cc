@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "support/prepared_study.h"
+
 namespace somato {
 namespace {
 
@@ -17,21 +19,6 @@ Numbers first_numbers(std::size_t count) {
   Numbers numbers;
   for (std::size_t i = 0; i < count; ++i) numbers.push_back(i);
   return numbers;
-}
-
-// Asked of samples that are individuals of their own; names are one letter a sample.
-AskedLabel asked_label(const std::string& name, const std::string& letters) {
-  std::vector<std::string> names;
-  for (const char letter : letters) names.emplace_back(1, letter);
-  return {name, Classes::from_names(names), first_numbers(letters.size())};
-}
-
-Question question_of(const Grid& grid, const std::vector<AskedLabel>& labels) {
-  Question question;
-  question.grid = grid;
-  question.labels = labels;
-  question.samples.samples = labels.front().classes.of_sample.size();
-  return question;
 }
 
 // All samples for both, in one training a seed.
@@ -63,7 +50,7 @@ class Metrics : public ::testing::Test {
   }
 
   // `outcomes` hold the folds of the first seed, then those of the next.
-  void measure(const Question& question, Protocol protocol, const std::vector<Fold>& folds,
+  void measure(const PreparedStudy& prepared, Protocol protocol, const std::vector<Fold>& folds,
                const std::vector<FoldOutcome>& outcomes,
                std::size_t wrong_groupings = kWrongGroupings) {
     StudyParameters study;
@@ -73,7 +60,7 @@ class Metrics : public ::testing::Test {
       if (i % folds.size() == 0) seeds.push_back({i, {}});
       seeds.back().folds.push_back(&outcomes[i]);
     }
-    metrics_ = metrics_of({study, question, protocol, folds}, seeds);
+    metrics_ = metrics_of({study, prepared, protocol, folds}, seeds);
   }
 
   std::vector<Metric> metrics_;
@@ -83,23 +70,25 @@ class Metrics : public ::testing::Test {
 // All samples at one neuron are never apart, and one of the classes has no neuron.
 const Grid kSquare(2, 2, Lattice::kRectangular, Topology::kPlane);
 
-TEST_F(Metrics, OfAreasStandBesideWhatLuckGives) {
-  const Question question = question_of(kSquare, {asked_label("object", "ABBA")});
+TEST_F(Metrics, OfAreasAreComparedWithChance) {
+  const PreparedStudy prepared =
+      testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
-  measure(question, Protocol::kTrainIsTest, folds,
+  measure(prepared, Protocol::kTrainIsTest, folds,
           {tested_on_itself({0, 1, 2, 3}), tested_on_itself({0, 0, 0, 0}),
            tested_on_itself({0, 1, 1, 0})});
   EXPECT_EQ(values("individuals_apart"), (Values{1, 0, 1}));
-  EXPECT_EQ(values("individuals_apart_by_luck"), (Values{1, 0, 0}));
+  EXPECT_EQ(values("individuals_apart_chance"), (Values{1, 0, 0}));
   EXPECT_EQ(values("areas_connected"), (Values{0, 0, 1}));
-  EXPECT_EQ(values("areas_connected_by_luck"), (Values{1, 0, 0}));
-  EXPECT_EQ(of_each("areas_connected_by_luck"),
+  EXPECT_EQ(values("areas_connected_chance"), (Values{1, 0, 0}));
+  EXPECT_EQ(of_each("areas_connected_chance"),
             (std::vector<Distribution>{{{1, 50}}, {{0, 50}}, {{0, 50}}}));
   EXPECT_TRUE(of_each("areas_connected").empty());
 }
 
 TEST_F(Metrics, OfAreasAreMeansOverFolds) {
-  const Question question = question_of(kSquare, {asked_label("object", "ABBA")});
+  const PreparedStudy prepared =
+      testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
   std::vector<FoldOutcome> outcomes(2);
   outcomes[0].training_winners = {1, 2};
   outcomes[0].winners = {0, 3};
@@ -109,43 +98,43 @@ TEST_F(Metrics, OfAreasAreMeansOverFolds) {
     outcome.named_by = {outcome.training_winners[0], outcome.training_winners[0]};
     outcome.nearest = {{1, 1}, {1, 1}};
   }
-  measure(question, Protocol::kFolds, {{{1, 2}, {0, 3}}, {{0, 3}, {1, 2}}}, outcomes);
+  measure(prepared, Protocol::kFolds, {{{1, 2}, {0, 3}}, {{0, 3}, {1, 2}}}, outcomes);
   EXPECT_EQ(values("individuals_apart"), (Values{0.5}));
-  EXPECT_EQ(values("individuals_apart_by_luck"), (Values{0.5}));
+  EXPECT_EQ(values("individuals_apart_chance"), (Values{0.5}));
   EXPECT_EQ(values("areas_connected"), (Values{0}));
-  EXPECT_EQ(values("areas_connected_by_luck"), (Values{0.5}));
-  EXPECT_EQ(of_each("areas_connected_by_luck"), (std::vector<Distribution>{{{0.5, 50}}}));
+  EXPECT_EQ(values("areas_connected_chance"), (Values{0.5}));
+  EXPECT_EQ(of_each("areas_connected_chance"), (std::vector<Distribution>{{{0.5, 50}}}));
 }
 
-TEST_F(Metrics, AreOfBothRecordingsUnderTestDataAlone) {
-  Question question = question_of(kSquare, {asked_label("object", "ABBA")});
-  question.samples.samples = 2;
-  question.samples.test_samples = 2;
+TEST_F(Metrics, AreOfBothRecordingsOnlyUnderTestData) {
+  PreparedStudy prepared = testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
+  prepared.samples.samples = 2;
+  prepared.samples.test_samples = 2;
   FoldOutcome outcome;
   outcome.training_winners = {0, 1};
   outcome.winners = {2, 3};
   outcome.named_by = {0, 1};
   outcome.nearest = {{0, 1}, {1, 0}};
-  measure(question, Protocol::kTestData, {{{0, 1}, {2, 3}}}, {outcome});
+  measure(prepared, Protocol::kTestData, {{{0, 1}, {2, 3}}}, {outcome});
   EXPECT_EQ(values("areas_connected"), (Values{0}));
-  EXPECT_EQ(values("areas_connected_by_luck"), (Values{1}));
-  // With A beside B there is nothing to deal anew, whatever else there is to test with.
-  measure(question, Protocol::kTrainIsTest, {{{0, 1}, {0, 1}}}, {tested_on_itself({0, 1})});
+  EXPECT_EQ(values("areas_connected_chance"), (Values{1}));
+  // With A and B there are no other groupings, regardless of the test samples.
+  measure(prepared, Protocol::kTrainIsTest, {{{0, 1}, {0, 1}}}, {tested_on_itself({0, 1})});
   EXPECT_EQ(values("areas_connected"), (Values{1}));
-  EXPECT_FALSE(has("areas_connected_by_luck"));
+  EXPECT_FALSE(has("areas_connected_chance"));
 }
 
-TEST_F(Metrics, ByLuckAreLeftOutWhereThereIsNone) {
-  const Question question =
-      question_of(kSquare, {asked_label("object", "ABBA"), asked_label("all", "CCCC")});
+TEST_F(Metrics, ByChanceAreLeftOutIfThereAreNone) {
+  const PreparedStudy prepared = testing::study_on(
+      kSquare, {testing::letter_label("object", "ABBA"), testing::letter_label("all", "CCCC")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
-  measure(question, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})}, 0);
-  EXPECT_FALSE(has("areas_connected_by_luck"));
-  EXPECT_FALSE(has("individuals_apart_by_luck"));
-  measure(question, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})});
-  EXPECT_TRUE(has("areas_connected_by_luck"));
+  measure(prepared, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})}, 0);
+  EXPECT_FALSE(has("areas_connected_chance"));
+  EXPECT_FALSE(has("individuals_apart_chance"));
+  measure(prepared, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})});
+  EXPECT_TRUE(has("areas_connected_chance"));
   EXPECT_TRUE(has("all.areas_connected"));
-  EXPECT_FALSE(has("all.areas_connected_by_luck"));
+  EXPECT_FALSE(has("all.areas_connected_chance"));
 }
 
 // Four individuals, each left out in turn: its own name was never learned, that of its shape was.
@@ -166,13 +155,13 @@ class MetricsOfLabels : public Metrics {
       outcome.named_by = {named_by[i]};
       outcome.nearest = {{raw[i]}, {standardized[i]}};
       outcome.summed_distance = static_cast<double>(i);
-      outcome.torn = i == 2 ? 1.0 : 0.0;
+      outcome.topographic_errors = i == 2 ? 1.0 : 0.0;
       outcomes.push_back(outcome);
     }
-    const Question question =
-        question_of(kSquare, {asked_label("object", "abcd"), asked_label("shape", "rrss"),
-                              asked_label("colour", "xyxy")});
-    measure(question, Protocol::kLeaveGroupOut, folds, outcomes);
+    const PreparedStudy prepared = testing::study_on(
+        kSquare, {testing::letter_label("object", "abcd"), testing::letter_label("shape", "rrss"),
+                  testing::letter_label("colour", "xyxy")});
+    measure(prepared, Protocol::kLeaveGroupOut, folds, outcomes);
   }
 };
 
@@ -212,14 +201,13 @@ TEST_F(MetricsOfLabels, KeepTheirOrder) {
   for (const Metric& metric : metrics_) {
     if (!metric.name.starts_with("colour.")) names.push_back(metric.name);
   }
-  // An object of a single individual cannot be dealt anew.
-  EXPECT_EQ(
-      names,
-      (std::vector<std::string>{
-          "individuals_apart", "areas_connected", "shape.accuracy", "shape.baseline_accuracy",
-          "shape.baseline_accuracy_raw", "shape.baseline_accuracy_standardized",
-          "shape.individuals_apart", "shape.individuals_apart_by_luck", "shape.areas_connected",
-          "shape.areas_connected_by_luck", "quantization_error", "topographic_error"}));
+  // An object with a single individual has no other grouping.
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "individuals_apart", "areas_connected", "shape.accuracy",
+                       "shape.baseline_accuracy", "shape.baseline_accuracy_raw",
+                       "shape.baseline_accuracy_standardized", "shape.individuals_apart",
+                       "shape.individuals_apart_chance", "shape.areas_connected",
+                       "shape.areas_connected_chance", "quantization_error", "topographic_error"}));
 }
 
 TEST(Predictions, AreTheMajorityAtTheNeuronThatNames) {

@@ -1,4 +1,4 @@
-#include "somato/studies/most_similar.h"
+#include "studies/most_similar.h"
 
 #include <gtest/gtest.h>
 

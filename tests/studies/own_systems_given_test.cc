@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "files/toml_file.h"
 #include "graph/graph_json.h"
-#include "somato/files/toml_file.h"
 #include "somato/graph/module.h"
 #include "somato/graph/system_description.h"
 #include "somato/studies/own_systems.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "files/toml_file.h"
 #include "somato/graph/system.h"
 #include "somato/studies/study_parameters.h"
 
@@ -46,6 +47,33 @@ TEST(OwnSystems, ForDataSetsCanBeReadAndSayWhatTheyRead) {
     ASSERT_TRUE(description) << file.name << ": " << to_string(description.error());
     EXPECT_NE(description->recording.format, RecordingFormat::kAutomatic) << file.name;
   }
+}
+
+TEST(OwnSystems, HaveTheTextOfTheirFiles) {
+  for (const NamedFile& file : own().questions) {
+    EXPECT_EQ(file.text, find_own_file(file.name)->text) << file.name;
+  }
+}
+
+// The text in results describes the part that was run: all systems, variations and questions.
+TEST(OwnSystems, ReadBackFromWhatResultsSayOfThem) {
+  const OwnSystems all = own();
+  ReproductionPlan plan;
+  for (const auto* files : {&all.systems, &all.recorded, &all.questions}) {
+    for (const NamedFile& file : *files) ASSERT_TRUE(add_to_plan(file, all.systems, plan));
+  }
+  std::size_t as_they_stand = 0;
+  for (const ReproductionPart& part : plan.parts) {
+    const StudyDescription& description = part.description;
+    as_they_stand += description.text.empty() ? 0 : 1;
+    for (const std::string& text : {to_toml(description), description.text}) {
+      if (text.empty()) continue;
+      const auto again = read_study(parse_toml(text, part.system).value());
+      ASSERT_TRUE(again) << part.system << part.variation << to_string(again.error());
+      EXPECT_EQ(to_toml(*again), to_toml(description));
+    }
+  }
+  EXPECT_EQ(as_they_stand, all.systems.size() + all.recorded.size());
 }
 
 // With all their variations and claims; a name stands for one file.

@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
+#include "core/rank_correlation.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/core/rank_correlation.h"
 
 namespace somato {
 namespace {
@@ -21,10 +21,10 @@ constexpr std::uint64_t kMeasureSeed = 5;
 
 // Class 0 is at 7 twice and at 3 once, class 1 at 3 once and at 7 once: the two at 7 share it.
 TEST(SamplesSharingWithOwn, CountsThoseOfOneClassAtOneNeuron) {
-  EXPECT_EQ(samples_sharing_with_own({7, 7, 3, 3, 7}, {0, 0, 0, 1, 1}), 2U);
-  EXPECT_EQ(samples_sharing_with_own({7, 7, 3, 3, 3}, {0, 0, 1, 1, 1}), 5U);
-  EXPECT_EQ(samples_sharing_with_own({1, 2, 3}, {0, 0, 0}), 0U);
-  EXPECT_EQ(samples_sharing_with_own({1, 1}, {0, 1}), 0U);
+  EXPECT_EQ(samples_sharing_within_class({7, 7, 3, 3, 7}, {0, 0, 0, 1, 1}), 2U);
+  EXPECT_EQ(samples_sharing_within_class({7, 7, 3, 3, 3}, {0, 0, 1, 1, 1}), 5U);
+  EXPECT_EQ(samples_sharing_within_class({1, 2, 3}, {0, 0, 0}), 0U);
+  EXPECT_EQ(samples_sharing_within_class({1, 1}, {0, 1}), 0U);
 }
 
 TEST(SamplesSharingWithOwn, IsWhatALookAtAllPairsFinds) {
@@ -44,12 +44,12 @@ TEST(SamplesSharingWithOwn, IsWhatALookAtAllPairsFinds) {
       }
       sharing += shares ? 1 : 0;
     }
-    EXPECT_EQ(samples_sharing_with_own(winners, classes), sharing);
+    EXPECT_EQ(samples_sharing_within_class(winners, classes), sharing);
   }
 }
 
 TEST(SamplesSharingWithOwn, WantsAClassASample) {
-  EXPECT_THROW((void)samples_sharing_with_own({1, 2}, {0}), InvalidArgument);
+  EXPECT_THROW((void)samples_sharing_within_class({1, 2}, {0}), InvalidArgument);
 }
 
 // Groups 0 and 1, each with a small individual (0 and 2) and a large one (1 and 3).
@@ -132,7 +132,7 @@ TEST(OrderAlong, IsNoneWithoutThreeNumbersOrAtOnePlace) {
 
 // Of three numbers two of six orders are perfect; the other four have 1 - 6 * 6 / 24, absolute:
 // 1/2.
-TEST(OrderAlong, ByLuckIsTheMeanOfAllOrders) {
+TEST(OrderAlong, ByChanceIsTheMeanOfAllOrders) {
   const RankOrder order =
       order_along({{1, 0, {0, 0}}, {2, 0, {1, 0}}, {3, 0, {2, 0}}}, 20000, kMeasureSeed);
   EXPECT_NEAR(order.shuffled, (2 * 1.0 + 4 * 0.5) / 6, 0.01);

@@ -1,4 +1,4 @@
-#include "somato/studies/part_file.h"
+#include "studies/part_file.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,17 @@ namespace somato {
 namespace {
 
 PartResults part() {
-  PartResults part{"a question", "press", "small", {"one.mcap", "two.mcap"}, {}, {}, {}};
+  PartResults part;
+  part.question = "a question";
+  part.system = "press";
+  part.variation = "small";
+  part.recordings = {{"one.mcap", "", 0, "", 0}, {"two.mcap", "", 0, "", 0}};
   part.pairs = {{0, 2011}, {1, 2012}};
-  SystemResults protocol{"press", "leave_group_out", "trial", "material", 24, {}, {}};
+  ProtocolResults protocol{"leave_group_out", "trial", "material", 24, {}, {}};
   protocol.metrics = {{"zeal", {1.0 / 3.0, 1e-300}},
                       {"accuracy", {std::numeric_limits<double>::quiet_NaN(), 1.0}},
-                      {"zeal_by_luck", {0.5, 1.0}, {{{0.0, 3}, {1.0 / 3.0, 1}}, {{1.0, 4}}}}};
-  part.protocols = {protocol, {"press", "train_is_test", {}, "material", 24, {}, {}}};
+                      {"zeal_chance", {0.5, 1.0}, {{{0.0, 3}, {1.0 / 3.0, 1}}, {{1.0, 4}}}}};
+  part.protocols = {protocol, {"train_is_test", {}, "material", 24, {}, {}}};
   return part;
 }
 
@@ -30,7 +34,7 @@ TEST(PartFile, GivesBackWhatWasKept) {
   EXPECT_EQ(read->pairs[1].recording, 1U);
   EXPECT_EQ(read->pairs[1].seed, 2012U);
   ASSERT_EQ(read->protocols.size(), 2U);
-  const SystemResults& protocol = read->protocols[0];
+  const ProtocolResults& protocol = read->protocols[0];
   EXPECT_EQ(protocol.protocol, "leave_group_out");
   EXPECT_EQ(protocol.group, "trial");
   EXPECT_EQ(protocol.label, "material");

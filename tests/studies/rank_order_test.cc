@@ -104,8 +104,8 @@ TEST(RankOrder, IsTheMeanOfTheGroupsWhateverTheirDirection) {
   EXPECT_THROW((void)rank_order({}, 0, 1), InvalidArgument);
 }
 
-// Of the six orders of three, two have the absolute correlation 1, four have 1/2: 2/3 by luck, and
-// one of three comes as high.
+// Of the six orders of three, two have the absolute correlation 1, four have 1/2: 2/3 by chance,
+// and one of three comes as high.
 TEST(RankOrder, ComparesWithShuffledNumbers) {
   const RankOrder order = rank_order({{{1, 2, 3}, {4, 5, 6}}}, 20000, 7);
   EXPECT_DOUBLE_EQ(order.correlation, 1.0);
@@ -128,7 +128,7 @@ TEST(RankOrder, ShufflesWithinGroups) {
   EXPECT_NEAR(order.shuffled_share, 1.0 / 3.0, 0.03);
 }
 
-TEST(RankOrder, WithoutShufflingLuckIsNotAsked) {
+TEST(RankOrder, WithoutShufflesHasNoValueByChance) {
   const RankOrder order = rank_order({{{1, 2, 3}, {4, 5, 6}}}, 0, 7);
   EXPECT_EQ(order.shuffled, 0.0);
   EXPECT_EQ(order.shuffled_share, 1.0);

@@ -1,8 +1,8 @@
-#include "somato/studies/reproduction_plan.h"
+#include "somato/studies/reproduction.h"
 
 #include <gtest/gtest.h>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -165,8 +165,8 @@ at_least = 0
 TEST_F(Plan, RefusesClaimsAboutWhatIsNotRun) {
   const auto place = [](int line) {
     return "asked.toml:" + std::to_string(line) +
-           ": the claim is about something that is not run; name systems and variations of this "
-           "file";
+           ": the claim refers to a system or variation that is not run; use systems and "
+           "variations of this file";
   };
   const std::string rest = "text = 't'\nmetric = 'accuracy'\nat_least = 0\n";
   const std::string claim = system_text("small") + "[variation.wide]\n[[claim]]\n" + rest;
@@ -193,7 +193,7 @@ TEST_F(Plan, RefusesQuestionsAboutNothing) {
       "asked.toml:1: a question needs a name and systems; add name = \"...\" and systems "
       "= [\"...\"] to [question]");
   expect_refused("question = 'why'\n",
-                 "asked.toml:1: 'question' must be a table; write [question] on a line of its own, "
+                 "asked.toml:1: 'question' must be a table; write [question] on a separate line, "
                  "its keys below");
   expect_refused("[question]\nname = 'q'\nsystem = ['small']\n",
                  "asked.toml:3: unknown key 'system'; did you mean 'systems'?");
@@ -224,14 +224,14 @@ TEST_F(Plan, BuildsWhatStatesItsShapes) {
   shaped.insert(shaped.find("[module.closed]"), "shape = [3]\n");
   const std::string line = std::to_string(kLines + 3);
   const std::string none =
-      "'rows' must be a whole number, 1 to 16777216, not 0; \"automatic\" is possible too";
+      "'rows' must be a whole number, 1 to 16777216, not 0; \"automatic\" is also accepted";
   expect_refused(shaped + "[variation.v]\nmodule.map.rows = 0\n",
                  "asked.toml:" + line + ", module 'map': " + none);
   EXPECT_TRUE(add("asked", shaped));
   EXPECT_TRUE(add("asked", system_text("other") + "[variation.v]\nmodule.map.rows = 0\n"));
 }
 
-TEST_F(Plan, WhatExploresIsToldAsSettings) {
+TEST_F(Plan, ExplorationIsListedInTheSettings) {
   const NamedFile explored =
       file("x", "body = 'lucs2'\nexplorations = 2\n[simulation]\nplacement_noise = 4.0\n");
   const auto settings = explore_settings(explored.content);

@@ -10,132 +10,222 @@ namespace {
 
 using Json = nlohmann::json;
 
-StudyResults small_results() {
-  StudyResults results;
-  results.study = "shapes";
-  results.seeds = 2;
-  results.settings = {
+PartResults small_part() {
+  PartResults part;
+  part.system = "shapes";
+  part.study = "[study]\nname = \"shapes\"\n";
+  part.parameters = {
       {"study", {{"label", "\"object\""}, {"seeds", "2"}}},
       {"module.map", {{"radius_end", "0.5"}, {"wrap", "true"}, {"sides", "[\"a\", 3]"}}}};
-  results.data_hash = "fnv1a64:00";
-  results.systems = {{"shapes",
-                      "leave_one_out",
-                      "",
-                      "object",
-                      2,
-                      {{"accuracy", {0.5, 1.0}}, {"areas_connected", {0.25, 0.25}}},
-                      {{7, {3, 4}, {"ball", "cube"}, {"ball", "ball"}, {}},
-                       {8, {3, 5}, {"ball", "cube"}, {"ball", "cube"}, {}}}}};
-  return results;
+  part.model = ModelFile{"system.somato", "fnv1a64:0f", 7};
+  part.recordings = {{"shapes.mcap", "given", 0, "fnv1a64:00", 2}};
+  part.pairs = {{0, 7}, {0, 8}};
+  part.protocols = {{"leave_one_out",
+                     "",
+                     "object",
+                     2,
+                     {{"accuracy", {0.5, 1.0}}, {"areas_connected", {0.25, 0.25}}},
+                     {{7, {3, 4}, {"ball", "cube"}, {"ball", "ball"}, {}},
+                      {8, {3, 5}, {"ball", "cube"}, {"ball", "cube"}, {}}}}};
+  return part;
 }
 
-// The document as version 3 of the format has it, written out.
+Results small_results() {
+  return {{small_part()}, {}, {}};
+}
+
+Json json_of(const PartResults& part) {
+  return Json::parse(to_json(Results{{part}, {}, {}}));
+}
+
+// The document as version 4 of the format has it, written out.
 const char* const kExpected = R"({
-  "version": 3,
-  "study": "shapes",
-  "seeds": 2,
-  "settings": {
-    "study": {"label": "object", "seeds": 2},
-    "module.map": {"radius_end": 0.5, "wrap": true, "sides": ["a", 3]}
-  },
-  "data_hash": "fnv1a64:00",
-  "systems": [{
-    "name": "shapes",
-    "protocol": "leave_one_out",
-    "label": "object",
-    "samples": 2,
-    "metrics": {
-      "accuracy": {"mean": 0.75, "sd": 0.3535533905932738, "values": [0.5, 1.0]},
-      "areas_connected": {"mean": 0.25, "sd": 0.0, "values": [0.25, 0.25]}
+  "version": 4,
+  "recordings": [{"name": "shapes.mcap", "source": "given", "seed": 0, "hash": "fnv1a64:00",
+                  "explorations": 2}],
+  "parts": [{
+    "question": "",
+    "system": "shapes",
+    "variation": "",
+    "study": "[study]\nname = \"shapes\"\n",
+    "parameters": {
+      "study": {"label": "\"object\"", "seeds": "2"},
+      "module.map": {"radius_end": "0.5", "wrap": "true", "sides": "[\"a\", 3]"}
     },
-    "runs": [
-      {"seed": 7, "winners": [3, 4], "labels": ["ball", "cube"], "predictions": ["ball", "ball"]},
-      {"seed": 8, "winners": [3, 5], "labels": ["ball", "cube"], "predictions": ["ball", "cube"]}
-    ]
-  }]
+    "model": {"path": "system.somato", "hash": "fnv1a64:0f", "seed": 7},
+    "recordings": [0],
+    "test_recordings": [],
+    "pairs": [[0, 7], [0, 8]],
+    "protocols": [{
+      "protocol": "leave_one_out",
+      "label": "object",
+      "samples": 2,
+      "metrics": {
+        "accuracy": {"mean": 0.75, "sd": 0.3535533905932738, "values": [0.5, 1.0]},
+        "areas_connected": {"mean": 0.25, "sd": 0.0, "values": [0.25, 0.25]}
+      },
+      "runs": [
+        {"seed": 7, "winners": [3, 4], "labels": ["ball", "cube"], "predictions": ["ball", "ball"]},
+        {"seed": 8, "winners": [3, 5], "labels": ["ball", "cube"], "predictions": ["ball", "cube"]}
+      ]
+    }]
+  }],
+  "claims": [],
+  "not_applicable": []
 })";
 
-TEST(Results, HaveTheShapeOfVersion3) {
+TEST(Results, HaveTheShapeOfVersion4) {
   EXPECT_EQ(Json::parse(to_json(small_results())), Json::parse(kExpected));
 }
 
 TEST(Results, NameTheLabelOfTheGroupsAndFurtherPredictions) {
-  StudyResults results = small_results();
-  results.systems[0].protocol = "leave_group_out";
-  results.systems[0].group = "trial";
-  results.systems[0].runs[1].other_predictions = {{"shape", {"round", "flat"}},
-                                                  {"colour", {"red", "red"}}};
+  PartResults part = small_part();
+  part.protocols[0].protocol = "leave_group_out";
+  part.protocols[0].group = "trial";
+  part.protocols[0].runs[1].other_predictions = {{"shape", {"round", "flat"}},
+                                                 {"colour", {"red", "red"}}};
   Json expected = Json::parse(kExpected);
-  expected["systems"][0]["protocol"] = "leave_group_out";
-  expected["systems"][0]["group"] = "trial";
-  expected["systems"][0]["runs"][1]["other_predictions"] = {{"shape", {"round", "flat"}},
-                                                            {"colour", {"red", "red"}}};
-  EXPECT_EQ(Json::parse(to_json(results)), expected);
+  Json& protocol = expected["parts"][0]["protocols"][0];
+  protocol["protocol"] = "leave_group_out";
+  protocol["group"] = "trial";
+  protocol["runs"][1]["other_predictions"] = {{"shape", {"round", "flat"}},
+                                              {"colour", {"red", "red"}}};
+  EXPECT_EQ(json_of(part), expected);
 }
 
 TEST(Results, HaveTheValuesOfEachWrongGrouping) {
-  StudyResults results = small_results();
-  results.systems[0].metrics[1].of_each = {{{0.0, 3}, {1.0, 1}}, {{0.25, 4}}};
+  PartResults part = small_part();
+  part.protocols[0].metrics[1].of_each = {{{0.0, 3}, {1.0, 1}}, {{0.25, 4}}};
   Json expected = Json::parse(kExpected);
-  expected["systems"][0]["metrics"]["areas_connected"]["of_each"] =
+  expected["parts"][0]["protocols"][0]["metrics"]["areas_connected"]["of_each"] =
       Json::parse("[[[0, 3], [1, 1]], [[0.25, 4]]]");
-  EXPECT_EQ(Json::parse(to_json(results)), expected);
+  EXPECT_EQ(json_of(part), expected);
 }
 
-TEST(Results, NameTheTestDataWhereThereAreSome) {
-  StudyResults results = small_results();
-  results.test_data_hash = "fnv1a64:01";
-  Json expected = Json::parse(kExpected);
-  expected["test_data_hash"] = "fnv1a64:01";
-  EXPECT_EQ(Json::parse(to_json(results)), expected);
+// Two parts share one, and a test recording of the same name is another.
+TEST(Results, ListEachRecordingOnce) {
+  PartResults first = small_part();
+  PartResults second = small_part();
+  first.test_recordings = {{"shapes.mcap", "given", 0, "fnv1a64:01", 3}};
+  second.recordings.push_back({"more.mcap", "lucs2", 5, "fnv1a64:02", 4});
+  const Json json = Json::parse(to_json(Results{{first, second}, {}, {}}));
+  ASSERT_EQ(json["recordings"].size(), 3U);
+  EXPECT_EQ(json["recordings"][1]["hash"], "fnv1a64:01");
+  EXPECT_EQ(json["recordings"][2]["seed"], 5);
+  EXPECT_EQ(json["parts"][0]["recordings"], Json::parse("[0]"));
+  EXPECT_EQ(json["parts"][0]["test_recordings"], Json::parse("[1]"));
+  EXPECT_EQ(json["parts"][1]["recordings"], Json::parse("[0, 2]"));
+}
+
+TEST(Results, SayThatNoModelWasSaved) {
+  PartResults part = small_part();
+  part.model.reset();
+  EXPECT_TRUE(json_of(part)["parts"][0]["model"].is_null());
 }
 
 TEST(Results, KeepTheOrderOfFieldsAndEndWithALine) {
   const std::string text = to_json(small_results());
   EXPECT_TRUE(text.ends_with("}\n"));
   std::size_t place = 0;
-  for (const char* field : {"version", "study", "seeds", "settings", "data_hash", "systems"}) {
-    const std::size_t found = text.find("\n \"" + std::string(field) + "\":");
+  for (const char* field : {"version", "recordings", "parts", "claims", "not_applicable"}) {
+    const std::size_t found = text.find("\"" + std::string(field) + "\":", place);
     ASSERT_NE(found, std::string::npos) << field;
-    EXPECT_GE(found, place) << field;
     place = found;
   }
 }
 
-TEST(Results, OfAStudyWithoutSystemsAreStillWhole) {
-  const Json json = Json::parse(to_json(StudyResults{}));
-  EXPECT_EQ(json["settings"], Json::object());
-  EXPECT_EQ(json["systems"], Json::array());
+TEST(Results, OfNothingAreStillWhole) {
+  const Json json = Json::parse(to_json(Results{}));
+  for (const char* list : {"recordings", "parts", "claims", "not_applicable"}) {
+    EXPECT_EQ(json[list], Json::array()) << list;
+  }
+  const Json part = json_of(PartResults{})["parts"][0];
+  EXPECT_EQ(part["parameters"], Json::object());
+  EXPECT_EQ(part["protocols"], Json::array());
 }
 
 TEST(Results, KeepEveryText) {
-  StudyResults results = small_results();
+  PartResults part = small_part();
   const std::vector<std::string> odd{"a\"b\\c\n\t\x01", "\xF0\x9F\x96\x90"};
-  results.systems[0].runs[0].labels = odd;
-  EXPECT_EQ(Json::parse(to_json(results))["systems"][0]["runs"][0]["labels"], Json(odd));
+  part.protocols[0].runs[0].labels = odd;
+  part.study = odd[0];
+  const Json json = json_of(part)["parts"][0];
+  EXPECT_EQ(json["protocols"][0]["runs"][0]["labels"], Json(odd));
+  EXPECT_EQ(json["study"], odd[0]);
 }
 
 // JSON is UTF-8: what is not becomes the replacement character.
 TEST(Results, ReplaceBytesThatAreNoText) {
-  StudyResults results = small_results();
-  results.systems[0].runs[0].predictions = {"b\xFFll", "cube"};
-  results.settings[0].settings[0].value = "\"b\xFFll\"";
-  const Json json = Json::parse(to_json(results));
-  EXPECT_EQ(json["systems"][0]["runs"][0]["predictions"][0], "b\xEF\xBF\xBDll");
-  EXPECT_EQ(json["settings"]["study"]["label"], "\"b\xEF\xBF\xBDll\"");
+  PartResults part = small_part();
+  part.protocols[0].runs[0].predictions = {"b\xFFll", "cube"};
+  part.parameters[0].settings[0].value = "\"b\xFFll\"";
+  const Json json = json_of(part)["parts"][0];
+  EXPECT_EQ(json["protocols"][0]["runs"][0]["predictions"][0], "b\xEF\xBF\xBDll");
+  EXPECT_EQ(json["parameters"]["study"]["label"], "\"b\xEF\xBF\xBDll\"");
 }
 
 TEST(Results, KeepEveryBitOfAValueAndEverySeed) {
-  StudyResults results = small_results();
+  PartResults part = small_part();
   const double awkward = 0.1 + 0.2;
-  results.systems[0].metrics[0].values = {awkward, 1.0 / 3.0};
-  results.systems[0].runs[0].seed = (std::uint64_t{1} << 53) + 1;
-  const Json json = Json::parse(to_json(results));
-  const Json& values = json["systems"][0]["metrics"]["accuracy"]["values"];
+  const std::uint64_t seed = (std::uint64_t{1} << 53) + 1;
+  part.protocols[0].metrics[0].values = {awkward, 1.0 / 3.0};
+  part.protocols[0].runs[0].seed = seed;
+  part.pairs[0].seed = seed;
+  part.model->seed = seed;
+  const Json json = json_of(part)["parts"][0];
+  const Json& values = json["protocols"][0]["metrics"]["accuracy"]["values"];
   EXPECT_EQ(values[0].get<double>(), awkward);
   EXPECT_EQ(values[1].get<double>(), 1.0 / 3.0);
-  EXPECT_EQ(json["systems"][0]["runs"][0]["seed"].get<std::uint64_t>(),
-            (std::uint64_t{1} << 53) + 1);
+  EXPECT_EQ(json["protocols"][0]["runs"][0]["seed"].get<std::uint64_t>(), seed);
+  EXPECT_EQ(json["pairs"][0][1].get<std::uint64_t>(), seed);
+  EXPECT_EQ(json["model"]["seed"].get<std::uint64_t>(), seed);
+}
+
+Claim claim(const std::string& metric, double at_least) {
+  Claim made;
+  made.text = "text";
+  made.system = "small";
+  made.metric = metric;
+  made.at_least = at_least;
+  return made;
+}
+
+// Mean of 10, 12, 14 and 16: 13; squared differences 9 + 1 + 1 + 9 = 20, by 3.
+TEST(Results, HaveTheClaimsAndWhatTheyRestOn) {
+  Claim compared = claim("accuracy", 0.5);
+  compared.paper = "P11";
+  compared.published = 1.25;
+  compared.at_most = 3.0;
+  compared.than_system = "small";
+  const Json json =
+      Json::parse(to_json(Results{{},
+                                  {{claim("classes_separated", 11), {10, 12, 14, 16}, 52.5, 0.25},
+                                   {compared, {0.25, 0.75}, {}}},
+                                  {{"texture", "no channel 'sound'"}}}));
+  ASSERT_EQ(json["claims"].size(), 2U);
+  EXPECT_DOUBLE_EQ(json["claims"][0]["sd"], std::sqrt(20.0 / 3.0));
+  Json plain = json["claims"][0];
+  plain.erase("sd");
+  EXPECT_EQ(plain, Json::parse(R"({"text": "text", "paper": "", "question": "", "system": "small",
+      "variation": "", "metric": "classes_separated", "protocol": "train_is_test", "group": "",
+      "published": null, "at_least": 11.0, "at_most": null, "share": 0.75, "mean": 13.0,
+      "verdict": "cannot be decided here", "reason": "4 pairs; 20 are needed",
+      "by_chance": 52.5, "chance_share": 0.25, "values": [10.0, 12.0, 14.0, 16.0]})"));
+  const Json& than = json["claims"][1];
+  EXPECT_EQ(than["than_system"], "small");
+  EXPECT_EQ(than["than_variation"], "");
+  EXPECT_EQ(than["published"], 1.25);
+  EXPECT_EQ(than["at_most"], 3.0);
+  EXPECT_EQ(than["share"], 0.5);
+  EXPECT_TRUE(than["by_chance"].is_null());
+  EXPECT_TRUE(than["chance_share"].is_null());
+  EXPECT_EQ(json["not_applicable"],
+            Json::parse(R"([{"system": "texture", "reason": "no channel 'sound'"}])"));
+}
+
+TEST(Settings, AreATableOfToml) {
+  EXPECT_EQ(to_toml(Settings{"explore.plan", {{"noise", "0.5"}, {"body", "\"lucs2\""}}}),
+            "\n[explore.plan]\nnoise = 0.5\nbody = \"lucs2\"\n");
 }
 
 TEST(Metric, HasMeanAndSampleStandardDeviation) {

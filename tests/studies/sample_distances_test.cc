@@ -4,7 +4,7 @@
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "somato/studies/nearest_neighbour.h"
+#include "studies/nearest_neighbour.h"
 #include "support/random_maps.h"
 
 namespace somato {
@@ -38,7 +38,7 @@ TEST(DistancesBetween, DoNotDependOnThreads) {
   EXPECT_EQ(distances_between(samples, 3), distances_between(samples, 1));
 }
 
-// 0 -> 1 right, 1 -> 0 right, 3 -> 1 wrong, 10 -> 3 right: 3 of 4. By luck one of three each.
+// 0 -> 1 right, 1 -> 0 right, 3 -> 1 wrong, 10 -> 3 right: 3 of 4. By chance one of three each.
 TEST(NeighbourAccuracy, LeavesEachSampleOut) {
   const NeighbourAccuracy found = neighbour_accuracy(line(), {0, 0, 1, 1}, {0, 1, 2, 3});
   EXPECT_DOUBLE_EQ(found.accuracy, 0.75);
@@ -46,7 +46,7 @@ TEST(NeighbourAccuracy, LeavesEachSampleOut) {
 }
 
 // Of class 0 are 0, 1 and 10, and 0 and 1 are one thing. Left of it for both: 3 and 10, and 3 is
-// nearer: wrong, wrong. The neighbour of 3 is 1: wrong. That of 10 is 3: wrong; by luck 2 of 3.
+// nearer: wrong, wrong. The neighbour of 3 is 1: wrong. That of 10 is 3: wrong; by chance 2 of 3.
 TEST(NeighbourAccuracy, LeavesTheSamplesOfAGroupOut) {
   const NeighbourAccuracy found = neighbour_accuracy(line(), {0, 0, 1, 0}, {0, 0, 1, 2});
   EXPECT_DOUBLE_EQ(found.accuracy, 0.0);

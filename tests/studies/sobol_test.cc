@@ -1,4 +1,4 @@
-#include "somato/studies/sobol.h"
+#include "studies/sobol.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ using testing::system_of;
 using testing::values_of;
 using Values = std::vector<double>;
 
-// Two objects, two trials each. `shared` pairs trials across objects, `own` tells objects apart.
+// Two objects, two trials each. `shared` pairs trials across objects, `own` separates objects.
 Recording crossed(float shared, float own, std::size_t shared_columns, std::size_t own_columns) {
   Recording recording;
   for (int object = 0; object < 2; ++object) {
@@ -33,7 +33,7 @@ Recording crossed(float shared, float own, std::size_t shared_columns, std::size
 void expect_baselines(const Recording& recording, double raw, double standardized) {
   for (const std::string standardization : {"", "none"}) {
     const StudyOutcome outcome = outcome_of(small_study(standardization), recording);
-    const SystemResults& system = system_of(outcome, "leave_one_out");
+    const ProtocolResults& system = system_of(outcome, "leave_one_out");
     EXPECT_EQ(values_of(system, "baseline_accuracy_raw"), (Values{raw, raw}));
     EXPECT_EQ(values_of(system, "baseline_accuracy_standardized"),
               (Values{standardized, standardized}));
@@ -56,7 +56,7 @@ void expect_raw_baseline(const std::string& modules, double accuracy) {
       "type = 'channel'\nchannel = 'joints'\n[module.closed]\ntype = 'last'\ninput = 'joints'\n" +
       modules + "rows = 3\ncolumns = 3\niterations = 50\n");
   const StudyOutcome outcome = outcome_of(description, crossed(100.0F, 1.0F, 1, 3));
-  const SystemResults& system = system_of(outcome, "leave_one_out");
+  const ProtocolResults& system = system_of(outcome, "leave_one_out");
   EXPECT_EQ(values_of(system, "baseline_accuracy_raw"), (Values{accuracy}));
   EXPECT_EQ(values_of(system, "baseline_accuracy_standardized"), (Values{1}));
 }
@@ -72,7 +72,8 @@ TEST(Study, ComparesWhatTheMapLearnsBeforeAStandardizationRightBeforeIt) {
                       1.0);
 }
 
-// The large joint alone tells trials, the others objects: the baseline sees no more than the map.
+// The large joint distinguishes trials, the others objects: the baseline has the same input as the
+// map.
 TEST(Study, TheBaselineSeesWhatTheMapSees) {
   const Recording recording = crossed(100.0F, 1.0F, 1, 3);
   for (const auto& [elements, accuracy] :

@@ -11,6 +11,7 @@
 namespace somato {
 namespace {
 
+using testing::json_of;
 using testing::objects_apart;
 using testing::outcome_of;
 using testing::small_study;
@@ -50,24 +51,23 @@ class StudyJournal : public ::testing::Test {
 // train_is_test has a training beside that of the model, leave_one_out twelve a seed.
 constexpr std::uint64_t kTrainings = 1 + 2 * 12 + 1;
 
-TEST_F(StudyJournal, GoesOnWithTheSameResults) {
-  const std::string expected = to_json(outcome_of(small_study(), journal_recording()).results);
+TEST_F(StudyJournal, ResumesWithTheSameResults) {
+  const std::string expected = json_of(outcome_of(small_study(), journal_recording()));
   for (const std::uint64_t trainings : {1U, 2U, 14U, 25U}) {
     interrupt(trainings);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(1 + trainings));
-    EXPECT_EQ(to_json(outcome_of(small_study(), journal_recording(), options()).results), expected);
+    EXPECT_EQ(json_of(outcome_of(small_study(), journal_recording(), options())), expected);
     // All but that of the model, which is made at the end; what was done was not done again.
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
   }
 }
 
-TEST_F(StudyJournal, GoesOnWithTheSameResultsOnThreads) {
-  const std::string expected = to_json(outcome_of(small_study(), journal_recording()).results);
+TEST_F(StudyJournal, ResumesWithTheSameResultsOnThreads) {
+  const std::string expected = json_of(outcome_of(small_study(), journal_recording()));
   for (const std::size_t threads : {2U, 4U}) {
     interrupt(9, threads);
-    EXPECT_EQ(to_json(outcome_of(small_study(), journal_recording(), options(threads)).results),
-              expected);
+    EXPECT_EQ(json_of(outcome_of(small_study(), journal_recording(), options(threads))), expected);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
   }
@@ -76,16 +76,16 @@ TEST_F(StudyJournal, GoesOnWithTheSameResultsOnThreads) {
 TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
   outcome_of(small_study(), journal_recording(), options());
   const std::string whole = bytes_of(path());
-  std::vector<std::uint64_t> told;
+  std::vector<std::uint64_t> reported;
   StudyOptions again = options();
   again.progress = [&](std::uint64_t done, std::uint64_t total) {
     EXPECT_EQ(total, 1U);  // that of the model, which no journal keeps
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   outcome_of(small_study(), journal_recording(), again);
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.back(), 1U);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_EQ(reported.back(), 1U);
   EXPECT_TRUE(bytes_of(path()) == whole);
 }
 
@@ -95,13 +95,13 @@ TEST_F(StudyJournal, ServesAnyNumberOfSeeds) {
   StudyDescription more = small_study();
   more.study.seeds = 3;
   const StudyOutcome outcome = outcome_of(more, journal_recording(), options());
-  EXPECT_EQ(to_json(outcome.results), to_json(outcome_of(more, journal_recording()).results));
+  EXPECT_EQ(json_of(outcome), json_of(outcome_of(more, journal_recording())));
   EXPECT_EQ(lines_of(path()), 1 + 2 + 3 * 12);
   EXPECT_LT(kept, lines_of(path()));
   StudyDescription fewer = small_study();
   fewer.study.seeds = 1;
-  EXPECT_EQ(to_json(outcome_of(fewer, journal_recording(), options()).results),
-            to_json(outcome_of(fewer, journal_recording()).results));
+  EXPECT_EQ(json_of(outcome_of(fewer, journal_recording(), options())),
+            json_of(outcome_of(fewer, journal_recording())));
 }
 
 void expect_other_study(const StudyDescription& description, const Recording& asked,

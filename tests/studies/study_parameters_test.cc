@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -95,8 +95,9 @@ TEST(ReadStudy, NeedsNameAndModulesOnly) {
 TEST(ReadStudy, SaysWhatIsMissing) {
   expect_study_refused("[module.a]\ntype = \"channel\"\n",
                        "study.toml:1: the study has no name; add name = \"...\" to [study]");
-  expect_study_refused("[study]\nname = \"n\"\n",
-                       "study.toml:1: there are no modules; add [module.NAME] with a type");
+  expect_study_refused(
+      "[study]\nname = \"n\"\n",
+      "study.toml:1: the description has no modules; add [module.NAME] with a type");
   expect_study_refused(
       "[study]\nname = \"n\"\nprotocols = []\n[module.a]\ntype = \"channel\"\n",
       "study.toml:3: the study has no protocols; add protocols = [\"leave_one_out\"] to "
@@ -126,28 +127,25 @@ TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {
   expect_study_refused(
       "study = 3\n",
-      "study.toml:1: 'study' must be a table; write [study] on a line of its own, its "
+      "study.toml:1: 'study' must be a table; write [study] on a separate line, its "
       "keys below");
-  expect_study_refused(
-      kLeast + "[[recording]]\nformat = \"icub_grasp\"\n",
-      "study.toml:5: 'recording' must be a table; write [recording] on a line of its "
-      "own, its keys below");
+  expect_study_refused(kLeast + "[[recording]]\nformat = \"icub_grasp\"\n",
+                       "study.toml:5: 'recording' must be a table; write [recording] on a separate "
+                       "line, its keys below");
 }
 
 TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   const std::string study = "[study]\nname = \"n\"\n";
   const std::string module = "[module.a]\ntype = \"channel\"\n";
-  expect_study_refused(
-      study + "protocols = [\"leave_one_out\", \"leave_one_out\"]\n" + module,
-      "study.toml:3: a protocol is named twice; name each of protocols in [study] once");
+  expect_study_refused(study + "protocols = [\"leave_one_out\", \"leave_one_out\"]\n" + module,
+                       "study.toml:3: a protocol is listed twice; list each protocol once");
   expect_study_refused(
       study + "protocols = [\"test_data\"]\n" + module,
-      "study.toml:3: 'test_data' is no protocol to name; run the study with --test-data "
+      "study.toml:3: 'test_data' cannot be selected as a protocol; run the study with --test-data "
       "instead");
-  expect_study_refused(
-      study + "protocols = [\"leave_group_out\"]\n" + module,
-      "study.toml:3: leave_group_out needs the labels whose groups are left out; add "
-      "groups = [\"...\"] to [study]");
+  expect_study_refused(study + "protocols = [\"leave_group_out\"]\n" + module,
+                       "study.toml:3: leave_group_out needs labels that define the groups; add "
+                       "groups = [\"...\"] to [study]");
   expect_study_refused(
       study + "groups = [\"trial\"]\n" + module,
       "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
@@ -164,21 +162,19 @@ TEST(ReadStudy, RefusesQuestionsThatAskForNothing) {
   const std::string module = "[module.a]\ntype = \"channel\"\n";
   expect_study_refused(
       study + "groups = [\"a\", \"b\", \"a\"]\nprotocols = [\"leave_group_out\"]\n" + module,
-      "study.toml:3: a label is named twice; name each of groups in [study] once");
-  expect_study_refused(
-      study + "order = \"girth\"\n" + module,
-      "study.toml:3: an order is one of individuals, and none are named; add individual "
-      "= \"...\" to [study]");
+      "study.toml:3: a label is listed twice; list each label once");
+  expect_study_refused(study + "order = \"girth\"\n" + module,
+                       "study.toml:3: an order requires individuals; add individual "
+                       "= \"...\" to [study]");
   expect_study_refused(
       study + "individual = \"object\"\nwithin = \"shape\"\n" + module,
-      "study.toml:4: 'within' has no effect without 'order'; leave it out, or add the "
-      "order");
+      "study.toml:4: 'within' has no effect without 'order'; remove it, or add the order");
   for (const std::string pair : {"sphere", "a b c"}) {
     expect_study_refused(
         study + "mapped_with = [\"x y\", \"" + pair + "\"]\n" + module,
         "study.toml:3: '" + pair +
-            "' does not name two classes; write two names with a space between them: "
-            "those mapped, and those they are with");
+            "' does not consist of two classes; write two names separated by a space: the class "
+            "that is mapped, and the class that it is mapped with");
   }
 }
 
@@ -242,6 +238,19 @@ void expect_every_key_settable() {
   for (const auto& parameter : Parameters::declarations().all()) {
     EXPECT_EQ(parameter.read(parameters), other_value(parameter.info)) << parameter.info.name;
     EXPECT_FALSE(parameter.info.text.empty()) << parameter.info.name;
+  }
+}
+
+// The text of kGood has to say every key, that of kLeast only the name.
+TEST(StudyParameters, AStudyAsTomlReadsBackAsTheSame) {
+  for (const std::string& text : {kGood, kLeast}) {
+    const StudyDescription description = read_study(parse_toml(text, "x").value()).value();
+    const std::string toml = to_toml(description);
+    const auto again = read_study(parse_toml(toml, "y").value());
+    ASSERT_TRUE(again) << toml << to_string(again.error());
+    EXPECT_EQ(parameters_to_toml(again->study), parameters_to_toml(description.study));
+    EXPECT_EQ(parameters_to_toml(again->recording), parameters_to_toml(description.recording));
+    EXPECT_EQ(to_toml(again->system), to_toml(description.system));
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <set>
 
-#include "somato/maps/areas.h"
-#include "somato/maps/batch_training.h"
+#include "maps/areas.h"
+#include "maps/batch_training.h"
+#include "recording/content_hash.h"
 #include "somato/maps/som_training.h"
-#include "somato/recording/content_hash.h"
-#include "somato/studies/wrong_groupings.h"
+#include "studies/wrong_groupings.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 #include "support/study_results.h"
@@ -14,6 +14,7 @@
 namespace somato {
 namespace {
 
+using testing::json_of;
 using testing::objects_apart;
 using testing::outcome_of;
 using testing::small_study;
@@ -39,7 +40,7 @@ StudyOutcome tested_with(const Recording& recording, const Recording& test,
   return outcome_of(description, recording, options);
 }
 
-// The winners of the tested recording, by hand: the map learned from the other alone.
+// The winners of the tested recording, computed directly: the map is trained on the other one only.
 Numbers winners_by_hand(const Recording& recording, const Recording& test, std::uint64_t seed) {
   SomParameters parameters;
   parameters.rows = 5;
@@ -54,7 +55,7 @@ TEST(TestData, LearnsFromAllOfTheOneAndNothingOfTheOther) {
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const Recording test = objects_apart(3, 2, 150.0, 8);
   const StudyOutcome outcome = tested_with(recording, test);
-  const SystemResults& system = system_of(outcome, "test_data");
+  const ProtocolResults& system = system_of(outcome, "test_data");
   EXPECT_EQ(system.samples, 6U);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_EQ(system.runs[s].winners, winners_by_hand(recording, test, 5 + s));
@@ -88,13 +89,14 @@ TEST(TestData, LeavesTheOtherProtocolsAndTheModelAsTheyAre) {
   test.explorations[0].labels[0].value = "new";
   const StudyOutcome with = tested_with(recording, test);
   const StudyOutcome without = outcome_of(small_study("none"), recording);
-  StudyResults same = with.results;
-  ASSERT_EQ(same.systems.size(), 3U);
-  same.systems.pop_back();
-  EXPECT_EQ(same.data_hash, content_hash(recording));
-  EXPECT_EQ(same.test_data_hash, content_hash(test));
-  same.test_data_hash.clear();
-  EXPECT_EQ(to_json(same), to_json(without.results));
+  PartResults same = with.results;
+  ASSERT_EQ(same.protocols.size(), 3U);
+  same.protocols.pop_back();
+  EXPECT_EQ(same.recordings.at(0).hash, content_hash(recording));
+  ASSERT_EQ(same.test_recordings.size(), 1U);
+  EXPECT_EQ(same.test_recordings[0].hash, content_hash(test));
+  same.test_recordings.clear();
+  EXPECT_EQ(to_json(Results{{same}, {}, {}}), json_of(without));
   EXPECT_EQ(with.map().weights(), without.map().weights());
   EXPECT_EQ(with.winners, without.winners);
   EXPECT_EQ(with.classes.names, (Texts{"object 1", "object 2", "object 3"}));
@@ -105,7 +107,7 @@ TEST(TestData, CountsAClassThatWasNeverLearnedAsWrong) {
   const Recording recording = objects_apart(2, 4, 1.0, 2);
   Recording test = objects_apart(2, 2, 1.0, 8);
   test.explorations[3].labels[0].value = "object 7";
-  const SystemResults system = system_of(tested_with(recording, test), "test_data");
+  const ProtocolResults system = system_of(tested_with(recording, test), "test_data");
   EXPECT_EQ(values_of(system, "accuracy"), (Values{0.75, 0.75}));
   EXPECT_EQ(values_of(system, "baseline_accuracy"), (Values{0.75, 0.75}));
   EXPECT_EQ(system.runs[0].labels[3], "object 7");
@@ -129,8 +131,8 @@ TEST(TestData, DealsWrongGroupingsAmongBothRecordings) {
   for (const Numbers& wrong : wrong_groupings(classes, individuals, 40, 5)) {
     connected += areas.connected(wrong) ? 1.0 : 0.0;
   }
-  const SystemResults& system = system_of(outcome, "test_data");
-  EXPECT_NEAR(values_of(system, "areas_connected_by_luck")[0], connected / 40.0, 1e-12);
+  const ProtocolResults& system = system_of(outcome, "test_data");
+  EXPECT_NEAR(values_of(system, "areas_connected_chance")[0], connected / 40.0, 1e-12);
 }
 
 void expect_test_data_refused(const Recording& recording, const Recording& test,
@@ -154,14 +156,14 @@ TEST(TestData, IsRefusedWhenItDoesNotFit) {
   expect_test_data_refused(objects_apart(1, 1, 1.0, 1), good, "only one exploration");
 }
 
-// What is held out by the program's own words: each run's winners are those of a map that learned
-// from the other groups alone.
-TEST(LeaveGroupOut, LearnsFromTheOtherGroupsAlone) {
+// According to the results of the program: each run's winners are those of a map trained on the
+// other groups only.
+TEST(LeaveGroupOut, LearnsOnlyFromTheOtherGroups) {
   const Recording recording = testing::grasps(3, 3, 4);
   StudyDescription description = testing::learning_study();
   description.study.protocols = {Protocol::kLeaveGroupOut};
   description.study.groups = {"trial"};
-  const SystemResults groups = system_of(outcome_of(description, recording), "leave_group_out");
+  const ProtocolResults groups = system_of(outcome_of(description, recording), "leave_group_out");
   EXPECT_EQ(groups.samples, 9U);
   for (std::size_t trial = 0; trial < 3; ++trial) {
     Recording learned;
@@ -171,7 +173,7 @@ TEST(LeaveGroupOut, LearnsFromTheOtherGroupsAlone) {
     }
     StudyDescription plain = testing::learning_study();
     plain.study.protocols = {Protocol::kTrainIsTest};
-    const SystemResults tested = system_of(tested_with(learned, left_out, plain), "test_data");
+    const ProtocolResults tested = system_of(tested_with(learned, left_out, plain), "test_data");
     for (std::size_t s = 0; s < 2; ++s) {
       for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(groups.runs[s].winners[3 * i + trial], tested.runs[s].winners[i]);
@@ -188,8 +190,8 @@ TEST(KFolds, AreDealtBySeedAndLearnFromTheOthers) {
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const StudyOutcome outcome = outcome_of(description, recording);
   // Twelve parts of twelve samples leave each out.
-  const SystemResults& parts = system_of(outcome, "k_folds");
-  const SystemResults& ones = system_of(outcome, "leave_one_out");
+  const ProtocolResults& parts = system_of(outcome, "k_folds");
+  const ProtocolResults& ones = system_of(outcome, "leave_one_out");
   for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(parts.runs[s].winners, ones.runs[s].winners);
   EXPECT_EQ(values_of(parts, "accuracy"), values_of(ones, "accuracy"));
   description.study.folds = 3;

@@ -40,7 +40,7 @@ TEST(Study, RefusesAnElementThatIsConstantInOneTrainingPart) {
       << to_string(outcome.error());
 }
 
-TEST(Study, MakesAConstantElementZeroWhenTold) {
+TEST(Study, MakesAConstantElementZeroOnRequest) {
   const StudyOutcome outcome =
       outcome_of(small_study("constant_columns = 'zero'\n"), with_constant_joint());
   for (std::size_t neuron = 0; neuron < outcome.map().neurons(); ++neuron) {
@@ -63,7 +63,7 @@ void expect_refused(const StudyDescription& description, const Recording& record
   EXPECT_NE(outcome.error().what.find(what), std::string::npos) << to_string(outcome.error());
 }
 
-TEST(Study, RefusesWhatCannotBeAsked) {
+TEST(Study, RefusesInvalidLabels) {
   const Recording good = objects_apart(2, 2, 1.0, 1);
   expect_refused(small_study(), {}, ErrorKind::kData, "no explorations");
   expect_refused(small_study(), {{good.explorations[0]}}, ErrorKind::kData, "only one exploration");
@@ -84,10 +84,10 @@ TEST(Study, RefusesWhatCannotBeAsked) {
   expect_refused(study_from(study + "[module.touch]\ntype = 'channel'\nchannel = 'touch'\n"), good,
                  ErrorKind::kUsage, "unknown channel 'touch'");
   expect_refused(study_from(study + "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"),
-                 good, ErrorKind::kUsage, "the system has no map that answers");
+                 good, ErrorKind::kUsage, "the system has no output map");
   expect_refused(with_map("closed", "radius_schedule = 'exponential'\nradius_end = 0.0\n"), good,
                  ErrorKind::kUsage, "cannot start or end at 0");
-  expect_refused(with_map("joints", ""), good, ErrorKind::kUsage, "has frames coming in");
+  expect_refused(with_map("joints", ""), good, ErrorKind::kUsage, "receives one per frame");
   description = with_map("closed", "[module.other]\ntype = 'som'\ninput = 'closed'\n");
   expect_refused(description, good, ErrorKind::kUsage, "more than one map could answer");
   description.study.map = "maps";
@@ -113,7 +113,7 @@ TEST(Study, LeavesOutEachOfTwoGroups) {
   description.study.groups = {"trial"};
   const auto outcome = run_study(description, testing::grasps(3, 2, 1));
   ASSERT_TRUE(outcome) << to_string(outcome.error());
-  EXPECT_EQ(outcome->results.systems.at(0).group, "trial");
+  EXPECT_EQ(outcome->results.protocols.at(0).group, "trial");
 }
 
 TEST(Study, RefusesWhatCannotBeDivided) {

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
+#include "maps/areas.h"
+#include "recording/content_hash.h"
 #include "somato/codes/standardization.h"
 #include "somato/core/random.h"
 #include "somato/graph/system_model.h"
-#include "somato/maps/areas.h"
 #include "somato/maps/som_training.h"
-#include "somato/recording/content_hash.h"
-#include "somato/studies/wrong_groupings.h"
 #include "studies/metric_names.h"
+#include "studies/wrong_groupings.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
 #include "support/study_results.h"
@@ -21,6 +21,7 @@ namespace somato {
 namespace {
 
 using testing::exploration_of;
+using testing::json_of;
 using testing::objects_apart;
 
 using testing::outcome_of;
@@ -30,14 +31,14 @@ using testing::system_of;
 using testing::values_of;
 using Values = std::vector<double>;
 
-TEST(Study, TellsClassesApartThatAreApart) {
+TEST(Study, SeparatesDistinctClasses) {
   const StudyOutcome outcome = outcome_of(small_study(), objects_apart(3, 4, 2.0, 1));
-  for (const SystemResults& system : outcome.results.systems) {
+  for (const ProtocolResults& system : outcome.results.protocols) {
     EXPECT_EQ(values_of(system, "accuracy"), (Values{1, 1})) << system.protocol;
     EXPECT_EQ(values_of(system, "individuals_apart"), (Values{1, 1})) << system.protocol;
     EXPECT_EQ(values_of(system, "baseline_accuracy"), (Values{1, 1})) << system.protocol;
   }
-  EXPECT_EQ(outcome.results.systems.size(), 2U);
+  EXPECT_EQ(outcome.results.protocols.size(), 2U);
 }
 
 // Each of two parts has a sample of both objects, so that each is known when the other is tested.
@@ -70,8 +71,8 @@ TEST(Study, FindsNothingInNoiseThatIsHeldOut) {
   StudyDescription description = small_study();
   description.study.seeds = 3;
   const StudyOutcome outcome = outcome_of(description, noise_with_random_labels(80, 3));
-  const SystemResults& held_out = system_of(outcome, "leave_one_out");
-  const SystemResults& remembered = system_of(outcome, "train_is_test");
+  const ProtocolResults& held_out = system_of(outcome, "leave_one_out");
+  const ProtocolResults& remembered = system_of(outcome, "train_is_test");
   for (std::size_t seed = 0; seed < 3; ++seed) {
     EXPECT_GT(values_of(held_out, "accuracy")[seed], 0.08);
     EXPECT_LT(values_of(held_out, "accuracy")[seed], 0.42);
@@ -91,10 +92,9 @@ double share_right(const Run& run) {
 TEST(Study, CountsAccuracyFromItsRuns) {
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const StudyOutcome outcome = outcome_of(small_study(), recording);
-  for (const SystemResults& system : outcome.results.systems) {
+  for (const ProtocolResults& system : outcome.results.protocols) {
     ASSERT_EQ(system.runs.size(), 2U);
     EXPECT_EQ(system.samples, 12U);
-    EXPECT_EQ(system.name, "small");
     EXPECT_EQ(system.label, "object");
     Values accuracy;
     for (std::size_t seed = 0; seed < 2; ++seed) {
@@ -117,7 +117,7 @@ TEST(Study, CountsAccuracyFromItsRuns) {
 TEST(Study, MeasuresTheMapOfTrainIsTest) {
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const StudyOutcome outcome = outcome_of(small_study(), recording);
-  const SystemResults& system = system_of(outcome, "train_is_test");
+  const ProtocolResults& system = system_of(outcome, "train_is_test");
   EXPECT_EQ(system.runs[0].winners, outcome.winners);
   EXPECT_EQ(outcome_of(small_study("none"), recording).map().parameters().seed, 5U);
 
@@ -138,14 +138,14 @@ TEST(Study, MeasuresTheMapOfTrainIsTest) {
   EXPECT_EQ(map.weights(), outcome.map().weights());
   SomWorkspace workspace;
   double distance = 0.0;
-  double torn = 0.0;
+  double topographic_errors = 0.0;
   for (std::size_t i = 0; i < 12; ++i) {
     const Winners winners = map.winners(samples[i], workspace);
     distance += map.distance(samples[i], winners.first, workspace);
-    torn += map.grid().adjacent(winners.first, winners.second) ? 0.0 : 1.0;
+    topographic_errors += map.grid().adjacent(winners.first, winners.second) ? 0.0 : 1.0;
   }
   EXPECT_NEAR(values_of(system, "quantization_error")[0], distance / 12.0, 1e-9);
-  EXPECT_NEAR(values_of(system, "topographic_error")[0], torn / 12.0, 1e-9);
+  EXPECT_NEAR(values_of(system, "topographic_error")[0], topographic_errors / 12.0, 1e-9);
   const std::vector<std::size_t>& classes = outcome.classes.of_sample;
   const bool apart = individuals_apart(outcome.winners, classes);
   const bool connected = WinnerAreas(map.grid(), outcome.winners).connected(classes);
@@ -165,7 +165,7 @@ void expect_same_for_threads(const StudyDescription& description, const Recordin
     StudyOptions options;
     options.threads = threads;
     const StudyOutcome several = outcome_of(description, recording, options);
-    EXPECT_EQ(to_json(several.results), to_json(one.results)) << threads;
+    EXPECT_EQ(json_of(several), json_of(one)) << threads;
     EXPECT_TRUE(saved_system(several) == saved_system(one)) << threads;
     EXPECT_EQ(several.winners, one.winners) << threads;
   }
@@ -179,12 +179,12 @@ TEST(Study, GivesTheSameForAnyNumberOfThreads) {
 TEST(Study, GivesTheSameEveryTimeAndForEverySeedAnother) {
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const StudyOutcome outcome = outcome_of(small_study(), recording);
-  EXPECT_EQ(to_json(outcome_of(small_study(), recording).results), to_json(outcome.results));
+  EXPECT_EQ(json_of(outcome_of(small_study(), recording)), json_of(outcome));
   StudyDescription later = small_study();
   later.study.first_seed = 6;
   const StudyOutcome shifted = outcome_of(later, recording);
   for (const char* protocol : {"train_is_test", "leave_one_out"}) {
-    const SystemResults& runs = system_of(outcome, protocol);
+    const ProtocolResults& runs = system_of(outcome, protocol);
     EXPECT_EQ(system_of(shifted, protocol).runs[0].winners, runs.runs[1].winners);
     EXPECT_NE(runs.runs[0].winners, runs.runs[1].winners);
   }
@@ -192,19 +192,31 @@ TEST(Study, GivesTheSameEveryTimeAndForEverySeedAnother) {
 
 TEST(Study, SaysWhatItRanOn) {
   const Recording recording = objects_apart(3, 4, 2.0, 2);
-  const StudyResults results = outcome_of(small_study(), recording).results;
-  EXPECT_EQ(results.study, "small");
-  EXPECT_EQ(results.seeds, 2U);
-  EXPECT_EQ(results.data_hash, content_hash(recording));
+  const PartResults results = outcome_of(small_study(), recording).results;
+  EXPECT_EQ(results.system, "small");
+  EXPECT_EQ(results.study, to_toml(small_study()));
+  EXPECT_FALSE(results.model);
+  ASSERT_EQ(results.pairs.size(), 2U);
+  EXPECT_EQ(results.pairs[1].seed, 6U);
+  ASSERT_EQ(results.recordings.size(), 1U);
+  EXPECT_EQ(results.recordings[0].hash, content_hash(recording));
+  EXPECT_EQ(results.recordings[0].explorations, 12U);
+  EXPECT_TRUE(results.test_recordings.empty());
   std::vector<std::string> parts;
-  for (const Settings& part : results.settings) parts.push_back(part.part);
+  for (const Settings& part : results.parameters) parts.push_back(part.part);
   EXPECT_EQ(parts, (std::vector<std::string>{"study", "recording", "module.joints", "module.closed",
                                              "module.standardized", "module.map"}));
 }
 
+TEST(Study, SaysItsTextAsItStands) {
+  StudyDescription description = small_study();
+  description.text = "# As it stands.\n" + to_toml(description);
+  EXPECT_EQ(outcome_of(description, objects_apart(3, 4, 2.0, 2)).results.study, description.text);
+}
+
 // The setting's value as TOML writes it.
-std::string setting(const StudyResults& results, const std::string& part, const std::string& name) {
-  for (const Settings& settings : results.settings) {
+std::string setting(const PartResults& results, const std::string& part, const std::string& name) {
+  for (const Settings& settings : results.parameters) {
     if (settings.part != part) continue;
     for (const Setting& candidate : settings.settings) {
       if (candidate.name == name) return candidate.value;
@@ -219,7 +231,7 @@ TEST(Study, SaysEverySetting) {
   const StudyDescription description =
       study_from("[study]\nname = 'small'\nseeds = 1\n" + system +
                  "[[phase]]\nlearn = ['standardized']\n[[phase]]\nlearn = ['map']\ndraws = 70\n");
-  const StudyResults results = outcome_of(description, objects_apart(3, 4, 2.0, 2)).results;
+  const PartResults results = outcome_of(description, objects_apart(3, 4, 2.0, 2)).results;
   EXPECT_EQ(setting(results, "study", "wrong_groupings"), "20");
   EXPECT_EQ(setting(results, "recording", "format"), "\"automatic\"");
   EXPECT_EQ(setting(results, "module.joints", "type"), "\"channel\"");
@@ -240,7 +252,7 @@ TEST(Study, SaysHowAMapsAutomaticSettingsWereDecided) {
       "channel = 'joints'\n[module.closed]\ntype = 'last'\ninput = 'joints'\n"
       "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\n");
   const Recording recording = objects_apart(3, 4, 2.0, 2);
-  const StudyResults results = outcome_of(description, recording).results;
+  const PartResults results = outcome_of(description, recording).results;
   SomParameters parameters;
   parameters.rows = 3;
   parameters.columns = 3;
@@ -253,7 +265,7 @@ TEST(Study, SaysHowAMapsAutomaticSettingsWereDecided) {
   EXPECT_EQ(setting(results, "module.map", "iterations").find("automatic"), std::string::npos);
 }
 
-TEST(Study, AsksTheMapThatIsNamed) {
+TEST(Study, UsesTheNamedMap) {
   StudyDescription description = study_from(
       "[study]\nname = 'n'\nseeds = 1\nmap = 'second'\n" + testing::joints_system() +
       "[module.second]\ntype = 'som'\ninput = 'closed'\nrows = 2\ncolumns = 2\niterations = 50\n");
@@ -286,7 +298,7 @@ TEST(Study, DealsIndividualsAsWholes) {
   const StudyOutcome whole = outcome_of(description, recording);
   description.study.individual = "";
   const StudyOutcome single = outcome_of(description, recording);
-  const std::string metric = "areas_connected_by_luck";
+  const std::string metric = "areas_connected_chance";
   const double whole_share = values_of(system_of(whole, "train_is_test"), metric)[0];
   const double single_share = values_of(system_of(single, "train_is_test"), metric)[0];
   EXPECT_NEAR(whole_share, share_connected(whole, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}), 1e-12);
@@ -298,51 +310,51 @@ TEST(Study, LeavesOutTheMeasureOfWrongGroupingsWhenThereIsNone) {
   StudyDescription description = small_study();
   description.study.wrong_groupings = 0;
   const StudyOutcome outcome = outcome_of(description, objects_apart(2, 3, 1.0, 1));
-  for (const SystemResults& system : outcome.results.systems) {
+  for (const ProtocolResults& system : outcome.results.protocols) {
     for (const Metric& metric : system.metrics) {
       EXPECT_TRUE(check_metric_name(metric.name, {})) << metric.name;
-      EXPECT_NE(metric.name, "areas_connected_by_luck");
+      EXPECT_NE(metric.name, "areas_connected_chance");
     }
   }
 }
 
-// It is also asked during a training, with the number of those before it.
-TEST(Study, TellsItsProgressTrainingByTraining) {
-  std::vector<std::uint64_t> told;
+// The progress is also called during a training, with the number of preceding trainings.
+TEST(Study, ReportsItsProgressTrainingByTraining) {
+  std::vector<std::uint64_t> reported;
   StudyOptions options;
   options.progress = [&](std::uint64_t done, std::uint64_t total) {
     EXPECT_EQ(total, 2 * (1 + 6U));  // seeds x (all, and each left out)
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   ASSERT_TRUE(run_study(small_study(), objects_apart(2, 3, 1.0, 1), options));
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   for (std::uint64_t done = 1; done <= 14; ++done) {
-    EXPECT_TRUE(std::binary_search(told.begin(), told.end(), done)) << done;
+    EXPECT_TRUE(std::binary_search(reported.begin(), reported.end(), done)) << done;
   }
-  EXPECT_EQ(told.back(), 14U);
+  EXPECT_EQ(reported.back(), 14U);
 }
 
-void expect_stops(std::size_t threads, std::uint64_t most_told) {
-  std::uint64_t told = 0;
+void expect_stops(std::size_t threads, std::uint64_t most_reported) {
+  std::uint64_t reported = 0;
   StudyOptions options;
   options.threads = threads;
   options.progress = [&](std::uint64_t, std::uint64_t) {
-    ++told;
+    ++reported;
     return false;
   };
   const auto outcome = run_study(small_study(), objects_apart(3, 10, 1.0, 1), options);
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
-  EXPECT_LE(told, most_told);
+  EXPECT_LE(reported, most_reported);
 }
 
-TEST(Study, StopsWhenTold) {
+TEST(Study, StopsOnRequest) {
   expect_stops(1, 1);
 }
 
 // The trainings under way may end, but none begins.
-TEST(Study, StopsOnAllThreadsWhenTold) {
+TEST(Study, StopsOnAllThreadsOnRequest) {
   expect_stops(4, 4);
 }
 

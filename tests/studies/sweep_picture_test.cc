@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_picture.h"
+#include "studies/sweep_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,9 @@ using test::elements;
 using test::groups;
 
 PartResults judged(double accuracy) {
-  PartResults part{{}, "press", "", {}, {}, {}, {}};
-  part.protocols.push_back({"press", "train_is_test", {}, "material", 8, {}, {}});
+  PartResults part;
+  part.system = "press";
+  part.protocols.push_back({"train_is_test", {}, "material", 8, {}, {}});
   part.protocols[0].metrics.push_back({"accuracy", {accuracy, 1.0}});
   return part;
 }

@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_plan.h"
+#include "studies/sweep_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(SweepPlan, RunsWhatClaimsAreAboutAtEachPoint) {
   EXPECT_EQ(setting(plan->parts[1], "map", "columns"), "2");
   const auto base = plan_of_point(*sweep, points[0]);
   EXPECT_EQ(setting(base->parts[0], "map", "rows"), "5");
-  EXPECT_EQ(name_of_point(sweep->sweep, points[0]), "the system as it stands");
+  EXPECT_EQ(name_of_point(sweep->sweep, points[0]), "the unchanged system");
   EXPECT_EQ(name_of_point(sweep->sweep, points[1]), "u = 7");
 }
 
@@ -65,7 +65,8 @@ TEST(SweepPlan, GivesSeveralKeysTheSameValueAndReachesExploring) {
 }
 
 TEST(SweepPlan, OtherTablesOfTheSweepChangeTheSystem) {
-  const std::string claim = "[[claim]]\ntext = 'Mine.'\nmetric = 'told_exactly'\nat_least = 1\n";
+  const std::string claim =
+      "[[claim]]\ntext = 'Mine.'\nmetric = 'classes_separated'\nat_least = 1\n";
   const auto sweep =
       planned(sweep_toml("one_at_a_time", kDraws + "[module.map]\ncolumns = 6\n" + claim));
   ASSERT_TRUE(sweep) << to_string(sweep.error());
@@ -98,8 +99,8 @@ TEST(SweepPlan, RefusesKeysThatTheSystemDoesNotHave) {
   refused("module.map.row", "did you mean 'rows'?");
   refused("module.map", "unknown module 'map'");
   refused("explore.press.stp", "did you mean 'explore.press.step'?");
-  refused("study.seeds", "no key of a module or of exploring");
-  refused("rows", "no key of a module or of exploring");
+  refused("study.seeds", "not a key of a module or of the exploration");
+  refused("rows", "not a key of a module or of the exploration");
 }
 
 TEST(SweepPlan, RefusesQuestionsAndSystemsWithoutClaims) {
@@ -110,7 +111,7 @@ TEST(SweepPlan, RefusesQuestionsAndSystemsWithoutClaims) {
   const auto claimless = planned(sweep_toml("one_at_a_time", rate()),
                                  kSweptSystem.substr(0, kSweptSystem.find("[variation")));
   ASSERT_FALSE(claimless);
-  EXPECT_NE(claimless.error().what.find("claims nothing"), std::string::npos);
+  EXPECT_NE(claimless.error().what.find("has no claims"), std::string::npos);
 }
 
 TEST(SweepPlan, ValuesThatAModuleRefusesAreRefusedAtTheUnknown) {

@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_points.h"
+#include "studies/sweep_points.h"
 
 #include <gtest/gtest.h>
 

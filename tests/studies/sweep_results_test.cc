@@ -1,4 +1,4 @@
-#include "somato/studies/sweep_results.h"
+#include "studies/sweep_results.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,11 @@ const std::string kRows =
     "[unknown.rows]\nkey = 'module.map.rows'\ntext = 'x'\nvalues = [3, 5, 9]\n";
 
 PartResults found(const std::string& variation, const std::vector<double>& accuracy) {
-  PartResults part{{}, "press", variation, {"one.mcap"}, {}, {}, {}};
-  part.protocols.push_back({"press", "train_is_test", {}, "material", 8, {}, {}});
+  PartResults part;
+  part.system = "press";
+  part.variation = variation;
+  part.recordings = {{"one.mcap", "", 5, "", 0}};
+  part.protocols.push_back({"train_is_test", {}, "material", 8, {}, {}});
   part.protocols[0].metrics.push_back({"accuracy", accuracy});
   return part;
 }

@@ -1,4 +1,4 @@
-#include "somato/studies/sweep.h"
+#include "studies/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -45,37 +45,38 @@ TEST(Sweep, RefusesWhatIsNone) {
     return sweep_toml("one_at_a_time", head + keys);
   };
   const std::vector<Refused> all{
-      {rate(), "sweep.toml", "needs a design"},
-      {"[sweep]\npairs = 2\n" + rate(), "sweep.toml:1", "needs a design"},
+      {rate(), "sweep.toml", "requires a design"},
+      {"[sweep]\npairs = 2\n" + rate(), "sweep.toml:1", "requires a design"},
       {sweep_toml("sobl", rate()), "sweep.toml:2", "design"},
       {sweep_toml("sobol", "point = 3\n" + rate()), "sweep.toml:3", "point"},
-      {sweep_toml("one_at_a_time", ""), "sweep.toml", "needs unknowns"},
-      {sweep_toml("one_at_a_time", "[unknown]\n"), "sweep.toml:3", "needs unknowns"},
+      {sweep_toml("one_at_a_time", ""), "sweep.toml", "requires unknowns"},
+      {sweep_toml("one_at_a_time", "[unknown]\n"), "sweep.toml:3", "requires unknowns"},
       {sweep_toml("one_at_a_time", "[unknown]\nrate = 3\n"), "sweep.toml:4", "must be a table"},
       {one(text + "vlaues = [1]\n"), "sweep.toml:6", "vlaues"},
-      {one("values = [1]\n"), "sweep.toml:3", "why these values"},
+      {one("values = [1]\n"), "sweep.toml:3", "does not explain its values"},
       {sweep_toml("one_at_a_time", "[unknown.rate]\ntext = 'x'\nvalues = [1]\n"), "sweep.toml:3",
        "has no key"},
       {one(text), "sweep.toml:3", "has no values"},
       {one(text + "values = []\n"), "sweep.toml:3", "has no values"},
       {one(text + "values = [1, 2, 1]\n"), "sweep.toml:3", "the value 1 twice"},
       {one(text + "values = [1]\nlow = 1\n"), "sweep.toml:3", "values and a range"},
-      {one(text + "values = [1]\nhigh = 1\n"), "sweep.toml:3", "values and keys of a range"},
-      {one(text + "values = [1]\nlevels = 3\n"), "sweep.toml:3", "values and keys of a range"},
-      {one(text + "low = 1\n"), "sweep.toml:3", "has no high"},
+      {one(text + "values = [1]\nhigh = 1\n"), "sweep.toml:3", "both 'values' and keys of a range"},
+      {one(text + "values = [1]\nlevels = 3\n"), "sweep.toml:3",
+       "both 'values' and keys of a range"},
+      {one(text + "low = 1\n"), "sweep.toml:3", "has 'low', but no 'high'"},
       {one(text + "low = 2\nhigh = 2\n"), "sweep.toml:3", "empty range"},
       {one(text + "low = 0\nhigh = 2\nscale = 'logarithmic'\n"), "sweep.toml:3", "logarithmic"},
       {one(text + "low = -1e308\nhigh = 1e308\n"), "sweep.toml:3", "too wide"},
       {one(text + "low = 0\nhigh = 1e300\nwhole = true\n"), "sweep.toml:3", "too large"},
-      {one(text + "low = 0.5\nhigh = 2\nwhole = true\n"), "sweep.toml:3", "whole numbers"},
+      {one(text + "low = 0.5\nhigh = 2\nwhole = true\n"), "sweep.toml:3", "requires integers"},
       {one(text + "low = 1\nhigh = 3\nwhole = true\nlevels = 4\n"), "sweep.toml:3", "more levels"},
       {one(text + "low = 1\nhigh = 5\nwhole = true\nscale = 'logarithmic'\n"), "sweep.toml:3",
        "the level 1 twice"},
       {one(text + "values = [1]\n[unknown.again]\nkey = 'module.map.rows'\ntext = 'x'\nvalues = "
                   "[2]\n"),
-       "sweep.toml:7", "moved already"},
-      {sweep_toml("sobol", rate()), "sweep.toml:1", "needs a number of points"},
-      {sweep_toml("latin_hypercube", rate()), "sweep.toml:1", "needs a number of points"},
+       "sweep.toml:7", "already varied"},
+      {sweep_toml("sobol", rate()), "sweep.toml:1", "requires 'points'"},
+      {sweep_toml("latin_hypercube", rate()), "sweep.toml:1", "requires 'points'"},
       {sweep_toml("full_factorial", "points = 8\n" + rate()), "sweep.toml:1",
        "follow from its levels"}};
   for (const Refused& refused : all) {
@@ -95,7 +96,7 @@ TEST(Sweep, RefusesMorePointsOrDimensionsThanThereAre) {
   }
   const auto sobol = read(sweep_toml("sobol", "points = 4\n" + many));
   ASSERT_FALSE(sobol);
-  EXPECT_NE(sobol.error().what.find("up to 32 unknowns"), std::string::npos);
+  EXPECT_NE(sobol.error().what.find("at most 32 unknowns"), std::string::npos);
   EXPECT_TRUE(read(sweep_toml("latin_hypercube", "points = 4\n" + many)));
   const auto factorial = read(sweep_toml("full_factorial", many));
   ASSERT_FALSE(factorial);

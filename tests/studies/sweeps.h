@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "somato/files/toml_file.h"
-#include "somato/studies/sweep_plan.h"
+#include "files/toml_file.h"
+#include "studies/sweep_plan.h"
 
 namespace somato::test {
 

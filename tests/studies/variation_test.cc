@@ -1,8 +1,8 @@
-#include "somato/studies/variation.h"
+#include "studies/variation.h"
 
 #include <gtest/gtest.h>
 
-#include "somato/files/toml_file.h"
+#include "files/toml_file.h"
 
 namespace somato {
 namespace {
@@ -120,16 +120,15 @@ TEST(Variation, OfAModuleThatIsNotThereIsRefusedAtItsLine) {
 }
 
 TEST(Variation, TakesNoValueForATableNorTheReverse) {
-  expect_variation_refused(
-      "[variation.v]\nmodule.map = 3\n",
-      "question.toml:2: 'map' is a table in the system's file; change the keys in it, as "
-      "with map.KEY = ...");
+  expect_variation_refused("[variation.v]\nmodule.map = 3\n",
+                           "question.toml:2: 'map' is a table in the system's file; change its "
+                           "keys, for example map.KEY = ...");
   expect_variation_refused(
       "[variation.v]\nmodule.map.rows.least = 3\n",
-      "question.toml:2: 'rows' is no table in the system's file; give it a value");
+      "question.toml:2: 'rows' is not a table in the system's file; use a value");
   expect_variation_refused(
       "[variation.v]\nphase.draws = 3\n",
-      "question.toml:2: 'phase' is no table in the system's file; give it a value");
+      "question.toml:2: 'phase' is not a table in the system's file; use a value");
 }
 
 TEST(ReadVariations, KeepsTheirOrderAndWhoTheyAreFor) {
@@ -153,15 +152,15 @@ TEST(ReadVariations, AreNoneInAFileWithoutThem) {
 }
 
 TEST(ReadVariations, RefusesWhatIsNoneAtItsLine) {
-  const std::string name = "write [variation.NAME] on a line of its own";
+  const std::string name = "write [variation.NAME] on a separate line";
   const std::string systems = "'systems' must be a list of names; write systems = [\"...\"]";
-  expect_variation_refused("variation = 3\n", "question.toml:1: a variation needs a name; " + name);
+  expect_variation_refused("variation = 3\n",
+                           "question.toml:1: a variation requires a name; " + name);
   expect_variation_refused("[[variation]]\nname = 'wide'\n",
-                           "question.toml:1: a variation needs a name; " + name);
-  expect_variation_refused(
-      "[variation]\nwide = 3\n",
-      "question.toml:2: 'wide' must be a table; write [variation.wide] on a line of its "
-      "own, its changes below");
+                           "question.toml:1: a variation requires a name; " + name);
+  expect_variation_refused("[variation]\nwide = 3\n",
+                           "question.toml:2: 'wide' must be a table; write [variation.wide] on a "
+                           "separate line, its changes below");
   expect_variation_refused("[variation.wide]\nsystems = 'a'\n", "question.toml:2: " + systems);
   expect_variation_refused("[variation.wide]\nsystems = [3]\n", "question.toml:2: " + systems);
   expect_variation_refused("[variation.wide.systems]\na = 1\n", "question.toml:1: " + systems);

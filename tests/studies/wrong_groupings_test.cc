@@ -1,4 +1,4 @@
-#include "somato/studies/wrong_groupings.h"
+#include "studies/wrong_groupings.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "somato/core/error.h"
+#include "somato/core/result.h"
 #include "support/temporary_folder.h"
 
 namespace somato::testing {

@@ -10,12 +10,12 @@
 
 namespace somato {
 
-/// A hand without physics: servos go straight to their targets at their greatest speed, and what
-/// the sensors tell is a function of where the servos are.
+/// A hand without physics: servos move directly to their targets at maximum speed, and the readings
+/// of the sensors are a function of the servos' positions.
 class FakeHand : public Body {
  public:
-  /// What a sensor tells at these positions. With a rate, a step's last frame is of where the
-  /// servos are, those before it of where they were.
+  /// The reading of a sensor at these positions. With a rate, the last frame of a step has the
+  /// current positions, the others the previous ones.
   using Feel = std::function<std::vector<float>(const std::vector<double>& positions)>;
 
   explicit FakeHand(std::string name) { description_.name = std::move(name); }

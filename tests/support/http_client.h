@@ -7,7 +7,7 @@
 
 namespace somato::testing {
 
-/// A connection to a server on 127.0.0.1 that sends what it is told, byte by byte if it must.
+/// A connection to a server on 127.0.0.1 that sends the given bytes, one by one if required.
 class HttpClient {
  public:
   explicit HttpClient(std::uint16_t port);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "somato/core/instruction_set.h"
+#include "kernels/instruction_set.h"
 
 namespace somato::testing {
 

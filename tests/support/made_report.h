@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,10 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "recording/content_hash.h"
+#include "report/report.h"
+#include "report/results_file.h"
 #include "somato/core/random.h"
-#include "somato/recording/content_hash.h"
-#include "somato/report/report.h"
+#include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
+#include "support/json_schema.h"
 #include "support/made_study.h"
 #include "support/temporary_folder.h"
 
@@ -19,7 +24,7 @@ namespace somato::testing {
 
 using Json = nlohmann::ordered_json;
 
-/// A study that was run, with all that a report may be told of it.
+/// A study that was run, with all optional data of a report.
 struct MadeStudy {
   StudyDescription description;
   std::shared_ptr<const Recording> recording;
@@ -30,37 +35,45 @@ struct MadeStudy {
         recording(std::make_shared<const Recording>(std::move(made))),
         outcome(run_study(description, *recording).value()) {}
 
-  /// Its results as they are read from a file.
-  ReportFile file(bool with_model = true) const {
-    ReportFile made{parse_results(to_json(outcome.results), "results.json").value(), {}, {}};
-    if (with_model) made.models.push_back(model());
-    return made;
+  /// Its results with all that `somato run` says of them, read from a file.
+  ReportFile file(const std::vector<Claim>& claims = {}) const {
+    PartResults part = outcome.results;
+    part.recordings[0].name = "made.mcap";
+    part.model = ModelFile{"system.somato", "fnv1a64:0", part.pairs.front().seed};
+    Results results{{part}, judge(claims, {part}), {}};
+    return {"results.json", parse_results(to_json(results), "results.json").value()};
   }
 
-  std::shared_ptr<const ReportModel> model() const {
+  ReportModel model() const {
     const TemporaryFolder folder;
     const std::string path = folder.file("system.somato");
     if (!save_system(path, outcome.model.system, outcome.model.answer)) {
       throw std::runtime_error("the trained system cannot be saved");
     }
-    return std::make_shared<const ReportModel>(
-        ReportModel{"system.somato", load_system(path).value()});
+    return {"system.somato", load_system(path).value()};
   }
 
-  ReportSources sources(bool with_recording = true) const {
+  ReportSources sources(bool with_recording = true, bool with_model = true) const {
     ReportSources all;
     all.version = "1.2.3";
     all.recording = [recorded = with_recording ? recording : nullptr](const std::string& hash) {
       const bool is_it = recorded && content_hash(*recorded) == hash;
-      return is_it ? ReportRecording{"made.mcap", recorded} : ReportRecording{};
+      return is_it ? recorded : nullptr;
     };
+    if (with_model) {
+      all.model = [this](const std::string&, const ModelFile&) -> Result<ReportModel> {
+        return model();
+      };
+    }
     return all;
   }
 };
 
-/// The report of these files, as JSON.
+/// The report of these files, as JSON, checked by its schema.
 inline Json report_of(const std::vector<ReportFile>& files, const ReportSources& sources) {
-  return Json::parse(make_report(files, sources).value().json);
+  const std::string text = make_report(files, sources).value().json;
+  EXPECT_TRUE(text_fits_schema(text, "report.json"));
+  return Json::parse(text);
 }
 
 }  // namespace somato::testing

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "files/toml_file.h"
 #include "somato/core/random.h"
-#include "somato/files/toml_file.h"
 #include "somato/recording/recording.h"
 #include "somato/studies/study_parameters.h"
 

@@ -57,7 +57,7 @@ inline std::vector<double> random_times(std::size_t count, std::int64_t start, R
 /// What all explorations of a recording agree on.
 struct RandomLayout {
   std::vector<std::string> labels;
-  std::vector<Channel> channels;  ///< Without frames; a frame of one element tells how many.
+  std::vector<Channel> channels;  ///< Without frames; a frame of one element gives their number.
   std::vector<std::size_t> elements;
 };
 

@@ -21,7 +21,7 @@ struct ProgramWorld {
   std::function<void(const std::string& out)> before_interrupt;  ///< With its output so far.
   std::size_t largest_file = 0;  ///< Bytes it may write to a file; 0: no limit.
   std::size_t memory = 0;        ///< Bytes of address space; 0: no limit.
-  bool closes_output = false;    ///< Whoever reads its standard output leaves after one byte.
+  bool closes_output = false;    ///< Close the program's standard output after one byte.
   int seconds = 120;             ///< After which it is killed.
 };
 

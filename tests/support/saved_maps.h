@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "somato/files/archive.h"
+#include "files/archive.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/t_mpsom.h"
 #include "support/random_maps.h"

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "maps/som_reference.h"
 #include "somato/core/matrix.h"
 #include "somato/core/random.h"
 #include "somato/maps/som.h"
-#include "somato/maps/som_reference.h"
 #include "support/random_maps.h"
 
 namespace somato::testing {

@@ -8,15 +8,20 @@
 
 namespace somato::testing {
 
-inline const SystemResults& system_of(const StudyOutcome& outcome, const std::string& protocol) {
-  for (const SystemResults& system : outcome.results.systems) {
+inline const ProtocolResults& system_of(const StudyOutcome& outcome, const std::string& protocol) {
+  for (const ProtocolResults& system : outcome.results.protocols) {
     if (system.protocol == protocol) return system;
   }
   throw std::out_of_range(protocol);
 }
 
+/// The results as results.json has them.
+inline std::string json_of(const StudyOutcome& outcome) {
+  return to_json(Results{{outcome.results}, {}, {}});
+}
+
 /// One a seed; none when there is no such metric.
-inline std::vector<double> values_of(const SystemResults& system, const std::string& metric) {
+inline std::vector<double> values_of(const ProtocolResults& system, const std::string& metric) {
   for (const Metric& candidate : system.metrics) {
     if (candidate.name == metric) return candidate.values;
   }

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "files/toml_file.h"
 #include "somato/core/random.h"
-#include "somato/files/toml_file.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
 #include "somato/graph/system_training.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "somato/core/matrix.h"
-#include "somato/maps/t_mpsom_parameters.h"
+#include "somato/maps/t_mpsom.h"
 
 namespace somato::testing {
 

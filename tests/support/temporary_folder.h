@@ -10,7 +10,7 @@
 
 namespace somato {
 
-/// A folder of a test's own, gone with it.
+/// A folder of one test, removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

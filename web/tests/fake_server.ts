@@ -109,12 +109,12 @@ export class FakeServer {
     if (url.pathname === "/api/taxel")
       return json(response, 200, taxel(Number(url.searchParams.get("element"))));
     if (url.pathname === "/api/command") return this.take(await body(request), response);
-    json(response, 404, { error: "There is nothing here" });
+    json(response, 404, { error: "Not found" });
   }
 
   private async file(path: string, response: ServerResponse): Promise<void> {
     const name = path === "/" ? "view.html" : path.slice(1);
-    if (!/^view\.(html|js|css)$/.test(name)) return json(response, 404, { error: "There is nothing here" });
+    if (!/^view\.(html|js|css)$/.test(name)) return json(response, 404, { error: "Not found" });
     response.writeHead(200, { "Content-Type": kTypes[name.split(".")[1]!] });
     response.end(await readFile(join(this.folder, name)));
   }

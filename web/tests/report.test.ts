@@ -20,7 +20,7 @@ describe("what it shows", () => {
     ]);
     const accuracy = hand.protocols[0]!.metrics["accuracy"]!;
     expect(await rows.first().textContent()).toContain(
-      `${accuracy.mean.toFixed(2)} ± ${accuracy.sd.toFixed(2)}`,
+      `${accuracy.mean!.toFixed(2)} ± ${accuracy.sd!.toFixed(2)}`,
     );
     const claims = page.locator("#claims tbody tr:has(td)");
     expect(await claims.count()).toBe(data.claims.length);
@@ -32,8 +32,9 @@ describe("what it shows", () => {
 
   test("shows the verdicts, and comparisons of our own apart", async () => {
     const [one, other, ...rest] = data.claims;
-    const chance = "holds, but so does chance";
-    const own = { ...other!, paper: "", verdict: "cannot be decided here", reason: "12 pairs; 20 are needed" };
+    const chance = "holds, but so does chance" as const;
+    const undecided = { verdict: "cannot be decided here", reason: "12 pairs; 20 are needed" } as const;
+    const own = { ...other!, paper: "", ...undecided };
     const claims = [own, { ...one!, verdict: chance, at_least: 4, at_most: 6 }];
     expect(rest.length).toBeGreaterThan(0);
     const { page } = await report.open({ ...data, claims });
@@ -41,7 +42,7 @@ describe("what it shows", () => {
     const texts = await rows.allTextContents();
     expect(texts.findIndex((text) => text.includes(one!.text))).toBe(1);
     expect(texts[1]).toContain("between 4 and 6");
-    expect(texts[2]).toBe("Comparisons of our own");
+    expect(texts[2]).toBe("Additional comparisons");
     expect(texts[4]).toContain("cannot be decided here, 12 pairs; 20 are needed");
     expect(await page.locator("#claims .share").first().getAttribute("class")).toBe("share neutral");
     expect(await page.locator(".tiles").getAttribute("aria-label")).toBe("Of 1 claim of the papers");
@@ -71,7 +72,7 @@ describe("what it shows", () => {
     expect(winners.slice(1).map((row) => row[5])).toEqual(run.predictions);
     const distances = await savedRows(figureOf(section, "U-matrix"));
     expect(distances.slice(1).map((row) => Number(row[3]))).toEqual(hand.trained!.u_matrix);
-    const planes = await savedRows(figureOf(section, "The map by one element of touch"));
+    const planes = await savedRows(figureOf(section, "Component plane of an element of touch"));
     expect(planes[0]!.slice(3)).toEqual(hand.trained!.planes[0]!.channel.elements);
     expect(planes[1]!.slice(3).map(Number)).toEqual(hand.trained!.planes[0]!.values[0]);
     await page.close();
@@ -85,8 +86,8 @@ describe("what it shows", () => {
       .filter((row) => row[0] === "accuracy" && row[1] === "here")
       .map((row) => Number(row[3]));
     expect(accuracies).toEqual(hand.protocols[0]!.metrics["accuracy"]!.values);
-    expect(outcomes.some((row) => row[0] === "with_own" && row[1] === "paper" && row[3] === "29")).toBe(true);
-    const confusions = await savedRows(figureOf(section, "Confusions over all runs"));
+    expect(outcomes.some((row) => row[0] === "neighbours_same_class" && row[1] === "paper" && row[3] === "29")).toBe(true);
+    const confusions = await savedRows(figureOf(section, "Confusion matrix of all runs"));
     const right = hand.protocols[0]!.runs.flatMap((run) =>
       run.labels.filter((one, i) => one === "boccia" && run.predictions[i] === one),
     );
@@ -99,7 +100,7 @@ describe("what it shows", () => {
     const first = await goTo(page, 1);
     expect(await first.locator(".things tbody tr").count()).toBe(hand.things.length);
     expect(await figureOf(first, "Touch at a moment").locator("[data-cell]").count()).toBe(45);
-    expect(await figureOf(first, "What hand hears of wrist").locator("image").count()).toBe(1);
+    expect(await figureOf(first, "Weights of hand for wrist").locator("image").count()).toBe(1);
     const field = await savedRows(figureOf(first, "Receptive field"));
     expect(field.slice(1).map((row) => Number(row[1]))).toEqual(
       hand.trained!.receptive_fields[0]!.weights[12],
@@ -150,20 +151,20 @@ describe("what is chosen", () => {
   test("a neuron shows its hand, an element its plane", async () => {
     const { page } = await report.open(data);
     const section = await goTo(page, 1);
-    const map = figureOf(section, "The map by one element of touch");
-    const onHand = figureOf(section, "One neuron on the hand");
+    const map = figureOf(section, "Component plane of an element of touch");
+    const onHand = figureOf(section, "Weights of one neuron on the hand");
     await map.locator('[data-cell="100"]').click();
     const touch = hand.trained!.planes[0]!;
     expect((await savedRows(onHand)).slice(1).map((row) => Number(row[1]))).toEqual(touch.values[100]);
     await onHand.locator('[data-cell="7"]').click();
     expect(await map.locator(".what").textContent()).toBe("finger1_distal_1");
     expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("7");
-    const all = figureOf(section, "The map by every element of touch, each at its place on the hand");
+    const all = figureOf(section, "Component planes of touch, arranged on the hand");
     expect(await all.locator("image").count()).toBe(45);
     await all.locator('[data-element="12"]').click();
     expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("12");
     await section.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
-    expect(await figureOf(section, "One neuron on the hand").locator("[data-cell]").count()).toBe(6);
+    expect(await figureOf(section, "Weights of one neuron on the hand").locator("[data-cell]").count()).toBe(6);
     await page.close();
   });
 
@@ -198,7 +199,7 @@ describe("what is saved", () => {
       "Modules",
       "Outcomes",
       "Joints over time",
-      "What hand hears of wrist",
+      "Weights of hand for wrist",
       "Touch at a moment",
     ]) {
       const figure = figureOf(section, title);

@@ -11,7 +11,7 @@ const data = reportFixture();
 
 describe("what goes wrong", () => {
   test.each([
-    ["null", "carries no results yet"],
+    ["null", "contains no results"],
     ['{"version":1,', "damaged"],
     ["[1]", "are not a report"],
     ['{"version":7}', "version 7"],
@@ -31,7 +31,7 @@ describe("what goes wrong", () => {
       claims: [],
       curves: [],
     });
-    expect(await page.locator("#overview").textContent()).toContain("no system to show");
+    expect(await page.locator("#overview").textContent()).toContain("No results were given");
     expect(problems).toEqual([]);
     await page.close();
   });

@@ -1,4 +1,4 @@
-// Makes reports, the same every time: one that has every field, one that nobody should have, and a
+// Makes reports, the same every time: one that has every field, one with invalid names, and a
 // large one.
 
 import type { GridData } from "../src/parts/data";
@@ -48,15 +48,15 @@ export function reportFixture(): ReportData {
   const probe = probeSystem("");
   const systems = [hand, probe, probeSystem("torus_10x12"), bareSystem()];
   const claims = [
-    claim(hand, "At least 29 of 30 explorations lie with their object", "with_own", 29, 29),
-    claim(hand, "All six objects are told apart", "individuals_apart", 1, 1),
+    claim(hand, "At least 29 of 30 explorations lie with their object", "neighbours_same_class", 29, 29),
+    claim(hand, "All six objects are separated", "individuals_apart", 1, 1),
     claim(hand, "Each exploration is named rightly in most runs", "accuracy", 0.5, null),
-    claim(probe, "At least three materials are told exactly", "told_exactly", 3, 3),
+    claim(probe, "At least three materials are separated", "classes_separated", 3, 3),
   ];
   return { version: 1, somato: "0.0.0", systems, claims, curves: curves() };
 }
 
-/** Names and texts as nobody should have them, and numbers that are none. */
+/** Invalid names and texts, and invalid numbers. */
 export function hostileFixture(): ReportData {
   const nasty = `</script><img src=x onerror="window.__hurt=1">'"&amp; ${"very long ".repeat(40)}`;
   const system = handSystem();
@@ -93,12 +93,13 @@ export function hostileFixture(): ReportData {
     values: [none],
     published: none,
   };
+  const curveLine = { name: nasty, points: [{ x: 1, mean: null, sd: null, values: [null] }] };
   return {
     version: 1,
     somato: nasty,
     systems: [hostile, empty],
     claims: [nastyClaim],
-    curves: [{ title: nasty, x: nasty, unit: nasty, metric: nasty, lines: [{ name: nasty, points: [] }] }],
+    curves: [{ title: nasty, x: nasty, unit: nasty, metric: nasty, lines: [curveLine] }],
   };
 }
 

@@ -1,4 +1,4 @@
-// The report of what others recorded: things nobody has measured, sensors that lie on no hand, a
+// The report of what others recorded: objects without sizes, sensors that lie on no hand, a
 // single run.
 
 import type { Browser, Page } from "playwright-core";
@@ -99,7 +99,7 @@ function overlaps(boxes: Box[]): number {
   ).length;
 }
 
-test("draws things whose sizes nobody knows by their shapes, each in its own row", async () => {
+test("draws objects of unknown size by their shapes, each in its own row", async () => {
   const boxes = await boxesOf(".things .thing-face");
   expect(boxes.length).toBeGreaterThanOrEqual(kShapes.length);
   const rows = await boxesOf(".things tbody tr");
@@ -111,7 +111,7 @@ test("draws things whose sizes nobody knows by their shapes, each in its own row
     .evaluateAll((all) => all.map((one) => one.innerHTML));
   expect(new Set(drawn.map((one) => one.replaceAll(/light-?\d+/g, ""))).size).toBe(kShapes.length);
   const note = page.locator('figure[aria-label="Things"] figcaption');
-  expect(await note.textContent()).toContain("their sizes are not known");
+  expect(await note.textContent()).toContain("the sizes are unknown");
 });
 
 test("draws nothing of a thing of which only the name is known", async () => {
@@ -127,11 +127,11 @@ test("names rows of a matrix without writing one over the other", async () => {
 
 test("says of sensors on no hand which moment it shows", async () => {
   const note = page.locator('figure[aria-label="Joints over time"] figcaption');
-  expect(await note.textContent()).toContain("the upright line is the last frame");
+  expect(await note.textContent()).toContain("the vertical line marks the last frame");
 });
 
 test("lays a curve's planes out beside each other, and names beside names", async () => {
-  const figure = 'figure[aria-label^="The map by every element of"]';
+  const figure = 'figure[aria-label^="Component planes of"]';
   const maps = await boxesOf(`${figure} image`);
   expect(maps).toHaveLength(20);
   expect(new Set(maps.map(({ left }) => Math.round(left))).size).toBeGreaterThan(3);

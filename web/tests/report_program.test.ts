@@ -41,10 +41,12 @@ iterations = 300
 `;
 
 interface Results {
-  systems: {
-    protocol: string;
-    metrics: Record<string, { values: number[] }>;
-    runs: { winners: number[]; predictions: string[] }[];
+  parts: {
+    protocols: {
+      protocol: string;
+      metrics: Record<string, { values: number[] }>;
+      runs: { winners: number[]; predictions: string[] }[];
+    }[];
   }[];
 }
 
@@ -93,7 +95,7 @@ async function savedRows(figure: Locator): Promise<string[][]> {
 
 test("has the winners and what was named of results.json, for every protocol and seed", async () => {
   const winners = page.locator('figure[aria-label="Winners"]');
-  for (const [protocol, { runs }] of results.systems.entries()) {
+  for (const [protocol, { runs }] of results.parts[0]!.protocols.entries()) {
     await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: protocol });
     for (const [seed, run] of runs.entries()) {
       await page.getByRole("slider", { name: "Seed" }).fill(String(seed));
@@ -110,7 +112,7 @@ test("has the outcomes of results.json", async () => {
   const values = rows
     .filter((row) => row[0] === "quantization_error" && row[1] === "here")
     .map((row) => Number(row[3]));
-  expect(values).toEqual(results.systems[0]!.metrics["quantization_error"]!.values);
+  expect(values).toEqual(results.parts[0]!.protocols[0]!.metrics["quantization_error"]!.values);
 });
 
 test("has the graph, the trained map, the moments and the materials", async () => {

@@ -39,11 +39,11 @@ describe("who reads it", () => {
     await map.focus();
     for (const key of ["Home", "ArrowRight", "ArrowDown"]) await page.keyboard.press(key);
     expect(await figureOf(section, "Winners").locator(".readout").textContent()).toContain("row 2, column 2");
-    const planes = figureOf(section, "The map by one element of touch");
+    const planes = figureOf(section, "Component plane of an element of touch");
     await planes.getByRole("application").focus();
     await page.keyboard.press("Home");
     await page.keyboard.press("Enter");
-    expect(await figureOf(section, "One neuron on the hand").locator(".what").textContent()).toBe(
+    expect(await figureOf(section, "Weights of one neuron on the hand").locator(".what").textContent()).toBe(
       "Neuron at row 1, column 1",
     );
     await page.close();

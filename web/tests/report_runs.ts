@@ -88,18 +88,18 @@ export function protocol(
   if (name === "train_is_test") {
     Object.assign(metrics, {
       individuals_apart: either(0.7),
-      individuals_apart_by_luck: some(0.1),
+      individuals_apart_chance: some(0.1),
       areas_connected: either(0.5),
-      areas_connected_by_luck: some(0.05),
-      with_own: metric(runs.map(() => 25 + Math.floor(random() * 6))),
-      with_own_by_luck: metric(runs.map(() => round(5 + 2 * random()))),
-      told_exactly: metric(runs.map(() => 4 + Math.floor(random() * 3))),
-      told_exactly_by_luck: some(1),
+      areas_connected_chance: some(0.05),
+      neighbours_same_class: metric(runs.map(() => 25 + Math.floor(random() * 6))),
+      neighbours_same_class_chance: metric(runs.map(() => round(5 + 2 * random()))),
+      classes_separated: metric(runs.map(() => 4 + Math.floor(random() * 3))),
+      classes_separated_chance: some(1),
       "mapped_with boccia boule": metric(runs.map(() => Math.floor(random() * 3))),
       "shape.areas_connected": either(0.6),
-      "shape.areas_connected_by_luck": some(0.05),
+      "shape.areas_connected_chance": some(0.05),
       on_border: some(1),
-      on_border_by_luck: metric(runs.map(() => 0.25)),
+      on_border_chance: metric(runs.map(() => 0.25)),
     });
   }
   const samples = runs[0]?.labels.length ?? 0;

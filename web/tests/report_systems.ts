@@ -120,7 +120,8 @@ export function claim(
   published: number | null,
 ): ClaimReport {
   const values = system.protocols[0]?.metrics[name]?.values ?? [];
-  const luck = system.protocols[0]?.metrics[`${name}_by_luck`]?.mean ?? null;
+  const isMet = (value: number | null) => value !== null && value >= least;
+  const luck = system.protocols[0]?.metrics[`${name}_chance`]?.mean ?? null;
   return {
     file: system.file,
     system: system.name,
@@ -136,10 +137,10 @@ export function claim(
     at_least: least,
     at_most: null,
     values,
-    by_luck: luck,
+    by_chance: luck,
     chance_share: null,
-    verdict: values.every((value) => value >= least) ? "holds" : "mostly",
+    verdict: values.every(isMet) ? "holds" : "mostly",
     reason: "",
-    share: values.filter((value) => value >= least).length / Math.max(1, values.length),
+    share: values.filter(isMet).length / Math.max(1, values.length),
   };
 }

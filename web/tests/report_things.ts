@@ -88,12 +88,13 @@ export function moment(name: string, seed: number): MomentData {
   return {
     labels: { object: name, shape: kShapeOf[name] ?? "", trial: "1" },
     channels: [
-      { channel: kTouch, rate: 10, frame: 50, values: touch[50] ?? [], times, series: touch },
-      { channel: kJoints, rate: 10, frame: 50, values: joints[50] ?? [], times, series: joints },
+      { channel: kTouch, rate: 10, frame: 50, time: 5, values: touch[50] ?? [], times, series: touch },
+      { channel: kJoints, rate: 10, frame: 50, time: 5, values: joints[50] ?? [], times, series: joints },
       {
         channel: { name: "height", unit: "mm", elements: ["1"], shape: [1] },
         rate: 10,
         frame: 50,
+        time: 5,
         values: [148],
         times,
         series: times.map((_, i) => [i < 30 ? 126 : 148]),
@@ -102,6 +103,7 @@ export function moment(name: string, seed: number): MomentData {
         channel: { name: "spectrum", unit: "", elements: range(100).map((i) => String(i + 1)), shape: [100] },
         rate: 10,
         frame: 50,
+        time: 5,
         values: range(100).map((i) => round(1 / (1 + i))),
         times: [],
         series: [],

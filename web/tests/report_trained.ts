@@ -1,14 +1,7 @@
 // Made-up systems that have learned, for the report's fixture: their graph, what their maps hold.
 
-import type {
-  ChannelData,
-  ChannelPlanes,
-  GraphData,
-  GridData,
-  ModuleData,
-  ReceptiveFields,
-} from "../src/parts/data";
-import type { TrainedData } from "../src/report/data";
+import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData } from "../src/parts/data";
+import type { ReceptiveFields, TrainedData } from "../src/report/data";
 import { randomNumbers, range, round } from "./report_runs";
 
 function module(

@@ -3,7 +3,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
-import { digits } from "../src/view/numbers";
+import { digits } from "../src/parts/numbers";
 import { fakeFrame, kFrames } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import {
@@ -45,7 +45,7 @@ describe("what it shows", () => {
     await soon(() => view.page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(
       frame.channels["joints"]!.map(digits),
     );
-    const touch = frame.channels["touch"]!;
+    const touch = frame.channels["touch"]!.map(Number);
     const at = touch.indexOf(Math.max(...touch));
     expect(await words(view.page, "[data-channel=touch] .strip-values")).toBe(
       `most ${digits(touch[at]!)} at ${kTaxels[at]}`,
@@ -59,9 +59,8 @@ describe("what it shows", () => {
     for (const exploration of [0, 2]) {
       view.server.show(exploration, kFrames - 1);
       await frameShown(view.page, kFrames - 1);
-      const felt = Array.from(
-        { length: kFrames },
-        (_, frame) => fakeFrame(exploration, frame).channels["touch"]!,
+      const felt = Array.from({ length: kFrames }, (_, frame) =>
+        fakeFrame(exploration, frame).channels["touch"]!.map(Number),
       );
       const most = Math.max(...felt.flat());
       for (const frame of [0, 27, 40, 57])
@@ -110,7 +109,7 @@ describe("what it shows", () => {
   it("answers what a neuron stands for", async () => {
     await view.page.locator(".panel-map [data-cell='101']").click();
     await view.page.waitForSelector(".closer-answer");
-    expect(await words(view.page, ".closer-answer")).toBe("It stands for boccia cylinder.");
+    expect(await words(view.page, ".closer-answer")).toBe("Class: boccia cylinder");
     expect(await view.page.locator(".nearest li").count()).toBe(3);
     await screenshot(view.page, "view-neuron");
     await view.page.locator(".nearest button").first().click();

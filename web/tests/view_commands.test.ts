@@ -3,7 +3,7 @@
 
 import { describe, expect, it } from "vitest";
 
-import { bodyState } from "./fake_frames";
+import { bodyState, fakeFrame } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import { frameShown, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
@@ -40,6 +40,21 @@ describe("what it tells the program", () => {
     await view.told({ command: "seek", exploration: 2, frame: 30 });
   });
 
+  it("goes back in what a body still explores", async () => {
+    await view.open({ ...bodyState(), live: true, exploration: 0, frames: null, duration: null });
+    const slider = view.page.getByRole("slider", { name: "Frame" });
+    const explored = (frame: number) =>
+      soon(() => {
+        view.server.send("frame", { ...fakeFrame(0, frame), frames: null, last: false });
+        return slider.getAttribute("aria-valuetext");
+      }).toContain(`frame ${frame + 1},`);
+    await explored(20); // once the page listens
+    await slider.fill("5");
+    await view.told({ command: "seek", exploration: 0, frame: 5 });
+    await explored(5);
+    expect(await slider.getAttribute("max")).toBe("20");
+  });
+
   it("asks for no place where a body takes none", async () => {
     await view.open({ ...bodyState(), name: "texture", placement: null });
     await view.page.getByLabel("Object", { exact: true }).waitFor();
@@ -48,7 +63,7 @@ describe("what it tells the program", () => {
 
   it("gives a body something to explore", async () => {
     await view.open(bodyState());
-    await soon(() => words(view.page, ".scene-note")).toContain("Nothing has been explored yet");
+    await soon(() => words(view.page, ".scene-note")).toContain("There is no exploration yet");
     await view.page.getByLabel("Object", { exact: true }).selectOption("block");
     await view.told({ command: "thing", name: "block" });
     await view.page.getByLabel("turn (°)").fill("15");

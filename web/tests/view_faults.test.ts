@@ -25,7 +25,7 @@ describe("when things go wrong", () => {
     await view.page.locator(".link-banner").waitFor({ state: "hidden" });
     view.server.show(0, 12);
     await frameShown(view.page, 12);
-    expect(await words(view.page, ".closer-answer")).toBe("It stands for boccia cylinder.");
+    expect(await words(view.page, ".closer-answer")).toBe("Class: boccia cylinder");
   });
 
   it("tries again by itself", async () => {
@@ -52,12 +52,12 @@ describe("when things go wrong", () => {
   it("says when its token is not the program's", async () => {
     await view.open();
     await view.page.goto(view.server.address.replace(view.server.token, "another"));
-    await view.page.getByText(/Open the address that somato view printed/).waitFor();
+    await view.page.getByText(/Open the address printed by somato view/).waitFor();
   });
 
   it("shows the unfolded hand without WebGL", async () => {
     await view.open();
-    await soon(() => words(view.page, ".scene-note")).toContain("cannot draw in three dimensions");
+    await soon(() => words(view.page, ".scene-note")).toContain("does not support WebGL");
     view.server.show(1, 50);
     await frameShown(view.page, 50);
     await view.page.locator(".unfolded [data-cell='44']").click();

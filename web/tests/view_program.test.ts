@@ -11,7 +11,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it, vi } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
-import { digits } from "../src/view/numbers";
+import { digits } from "../src/parts/numbers";
 import {
   bandColour,
   complaints,
@@ -84,10 +84,10 @@ function recorded(): Message[] {
 
 function predicted(): string[] {
   interface Results {
-    systems: { protocol: string; runs: { predictions: string[] }[] }[];
+    parts: { protocols: { protocol: string; runs: { predictions: string[] }[] }[] }[];
   }
-  const { systems } = JSON.parse(readFileSync(join(folder, "results.json"), "utf8")) as Results;
-  return systems.find(({ protocol }) => protocol === "train_is_test")!.runs[0]!.predictions;
+  const { parts } = JSON.parse(readFileSync(join(folder, "results.json"), "utf8")) as Results;
+  return parts[0]!.protocols.find(({ protocol }) => protocol === "train_is_test")!.runs[0]!.predictions;
 }
 
 function startAddress(program: ChildProcess): Promise<string> {

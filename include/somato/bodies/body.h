@@ -9,45 +9,54 @@
 
 #include "somato/core/matrix.h"
 #include "somato/core/result.h"
-#include "somato/recording/channel_description.h"
+#include "somato/recording/recording.h"
 
 namespace somato {
 
-/// What a servo of a body can do: a hinge in deg, a slide in mm.
+/// Properties of a servo of a body: a hinge in deg, a slide in mm.
 struct DegreeOfFreedom {
   std::string name;  ///< Such as "wrist" or "finger1_proximal".
   std::string unit;  ///< "deg" or "mm".
   double least = 0.0;
   double most = 0.0;
-  double fastest = 0.0;  ///< Units a second.
+  double fastest = 0.0;  ///< Units per second.
 };
 
-/// What a body is made of, for whoever moves it.
+/// The description of a body, for code that moves it.
 struct BodyDescription {
   std::string name;
   std::vector<DegreeOfFreedom> degrees_of_freedom;
-  /// What it feels. A sensor with a rate samples on its own clock, the others once a step.
+  /// Its sensors. A sensor with a rate samples on its own clock, the others once per step.
   std::vector<ChannelDescription> sensors;
 };
 
-/// What a body knows about itself at one moment.
+/// The readings of a body at one moment.
 struct BodyState {
-  double time = 0.0;              ///< Seconds since it came to be.
-  std::vector<double> positions;  ///< Where each servo has been driven to so far, as the driver
-                                  ///< knows: on the way to its target, in the unit of the servo.
-  /// For each sensor the frames taken during the last step: frames x elements. A sensor without a
-  /// rate has one, taken at the end of the step.
+  double time = 0.0;  ///< Seconds since the body was created.
+  std::vector<double>
+      positions;  ///< The position to which each servo has been driven so far, according to the
+                  ///< driver: on the way to its target, in the unit of the servo.
+  /// For each sensor the frames recorded during the last step: frames x elements. A sensor without
+  /// a rate has one, recorded at the end of the step.
   std::vector<Matrix<float>> readings;
 };
 
-/// What ends an exploration that takes too long.
+/// Whether the readings of a step belong to the exploration, unlike those between two grasps.
+enum class Readings { kLeftOut, kRecorded };
+
+/// Called after each step of a body, which waits until it returns. An error ends the step with that
+/// error.
+using AfterStep = std::function<Result<void>(Readings readings)>;
+
+/// Limits of an exploration.
 struct BodyLimits {
   double longest = std::numeric_limits<double>::infinity();  ///< Seconds of the body's time.
-  std::function<bool()> goes_on = {};  ///< Called now and then; when it returns false all ends.
+  std::function<bool()> should_continue =
+      {};  ///< Called regularly; if it returns false, the exploration ends.
 };
 
-/// A body that moves and feels. What explores with it knows no more than this: a simulation may
-/// stand behind it, or servos and sensors on a table.
+/// A body with servos and sensors. Code that explores only uses this interface: the implementation
+/// may be a simulation, or real servos and sensors.
 class Body {
  public:
   Body() = default;
@@ -60,23 +69,26 @@ class Body {
   virtual const BodyDescription& description() const = 0;
   virtual const BodyState& state() const = 0;
 
-  /// Sets where each servo is to go, a target for each degree of freedom in its unit; they go there
-  /// at their own pace while steps pass. Errors (kData) name the servo whose target lies beyond its
-  /// limits or is not finite: then no target changes. Throws InvalidArgument for another number of
-  /// targets.
+  /// Sets the target position of each servo, one for each degree of freedom in its unit; the servos
+  /// move there at their own speed during steps. Errors (kData) name the servo whose target is
+  /// beyond its limits or is not finite; no target changes then. Throws InvalidArgument for a wrong
+  /// number of targets.
   Result<void> command(std::span<const double> targets);
 
-  /// Lets `seconds` pass. Throws InvalidArgument unless they are above 0. Errors: kData when its
-  /// limits leave it less time, kInterrupted when they stop it; what went wrong in the world, such
-  /// as a simulation that diverged or a device that does not answer. The body is then of no more
-  /// use.
-  Result<void> step(double seconds);
+  /// Advances by `seconds`, then calls the observer. Throws InvalidArgument unless they are above
+  /// 0. Errors: kData if its limits leave less time, kInterrupted if they stop it; external
+  /// failures, such as a simulation that diverged or a device that does not answer; those of the
+  /// observer. The body cannot be used afterwards.
+  Result<void> step(double seconds, Readings readings = Readings::kLeftOut);
 
-  /// From now on step() keeps to `limits`; without, a body has none.
+  /// Sets the limits for step(); initially a body has none.
   void keep_to(BodyLimits limits) { limits_ = std::move(limits); }
 
+  /// Sets a function that is called after each step.
+  void observe(AfterStep after_step) { after_step_ = std::move(after_step); }
+
  protected:
-  /// Fails (kInterrupted) when its limits stop it: for pass() to call now and then.
+  /// Fails (kInterrupted) if its limits stop it; pass() should call it regularly.
   Result<void> check_stop() const;
 
   virtual Result<void> drive_to(std::span<const double> targets) = 0;
@@ -84,9 +96,10 @@ class Body {
 
  private:
   BodyLimits limits_;
+  AfterStep after_step_;
 };
 
-/// The index of the degree of freedom, or sensor, of that name; an unknown name is an error
+/// The index of the degree of freedom, or sensor, with that name; an unknown name is an error
 /// (kUsage) with the nearest known one.
 Result<std::size_t> find_degree_of_freedom(const BodyDescription& description,
                                            std::string_view name);

@@ -10,14 +10,15 @@
 
 namespace somato {
 
-/// Things to explore, and the materials declared with them.
+/// Objects to explore, and the materials declared with them.
 struct ObjectTable {
   std::vector<Object> objects;
-  std::vector<Material> materials;  ///< Of the table alone, beside those that are known anyway.
+  std::vector<Material>
+      materials;  ///< Materials of the table only, in addition to the declared ones.
 };
 
-/// The keys of an object's line in a table, each with its meaning and range; a shape has its own
-/// ones, see shape_keys().
+/// The keys of an object's line in a table, with meaning and range; the keys of each shape are
+/// given by shape_keys().
 struct ObjectLine {
   Shape shape = Shape::kSphere;
   std::optional<double> diameter;
@@ -33,37 +34,38 @@ struct ObjectLine {
   static const Declarations<ObjectLine>& declarations();
 };
 
-/// The keys that a shape must have, and those that it may have, beside `shape`, `material` (which
-/// all must have) and `mass` (which all may have).
+/// The required and the optional keys of a shape, in addition to `shape` and `material` (always
+/// required) and `mass` (always optional).
 struct ShapeKeys {
   std::vector<std::string> needed;
   std::vector<std::string> possible;
 };
 const ShapeKeys& shape_keys(Shape shape);
 
-/// The table that the TOML in `text` describes (docs/objects.md), in the order of the text. `where`
-/// is its file; files of meshes are looked for beside it. Objects are of the materials of the table
-/// or of those `declared`.
-/// Errors, with file and line: kUsage for unknown tables, keys, shapes and materials, keys that a
-/// shape lacks, sizes out of range, a cone whose top is wider than its foot, a capsule lower than
-/// wide, names that are none, a material of a declared name, nothing at all; kSystem and kData
-/// for the file of a mesh that cannot be read, is empty or is larger than 64 MiB.
+/// The table in the TOML `text` (docs/objects.md), in the order of the text. `where` is its file;
+/// files of meshes are relative to its folder. Objects have materials of the table or of those
+/// `declared`. Errors, with file and line: kUsage for unknown tables, keys, shapes and materials,
+/// missing keys of a shape, sizes out of range, a cone whose top is wider than its foot, a capsule
+/// whose height is below its diameter, invalid names, a material with a declared name, an empty
+/// table; kSystem and kData for the file of a mesh that cannot be read, is empty or is larger than
+/// 64 MiB.
 Result<ObjectTable> parse_object_table(std::string_view text, std::string_view where,
                                        std::span<const Material> declared);
 
 /// The table in the file at `path`; see parse_object_table() and read_toml().
 Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared);
 
-/// The table of that name that travels with the library, such as "lucs3_new": a file of `objects/`.
-/// Errors (kUsage): an unknown name, with the nearest known one; those of parse_object_table().
+/// The built-in table with that name, such as "lucs3_new": a file of `objects/`. Errors (kUsage):
+/// an unknown name, with the nearest known one; those of parse_object_table().
 Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared);
 
 /// The objects of Table I (P06), explored with LUCS Haptic Hand II. The materials plastic, metal,
 /// hard_board and wood must be among those `declared`; otherwise an error names the missing one.
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared);
 
-/// Five cylinders and five blocks for LUCS Haptic Hand III, and three and three new ones between
-/// them. Both tables are ours; the papers' Table II is not known. Of the same materials.
+/// Five cylinders and five blocks for LUCS Haptic Hand III, and three and three new ones with
+/// intermediate sizes. Both tables are Somato's own; the papers' Table II is not known. The
+/// materials are the same.
 Result<std::vector<Object>> lucs3_objects(std::span<const Material> declared);
 Result<std::vector<Object>> lucs3_new_objects(std::span<const Material> declared);
 

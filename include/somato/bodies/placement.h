@@ -2,9 +2,9 @@
 
 namespace somato {
 
-/// How an object stands off its place before a hand. Before Hand II: along the table's axes. Hand
-/// III has it with its wider side against the palm: shifted along it, and away by the size of `y`.
-/// Either way turned about the vertical.
+/// Displacement of an object from its default position before a hand. Before Hand II: along the
+/// table's axes. Hand III has the object with its wider side against the palm: displaced along the
+/// palm, and away from it by the magnitude of `y`. In both cases rotated about the vertical.
 struct Placement {
   double x = 0.0;     ///< mm.
   double y = 0.0;     ///< mm.

@@ -15,7 +15,7 @@
 
 namespace somato {
 
-/// Where something is: metres, and a unit quaternion w, x, y, z.
+/// A position in metres, and a unit quaternion w, x, y, z.
 struct ScenePose {
   std::array<double, 3> position{};
   std::array<double, 4> turn{1.0, 0.0, 0.0, 0.0};
@@ -33,15 +33,15 @@ struct Choices<GeomRole> {
   static const std::vector<std::pair<GeomRole, std::string>>& all();
 };
 
-/// A piece of what is drawn in three dimensions.
+/// A shape of a three-dimensional scene.
 struct SceneGeom {
-  std::optional<std::size_t> body = {};  ///< That it moves with; none: it stands still.
+  std::optional<std::size_t> body = {};  ///< The body that it moves with; empty: it is fixed.
   std::string name = {};
   GeomShape shape = GeomShape::kBox;
   /// m: half sizes of a box and an ellipsoid; radius of a sphere; radius and half length (along z)
   /// of a capsule or cylinder.
   std::array<double, 3> size{};
-  ScenePose pose = {};                               ///< Off its body.
+  ScenePose pose = {};                               ///< Relative to its body.
   std::array<double, 4> colour{0.7, 0.7, 0.7, 1.0};  ///< Red, green, blue, opacity; 0 to 1.
   GeomRole role = GeomRole::kHand;
   std::optional<std::size_t> taxel = {};  ///< Element of the channel `touch`.
@@ -49,15 +49,15 @@ struct SceneGeom {
   std::vector<std::uint32_t> faces = {};  ///< Of a mesh, three vertices each.
 };
 
-/// What is drawn in three dimensions while a body explores.
+/// The three-dimensional scene of an exploring body.
 struct Scene {
-  std::vector<std::string> bodies;  ///< What moves, by names: a pose belongs to each.
+  std::vector<std::string> bodies;  ///< The moving bodies, by name: each has a pose.
   std::vector<SceneGeom> geoms;
-  std::array<double, 3> camera{};  ///< m: where one looks from,
-  std::array<double, 3> target{};  ///< and where to.
+  std::array<double, 3> camera{};  ///< m: position of the camera,
+  std::array<double, 3> target{};  ///< and the point it looks at.
 };
 
-/// Knows the scene of an exploration that was recorded, and how it looked at each of its frames.
+/// Provides the scene of a recorded exploration, and its poses for each frame.
 class ScenePlayer {
  public:
   ScenePlayer() = default;
@@ -69,12 +69,12 @@ class ScenePlayer {
 
   virtual const Scene& scene() const = 0;
 
-  /// A pose for each body of the scene at a frame of the exploration, counting from 0 and among
-  /// those of its channel with most frames.
+  /// One pose for each body of the scene at a frame of the exploration, counting from 0 in the
+  /// channel with most frames.
   virtual std::vector<ScenePose> poses(const Exploration& exploration, std::size_t frame) = 0;
 };
 
-/// Finds the scene of an exploration; nullptr when nobody knows what it looked like.
+/// Finds the scene of an exploration; returns nullptr if it is unknown.
 using SceneFinder = std::function<std::unique_ptr<ScenePlayer>(const Exploration&)>;
 
 }  // namespace somato

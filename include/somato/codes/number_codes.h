@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,11 +14,12 @@
 
 namespace somato {
 
-/// How the level of a number is written as elements that are 0 or 1.
+/// Representation of the level of a number as elements that are 0 or 1.
 enum class NumberCodeKind {
-  kBinary,       ///< Its binary digits; a small step may turn many of them (0111 to 1000).
-  kGray,         ///< Its digits in the reflected Gray code: neighbouring levels differ in one.
-  kThermometer,  ///< Level l has the first l elements on: the further apart, the more differ.
+  kBinary,       ///< Binary digits; a small step may change many of them (0111 to 1000).
+  kGray,         ///< Digits of the reflected Gray code: neighbouring levels differ in one.
+  kThermometer,  ///< Level l has the first l elements on: the number of differing elements is the
+                 ///< distance.
 };
 
 template <>
@@ -35,25 +37,25 @@ struct NumberCodeParameters {
 
   static const Declarations<NumberCodeParameters>& declarations();
 
-  /// Whether the parameters fit each other. Errors (kUsage): 'low' not below 'high' in single
+  /// Whether the parameters are consistent. Errors (kUsage): 'low' not below 'high' in single
   /// precision; no bits, more than 24 of a binary or Gray code, or more than 2^20.
   Result<void> validate() const;
 };
 
-/// Codes a number as `bits` elements that are 0 or 1, most significant first, as the hardness probe
-/// hands over 18 raw bits (P11 section IV-C; order, offset and scale are not given in the paper).
+/// Codes a number as `bits` elements that are 0 or 1, most significant first, like the 18 raw bits
+/// of the hardness probe (P11 section IV-C; order, offset and scale are not given in the paper).
 ///
-/// [low, high] is cut into equal levels, which hold their values as the bins of OneHot do: limits
-/// and edges are compared in single precision, so that where numbers of that size are coarser than
-/// a level some levels never occur.
+/// [low, high] is divided into equal levels, which contain values like the bins of OneHot: limits
+/// and edges are compared in single precision, so that some levels never occur if the spacing of
+/// floating-point numbers is larger than a level.
 class NumberCode {
  public:
-  /// Throws InvalidArgument for what NumberCodeParameters::validate() refuses.
+  /// Throws InvalidArgument for parameters that NumberCodeParameters::validate() refuses.
   explicit NumberCode(const NumberCodeParameters& parameters);
 
   std::size_t bits() const { return parameters_.bits; }
 
-  /// 2^bits, or bits + 1 of a thermometer.
+  /// 2^bits, or bits + 1 for a thermometer.
   std::uint32_t levels() const;
 
   /// The level of `value`, from 0. Errors (kData): NaN, and with `refuse` a value outside the
@@ -62,6 +64,9 @@ class NumberCode {
 
   /// A dense signal of shape {bits} for level(value); the same errors.
   Result<Signal> encode(float value) const;
+
+  /// The same into `out`, which has bits() values; throws InvalidArgument for another size.
+  Result<void> encode(float value, std::span<float> out) const;
 
  private:
   float edge(std::uint32_t level) const;

@@ -10,14 +10,13 @@
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
-#include "somato/core/signal_buffer.h"
 
 namespace somato {
 
-/// What happens to a value outside the range of a one-hot code.
+/// Treatment of a value outside the range of a one-hot code.
 enum class OutsideRange {
   kRefuse,  ///< It is an error.
-  kClamp,   ///< It belongs to the nearest bin.
+  kClamp,   ///< It is assigned to the nearest bin.
 };
 
 template <>
@@ -35,11 +34,11 @@ struct OneHotParameters {
   static const Declarations<OneHotParameters>& declarations();
 };
 
-/// Codes a value by the one of `elements` equal bins over [low, high] that holds it (P06 section
-/// 2.1 for wrist angle and height; ranges are not given in the paper).
+/// Codes a value by the one of `elements` equal bins over [low, high] that contains it (P06
+/// section 2.1 for wrist angle and height; ranges are not given in the paper).
 ///
-/// A bin holds its lower edge, the last bin both. Limits and edges are compared in single
-/// precision, as recordings hold their values.
+/// A bin includes its lower edge, the last bin both. Limits and edges are compared in single
+/// precision, the precision of recordings.
 class OneHot {
  public:
   /// Throws InvalidArgument unless low < high and there are 1 to 2^20 elements.
@@ -58,23 +57,23 @@ class OneHot {
   std::vector<float> edges_;  // elements + 1 of them, from low to high
 };
 
-/// Codes several joints, each by a one-hot code over its own range, one after the other. Six joints
-/// by ten elements make the 60 elements of the papers' joint code (P06 section 2.1, P11 section
-/// III-A; ranges are not given in the paper).
+/// Codes several joints, each by a one-hot code over a separate range, concatenated. Six joints
+/// with ten elements each form the 60 elements of the papers' joint code (P06 section 2.1, P11
+/// section III-A; ranges are not given in the paper).
 class OneHotSequence {
  public:
-  /// Throws InvalidArgument unless there is a joint and all have the same number of elements; see
+  /// Throws InvalidArgument without joints, or unless all have the same number of elements; see
   /// OneHot for each.
   explicit OneHotSequence(const std::vector<OneHotParameters>& joints);
 
   std::size_t joints() const { return codes_.size(); }
 
-  /// A sparse signal of shape {joints, elements} with one 1 a joint. Errors (kData) as OneHot's,
-  /// with the number of the joint, counted from 1; throws InvalidArgument unless there is one value
-  /// a joint.
+  /// A sparse signal of shape {joints, elements} with one 1 per joint. Errors (kData) as for
+  /// OneHot, with the number of the joint, counted from 1; throws InvalidArgument unless there is
+  /// one value per joint.
   Result<Signal> encode(std::span<const float> values) const;
 
-  /// The same, flat, into `out`; nothing is allocated once that has grown.
+  /// The same, flat, into `out`; does not allocate if `out` is large enough.
   Result<void> encode(std::span<const float> values, SignalBuffer& out) const;
 
  private:

@@ -3,9 +3,12 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "somato/codes/spectrum_parameters.h"
 #include "somato/core/matrix.h"
+#include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/signal.h"
 
@@ -13,35 +16,106 @@ namespace somato {
 
 class RealTransform;
 
-/// The magnitude spectrum of each element of an exploration: which frequencies a sensor felt, and
-/// how strongly, whenever it felt them (P11 section IV-B for the sound of a texture).
+/// The window by which the frames of a segment are multiplied before the transform; frame i of n
+/// has the weight
 ///
-/// The frames are cut into overlapping segments of n frames; what is left at the end is dropped.
-/// Each segment, less its mean and times the window w, is followed by zeros up to the length L of
-/// the transform X. The power of bin k is the mean over the segments of
+/// - rectangular: 1
+/// - Hann: 0.5 - 0.5 cos(2 pi (i + 1/2) / n)
+/// - Hamming: 0.54 - 0.46 cos(2 pi (i + 1/2) / n)
+///
+/// which is symmetric and nowhere 0, so that a segment of a single frame has a spectrum too.
+enum class SpectrumWindow { kRectangular, kHann, kHamming };
+
+template <>
+struct Choices<SpectrumWindow> {
+  static const std::vector<std::pair<SpectrumWindow, std::string>>& all();
+};
+
+/// The quantity of a spectrum at a frequency.
+enum class SpectrumQuantity {
+  kMagnitude,  ///< The root of the power: a sine of amplitude A has A / sqrt(2) in its band.
+  kPower,      ///< The mean square of the frames' content at the frequencies of the band or bin.
+};
+
+template <>
+struct Choices<SpectrumQuantity> {
+  static const std::vector<std::pair<SpectrumQuantity, std::string>>& all();
+};
+
+/// Distribution of the edges of the bands between the lowest and the highest frequency.
+enum class BandSpacing {
+  kLinear,     ///< All bands are equally wide.
+  kGeometric,  ///< The edges of all bands have the same ratio.
+};
+
+template <>
+struct Choices<BandSpacing> {
+  static const std::vector<std::pair<BandSpacing, std::string>>& all();
+};
+
+/// Scale of the values of a spectrum.
+enum class SpectrumScale {
+  kLinear,       ///< Unchanged.
+  kLogarithmic,  ///< log(floor + value).
+};
+
+template <>
+struct Choices<SpectrumScale> {
+  static const std::vector<std::pair<SpectrumScale, std::string>>& all();
+};
+
+/// The parameters of a spectrum; see Spectrum. P11 section IV-B only gives 2049 frequencies, the
+/// number of a transform of 4096 frames.
+struct SpectrumParameters {
+  SpectrumWindow window = SpectrumWindow::kHann;
+  std::optional<std::size_t> segment_length;
+  double overlap = 0.5;
+  std::optional<std::size_t> transform_length;
+  bool remove_mean = true;
+  SpectrumQuantity quantity = SpectrumQuantity::kMagnitude;
+  std::size_t bands = 32;
+  BandSpacing band_spacing = BandSpacing::kLinear;
+  double low = 0.0;
+  std::optional<double> high;
+  SpectrumScale scale = SpectrumScale::kLinear;
+  double floor = 1e-6;
+
+  static const Declarations<SpectrumParameters>& declarations();
+
+  /// Whether the parameters are consistent. Errors (kUsage): a parameter out of its range; a
+  /// transform shorter than its segment; 'low' not below 'high', or 0 with geometric bands; no
+  /// bands with an unknown number of bins, or together with 'low' or 'high'.
+  Result<void> validate() const;
+};
+
+/// The magnitude spectrum of each element of an exploration: the strength of each frequency,
+/// independent of time (P11 section IV-B for the sound of a texture).
+///
+/// The frames are divided into overlapping segments of n frames; an incomplete segment at the end
+/// is dropped. Each segment, minus its mean and multiplied by the window w, is padded with zeros to
+/// the length L of the transform X. The power of bin k is the mean over the segments of
 ///
 ///     2 |X_k|^2 / (L sum_i w_i^2),   at the frequency  k rate / L,
 ///
-/// and that of a band is the sum of its bins, each spread over the frequencies half-way to its
-/// neighbours: the mean square of what the frames hold between the edges (all bands from 0 to half
-/// the rate together: the mean square of the frames, by Parseval), whatever n, L and rate are.
-/// The root is taken, and the scale put on, at the end. With a speed, frequencies are divided by
-/// its magnitude: an axis in cycles per millimetre, on which a texture stands at the same place and
-/// with the same strength however fast it is stroked. All in double precision, rounded to single at
-/// the end.
+/// and that of a band is the sum of its bins, each distributed over the frequencies half-way to its
+/// neighbours: the mean square of the frames' content between the edges (all bands from 0 to half
+/// the rate together: the mean square of the frames, by Parseval), independent of n, L and rate.
+/// The root and the scale are applied at the end. With a speed, frequencies are divided by its
+/// magnitude: an axis in cycles per millimetre, on which a texture has the same position and
+/// strength for every speed. Computed in double precision and rounded to single at the end.
 ///
-/// Constant while it is used; any number of threads may.
+/// Immutable; can be used by any number of threads.
 class Spectrum {
  public:
-  /// Throws InvalidArgument for what SpectrumParameters::validate() refuses.
+  /// Throws InvalidArgument for parameters that SpectrumParameters::validate() refuses.
   explicit Spectrum(const SpectrumParameters& parameters);
 
-  /// Values an element: the number of bands, or of bins where every bin is taken.
+  /// Number of values per element: the number of bands, or of bins if there are no bands.
   std::size_t bands() const;
 
-  /// The spectra of `frames` (frames x elements), taken at `rate` Hz (0 where nobody knows; only
-  /// bands need it), with the sensor moving at `speed` mm/s over the texture: a dense signal of
-  /// shape {elements, bands()}.
+  /// The spectra of `frames` (frames x elements), sampled at `rate` Hz (0 if unknown; only bands
+  /// require it), with the sensor moving at `speed` mm/s over the texture: a dense signal of shape
+  /// {elements, bands()}.
   ///
   /// Errors (kData): fewer frames than a segment, none, or more than the transform takes; a value
   /// that is not finite, with frame and element counted from 1; bands and an unknown rate; bands
@@ -51,7 +125,7 @@ class Spectrum {
 
  private:
   SpectrumParameters parameters_;
-  std::shared_ptr<const RealTransform> plan_;  // where its length does not hang on the frames
+  std::shared_ptr<const RealTransform> plan_;  // if its length does not depend on the frames
 };
 
 }  // namespace somato

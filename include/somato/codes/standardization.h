@@ -7,16 +7,15 @@
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
-#include "somato/core/sample_source.h"
 #include "somato/core/samples.h"
 #include "somato/core/signal.h"
 
 namespace somato {
 
-/// What happens to a column that has the same value in all training samples.
+/// Treatment of a column that is constant in the training samples.
 enum class ConstantColumns {
   kRefuse,  ///< It is an error.
-  kZero,    ///< The column becomes 0, whatever it holds later.
+  kZero,    ///< The column becomes 0 for all samples.
 };
 
 template <>
@@ -31,32 +30,32 @@ struct StandardizationParameters {
   static const Declarations<StandardizationParameters>& declarations();
 };
 
-/// Shifts and scales every column so that the samples it was fitted to have mean 0 and standard
-/// deviation 1. In a study it is fitted to the training part alone.
+/// Shifts and scales every column so that the samples used for fitting have mean 0 and standard
+/// deviation 1. In a study it is fitted to the training part only.
 struct Standardization {
   std::vector<double> means;
-  /// Population standard deviations (divided by the count, not the count less one), in the unit of
+  /// Population standard deviations (divided by the count, not the count minus one), in the unit of
   /// their column; 0 marks a constant column.
   std::vector<double> deviations;
 
-  /// Learns means and deviations from at least two samples, summed in their order in double
-  /// precision. `column_names` may be empty; otherwise one a column, used in messages.
-  /// Errors (kData): fewer than two samples; a value that is not finite; with `refuse` a constant
-  /// column. They give sample and column counted from 1.
+  /// Fits means and deviations to at least two samples, summed in order in double precision.
+  /// `column_names`, used in messages, has one name per column or is empty. Errors (kData): fewer
+  /// than two samples; a value that is not finite; with `refuse` a constant column. They state
+  /// sample and column counted from 1.
   static Result<Standardization> fit(const Samples& samples,
                                      const StandardizationParameters& parameters = {},
                                      const std::vector<std::string>& column_names = {});
 
-  /// The same from samples that need not fit into memory, which are gone through twice. Fails also
-  /// as the source does.
+  /// The same for samples that need not fit into memory, which are read in two passes. Also fails
+  /// if the source does.
   static Result<Standardization> fit(SampleSource& samples,
                                      const StandardizationParameters& parameters = {},
                                      const std::vector<std::string>& column_names = {});
 
-  /// Writes the standardized `sample` to `out`; throws InvalidArgument when a size differs.
+  /// Writes the standardized `sample` to `out`; throws InvalidArgument if a size differs.
   void apply(const SignalView& sample, std::span<float> out) const;
 
-  /// All samples standardized, dense; throws InvalidArgument when the sizes differ.
+  /// All samples standardized, dense; throws InvalidArgument if the sizes differ.
   Samples apply(const Samples& samples) const;
 };
 

@@ -3,24 +3,23 @@
 #include <span>
 
 #include "somato/core/signal.h"
-#include "somato/core/signal_buffer.h"
 
 namespace somato {
 
-/// The tensor product of one or more signals: M_ij = x_i y_j, rows put after each other (P06
-/// section 1), and so on for further signals.
+/// The tensor product of one or more signals: M_ij = x_i y_j, with concatenated rows (P06 section
+/// 1), and correspondingly for further signals.
 ///
-/// The shape is the shapes of `inputs` one after the other, flattened row-major, so the product of
+/// The shape is the concatenation of the shapes of `inputs`, flattened row-major, so the product of
 /// a product with a third signal equals the product of all three. Elements are multiplied from left
-/// to right, in single precision. The result is sparse when any input is; then only the non-zero
-/// elements of the inputs are visited, dense inputs included, and no zero is stored. Infinities and
-/// NaN have no place here: a sparse result forgets those that meet a zero.
+/// to right, in single precision. The result is sparse if any input is; then only the non-zero
+/// elements of the inputs are visited, including those of dense inputs, and no zero is stored.
+/// Inputs must be finite: a sparse result omits infinities and NaN that are multiplied by zero.
 ///
-/// Throws InvalidArgument for no input and for more than 2^32 - 1 elements.
+/// Throws InvalidArgument without inputs and for more than 2^32 - 1 elements.
 Signal tensor_product(std::span<const Signal> inputs);
 
-/// The same, flat, into `out`; `scratch` is needed on the way. Neither may be among the inputs.
-/// Nothing is allocated once both have grown.
+/// The same, flat, into `out`; `scratch` is temporary memory. Neither may be among the inputs. Does
+/// not allocate if both are large enough.
 void tensor_product(std::span<const SignalView> inputs, SignalBuffer& scratch, SignalBuffer& out);
 
 }  // namespace somato

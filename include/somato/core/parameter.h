@@ -19,7 +19,7 @@
 
 namespace somato {
 
-/// The numbers a parameter may take.
+/// The range of the numbers that a parameter accepts.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -32,26 +32,26 @@ struct Range {
   static Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
   static Range between(double low, double high) { return {low, high, false}; }
 
-  /// Whether `value` is a finite number inside.
+  /// Whether `value` is finite and in the range.
   bool contains(double value) const;
 };
 
 /// "at least 1", "0 to 1", "above 0"; empty for any number.
 std::string to_string(const Range& range);
 
-/// What is said about a parameter, once: keys, flags, messages and documentation come from it.
+/// The description of a parameter: keys, flags, messages and documentation are derived from it.
 struct ParameterInfo {
-  std::string name;  ///< Spelled the same in C++, TOML, results and documentation.
+  std::string name;  ///< Identical in C++, TOML, results and documentation.
   std::string type;  ///< "integer", "number", "text", "switch", "choice" or "list of ...".
-  std::string unit;  ///< Empty where there is none.
-  std::string text;  ///< One line; says "not given in the paper" where that is so.
+  std::string unit;  ///< Empty if there is none.
+  std::string text;  ///< One line; contains "not given in the paper" if that is the case.
   Range range;
-  std::vector<std::string> choices;  ///< Of a "choice".
-  std::string default_text;          ///< As TOML writes it, or "automatic".
+  std::vector<std::string> choices;  ///< The names of a "choice".
+  std::string default_text;          ///< In TOML notation, or "automatic".
 };
 
-/// The names of an enumeration's values in their order: specialize it for each enumeration that
-/// stands in a parameter struct.
+/// The names of an enumeration's values in order; specialize it for each enumeration that is used
+/// in a parameter struct.
 template <typename Enum>
 struct Choices;  // static const std::vector<std::pair<Enum, std::string>>& all();
 
@@ -71,14 +71,14 @@ Result<std::int64_t> read_integer(const ParameterInfo& info, const Value& value,
                                   std::int64_t most);
 bool is_automatic(const Value& value);
 
-/// `read`, whose failure says that "automatic" is possible too unless it advises something else.
+/// `read`, whose error message also mentions "automatic" unless it gives other advice.
 Result<void> or_automatic(Result<void> read);
 
-/// The place of the choice that `value` names.
+/// The index of the choice that `value` names.
 Result<void> read_choice(const ParameterInfo& info, const Value& value, std::size_t& choice);
 
-/// How a field of type T is described by, read from and written to a Value. A field stays as it is
-/// where reading fails.
+/// Describes a field of type T, reads it from a Value and writes it to a Value. A field is
+/// unchanged if reading fails.
 template <typename T>
 struct Field;
 
@@ -112,7 +112,7 @@ struct Field<T> {
   static Value write(T field) { return {choice_name(field)}; }
 };
 
-/// An optional field is written "automatic" while it has no value.
+/// An optional field without a value is written as "automatic".
 template <typename T>
 struct Field<std::optional<T>> {
   static std::string type() { return Field<T>::type(); }
@@ -153,7 +153,7 @@ struct Field<std::vector<T>> {
   }
 };
 
-/// Any value, as it stands.
+/// Any value, unchanged.
 template <>
 struct Field<Value> {
   static std::string type() { return "value"; }
@@ -165,7 +165,7 @@ struct Field<Value> {
   static Value write(const Value& field) { return field; }
 };
 
-/// A Field<T> whose T is forgotten, so that what works with fields is compiled once.
+/// A type-erased Field<T>, so that code for fields is compiled once.
 struct FieldType {
   std::size_t size;
   std::string (*type)();
@@ -185,7 +185,7 @@ const FieldType& field_type() {
   return kType;
 }
 
-// The types of most parameters, compiled once.
+// The most common types of parameters, compiled once.
 extern template const FieldType& field_type<bool>();
 extern template const FieldType& field_type<double>();
 extern template const FieldType& field_type<std::size_t>();
@@ -196,27 +196,27 @@ extern template const FieldType& field_type<std::vector<double>>();
 extern template const FieldType& field_type<std::vector<std::size_t>>();
 extern template const FieldType& field_type<std::vector<std::string>>();
 
-/// A declared field of a struct whose type is forgotten.
+/// A declared field of a type-erased struct.
 struct DeclaredField {
   ParameterInfo info;
   const FieldType* type;
-  std::size_t offset;  ///< From the start of the struct, in bytes.
+  std::size_t offset;  ///< Offset from the start of the struct, in bytes.
 
   Result<void> assign(void* target, const Value& value) const;
   Value read(const void* source) const;
 };
 
-/// The declared fields of a struct whose type is forgotten.
+/// The declared fields of a type-erased struct.
 class DeclaredFields {
  public:
-  /// `defaults`, a struct of `size` bytes, has to stay.
+  /// `defaults`, a struct of `size` bytes, must outlive this object.
   DeclaredFields(const void* defaults, std::size_t size) : defaults_(defaults), size_(size) {}
 
-  /// Declares a field of the defaults. Throws InvalidArgument for what does not lie in them.
+  /// Declares a field of the defaults. Throws InvalidArgument for a field outside of them.
   void add(const void* field, const FieldType& type, std::string_view name, std::string_view unit,
            const Range& range, std::string_view text);
 
-  /// Declares fields of `part`, a struct in the defaults, as `declared` does. Throws
+  /// Declares fields of `part`, a nested struct in the defaults, as in `declared`. Throws
   /// InvalidArgument for a name that is not declared there.
   void add_from(const void* part, const DeclaredFields& declared,
                 std::initializer_list<std::string_view> names);
@@ -240,7 +240,7 @@ std::string parameters_to_toml(const DeclaredFields& declared, const void* param
 
 }  // namespace detail
 
-/// A declared field of the struct S, valid as long as the Declarations<S> it comes from.
+/// A declared field of the struct S; valid during the lifetime of its Declarations<S>.
 template <typename S>
 class Parameter {
  public:
@@ -248,7 +248,7 @@ class Parameter {
 
   const ParameterInfo& info;
 
-  /// Errors (kUsage) name the parameter: a value of another type or out of range.
+  /// Errors (kUsage) name the parameter: a value of the wrong type or out of range.
   Result<void> assign(S& target, const Value& value) const { return field_.assign(&target, value); }
 
   Value read(const S& source) const { return field_.read(&source); }
@@ -263,8 +263,8 @@ class Parameter {
 template <typename S>
 class Declarations {
  public:
-  /// Declares the field that `access` reaches: `&S::field`, or for a field of a nested struct a
-  /// callable from S& to a reference. Throws InvalidArgument for what does not lie in the struct.
+  /// Declares the field that `access` refers to: `&S::field`, or for a field of a nested struct a
+  /// callable from S& to a reference. Throws InvalidArgument for a field outside the struct.
   template <typename Access>
   Declarations& add(std::string_view name, Access access, std::string_view unit, const Range& range,
                     std::string_view text) {
@@ -274,8 +274,8 @@ class Declarations {
     return *this;
   }
 
-  /// Declares fields of the nested struct that `access` reaches as its own declarations do, with
-  /// the defaults they have in S. Throws InvalidArgument for a name that is not declared there.
+  /// Declares fields of the nested struct that `access` refers to, as in its own declarations, with
+  /// the defaults of S. Throws InvalidArgument for a name that is not declared there.
   template <typename Access, typename Nested>
   Declarations& add_from(Access access, const Declarations<Nested>& declared,
                          std::initializer_list<std::string_view> names) {
@@ -293,13 +293,13 @@ class Declarations {
 
   std::vector<std::string> names() const { return fields_.names(); }
 
-  /// What is said about each.
+  /// The descriptions of the parameters.
   std::vector<ParameterInfo> infos() const { return fields_.infos(); }
 
   const detail::DeclaredFields& fields() const { return fields_; }
 
  private:
-  // Not const because a callable takes an S&; nothing writes here.
+  // Not const because a callable takes an S&; nothing is written here.
   static S& defaults() {
     static S defaults;
     return defaults;
@@ -308,15 +308,15 @@ class Declarations {
   detail::DeclaredFields fields_{&defaults(), sizeof(S)};
 };
 
-/// A parameter's value from a flag's argument, as it is read best: whether it fits shows when it is
-/// assigned. The text of a list is separated by commas.
+/// A parameter's value from a flag's argument, with the most likely type; its validity is checked
+/// on assignment. The text of a list is separated by commas.
 Value value_from_text(const ParameterInfo& info, std::string_view text);
 
-/// The failure for a key nobody declared, with the nearest known name.
+/// The error for an undeclared key, with the nearest known name.
 Error unknown_name(std::string_view what, std::string_view name, std::string_view where,
                    const std::vector<std::string>& known);
 
-/// The value of an enumeration of that name. Errors: unknown_name().
+/// The value of the enumeration with that name. Errors: unknown_name().
 template <typename Enum>
 Result<Enum> choice_named(std::string_view what, std::string_view name, std::string_view where) {
   std::vector<std::string> known;
@@ -327,20 +327,19 @@ Result<Enum> choice_named(std::string_view what, std::string_view name, std::str
   return fail(unknown_name(what, name, where, known));
 }
 
-/// The failure for a key that should hold a value, not a table.
+/// The error for a key that must have a value, not a table.
 Error not_a_value(std::string_view name, std::string_view where);
 
-/// Reads the parameters S from all keys of `table`; keys that are missing keep their defaults.
-/// Unknown keys and values out of range are errors (kUsage) with their place.
+/// Reads the parameters S from all keys of `table`; missing keys keep their defaults. Unknown keys
+/// and values out of range are errors (kUsage) with their location.
 template <typename S>
 Result<S> read_parameters(const Table& table, S parameters = {}) {
-  Result<void> read = detail::read_parameters(S::declarations().fields(), table, &parameters);
-  if (!read) return fail(std::move(read.error()));
+  SOMATO_TRY_VOID(detail::read_parameters(S::declarations().fields(), table, &parameters));
   return parameters;
 }
 
-/// Whether every parameter lies in its declared range, however the struct was filled. Errors
-/// (kUsage) name the first that does not.
+/// Whether every parameter is in its declared range, regardless of how the struct was filled.
+/// Errors (kUsage) name the first parameter that is not.
 template <typename S>
 Result<void> check_ranges(const S& parameters) {
   S scratch;

@@ -12,7 +12,7 @@ namespace somato {
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
-/// What a stream of random numbers is for; different streams of one seed are independent.
+/// The purpose of a stream of random numbers; different streams of one seed are independent.
 enum class Stream : std::uint32_t {
   kInitialWeights = 0,
   kDraws = 1,
@@ -24,10 +24,10 @@ enum class Stream : std::uint32_t {
   kHardnessProbe = 21,
   kServoPlay = 103,
   kHandSensors = 104,
-  kUser = 1000,  ///< From here on, free for programs that use the library.
+  kUser = 1000,  ///< Values from here on are available to programs that use the library.
 };
 
-/// Random numbers in sequence. One seed and stream give the same numbers on every machine.
+/// A sequence of random numbers. A seed and a stream determine the same numbers on every machine.
 class Random {
  public:
   explicit Random(std::uint64_t seed, Stream stream = Stream::kUser);
@@ -55,15 +55,15 @@ class Random {
   bool has_spare_normal_ = false;
 };
 
-/// A number at a place, so that it need not be stored: uniform in [0, 1), a multiple of 2^-24, for
-/// this seed, stream, row and column. Any order of calls gives the same numbers.
+/// The number at a position, which need not be stored: uniform in [0, 1), a multiple of 2^-24, for
+/// this seed, stream, row and column. The order of calls has no effect.
 float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column);
 
-/// The numbers of uniform_at() for one row and columns 0 .. out.size()-1, faster.
+/// Numbers of uniform_at() for one row and columns 0 .. out.size()-1; faster.
 void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row, std::span<float> out);
 
-/// The numbers of uniform_at() for one row and these columns, one a column; faster where
-/// neighbouring columns follow each other. Throws InvalidArgument when the sizes differ.
+/// Numbers of uniform_at() for one row and the given columns; faster for consecutive columns.
+/// Throws InvalidArgument if the sizes differ.
 void uniform_row(std::uint64_t seed, Stream stream, std::uint32_t row,
                  std::span<const std::uint32_t> columns, std::span<float> out);
 

@@ -16,33 +16,33 @@ struct Value {
   bool operator==(const Value&) const = default;
 };
 
-/// The value as TOML writes it: `true`, `15`, `0.5`, `"plane"`, `[1, 2]`. Numbers are written so
-/// that reading them gives the same bits.
+/// The value in TOML notation: `true`, `15`, `0.5`, `"plane"`, `[1, 2]`. Reading a written number
+/// gives the same bits.
 std::string to_toml(const Value& value);
 
-/// A table of a description, with the place of every key so that a message can point at it.
+/// A table of a description, with the location of every key for messages.
 struct Table {
   struct Entry;
 
   std::string where;  ///< `file:line` of the table's header, or of the file.
   std::vector<Entry> entries;
 
-  /// The entry of that name, or nullptr.
+  /// The entry with that name, or nullptr.
   const Entry* find(std::string_view name) const;
 };
 
-/// A key of a table: it holds a value, a table, or a list of tables.
+/// A key of a table with a value, a table, or a list of tables.
 struct Table::Entry {
   std::string name;
   std::string where;  ///< `file:line` of the key.
   std::variant<Value, Table, std::vector<Table>> content;
 };
 
-/// The one of `known` that is nearest to `name` in edits, or an empty string when none is near
-/// enough to be meant.
+/// The name in `known` with the smallest edit distance to `name`, or an empty string if none is
+/// similar enough.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// "did you mean 'NEAREST'?", or "known are: A, B, C" when none is near.
+/// "did you mean 'NEAREST'?", or "known are: A, B, C" if none is similar.
 std::string name_advice(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace somato

@@ -11,15 +11,14 @@
 
 namespace somato {
 
-/// Whether `bytes` begin as a file of numpy's NPY format does.
+/// Whether `bytes` begin like a file in numpy's NPY format.
 bool is_npy(std::string_view bytes);
 
-/// The array in `bytes`, which are `where`: versions 1 to 3 of numpy's NPY format; float32,
+/// The array in `bytes`, from the source `where`: versions 1 to 3 of numpy's NPY format; float32,
 /// float64, integers of 8 to 64 bits and booleans; either byte order; C or Fortran order. An array
-/// of one dimension becomes one column. Numbers are rounded to float32.
-/// Errors (kData): other types and dimensions, an empty array, a file that is cut short or too
-/// long, and, with row and column, a value that is no finite float32.
-/// Source: numpy.lib.format in numpy's documentation.
+/// of one dimension becomes one column. Numbers are rounded to float32. Errors (kData): other types
+/// and dimensions, an empty array, a file that is truncated or too long, and, with row and column,
+/// a value that is not a finite float32. Source: numpy.lib.format in numpy's documentation.
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where);
 
 /// The array in the file at `path`; see decode_npy() and read_whole().
@@ -28,16 +27,16 @@ Result<Matrix<float>> read_npy(const std::string& path);
 /// A file of version 1.0 in C order: `<f4` of two dimensions.
 std::string encode_npy(const Matrix<float>& matrix);
 
-/// How such a file begins: what stands before the first number, for whoever writes rows one by one.
+/// The header of such a file: the bytes before the first number, for writing the rows one by one.
 std::string npy_start(std::size_t rows, std::size_t columns);
 
-/// Numbers as they stand in such a file.
+/// The bytes of numbers in such a file.
 std::string npy_numbers(std::span<const float> numbers);
 
 /// A file of integers: `<i8` of one dimension.
 std::string encode_npy(std::span<const std::int64_t> numbers);
 
-/// Saves wholly or not at all; see save_whole().
+/// Saves atomically; see save_whole().
 Result<void> write_npy(const std::string& path, const Matrix<float>& matrix);
 Result<void> write_npy(const std::string& path, std::span<const std::int64_t> numbers);
 

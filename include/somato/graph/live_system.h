@@ -2,40 +2,29 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "somato/core/result.h"
-#include "somato/core/signal.h"
 #include "somato/graph/system.h"
 
 namespace somato {
 
-/// Which modules of a system are at work.
-enum class LiveModules {
-  kNeeded,  ///< Those that the map's answer depends on.
-  kAll,     ///< All but the map that can run live, to be looked at. The map answers the same.
-};
-
-/// A trained system at work on an exploration that goes on: after each frame its map answers as if
-/// that frame had been the last one.
+/// A trained system that processes frames live, for a control loop: after each frame the map has a
+/// winner, the same as in an evaluation of the exploration so far.
 ///
-/// It answers as evaluating the exploration as far as it went would, up to rounding. Where sparse
-/// frames are added up for the map, as in a tensor chain, the sum is never put together: what a
-/// frame adds to the sum's inner products with the weights is, in double precision, so that a frame
-/// costs its stored elements times the neurons whatever the number of elements. Channels, one-hot
-/// codes, tensor products, concatenations, memories of dense frames, normalizations, T-MPSOMs and
-/// maps allocate nothing once their memory has grown; other modules do.
+/// If the map's input is a sum of sparse frames, as in a tensor chain, the inner products of the
+/// sum with the weights are updated with each frame, so that the cost of a frame is its stored
+/// elements times the neurons, independent of the number of elements; the sum itself is only
+/// computed if neurons are too close for rounding. Channels, codes, memories of dense frames,
+/// normalizations, T-MPSOMs and maps do not allocate once their memory is large enough.
 class LiveSystem {
  public:
-  /// For the map that is number `map` of the system, which must outlive this object and not change.
-  /// What only `modules` asks for and cannot run live is left out. Errors (kUsage): a module that
-  /// needs explorations as a whole, a loop, or channels whose frames are not taken together, before
-  /// the map. Throws InvalidArgument when the module is no map, or has not learned.
-  static Result<LiveSystem> build(const System& system, std::size_t map,
-                                  LiveModules modules = LiveModules::kNeeded);
+  /// For the map with the number `map` in the system, which must outlive this object and not
+  /// change. Errors (kUsage): the map depends on channels whose frames are not recorded together.
+  /// Throws InvalidArgument if the module is not a map, or is not trained.
+  static Result<LiveSystem> build(const System& system, std::size_t map);
 
   LiveSystem(LiveSystem&&) noexcept;
   LiveSystem& operator=(LiveSystem&&) noexcept;
@@ -43,33 +32,26 @@ class LiveSystem {
   LiveSystem& operator=(const LiveSystem&) = delete;
   ~LiveSystem();
 
-  /// The channels that a frame is made of, in the order of step().
+  /// The channels of a frame, in the order of step().
   const std::vector<std::string>& channels() const;
 
-  /// Goes to the start of an exploration.
-  void start();
+  /// Begins an exploration. `frame_rate` is its number of frames per second, or 0 if unknown.
+  void start(double frame_rate = 0.0);
 
-  /// Takes a frame of each channel, all values of it valid. Errors (kData) name the module; then
-  /// start() anew. Throws InvalidArgument for another number of channels or of their elements.
+  /// Processes a frame of each channel, with all values valid. Errors (kData) name the module;
+  /// start() is then required. Throws InvalidArgument if the number of channels or elements is
+  /// wrong.
   Result<void> step(std::span<const std::span<const float>> frame);
 
-  /// What the module gave with the last frame; a value that comes once an exploration as if that
-  /// were the last one. Valid until the next step. Nothing before the first frame, for the map
-  /// itself, and for a module that is not at work.
-  std::optional<SignalView> output(std::size_t module) const;
-
-  /// What the map says of the exploration so far, as Som::winner(), Som::winner_among(),
-  /// Som::distance() and Som::activity(). They throw InvalidArgument before the first frame.
-  std::size_t winner();
-  std::size_t winner_among(std::span<const std::size_t> candidates);
-  double distance(std::size_t neuron);
-  void activity(std::span<float> out);
+  /// The winner of the map for the exploration so far. Errors (kData): a module before the map
+  /// requires more frames. Throws InvalidArgument before the first frame.
+  Result<std::size_t> winner();
 
  private:
-  struct State;
-  explicit LiveSystem(std::unique_ptr<State> state);
+  class Impl;
+  explicit LiveSystem(std::unique_ptr<Impl> impl);
 
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace somato

@@ -7,53 +7,89 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "somato/core/parameter.h"
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
+#include "somato/core/samples.h"
 #include "somato/core/signal.h"
-#include "somato/core/signal_buffer.h"
-#include "somato/files/archive.h"
-#include "somato/graph/port.h"
 #include "somato/maps/som_parameters.h"
+#include "somato/maps/som_training.h"
 #include "somato/recording/layout.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
 
-/// What is connected to an input port.
+class Archive;
+
+/// How often a port has a new value.
+enum class Rate {
+  kFrame,        ///< With every frame of an exploration.
+  kExploration,  ///< Once, at the end of an exploration.
+};
+
+template <>
+struct Choices<Rate> {
+  static const std::vector<std::pair<Rate, std::string>>& all();
+};
+
+/// The type of the values at a port.
+struct PortType {
+  Rate rate = Rate::kFrame;
+  std::vector<std::size_t> shape;  ///< Shape of one value, row-major.
+  bool sparse = false;             ///< Only non-zero elements are stored.
+  /// Identifies frames that are recorded together: they can be combined if the clocks are equal.
+  /// Empty for one value per exploration.
+  std::string clock;
+
+  /// The number of elements; 2^64 - 1 if it is too large.
+  std::size_t size() const;
+
+  bool operator==(const PortType&) const = default;
+};
+
+/// "9 x 10, sparse, every frame".
+std::string to_string(const PortType& type);
+
+/// The values at a port during one exploration: flat values in order of time, a single one for a
+/// port with Rate::kExploration.
+struct Sequence {
+  Samples values;
+  double rate = 0.0;  ///< Frames per second; 0 if unknown.
+};
+
+/// The connection of an input port.
 struct Connection {
   std::string port;  ///< The name of the port.
   PortType type;
 };
 
-/// A module at work on one exploration, frame by frame, with whatever it remembers from frame to
-/// frame.
-class Stepper {
+/// The state of a module during one exploration.
+class Runner {
  public:
-  Stepper() = default;
-  Stepper(const Stepper&) = delete;
-  Stepper(Stepper&&) = delete;
-  Stepper& operator=(const Stepper&) = delete;
-  Stepper& operator=(Stepper&&) = delete;
-  virtual ~Stepper() = default;
+  Runner() = default;
+  Runner(const Runner&) = delete;
+  Runner(Runner&&) = delete;
+  Runner& operator=(const Runner&) = delete;
+  Runner& operator=(Runner&&) = delete;
+  virtual ~Runner() = default;
 
-  /// The output for one frame of each input. Errors: kData.
-  virtual Result<Signal> step(std::span<const SignalView> inputs) = 0;
+  /// Processes one value of each input and writes the output to `out`, which still contains the
+  /// output of the preceding step. Does not allocate once all memory is large enough. Errors:
+  /// kData.
+  virtual Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) = 0;
 
-  /// The same, flat, in memory of this object: valid until its next step. What runs live does so
-  /// without allocation once its memory has grown. Errors: kData.
-  virtual Result<SignalView> advance(std::span<const SignalView> inputs);
-
- private:
-  Signal stepped_;
+  /// Writes the output of a module that has one output per exploration, as if the preceding frame
+  /// were the last one; for modules whose step() does not write it.
+  virtual void value(SignalBuffer& /*out*/) const {}
 };
 
 class Learner;
 
-/// A module of a system: it has inputs, one output and parameters, and turns what came in during an
-/// exploration into what goes out. Once it has learned it is constant while used: several threads
-/// may run it at once.
+/// A module of a system, with inputs, one output and parameters. A module is either stepped or
+/// requires whole explorations. After training, const functions can be used by several threads.
 class Module {
  public:
   Module() = default;
@@ -63,79 +99,78 @@ class Module {
   Module& operator=(Module&&) = delete;
   virtual ~Module() = default;
 
-  /// Decides the automatic parameters that the shape of the output depends on, from what a
-  /// recording brings; called once, before connect(). Returns them with their values, for the
-  /// description of the system: what has learned keeps its shape with other recordings.
+  /// Sets the automatic parameters that determine the shape of the output, from the layout of a
+  /// recording; called once, before connect(). Returns them with their values, for the description
+  /// of the system, so that a trained module keeps its shape with other recordings.
   virtual Table decide(const std::vector<Connection>& /*inputs*/,
                        const RecordingLayout& /*layout*/) {
     return {};
   }
 
-  /// What the output carries when the inputs are these, in the order of the ports; called once,
-  /// before anything else. Errors (kUsage): inputs that do not fit, with the port as `where`.
+  /// The type of the output for these inputs, in the order of the ports; called once, before other
+  /// functions. Errors (kUsage): inputs that do not fit, with the port as `where`.
   virtual Result<PortType> connect(const std::vector<Connection>& inputs) = 0;
 
-  /// The output during a whole exploration. Errors: kData.
-  virtual Result<Sequence> run(std::span<const Sequence* const> inputs) const = 0;
+  /// Whether the module runs frame by frame, with start(); otherwise it requires whole explorations
+  /// and runs with run().
+  virtual bool is_stepped() const { return true; }
 
-  /// Whether it chooses frames by what comes in, so that those of two such modules never go
-  /// together.
+  /// A runner at the start of an exploration, for a stepped module. The module must outlive it.
+  virtual std::unique_ptr<Runner> start() const { return nullptr; }
+
+  /// The output for a whole exploration, for a module that is not stepped. Errors: kData.
+  virtual Result<Sequence> run(std::span<const Sequence* const> inputs) const;
+
+  /// Whether it selects frames depending on its input, so that frames of two such modules cannot be
+  /// combined.
   virtual bool chooses_frames() const { return false; }
 
-  /// Whether it can run frame by frame, rather than on explorations as a whole.
-  virtual bool is_stepped() const { return false; }
-
-  /// The module at the start of an exploration, or nullptr when it is not stepped. The module must
-  /// outlive it.
-  virtual std::unique_ptr<Stepper> start() const { return nullptr; }
-
-  /// The same, but where a value comes once an exploration: with each frame what it would be if
-  /// that were the last one. nullptr when the module needs explorations as a whole.
-  virtual std::unique_ptr<Stepper> start_live() const { return start(); }
-
-  /// This module as one that has to learn, or nullptr.
+  /// This module as a learner, or nullptr.
   virtual Learner* learner() { return nullptr; }
 
-  /// Bytes of what is kept after learning, once connected; before it has learned, at most.
+  /// Memory of learned values in bytes, after connect(); before training, an upper bound.
   virtual std::size_t memory() const { return 0; }
 };
 
-/// A module where a recording comes in: it has no inputs.
+/// A module that reads a channel of a recording; it has no inputs.
 class Source : public Module {
  public:
-  /// What is coming; before connect(). Errors (kUsage): something is not there.
+  /// Sets the layout of the recording, before connect(). Errors (kUsage): the channel is missing or
+  /// does not fit.
   virtual Result<void> open(const RecordingLayout& layout) = 0;
 
-  /// What the exploration holds. Errors: kData.
-  virtual Result<Sequence> read(const Exploration& exploration) const = 0;
-
-  /// The channel that it takes, and how many elements that has.
+  /// The name of the channel, and the number of its elements.
   virtual const std::string& channel() const = 0;
   virtual std::size_t channel_elements() const = 0;
 
-  /// What a single frame of the channel holds, all of it valid, into `out`.
-  virtual void take(std::span<const float> frame, SignalBuffer& out) const = 0;
-
-  Result<Sequence> run(std::span<const Sequence* const> inputs) const override;
+  /// Writes frame `row` of the channel to `out`, which still contains the preceding frame unless
+  /// this is the first one of the exploration. Errors (kData): an invalid value.
+  virtual Result<void> read(const Channel& channel, std::size_t row, bool is_first,
+                            SignalBuffer& out) const = 0;
 };
 
-/// How something is to be learned.
-struct Lesson {
+/// Settings of learning.
+struct LearningPlan {
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> draws;  ///< Nothing: the module's own number.
-  std::optional<Draws> order;          ///< Nothing: the module's own.
+  std::optional<std::uint64_t> draws;  ///< Empty: the module's own number.
+  std::optional<Draws> order;          ///< Empty: the module's own order.
   Progress progress;
-  bool inputs_unknown = false;  ///< The module hears itself: what comes in depends on it.
-  /// Each exploration brings one value at each port, the same throughout: Learner::turn_to() tells
-  /// which exploration comes next.
+  /// The samples of a module that learns at once, if each exploration has one value at its only
+  /// port: those of all known explorations, and the numbers of the training samples.
+  Samples known;
+  std::vector<std::size_t> training;
+  TrainingObserver observer;    ///< Receives snapshots of a map that learns at once.
+  bool inputs_unknown = false;  ///< Whether the module depends on its own output.
+  /// Whether each exploration has one constant value at each port: Learner::turn_to() then sets the
+  /// next exploration.
   bool inputs_fixed = false;
 };
 
-/// Of each exploration to learn from, what comes in at each port.
+/// The inputs at each port, for each training exploration.
 using TrainingInputs = std::vector<std::vector<const Sequence*>>;
 
-/// What a learning module does besides running. Either learn() is called, or begin(), then step()
-/// for every draw, and finish().
+/// The learning interface of a module. Either learn() is called, or begin(), then step() for every
+/// draw, and finish().
 class Learner {
  public:
   Learner() = default;
@@ -145,35 +180,35 @@ class Learner {
   Learner& operator=(Learner&&) = delete;
   virtual ~Learner() = default;
 
-  /// Whether it learns all at once when nothing else learns meanwhile.
+  /// Whether it learns from all samples at once if no other module learns in the meantime.
   virtual bool learns_at_once() const = 0;
 
-  /// Whether it can learn draw by draw.
+  /// Whether it can learn one draw at a time.
   virtual bool learns_by_draws() const = 0;
 
-  /// Whether what it begins with does not depend on its inputs, which begin() then is not given.
+  /// Whether its initial state does not depend on its inputs, which are then not passed to begin().
   virtual bool begins_without_inputs() const { return false; }
 
   /// Learns from all explorations. Errors: kData, kUsage, kInterrupted.
-  virtual Result<void> learn(const Lesson& lesson, const TrainingInputs& explorations);
+  virtual Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations);
 
-  /// Gets ready to learn draw by draw and returns how many draws there will be. `explorations` are
-  /// the inputs before anything is learned in this phase; none when they are unknown or not needed.
-  /// Errors: kData, kUsage.
-  virtual Result<std::uint64_t> begin(const Lesson& lesson, const TrainingInputs& explorations);
+  /// Prepares learning by draws and returns the number of draws. `explorations` are the inputs
+  /// before any learning in this phase; empty if they are unknown or not required. Errors: kData,
+  /// kUsage.
+  virtual Result<std::uint64_t> begin(const LearningPlan& plan, const TrainingInputs& explorations);
 
   /// Learns one draw: a frame, or the value of an exploration. Errors: kData.
   virtual Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw);
 
-  /// Tells which of the explorations given to begin(), counted from 0, the module runs on and
-  /// learns from next; only where its inputs are fixed, after begin().
+  /// Sets the exploration, counted from 0 in those passed to begin(), that the module runs on and
+  /// learns from next; only if its inputs are constant, after begin().
   virtual void turn_to(std::size_t exploration);
 
-  /// After the last draw.
+  /// Called after the last draw.
   virtual void finish();
 
-  /// Puts what was learned into an archive under names that begin with `prefix`, and takes it from
-  /// there, bit by bit. Errors (kData): parts missing, damaged or of another size.
+  /// Adds the learned values to an archive under names that begin with `prefix`, and reads them
+  /// back, bit by bit. Errors (kData): parts that are missing, damaged or of another size.
   virtual void save(Archive& archive, const std::string& prefix) const = 0;
   virtual Result<void> load(const Archive& archive, const std::string& prefix,
                             const std::string& where) = 0;
@@ -184,10 +219,10 @@ struct InputPort {
   std::string name;
   std::string text;  ///< One line.
   bool required = true;
-  bool many = false;  ///< Takes a list, one after the other.
+  bool many = false;  ///< Accepts a list of modules, in order.
 };
 
-/// A type of modules: what `type = "..."` in a description may name.
+/// A type of modules: a possible value of `type = "..."` in a description.
 struct ModuleType {
   std::string name;
   std::string text;  ///< One line.
@@ -195,14 +230,14 @@ struct ModuleType {
   std::string output;  ///< One line.
   bool learns = false;
   std::vector<ParameterInfo> parameters;
-  /// A module with the parameters of that table. Errors (kUsage) with their place.
+  /// Creates a module with the parameters of the table. Errors (kUsage) with their location.
   std::function<Result<std::unique_ptr<Module>>(const Table& parameters)> make;
 };
 
 /// All types of modules, in the order of the documentation.
 const std::vector<ModuleType>& module_types();
 
-/// The type of that name; an unknown one is an error (kUsage, at `where`) with the nearest name.
+/// The type with that name; an unknown one is an error (kUsage, at `where`) with the nearest name.
 Result<const ModuleType*> find_module_type(const std::string& name, const std::string& where);
 
 }  // namespace somato

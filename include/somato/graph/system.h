@@ -16,32 +16,32 @@ namespace somato {
 
 class Wiring;
 
-/// A module in its place.
+/// A module of a system.
 struct SystemModule {
   std::string name;
   std::string where;  ///< `file:line`, or empty.
   const ModuleType* type = nullptr;
   std::unique_ptr<Module> module;
   std::vector<std::size_t> inputs;  ///< Numbers of modules, in the order of the ports.
-  std::vector<std::string> ports;   ///< Their ports.
+  std::vector<std::string> ports;   ///< The ports of these connections.
   PortType output;
 };
 
-/// A stretch of learning, checked.
+/// A validated phase of learning.
 struct Phase {
-  std::vector<std::size_t> learners;  ///< Numbers of modules, in the order they run.
+  std::vector<std::size_t> learners;  ///< Numbers of modules, in execution order.
   std::optional<std::uint64_t> draws;
   std::optional<Draws> order;
   Rate of = Rate::kExploration;
 };
 
-/// Modules put together: every port connected, every shape known, every phase possible. Whatever
-/// has learned is kept in its modules; train_system() makes them learn.
+/// A system of connected modules with known shapes and valid phases. Learned values are stored in
+/// its modules; train_system() trains them.
 class System {
  public:
-  /// Builds a system for recordings of that layout. Errors (kUsage) name file, line, module and
-  /// port: unknown types, keys and names (with the nearest known), ports left open, loops without a
-  /// delay, shapes and rates that do not fit, phases that cannot be.
+  /// Builds a system for recordings with that layout. Errors (kUsage) name file, line, module and
+  /// port: unknown types, keys and names (with the nearest known), unconnected ports, loops without
+  /// a delay, shapes and rates that do not fit, invalid phases.
   static Result<System> build(SystemDescription description, RecordingLayout layout);
 
   /// A system without modules.
@@ -56,20 +56,21 @@ class System {
   const RecordingLayout& layout() const { return layout_; }
   const std::vector<SystemModule>& modules() const { return modules_; }
 
-  /// The phases in their order: those of the description, and one for each learning module that
-  /// none of them names, as soon as it is needed.
+  /// The phases in order: those of the description, and one for each learning module that they do
+  /// not name, as soon as it is required.
   const std::vector<Phase>& phases() const { return phases_; }
 
-  /// In groups, in the order in which they can run; see Wiring.
+  /// The modules in groups, in an order in which they can run; see Wiring.
   const Wiring& wiring() const { return *wiring_; }
 
-  /// The number of the module of that name; unknown: kUsage, at `where`, with the nearest name.
+  /// The number of the module with that name; an unknown name is an error (kUsage, at `where`) with
+  /// the nearest name.
   Result<std::size_t> find(const std::string& name, const std::string& where = {}) const;
 
-  /// Whether what the module gives never depends on learning.
+  /// Whether the module's output does not depend on learning.
   bool is_fixed(std::size_t module) const;
 
-  /// An error of a module, with its name and place.
+  /// Adds the name and location of a module to an error.
   Error at_module(Error error, std::size_t module) const;
 
  private:

@@ -9,48 +9,48 @@
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
-#include "somato/graph/port.h"
+#include "somato/graph/module.h"
 #include "somato/maps/som_parameters.h"
 
 namespace somato {
 
-/// A module as its table `[module.NAME]` describes it.
+/// A module as described by its table `[module.NAME]`.
 struct ModuleDescription {
   std::string name;
-  Table settings;  ///< `type`, what is connected to the ports, and parameters.
+  Table settings;  ///< `type`, connections of the ports, and parameters.
 };
 
-/// A stretch of learning, as a table `[[phase]]` describes it.
+/// A phase of learning, as described by a table `[[phase]]`.
 struct PhaseDescription {
   std::vector<std::string> learn;      ///< Names of modules.
   std::optional<std::uint64_t> draws;  ///< Automatic: the module's own number.
-  std::optional<Draws> order;          ///< Automatic: the module's own.
-  std::optional<Rate> of;              ///< Automatic: by the rate of what the modules learn.
-  std::string where = {};              ///< `file:line`, or another place to point at.
+  std::optional<Draws> order;          ///< Automatic: the module's own order.
+  std::optional<Rate> of;              ///< Automatic: according to the rate of the modules' inputs.
+  std::string where = {};              ///< `file:line`, or another location.
 
   static const Declarations<PhaseDescription>& declarations();
 };
 
-/// A system as its text describes it: modules in their order, and how they learn.
+/// A system as described by its text: modules in order, and phases of learning.
 struct SystemDescription {
   std::string name;
   std::vector<ModuleDescription> modules;
   std::vector<PhaseDescription> phases;
 };
 
-/// Reads a system from the tables `[system]` (which may give a `name`), `[module.NAME]` and
-/// `[[phase]]`; tables named in `others` belong to somebody else. What the modules say of
-/// themselves is checked when the system is built. Errors (kUsage) with their place.
+/// Reads a system from the tables `[system]` (which may contain a `name`), `[module.NAME]` and
+/// `[[phase]]`; tables named in `others` are ignored. The settings of modules are checked when the
+/// system is built. Errors (kUsage) with their location.
 Result<SystemDescription> read_system(const Table& file,
                                       const std::vector<std::string>& others = {});
 
-/// The description as TOML that reads back as the same.
+/// The description as TOML that is read back to the same description.
 std::string to_toml(const SystemDescription& description);
 
-/// Puts a description together in C++.
+/// Composes a description in C++.
 class SystemBuilder {
  public:
-  /// What is connected to a port, or what a parameter is.
+  /// The connections of a port, or the value of a parameter.
   struct Setting {
     std::string name;
     Value value;
@@ -58,12 +58,12 @@ class SystemBuilder {
 
   explicit SystemBuilder(std::string name);
 
-  /// Adds a module of type `type` with ports and parameters as the text would have them.
+  /// Adds a module of type `type` with ports and parameters as in TOML.
   SystemBuilder& module(const std::string& name, const std::string& type,
                         const std::vector<Setting>& settings);
 
-  /// The same with the parameters of a struct such as SomParameters. A `seed` is left out: a system
-  /// gets its own.
+  /// The same with the parameters of a struct such as SomParameters. A `seed` is omitted: the
+  /// system sets it.
   template <typename Parameters>
   SystemBuilder& module(const std::string& name, const std::string& type,
                         std::vector<Setting> connections, const Parameters& parameters) {

@@ -10,35 +10,35 @@
 
 namespace somato {
 
-/// What a trained system says about an exploration: which map answers, and what its neurons stand
-/// for.
+/// The output of a trained system for an exploration: the output map, and the classes of its
+/// neurons.
 struct SystemAnswer {
   std::string map;                   ///< Name of a module of type `som`.
-  std::string label;                 ///< What is asked, such as "object".
+  std::string label;                 ///< The label that is predicted, such as "object".
   std::vector<std::string> classes;  ///< Names of the classes.
-  NeuronLabels labels;               ///< A class a neuron, of those that have one.
+  NeuronLabels labels;               ///< One class per labelled neuron.
 };
 
-/// A trained system with its answer.
+/// A trained system with its output.
 struct SystemModel {
   System system;
   std::optional<SystemAnswer> answer;
 };
 
-/// Saves description, layout, and all that was learned in one file, wholly or not at all (see
-/// save_whole); docs/formats/model-file.md describes it. Throws InvalidArgument when the answer
-/// does not fit the system. Every learning module must have learned.
+/// Saves description, layout, and all learned values in one file, atomically (see save_whole);
+/// docs/formats/model-file.md describes it. Throws InvalidArgument if the answer does not fit the
+/// system. Every learning module must be trained.
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer = {});
 
-/// The same system, bit by bit. Errors: kSystem for a file that cannot be read, kData for one that
-/// is damaged or holds something else.
+/// Reads the same system, bit by bit. Errors: kSystem for a file that cannot be read, kData for one
+/// that is damaged or contains something else.
 Result<SystemModel> load_system(const std::string& path);
 
-/// The map that a module holds; nullptr when the module is none of type `som`.
+/// The map of a module; nullptr if the module is not of type `som`.
 const Som* som_of(const System& system, std::size_t module);
 
-/// The grid of that map, also before it has learned. Throws InvalidArgument for another module.
+/// The grid of that map, also before training. Throws InvalidArgument for another module.
 Grid grid_of(const System& system, std::size_t module);
 
 }  // namespace somato

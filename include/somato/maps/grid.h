@@ -10,16 +10,17 @@
 
 namespace somato {
 
-/// How the neurons of a map are laid out.
+/// Layout of the neurons of a map.
 enum class Lattice {
   kRectangular,  ///< Rows and columns at right angles, 1 apart.
-  kHexagonal,    ///< Odd rows shifted right by 1/2, rows sqrt(3)/2 apart: six neighbours at 1.
+  kHexagonal,    ///< Odd rows shifted right by 1/2, rows sqrt(3)/2 apart: six neighbours at
+                 ///< distance 1.
 };
 
-/// What happens at the edges of a map.
+/// Behaviour at the edges of a map.
 enum class Topology {
-  kPlane,  ///< The map ends there.
-  kTorus,  ///< The map goes on at the opposite edge.
+  kPlane,  ///< The map has borders.
+  kTorus,  ///< Opposite edges are joined.
 };
 
 template <>
@@ -31,13 +32,14 @@ struct Choices<Topology> {
   static const std::vector<std::pair<Topology, std::string>>& all();
 };
 
-/// A place on the map, in units of the distance between neighbours in a row; y grows downwards.
+/// A position on the map, in units of the distance between neighbours in a row; y increases
+/// downwards.
 struct Position {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// The grid of a map's neurons, numbered row after row.
+/// The grid of a map's neurons, numbered row by row.
 class Grid {
  public:
   Grid() = default;
@@ -46,7 +48,8 @@ class Grid {
   Grid(std::size_t rows, std::size_t columns, Lattice lattice, Topology topology);
 
   /// Fails (kUsage) for a side of 0, more than 2^24 neurons, or a hexagonal torus with an odd
-  /// number of rows: its first and last row would be shifted alike and could not be neighbours.
+  /// number of rows, whose first and last row would have the same shift and could not be
+  /// neighbours.
   static Result<void> validate(std::size_t rows, std::size_t columns, Lattice lattice,
                                Topology topology);
 
@@ -61,11 +64,11 @@ class Grid {
 
   Position position(std::size_t neuron) const;
 
-  /// The squared distance of two neurons across the map; on a torus the shortest way round.
+  /// The squared distance of two neurons; on a torus along the shortest path.
   double squared_distance(std::size_t a, std::size_t b) const;
 
-  /// The difference in x of a neuron in column `column`, in a row of parity `parity` (0 even,
-  /// 1 odd), from another such neuron: squared_distance is the sum of the squares of this and of
+  /// The difference in x of a neuron in column `column`, in a row of parity `parity` (0 even, 1
+  /// odd), from another such neuron: squared_distance is the sum of the squares of this and of
   /// vertical_difference.
   double horizontal_difference(std::size_t column, std::size_t parity, std::size_t other_column,
                                std::size_t other_parity) const;

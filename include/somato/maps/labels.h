@@ -10,7 +10,7 @@
 
 namespace somato {
 
-/// What each neuron of a map stands for: a class number, or nothing.
+/// The class number of each neuron of a map, or none.
 class NeuronLabels {
  public:
   NeuronLabels() = default;
@@ -18,7 +18,7 @@ class NeuronLabels {
 
   /// Labels each winner with the class that most of its samples have; in a tie, with the lowest
   /// class number among them. `winners[i]` and `classes[i]` belong to sample i; throws
-  /// InvalidArgument when they differ in number or a winner is not on the map.
+  /// InvalidArgument if their numbers differ or a winner is not on the map.
   static NeuronLabels by_majority(const std::vector<std::size_t>& winners,
                                   const std::vector<std::size_t>& classes, std::size_t neurons);
 
@@ -30,8 +30,8 @@ class NeuronLabels {
   /// The neurons that have a label, ascending.
   const std::vector<std::size_t>& labelled() const { return labelled_; }
 
-  /// The class of the labelled neuron most similar to `input`. Throws InvalidArgument when no
-  /// neuron has a label.
+  /// The class of the labelled neuron most similar to `input`. Throws InvalidArgument if no neuron
+  /// has a label.
   std::size_t classify(const Som& som, const SignalView& input, SomWorkspace& workspace) const;
 
   bool operator==(const NeuronLabels&) const = default;
@@ -41,7 +41,7 @@ class NeuronLabels {
   std::vector<std::size_t> labelled_;
 };
 
-/// Names turned into class numbers, in the order of first appearance.
+/// Converts names to class numbers, in the order of first appearance.
 struct Classes {
   std::vector<std::string> names;
   std::vector<std::size_t> of_sample;

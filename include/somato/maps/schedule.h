@@ -10,11 +10,11 @@
 
 namespace somato {
 
-/// How a value goes from its start to its end.
+/// Course of a value from start to end.
 enum class ScheduleShape {
-  kConstant,     ///< Stays at the start.
-  kLinear,       ///< By equal differences.
-  kExponential,  ///< By equal ratios.
+  kConstant,     ///< Constant at the start value.
+  kLinear,       ///< Linear: equal differences.
+  kExponential,  ///< Exponential: equal ratios.
 };
 
 template <>
@@ -22,9 +22,9 @@ struct Choices<ScheduleShape> {
   static const std::vector<std::pair<ScheduleShape, std::string>>& all();
 };
 
-/// A value over training: the learning rate or the neighbourhood radius.
+/// A value during training: the learning rate or the neighbourhood radius.
 ///
-/// It is `start` at step 0, reaches `end` at step `reached_at` and stays there. Steps are
+/// It is `start` at step 0, reaches `end` at step `reached_at` and then remains constant. Steps are
 /// iterations (one sample each) or, in batch training, epochs.
 struct Schedule {
   ScheduleShape shape = ScheduleShape::kLinear;
@@ -32,10 +32,11 @@ struct Schedule {
   double end = 1.0;
   std::uint64_t reached_at = 1;
 
-  /// The value at `step`. An exponential schedule needs a start and an end above 0.
+  /// The value at `step`. An exponential schedule requires a start and an end above 0.
   double at(std::uint64_t step) const;
 
-  /// Fails (kUsage) for an exponential schedule that starts or ends at 0; `name` says of what.
+  /// Fails (kUsage) for an exponential schedule that starts or ends at 0; `name` is the name of the
+  /// value in the message.
   Result<void> validate(const std::string& name) const;
 };
 

@@ -2,22 +2,80 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "somato/core/lane_matrix.h"
 #include "somato/core/matrix.h"
+#include "somato/core/samples.h"
 #include "somato/core/signal.h"
 #include "somato/maps/som_parameters.h"
-#include "somato/maps/stored_elements.h"
 
 namespace somato {
 
-/// Scratch memory for using a Som: one object a thread, prepared by its first use.
+class ProductWeights;
+
+/// The elements of an input for which a map stores weights: all, or those of a list. The weight of
+/// any other element is 0.
+class StoredElements {
+ public:
+  StoredElements() = default;
+
+  /// All elements of an input of `size` elements.
+  explicit StoredElements(std::size_t size) : size_(size) {}
+
+  /// The elements in `listed`; throws InvalidArgument unless it is a possible_list().
+  StoredElements(std::size_t size, std::vector<std::uint32_t> listed);
+
+  /// The elements for which a sparse sample has a value, if they are fewer than half of all;
+  /// otherwise all. The first element if there is no value.
+  static StoredElements used_by(const Samples& samples);
+
+  /// The elements in `used`, which is ascending, by the same rule.
+  static StoredElements worth_storing(std::size_t size, std::vector<std::uint32_t> used);
+
+  /// Whether `listed` is not empty, is ascending without repeats and below `size`.
+  static bool possible_list(std::size_t size, std::span<const std::uint32_t> listed);
+
+  /// Number of elements of an input.
+  std::size_t size() const { return size_; }
+
+  /// Number of stored elements.
+  std::size_t count() const { return all() ? size_ : listed_.size(); }
+
+  bool all() const { return listed_.empty(); }
+
+  /// Their numbers, ascending; empty when all are stored.
+  std::span<const std::uint32_t> listed() const { return listed_; }
+
+  /// The position of `element`, below size(), among the stored elements.
+  std::optional<std::size_t> place_of(std::size_t element) const;
+
+  /// Writes the stored elements of `signal`, times `factor`, to `out`, which has count() values.
+  /// Returns the squared length of the others, times `factor` as well: above 0 if one of them is
+  /// not 0. Throws InvalidArgument if a size differs.
+  double gather(const SignalView& signal, std::span<float> out, double factor = 1.0) const;
+
+  /// Converts samples of size() elements to samples of the stored elements; sparse samples become
+  /// dense unless they are nearly empty. Throws InvalidArgument if the size differs.
+  Samples gather(const Samples& samples) const;
+
+  bool operator==(const StoredElements&) const = default;
+
+ private:
+  Signal dense_of(const SignalView& signal) const;
+  Signal sparse_of(const SignalView& signal) const;
+
+  std::size_t size_ = 0;
+  std::vector<std::uint32_t> listed_;
+};
+
+/// Scratch memory for a Som: use one object per thread; prepared on first use.
 class SomWorkspace {
  private:
+  friend class DenseMap;
   friend class Som;
-  friend class SomLearner;
   AlignedVector<float> input_;
   double left_out_ = 0.0;  // squared length of the input's elements without weights
   AlignedVector<float> scores_;
@@ -28,29 +86,35 @@ class SomWorkspace {
 /// The two neurons most similar to an input.
 struct Winners {
   std::size_t first = 0;
-  std::size_t second = 0;  ///< Equal to `first` on a map of one neuron.
+  std::size_t second = 0;  ///< Equal to `first` on a map with one neuron.
 };
 
-/// A self-organizing map. It does not change while it is used, so threads can share it, each with
-/// a workspace of its own.
+/// A self-organizing map. Its const functions can be used by several threads, each with a separate
+/// workspace.
 ///
-/// An input is a flat signal of input_size() elements; with `normalize_input` it is scaled to
-/// Euclidean length 1 first (a zero input stays zero). Sizes that differ throw InvalidArgument.
+/// An input is a flat signal of input_size() elements; with `normalize_input` it is first scaled to
+/// Euclidean length 1 (a zero input is unchanged). Different sizes throw InvalidArgument.
 ///
-/// A map may keep the weights of some elements only, where all others are 0: elements() tells
-/// which. It answers as if it had all of them.
+/// A map may store only the weights of some elements, if all others are 0: elements() lists them.
+/// Its results are the same as with all weights.
+///
+/// A map trained by inner products forms its weights when they are first needed. It always keeps
+/// the inner products with the samples that it was given.
 class Som {
  public:
   Som() = default;
 
-  /// A map with one row of `weights` a neuron. `parameters` must be resolved; throws
-  /// InvalidArgument when the grid and the weights differ in size.
+  /// A map with one row of `weights` per neuron. `parameters` must be resolved; throws
+  /// InvalidArgument if the sizes of grid and weights differ.
   Som(SomParameters parameters, const Matrix<float>& weights);
   Som(SomParameters parameters, LaneMatrix<float> weights);
 
-  /// A map with weights for `elements` of its inputs; throws InvalidArgument also when there is not
+  /// A map with weights for `elements` of its inputs; also throws InvalidArgument unless there is
   /// one column of `weights` for each.
   Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements elements);
+
+  /// A map whose weights are formed when they are first needed; created by training.
+  explicit Som(std::shared_ptr<const ProductWeights> products);
 
   const SomParameters& parameters() const { return parameters_; }
   const Grid& grid() const { return grid_; }
@@ -61,43 +125,63 @@ class Som {
   const StoredElements& elements() const { return elements_; }
 
   /// Neurons x elements().count().
-  const LaneMatrix<float>& weights() const { return weights_; }
-  LaneMatrix<float>& weights() { return weights_; }
+  const LaneMatrix<float>& weights() const { return products_ ? formed() : weights_; }
+
+  /// The inner products of the map with samples, or nullptr.
+  const std::shared_ptr<const ProductWeights>& products() const { return products_; }
+
+  /// Whether the map has the inner products of these samples, or of the samples that they are a
+  /// copy of.
+  bool knows(const Samples& samples) const;
 
   /// The weight of `neuron` for `element` of an input, stored or not.
   float weight(std::size_t neuron, std::size_t element) const;
 
-  /// Gives all elements of an input weights, those that had none the weight 0.
+  /// Stores weights for all elements of an input; those without weights get 0.
   void store_all();
 
-  /// The neuron most similar to `input`, by distances or inner products in double precision; the
-  /// first one in the order of neurons in a tie.
+  /// The neuron most similar to `input`, by distances or inner products in double precision; in a
+  /// tie the first neuron.
   std::size_t winner(const SignalView& input, SomWorkspace& workspace) const;
 
-  /// The most similar neuron and the next.
+  /// The same for a dense input, with scratch memory of the thread.
+  std::size_t winner(std::span<const float> input) const;
+
+  /// The most similar neuron and the second most similar one.
   Winners winners(const SignalView& input, SomWorkspace& workspace) const;
 
-  /// The most similar of the neurons listed in `candidates` (ascending, not empty).
+  /// The most similar neuron among `candidates` (ascending, not empty).
   std::size_t winner_among(std::span<const std::size_t> candidates, const SignalView& input,
                            SomWorkspace& workspace) const;
 
-  /// The similarity of each neuron to `input`, greater being more similar: w . x for a dot-product
-  /// map; for a Euclidean map 1 / (1 + |x - w|), which is in (0, 1] and falls with distance
-  /// whatever the scale of the data. `out` holds neurons() values.
+  /// The same for samples[sample]. For samples that it knows(), the map uses inner products, in
+  /// double precision and without weights: the same result up to rounding.
+  Winners winners(const Samples& samples, std::size_t sample, SomWorkspace& workspace) const;
+  std::size_t winner_among(std::span<const std::size_t> candidates, const Samples& samples,
+                           std::size_t sample, SomWorkspace& workspace) const;
+  double distance(const Samples& samples, std::size_t sample, std::size_t neuron,
+                  SomWorkspace& workspace) const;
+
+  /// The similarity of each neuron to `input`, higher values are more similar: w . x for a
+  /// dot-product map; for a Euclidean map 1 / (1 + |x - w|), which is in (0, 1] and decreases with
+  /// distance for any scale of the data. `out` has neurons() values.
   void similarities(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const;
 
-  /// The activity of each neuron: the softmax of the similarities s rectified at 0, in the form,
-  /// with the exponent and the norm of the parameters (P11; an even power of a negative similarity
-  /// would turn the order round). All zero when all similarities are.
+  /// The activity of each neuron: the softmax of the similarities s, rectified at 0, with the form,
+  /// exponent and norm of the parameters (P11; an even power of a negative similarity would reverse
+  /// the order). All zero if all similarities are zero.
   void activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const;
 
-  /// The Euclidean distance of the input, as the map sees it, from the weights of `neuron`, in
+  /// The Euclidean distance of the input, after normalization, from the weights of `neuron`, in
   /// double precision.
   double distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const;
 
  private:
-  friend class SomLearner;
+  friend class DenseMap;
+  friend class SparseLearner;
   friend class WinnerSearch;
+  friend LaneMatrix<float>& weights_to_change(Som& som);
+  const LaneMatrix<float>& formed() const;
   double input_factor(const SignalView& input) const;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
@@ -114,9 +198,11 @@ class Som {
   Grid grid_;
   LaneMatrix<float> weights_;
   StoredElements elements_;
+  std::shared_ptr<const ProductWeights> products_;  // if true, weights_ is empty
 };
 
-/// Scales `values` to Euclidean length 1, by a sum of squares in double precision; zeros stay.
+/// Scales `values` to Euclidean length 1, with a sum of squares in double precision; zero vectors
+/// are unchanged.
 void normalize_length(std::span<float> values);
 
 }  // namespace somato

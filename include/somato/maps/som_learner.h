@@ -5,39 +5,42 @@
 #include <span>
 #include <vector>
 
+#include "somato/core/samples.h"
 #include "somato/core/signal.h"
 #include "somato/maps/som.h"
 
 namespace somato {
 
-class DenseLearner;
-class SparseLearner;
+class OnlineMap;
 class ThreadTeam;
+struct Learned;
+struct OnlineInput;
 
-/// How one input is learned.
+/// Settings of one learning step.
 struct LearningStep {
   double learning_rate = 0.0;
   double radius = 0.0;
 };
 
-/// One sample at a time, for training while samples come in. Refers to the map it trains, which
-/// gets weights for the elements that inputs bring, or for all.
+/// Online training for samples that arrive one at a time. It refers to the map that it trains,
+/// which gets weights for the elements of the inputs, or for all elements.
 ///
-/// The map has what was learned after settle() or once the learner is gone, not before; nobody else
-/// may change it in the meantime. Settling seldom is fast: a learner puts updates off. The same
+/// The map is only up to date after settle() or after the learner is destroyed, and must not be
+/// changed by others before. Settling rarely is faster, because a learner defers updates. The same
 /// inputs, settled at the same times, give the same bits for every number of threads and
-/// instruction set; other times change roundings.
+/// instruction set; settling at other times changes roundings.
 ///
-/// A stream that begins with an input of which less than a sixteenth of the elements are not 0 is
-/// learned in memory of its own, as much again as these elements' weights take, until an input has
-/// more; unless the map is settled after nearly each input, only what is not 0 then costs time.
-/// Other streams take half as much again on a Euclidean map, for a copy of its weights as 16-bit
-/// integers: a neuron's score is computed from these, and from the weights where it is so close to
-/// another's that rounding could decide.
+/// If less than a sixteenth of the elements of the first input are non-zero, inputs are learned in
+/// separate memory of the size of these elements' weights, until an input has more non-zero
+/// elements; unless the map is settled after nearly every input, the computing time then only
+/// depends on the non-zero elements. Otherwise, a Euclidean map requires half as much memory again,
+/// for a copy of its weights as 16-bit integers: a neuron's score is computed from these, and from
+/// the weights if it is so close to another score that rounding could decide. Samples whose inner
+/// products the map has (Som::knows()) are learned with them, without weights.
 class SomLearner {
  public:
-  /// `threads` share each input of a map that is large enough; others than the calling one live as
-  /// long as the learner.
+  /// `threads` share each input of a large map; threads other than the calling one exist during the
+  /// lifetime of the learner.
   explicit SomLearner(Som& som, std::size_t threads = 1);
 
   SomLearner(const SomLearner&) = delete;
@@ -48,29 +51,44 @@ class SomLearner {
   /// Settles.
   ~SomLearner();
 
-  /// Finds the winner of `input` and moves the weights towards it:
-  /// w += learning_rate h (input - w), with h the neighbourhood function around the winner, then
-  /// scaled to length 1 for a dot-product map (P11 III). Returns the winner.
+  /// Finds the winner of `input` and updates the weights: w += learning_rate h (input - w), with
+  /// the neighbourhood function h around the winner, followed by scaling to length 1 for a
+  /// dot-product map (P11 III). Returns the winner.
   std::size_t learn(const SignalView& input, double learning_rate, double radius);
 
-  /// Learns `inputs` one after the other, the same bits faster; `steps` holds one step for each.
+  /// Learns `inputs` in order, with the same bits as individual calls, but faster; `steps` has one
+  /// step for each.
   void learn(std::span<const SignalView> inputs, std::span<const LearningStep> steps);
 
-  /// Makes what was learned visible in the map.
+  /// The same for the samples with these numbers; throws InvalidArgument for a number without a
+  /// sample.
+  void learn(const Samples& samples, std::span<const std::size_t> numbers,
+             std::span<const LearningStep> steps);
+
+  /// As Som::activity() for samples[sample], including everything learned so far; settles the map
+  /// unless it knows the samples.
+  void activity(const Samples& samples, std::size_t sample, std::span<float> out);
+
+  /// Applies all deferred updates to the map.
   void settle();
 
+  /// A copy of the map as settle() would leave it. Learning continues with the same bits as without
+  /// this call.
+  Som look() const;
+
  private:
-  bool learns_sparsely(const SignalView& input) const;
-  std::size_t learn_sparsely(const SignalView& input, const LearningStep& step);
-  std::span<const float> seen(const SignalView& input);
-  std::size_t learn_ahead(std::span<const SignalView> inputs, std::span<const LearningStep> steps);
+  enum class Form { kNone, kProducts, kSparse, kDense };
+  Form form_for(const OnlineInput& input) const;
+  OnlineMap& map_for(const OnlineInput& input);
+  void begin(Form form);
+  Learned learn_first(std::span<const OnlineInput> inputs, std::span<const LearningStep> steps);
+  void learn_all(std::span<const OnlineInput> inputs, std::span<const LearningStep> steps);
 
   Som& som_;
   std::unique_ptr<ThreadTeam> team_;
   SomWorkspace workspace_;
-  std::unique_ptr<DenseLearner> dense_;
-  std::unique_ptr<SparseLearner> sparse_;
-  std::vector<std::vector<float>> prepared_;
+  Form form_ = Form::kNone;
+  std::unique_ptr<OnlineMap> map_;
   bool read_often_ = false;
   std::size_t learned_since_settled_ = 0;
 };

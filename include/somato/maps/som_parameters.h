@@ -10,55 +10,65 @@
 
 #include "somato/core/parameter.h"
 #include "somato/maps/grid.h"
-#include "somato/maps/neighbourhood.h"
 #include "somato/maps/schedule.h"
 
 namespace somato {
 
-/// What makes a neuron the winner.
+/// The neighbourhood function, which determines how much the neurons around a winner learn.
+enum class NeighbourhoodShape {
+  kGaussian,  ///< exp(-d^2 / (2 radius^2)) at distance d.
+  kBubble,    ///< 1 up to the radius, 0 beyond.
+};
+
+/// Criterion for the winner.
 enum class Similarity {
-  kEuclidean,   ///< The least distance of weights and input.
+  kEuclidean,   ///< The smallest distance of weights and input.
   kDotProduct,  ///< The greatest inner product of weights and input; weights have length 1.
 };
 
-/// How a map is trained.
+/// Training method.
 enum class Training {
-  kOnline,  ///< One randomly drawn sample an iteration, as in the papers.
-  kBatch,   ///< All samples an epoch; each weight becomes a weighted mean. No learning rate.
+  kOnline,  ///< One randomly drawn sample per iteration, as in the papers.
+  kBatch,   ///< All samples in each epoch; each weight becomes a weighted mean. No learning rate.
 };
 
-/// How samples are drawn in online training.
+/// Order of the samples in online training.
 enum class Draws {
   kWithReplacement,     ///< Each draw from all samples.
   kWithoutReplacement,  ///< Every sample once, in random order, then again in a new order.
 };
 
-/// Where weights start.
+/// Initial weights.
 enum class InitialWeights {
   kUniform,  ///< Uniform in [0, 1).
-  kRange,    ///< Uniform between the least and the greatest value of each feature in the samples.
-  kSamples,  ///< Randomly drawn samples, without repeats while there are enough.
+  kRange,    ///< Uniform between the minimum and the maximum of each feature in the samples.
+  kSamples,  ///< Randomly drawn samples, without repeats if there are enough.
 };
 
-/// How training computes; the trained map is the same up to rounding.
+/// Method of computation in training; the trained map is the same up to rounding.
 enum class Arithmetic {
-  kAutomatic,      ///< Inner products where samples are few and features many, else plain.
-  kPlain,          ///< On the weights themselves.
-  kInnerProducts,  ///< On the inner products of weights and samples, in double precision.
+  kAutomatic,      ///< Inner products if there are few samples and many features, else plain.
+  kPlain,          ///< Computes with the weights.
+  kInnerProducts,  ///< Computes with the inner products of weights and samples, in double
+                   ///< precision.
 };
 
-/// The form of a map's activity, from its similarities s rectified at 0.
+/// Form of a map's activity, from its similarities s rectified at 0.
 enum class Softmax {
   kPower,        ///< s^m.
-  kExponential,  ///< exp(m s), the textbook softmax.
+  kExponential,  ///< exp(m s), the standard softmax.
 };
 
-/// What a map's activity is divided by.
+/// Divisor of a map's activity.
 enum class ActivityNorm {
-  kSum,      ///< The activities' sum, so that they add up to 1.
-  kMaximum,  ///< The greatest activity, so that the winner has 1.
+  kSum,      ///< The sum of the activities, so that they sum to 1.
+  kMaximum,  ///< The maximum activity, so that the winner has 1.
 };
 
+template <>
+struct Choices<NeighbourhoodShape> {
+  static const std::vector<std::pair<NeighbourhoodShape, std::string>>& all();
+};
 template <>
 struct Choices<Similarity> {
   static const std::vector<std::pair<Similarity, std::string>>& all();
@@ -88,8 +98,7 @@ struct Choices<ActivityNorm> {
   static const std::vector<std::pair<ActivityNorm, std::string>>& all();
 };
 
-/// Everything that decides what a SOM becomes, besides its samples. Declared in declarations(),
-/// where the meaning, unit and range of each stands.
+/// All parameters of a SOM. declarations() gives the meaning, unit and range of each.
 struct SomParameters {
   std::optional<std::size_t> rows = 15;
   std::optional<std::size_t> columns = 15;
@@ -119,13 +128,13 @@ struct SomParameters {
 
   static const Declarations<SomParameters>& declarations();
 
-  /// Whether the number of samples decides a side of the map.
+  /// Whether a side of the map is derived from the number of samples.
   bool is_size_automatic() const { return !rows || !columns; }
 
-  /// The neurons; only after decide_size() where a side is automatic.
+  /// The number of neurons; if a side is automatic, only valid after decide_size().
   Grid grid() const { return {*rows, *columns, lattice, topology}; }
 
-  /// Iterations or epochs, whichever the training counts in; only after resolve().
+  /// The number of iterations or epochs, depending on the training method; only after resolve().
   std::uint64_t steps() const { return training == Training::kBatch ? epochs : *iterations; }
 
   /// The schedules; only after resolve().
@@ -138,21 +147,21 @@ struct SomParameters {
   }
 };
 
-/// Decides the sides that are automatic: 5 sqrt(samples) neurons, as near to a square as they can
-/// be laid out (Vesanto, Himberg, Alhoniemi and Parhankangas, SOM Toolbox for Matlab 5, 2000), and
-/// for such a map the automatic `iterations`: 500 a neuron (Kohonen, The Self-Organizing Map,
-/// Proceedings of the IEEE 78, 1990). Other parameters stay as they are.
+/// Sets automatic sides: 5 sqrt(samples) neurons, in a grid as close to a square as possible
+/// (Vesanto, Himberg, Alhoniemi and Parhankangas, SOM Toolbox for Matlab 5, 2000), and for such a
+/// map automatic `iterations`: 500 per neuron (Kohonen, The Self-Organizing Map, Proceedings of the
+/// IEEE 78, 1990). Other parameters are unchanged.
 void decide_size(SomParameters& parameters, std::size_t samples);
 
-/// The parameters with every automatic one decided for `samples` samples of `features` elements, as
-/// a model file keeps them. Fails (kUsage) when parameters contradict each other.
+/// The parameters with all automatic values resolved for `samples` samples with `features`
+/// elements, as stored in a model file. Fails (kUsage) if parameters contradict each other.
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features);
 
-/// Why the parameter `name` has no effect beside the others, such as "training is batch"; empty
-/// when it has one. A person who sets such a parameter should be told.
+/// The reason why the parameter `name` has no effect with the other parameters, such as "training
+/// is batch"; empty if it has an effect. Programs should report such a parameter to the user.
 std::string reason_without_effect(const SomParameters& parameters, std::string_view name);
 
-/// The failure (kUsage) for a parameter that was set but has no effect.
+/// The error (kUsage) for a parameter that was set but has no effect.
 Error without_effect(std::string_view name, std::string_view reason, std::string_view where);
 
 }  // namespace somato

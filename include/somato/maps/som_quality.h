@@ -8,33 +8,33 @@
 
 namespace somato {
 
-/// How well a map stands for samples.
+/// Quality measures of a map for samples.
 struct SomQuality {
-  /// The mean Euclidean distance of a sample, as the map sees it, from its winner's weights.
+  /// The mean Euclidean distance of a sample, after normalization, from the weights of its winner.
   double quantization_error = 0.0;
 
   /// The share of samples whose winner and second winner do not share an edge on the grid (four
-  /// edges on a rectangular grid, six on a hexagonal one; Kiviluoto 1996). 0 on a map of one
+  /// edges on a rectangular grid, six on a hexagonal one; Kiviluoto 1996). 0 for a map with one
   /// neuron.
   double topographic_error = 0.0;
 
-  /// Samples won by each neuron.
+  /// Number of samples won by each neuron.
   std::vector<std::size_t> hits;
 
   /// The winner of each sample.
   std::vector<std::size_t> winners;
 };
 
-/// Measures a map on samples that come in parts: the same figures however they are parted. Refers
-/// to the map, which is not to change meanwhile.
+/// Measures a map on samples that are provided in parts; the division into parts has no effect.
+/// Refers to the map, which must not change in the meantime.
 class SomQualityMeasurement {
  public:
   explicit SomQualityMeasurement(const Som& som, std::size_t threads = 1);
 
-  /// Takes more samples in; returns their winners.
+  /// Adds samples; returns their winners.
   std::vector<std::size_t> add(const Samples& samples);
 
-  /// Of the samples so far, without a list of their winners.
+  /// The measures of the samples so far, without the list of winners.
   SomQuality quality() const;
 
  private:
@@ -46,15 +46,15 @@ class SomQualityMeasurement {
   std::vector<std::size_t> hits_;
 };
 
-/// Measures `som` on `samples` (the training samples or others held out): one search a sample, on
-/// `threads` threads, the same result for any number. No samples: both errors are 0.
+/// Measures `som` on `samples` (training or held-out samples): one search per sample, on `threads`
+/// threads, with the same result for any number. Without samples both errors are 0.
 SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads = 1);
 
-/// The U-matrix, a value a neuron: the mean Euclidean distance of its weights from those of the
-/// neurons that share an edge with it (Ultsch 1990, one value a neuron). 0 for a neuron alone.
+/// The U-matrix, one value per neuron: the mean Euclidean distance of its weights from those of the
+/// neurons that share an edge with it (Ultsch 1990). 0 for a single neuron.
 std::vector<double> u_matrix(const Som& som);
 
-/// One component plane: the weight of each neuron for input element `element`.
+/// A component plane: the weight of each neuron for input element `element`.
 std::vector<double> component_plane(const Som& som, std::size_t element);
 
 }  // namespace somato

@@ -2,53 +2,73 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "somato/core/progress.h"
 #include "somato/core/random.h"
 #include "somato/core/result.h"
-#include "somato/core/sample_source.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
 
 namespace somato {
 
-/// How training runs, as far as the trained map does not depend on it.
-struct TrainingOptions {
-  std::size_t threads = 1;
-  Progress progress;  ///< Told iterations, or epochs, or parts of samples in all epochs.
+/// A snapshot of training, after `step` of `steps` iterations, or epochs in batch training.
+struct TrainingMoment {
+  std::uint64_t step = 0;
+  std::uint64_t steps = 0;
+  double learning_rate = 0.0;  ///< Of the last iteration; 0 in batch training.
+  double radius = 0.0;         ///< Of the last iteration or epoch.
+  std::size_t weights = 0;     ///< Number of elements with stored weights.
+  std::function<Som()> map;    ///< Returns the current map; training continues with the same bits.
 };
 
-/// Trains a map on `samples`. Where they are sparse and use fewer than half of the elements, and
-/// weights do not start uniform, the map keeps weights for the elements they use: all others would
-/// be exactly 0, and the ones it keeps are the same bits. The same parameters and samples give the
-/// same bits for every number of threads, instruction set and compiler.
+/// Receives about a hundred snapshots, evenly distributed, the last one after the last step; if it
+/// returns false, training ends with an Error of kind kInterrupted.
+using TrainingObserver = std::function<bool(const TrainingMoment&)>;
+
+/// Options of training.
+struct TrainingOptions {
+  std::size_t threads = 1;  ///< Does not affect the map.
+  Progress progress = {};   ///< In iterations, or epochs, or parts of samples in all epochs.
+  TrainingObserver observer = {};
+
+  /// The numbers of the training samples, in this order; empty: all. The other samples do not
+  /// affect the map, but in training by inner products it knows() them as well.
+  std::optional<std::vector<std::size_t>> training = {};
+};
+
+/// Trains a map on `samples`. If they are sparse and use fewer than half of the elements, and
+/// initial weights are not uniform, the map only stores weights for the elements that they use: all
+/// others would be exactly 0, and the stored ones have the same bits. The same parameters and
+/// samples give the same bits for every number of threads, instruction set and compiler.
 ///
-/// Fails with kUsage when the parameters contradict each other, with kData when there are no
-/// samples, they have no elements or a length outside 1e-15 .. 1e18, with kInterrupted when the
-/// progress says stop.
+/// Fails with kUsage if the parameters contradict each other, with kData if there are no samples,
+/// or if they have no elements or a length outside 1e-15 .. 1e18, with kInterrupted if the progress
+/// requests to stop.
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options = {});
 
+/// The same for one dense sample per row.
+Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samples,
+                      const TrainingOptions& options = {});
+
 /// The same for samples that need not fit into memory, in batch training: the same bits as from
-/// Samples that are dense, however they are parted. They are gone through once before training,
-/// once more where weights start at samples, and once an epoch.
+/// dense Samples, regardless of the division into parts. They are read once before training, once
+/// more if initial weights are samples, and once per epoch.
 ///
-/// Fails also as the source does, and with kUsage when training is online: that draws from all
-/// samples at any time.
+/// Also fails if the source does, and with kUsage for online training, which draws from all samples
+/// at any time.
 Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
                       const TrainingOptions& options = {});
 
-/// The map that train_som() starts from, which has learned nothing yet. `samples` decide automatic
-/// parameters and initial weights. Fails as train_som() does.
+/// The initial map of train_som(), before any learning. `samples` determine automatic parameters
+/// and initial weights. Fails like train_som().
 Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples);
 
-/// Goes on training `som` on `samples` by its own parameters, from its weights as they are. Online
-/// training on the weights themselves or batch training; `som` keeps its weights when it fails.
-Result<void> continue_som(Som& som, const Samples& samples, const TrainingOptions& options = {});
-
-/// The order in which online training draws samples: a function of the seed.
+/// The order of the samples in online training: a function of the seed.
 class DrawSequence {
  public:
   DrawSequence(Draws draws, std::size_t samples, std::uint64_t seed);
@@ -63,8 +83,8 @@ class DrawSequence {
   std::vector<std::size_t> left_;
 };
 
-/// The samples as a map with these (resolved) parameters sees them: `samples` itself, or `storage`
-/// filled with samples scaled to length 1 where the map normalizes its input.
+/// The samples after the normalization of a map with these (resolved) parameters: `samples` itself,
+/// or `storage` filled with samples scaled to length 1.
 const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
                                 Samples& storage);
 

@@ -1,43 +1,47 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/recording/recording.h"
 
 namespace somato {
 
-/// What a number in a time column counts.
+/// Unit of the numbers in a time column.
 enum class TimeUnit { kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
 
-/// What is done with a field that holds no number: an empty one, NaN, NA, null and the like.
+/// Treatment of a field without a number: an empty one, NaN, NA, null and the like.
 enum class MissingValues {
   kRefuse,  ///< It is an error.
-  kMask,    ///< Its value is 0, and the channel's mask says that it is not valid.
+  kMask,    ///< The value is 0, and the channel's mask marks it as invalid.
 };
 
-/// What is done with what the description does not mention.
+/// Treatment of columns and files that the description does not mention.
 enum class Unmentioned {
-  kRefuse,  ///< It is an error, so that nothing is passed over silently.
-  kIgnore,  ///< It is passed over.
+  kRefuse,  ///< An error, so that nothing is ignored without notice.
+  kIgnore,  ///< They are ignored.
 };
 
-/// What a row of a file is.
+/// Meaning of a row of a file.
 enum class CsvRows {
   kFrames,        ///< A frame of the file's exploration, or of one of its windows.
-  kExplorations,  ///< An exploration of one frame.
+  kExplorations,  ///< An exploration with one frame.
 };
 
-/// Which files hold the trials, and what is the same for all their channels: the table [import].
+/// The files of the trials, and the settings shared by all their channels: the table [import].
 struct CsvTrials {
   std::string files;  ///< Such as "{fabric}_F{force:number}_{trial:number}.csv".
   CsvRows rows = CsvRows::kFrames;
-  std::vector<std::string> labels;    ///< Names of columns.
-  std::optional<std::size_t> window;  ///< Rows of an exploration; without it: all of the file.
-  std::size_t overlap = 0;            ///< Rows that a window shares with the one before it.
+  std::vector<std::string> labels;  ///< Names of columns.
+  std::optional<std::size_t>
+      window;               ///< Number of rows of an exploration; without it: all rows of the file.
+  std::size_t overlap = 0;  ///< Number of rows that a window shares with the preceding one.
   bool header = true;
   std::string time;
   TimeUnit time_unit = TimeUnit::kSeconds;
@@ -50,7 +54,7 @@ struct CsvTrials {
   static const Declarations<CsvTrials>& declarations();
 };
 
-/// One channel, made of columns or of a label: a table [[channel]].
+/// One channel, from columns or from a label: a table [[channel]].
 struct CsvChannel {
   std::string name;
   std::string unit;
@@ -63,7 +67,7 @@ struct CsvChannel {
   static const Declarations<CsvChannel>& declarations();
 };
 
-/// How CSV files become a recording.
+/// Description of the import of CSV files as a recording.
 struct CsvImport {
   CsvTrials trials;
   std::vector<CsvChannel> channels;
@@ -86,21 +90,51 @@ struct Choices<Unmentioned> {
   static const std::vector<std::pair<Unmentioned, std::string>>& all();
 };
 
-/// Checks what the description says by itself. Errors (kUsage) name the key: no labels, a pattern
-/// that cannot be read, both time and rate, an overlap without window or not below it, rows that
-/// are explorations with a window, time or rate, two labels of one name, no channels, two channels
-/// of one name, a channel with neither columns nor label or with both, a column used twice, a wrong
-/// range, a shape that the columns do not fill.
+/// Checks the consistency of the description. Errors (kUsage) name the key: no labels, an invalid
+/// pattern, both time and rate, an overlap without a window or not below it, rows that are
+/// explorations with a window, time or rate, two labels with the same name, no channels, two
+/// channels with the same name, a channel with neither columns nor label or with both, a column
+/// used twice, an invalid range, a shape that the columns do not fill.
 Result<void> check_csv_import(const CsvImport& description);
 
 /// Reads a description from its tables [import] and [[channel]] and checks it. Errors (kUsage) with
-/// their place: also unknown keys (with the nearest known one) and values out of range.
+/// their location: also unknown keys (with the nearest known one) and values out of range.
 Result<CsvImport> read_csv_import(const Table& file);
 
-/// The columns that a list of names and ranges means: "a", "b1..b3" are a, b1, b2, b3. Patterns, in
-/// which a star stands for any text, stay as they are. A range counts up, keeping leading zeros:
-/// "b08..b11". Errors (kUsage): a range whose ends do not differ in a number at their end alone,
-/// that counts down, or of more than 100,000 columns.
-Result<std::vector<std::string>> expand_columns(const std::vector<std::string>& columns);
+/// The numbers of rows and files that an import leaves out because they do not fill a window.
+struct CsvLeftOut {
+  std::size_t rows = 0;   ///< Rows outside of all windows.
+  std::size_t files = 0;  ///< Files without any window.
+};
+
+/// Reads a folder of CSV files, one per trial, according to `description`; `folder` may also be one
+/// file.
+///
+/// Files with the extension of the pattern are searched in the folder and its subfolders; the
+/// pattern is matched with as many final parts of their path as the pattern has. A name that
+/// matches in more than one way is refused, and so are, unless the description permits them, names
+/// that do not match, columns that are not mentioned and fields without a number.
+///
+/// Each file, each window or each row is one exploration. The explorations are in natural order of
+/// files (trial 2 before trial 10) with the labels of the file name and of their columns, and the
+/// path of the file as source. Explorations from divided files have the labels `file`, the path
+/// below the folder, and `window` or `row`, which counts from 1 in each file. Windows begin window
+/// - overlap rows apart, and restart where a label of a column changes; rows that do not fill a
+/// window are left out.
+///
+/// A channel of columns has one frame per row and the columns as names of its elements; a channel
+/// from a label has one frame, and neither times nor rate. A pattern includes the columns that
+/// match it and that are neither named elsewhere nor ignored, in the order of the first file. Times
+/// are seconds since the exploration's first row, in double precision: of nanoseconds since 1970
+/// the last two digits are lost.
+///
+/// The text is as in parse_csv(): any separator, quotation marks, comments, line endings, a byte
+/// order mark. Errors: those of check_csv_import(); kSystem for files that cannot be read; kData
+/// with file, line and column for deviations from the description, ragged rows, decreasing times,
+/// files without rows, labels that are missing or that change in a file that is not divided,
+/// patterns without columns or with other columns than in the first file, ignored columns that
+/// occur in no file, no window.
+Result<Recording> import_csv_trials(const std::filesystem::path& folder,
+                                    const CsvImport& description, CsvLeftOut* left_out = nullptr);
 
 }  // namespace somato

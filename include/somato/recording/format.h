@@ -13,7 +13,7 @@ namespace somato {
 
 /// The formats of recorded data that can be read without a description.
 enum class RecordingFormat {
-  kAutomatic,         ///< Found out from the names of the files.
+  kAutomatic,         ///< Detected by the names of the files.
   kIcubGrasp,         ///< See recording/icub_grasp.h.
   kFabricslide,       ///< See recording/fabricslide.h.
   kHkustPressSlide,   ///< See recording/hkust_press_slide.h.
@@ -25,13 +25,14 @@ struct Choices<RecordingFormat> {
   static const std::vector<std::pair<RecordingFormat, std::string>>& all();
 };
 
-/// The format of the data in `folder`, by the names of the files in it and below; never kAutomatic.
-/// Errors: kSystem for a folder that cannot be read; kData, telling what was looked for, when no
-/// format fits or more than one does.
+/// The format of the data in `folder`, detected by the names of the files in it and its subfolders;
+/// never kAutomatic. Errors: kSystem for a folder that cannot be read; kData, with the known
+/// formats, if none or more than one matches.
 Result<RecordingFormat> recognize_format(const std::filesystem::path& folder);
 
-/// Reads the recording at `path`: a file is one in MCAP, whatever the format; a folder holds data
-/// in that format. Errors as read_recording(), recognize_format() and the format's importer.
+/// Reads the recording at `path`: a file is in MCAP, regardless of the format; a folder contains
+/// data in that format. Errors: those of read_recording(), recognize_format() and the importer of
+/// the format.
 Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path);
 
 }  // namespace somato

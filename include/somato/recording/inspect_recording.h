@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "somato/core/result.h"
-#include "somato/recording/channel_description.h"
+#include "somato/recording/recording.h"
 
 namespace somato {
 
-/// How many explorations have which value of a label, in the order of their appearance.
+/// Numbers of explorations for each value of a label, in order of appearance.
 struct LabelSummary {
   struct Count {
     std::string value;
@@ -19,32 +19,33 @@ struct LabelSummary {
   };
   std::string name;
   std::vector<Count> values;
-  std::uint64_t others = 0;  ///< Explorations with values beyond those that are kept.
+  std::uint64_t others = 0;  ///< Explorations with values that are not listed.
 };
 
 struct ChannelSummary {
-  ChannelDescription description;  ///< Where it first appears.
+  ChannelDescription description;  ///< Position of its first appearance.
   std::size_t elements = 0;
-  std::uint64_t explorations = 0;  ///< That have it.
-  std::uint64_t least_frames = 0;  ///< Of these.
+  std::uint64_t explorations = 0;  ///< Number of explorations with this channel.
+  std::uint64_t least_frames = 0;  ///< In these explorations.
   std::uint64_t most_frames = 0;
 };
 
-/// What is in a recording file.
+/// Summary of a recording file.
 struct RecordingSummary {
   std::uint64_t explorations = 0;
-  bool knows_explorations = true;  ///< Else all is one; see RecordingReader.
+  bool knows_explorations =
+      true;  ///< If false, the file is treated as one exploration; see RecordingReader.
   std::vector<LabelSummary> labels;
   std::vector<ChannelSummary> channels;
   double duration = 0.0;  ///< Seconds from first to last frame, summed over explorations.
   std::string compression;
   std::uint64_t size = 0;       ///< Bytes.
-  std::optional<Error> damage;  ///< The first place where it is not whole; nothing behind counts.
+  std::optional<Error> damage;  ///< The first damaged position; data after it are not counted.
 };
 
-/// Looks through the MCAP file at `path`, with memory that does not grow with it: of labels the
-/// first values are kept, up to 4 MiB. Errors: kSystem with the system's reason; kUsage for what is
-/// no regular file; kData for what is no MCAP file.
+/// Scans the MCAP file at `path` with bounded memory: the first values of labels are listed, up to
+/// 4 MiB. Errors: kSystem with the system's reason; kUsage for a file that is not regular; kData
+/// for a file that is not MCAP.
 Result<RecordingSummary> inspect_recording(const std::string& path);
 
 }  // namespace somato

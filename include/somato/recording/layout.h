@@ -8,24 +8,24 @@
 
 namespace somato {
 
-/// What a channel is like in every exploration of a recording.
+/// Properties of a channel that are the same in every exploration of a recording.
 struct ChannelLayout {
   std::string name;
   std::string unit;
-  std::vector<std::size_t> shape;  ///< Of a frame, row-major.
+  std::vector<std::size_t> shape;  ///< Of a frame, in row-major order.
   std::vector<std::string> element_names;
-  /// The first channel that has as many frames as this one in every exploration: their frames can
-  /// be put together.
+  /// The first channel that has the same number of frames as this one in every exploration: their
+  /// frames can be combined.
   std::string clock;
 
   bool operator==(const ChannelLayout&) const = default;
 };
 
-/// What all explorations of a recording have in common.
+/// Properties shared by all explorations of a recording.
 struct RecordingLayout {
   std::vector<ChannelLayout> channels;
   std::size_t explorations = 0;
-  std::size_t frames = 0;  ///< Of the channel with most frames, in all explorations together.
+  std::size_t frames = 0;  ///< Total number in all explorations, of the channel with most frames.
 };
 
 /// The layout of a recording, which must be valid.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,23 +13,24 @@
 
 namespace somato {
 
-/// Whether these first bytes of a file (8 suffice) are those of MCAP.
+/// Whether the first bytes of a file (8 suffice) are those of MCAP.
 bool is_mcap(std::string_view bytes);
 
-/// Whether the file at `path` can be read and begins so.
+/// Whether the file at `path` can be read and begins with these bytes.
 bool is_mcap_file(const std::string& path);
 
-/// Writes `recording` to the file at `path`, wholly or not at all, as save_whole() does, in the
-/// layout of docs/formats/recording.md. Reading gives the same recording, if its times are whole
-/// nanoseconds and marks of validity that are all 1 are left out.
+/// Writes `recording` to the file at `path`, atomically like save_whole(), in the layout of
+/// docs/formats/recording.md. Reading gives the same recording if its times are whole nanoseconds,
+/// except that validity marks that are all 1 are omitted.
 ///
-/// Errors: kData for what validate() or RecordingWriter refuses; kSystem with the system's reason.
+/// Errors: kData for recordings that validate() or RecordingWriter refuses; kSystem with the
+/// system's reason.
 Result<void> write_recording(const std::string& path, const Recording& recording,
                              const RecordingFileParameters& parameters = {});
 
-/// Writes a recording an exploration at a time, as write_recording() does: the file takes its
-/// place, whole, when it is finished; before, or without that, nothing changes there. Memory does
-/// not grow with the recording.
+/// Writes a recording exploration by exploration, like write_recording(): the complete file
+/// replaces the previous one when it is finished; before, or without finishing, nothing changes at
+/// the path. Memory does not grow with the recording.
 class RecordingFile {
  public:
   /// Errors: kSystem with the system's reason.
@@ -39,21 +43,55 @@ class RecordingFile {
   RecordingFile& operator=(RecordingFile&& other) noexcept;
   ~RecordingFile();
 
-  /// Errors: kData for what validate() refuses of an exploration by itself and for what
-  /// RecordingWriter refuses; kSystem with the system's reason.
+  /// Errors: kData for a single exploration that validate() or RecordingWriter refuses; kSystem
+  /// with the system's reason.
   Result<void> add(Exploration exploration);
 
   /// Errors: kSystem with the system's reason.
   Result<void> finish();
 
-  class State;
+  class Impl;
 
  private:
-  explicit RecordingFile(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit RecordingFile(std::unique_ptr<Impl> state);
+  std::unique_ptr<Impl> impl_;
 };
 
-/// Reads the whole recording in the MCAP file at `path`; errors as RecordingReader. What it holds
+/// Reads the explorations of an MCAP file one after the other; memory is bounded by one chunk (24
+/// MiB) and one exploration. A file of another program, without explorations, is read as one
+/// exploration without labels: its topics with messages of sensor_msgs/JointState and
+/// std_msgs/Float32MultiArray or Float64MultiArray are the channels, with times relative to its
+/// first message; others are left out. See docs/formats/recording.md.
+///
+/// A channel whose validity marks are all 1 has none.
+class RecordingReader {
+ public:
+  /// Explorations whose frames require more than `most_memory` bytes in total are refused by
+  /// next(). Errors: kSystem with the system's reason; kUsage for a file that is not regular; kData
+  /// for a file that is not MCAP.
+  static Result<RecordingReader> open(
+      const std::string& path, std::size_t most_memory = std::numeric_limits<std::size_t>::max());
+
+  RecordingReader(const RecordingReader&) = delete;
+  RecordingReader(RecordingReader&& other) noexcept;
+  RecordingReader& operator=(const RecordingReader&) = delete;
+  RecordingReader& operator=(RecordingReader&& other) noexcept;
+  ~RecordingReader();
+
+  /// The next exploration; nothing after the last one of a complete file. Errors: kSystem with the
+  /// system's reason and for too much memory; kData with file and byte for damage, for invalid
+  /// content (frames outside explorations, of channels that the exploration does not have, with the
+  /// wrong number of elements, or with decreasing times) and for a missing end. No exploration
+  /// follows an error.
+  Result<std::optional<Exploration>> next();
+
+ private:
+  class Impl;
+  explicit RecordingReader(std::unique_ptr<Impl> state);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads the complete recording in the MCAP file at `path`; errors as RecordingReader. The content
 /// is not validated.
 Result<Recording> read_recording(const std::string& path);
 

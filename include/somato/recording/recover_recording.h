@@ -9,23 +9,23 @@
 
 namespace somato {
 
-/// What became of a damaged file.
+/// The result of recovering a damaged file.
 struct RecoveryReport {
-  std::uint64_t messages = 0;      ///< That were saved, without those of /exploration.
-  std::uint64_t explorations = 0;  ///< That were saved, with the incomplete ones.
-  std::uint64_t incomplete = 0;    ///< Whose beginning, end or frames are missing.
-  std::vector<Error> damage;       ///< The first places of it, with what is wrong there.
+  std::uint64_t messages = 0;      ///< Messages that were saved, without those of /exploration.
+  std::uint64_t explorations = 0;  ///< Explorations that were saved, including incomplete ones.
+  std::uint64_t incomplete = 0;    ///< Explorations without their beginning, end or some frames.
+  std::vector<Error> damage;       ///< The first damaged positions, with descriptions.
   std::uint64_t damaged_places = 0;
-  bool lossless = true;  ///< Whether all messages were saved; damage behind them costs nothing.
+  bool lossless = true;  ///< Whether all messages were saved; damage after them has no effect.
 };
 
-/// Saves what the MCAP file `from` holds: everything that is complete goes to the file `to`, which
-/// is whole then. An exploration without an end is ended with its last frame. From a chunk that is
-/// not packed and cut off, its complete messages are saved; from the others all or nothing. Memory
-/// does not grow with the file.
+/// Recovers the MCAP file `from`: all complete messages are saved to the file `to`, which is then
+/// complete. An exploration without an end is ended with its last frame. From a truncated
+/// uncompressed chunk, its complete messages are saved; other chunks are saved completely or not at
+/// all. Memory does not grow with the file.
 ///
-/// Errors: kData when nothing can be saved (`to` is left as it was), or for no MCAP file; kSystem
-/// with the system's reason; kUsage for what is no regular file.
+/// Errors: kData if nothing can be saved (`to` is unchanged), or for a file that is not MCAP;
+/// kSystem with the system's reason; kUsage for a file that is not regular.
 Result<RecoveryReport> recover_recording(const std::string& from, const std::string& to,
                                          const RecordingFileParameters& parameters = {});
 

@@ -6,28 +6,28 @@
 #include <vector>
 
 #include "somato/core/result.h"
-#include "somato/studies/reproduction_plan.h"
+#include "somato/studies/reproduction.h"
 
 namespace somato {
 
-/// The files that travel with the library: those of `systems/` and `studies/`.
+/// The built-in files: those of `systems/` and `studies/`.
 struct OwnSystems {
-  std::vector<NamedFile> systems;    ///< The papers' nine, for the bodies that are simulated.
-  std::vector<NamedFile> recorded;   ///< The same, where they apply, for data sets of others.
-  std::vector<NamedFile> questions;  ///< Side questions about the nine.
-  std::vector<NamedFile> studies;    ///< Of data sets of others, each with a system of its own.
+  std::vector<NamedFile> systems;    ///< The nine systems of the papers, for simulated bodies.
+  std::vector<NamedFile> recorded;   ///< The same, if applicable, for public data sets.
+  std::vector<NamedFile> questions;  ///< Questions about the nine systems.
+  std::vector<NamedFile> studies;    ///< Studies of public data sets, with separate systems.
 };
 
-/// Reads them; their names are those of the files. The nine stand in the order of the papers.
+/// Reads them; their names are those of the files. The nine systems are in the order of the papers.
 Result<OwnSystems> own_systems();
 
-/// One of these files as it stands in the source tree.
+/// One of these files, unchanged.
 struct OwnFile {
   std::string_view path;  ///< Such as "systems/texture.toml".
   std::string_view text;
 };
 
-/// The one that is named, by its path or by its file name without ".toml"; nothing for others.
+/// The file with that path or file name without ".toml"; empty if there is none.
 std::optional<OwnFile> find_own_file(const std::string& name);
 
 /// The names of all of them, sorted.

@@ -1,73 +1,75 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "somato/core/parameter.h"
 #include "somato/core/result.h"
+#include "somato/core/value.h"
 #include "somato/studies/claim.h"
 #include "somato/studies/results.h"
+#include "somato/studies/study_parameters.h"
 
 namespace somato {
 
-/// One training and testing of a system: which recording, and the seed of what learns.
-struct Pair {
-  std::size_t recording = 0;
-  std::uint64_t seed = 0;
+/// A question about several systems: the table `[question]` of its file.
+struct QuestionParameters {
+  std::string name;
+  std::string text;
+  std::vector<std::string> systems;
+  std::size_t pairs = 24;
+
+  static const Declarations<QuestionParameters>& declarations();
 };
 
-/// How many of `pairs` a recording has: as equal numbers as can be, the first recordings one more.
+/// One system to run, as described by a file, with a question's changes.
+struct ReproductionPart {
+  std::string question;   ///< Empty: the system itself.
+  std::string system;     ///< Name of its study.
+  std::string variation;  ///< Empty: the unchanged system.
+  StudyDescription description;
+  Table explore;                     ///< The table `[explore]`; empty without one.
+  std::optional<std::size_t> pairs;  ///< The maximum for a question.
+};
+
+/// The systems to run, and the claims about them.
+struct ReproductionPlan {
+  std::vector<ReproductionPart> parts;
+  std::vector<Claim> claims;  ///< Each with its `system`, and `than_system` for a comparison.
+};
+
+/// A TOML file and the name by which it is requested.
+struct NamedFile {
+  std::string name;
+  Table content;
+  std::string text = {};  ///< The text of the file, for the results; empty: unknown.
+};
+
+/// Adds a file to the plan: a system, then its variations; or the systems of a question (a file
+/// with a table [question]). `systems` are the files that a question may use. Errors (kUsage) with
+/// their location: those of the descriptions, and of building systems whose channels state their
+/// shapes; a question about an unknown system; a claim about a system that is not run.
+Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
+                         ReproductionPlan& plan);
+
+/// The settings of a table `[explore]`: `explore`, and for each table within it `explore.NAME`.
+/// Empty if there are none.
+std::vector<Settings> explore_settings(const Table& explore);
+
+/// The number of pairs of a recording: `pairs` distributed equally, with one more for the first
+/// recordings.
 std::size_t pairs_of(std::size_t recording, std::size_t recordings, std::size_t pairs);
 
-/// What came of a part: its study under each protocol, over all pairs of recording and seed.
-struct PartResults {
-  std::string question;
-  std::string system;
-  std::string variation;
-  std::vector<std::string> recordings;  ///< Names of those it was run on.
-  std::vector<Settings> settings;       ///< As the first recording decided them.
-  std::vector<Pair> pairs;
-  std::vector<SystemResults> protocols;  ///< Metrics with one value a pair, runs one a pair.
-};
+/// Adds the results of a study on a further recording to a part; its seeds follow those of the
+/// preceding recordings. Errors (kData, with the part unchanged): protocols or metrics that differ
+/// from the previous ones, for example if one recording has a single class. Throws InvalidArgument
+/// for results without a protocol.
+Result<void> add_results(const PartResults& found, PartResults& part);
 
-/// Adds what a study found on recording number `recording` of the part, whose seeds follow those of
-/// the recording before. Errors (kData, the part as it was): protocols or metrics that differ from
-/// those before, as where one recording leaves nothing to tell apart. Throws InvalidArgument for
-/// results without a protocol.
-Result<void> add_results(const StudyResults& found, std::size_t recording, PartResults& part);
-
-/// A recording that was explored or given.
-struct RecordingInfo {
-  std::string name;
-  std::string source;  ///< Where it comes from: its settings, or its path's last part.
-  std::uint64_t seed = 0;
-  std::string data_hash;
-  std::size_t explorations = 0;
-};
-
-/// A system that was asked for and could not be run on what was given.
-struct NotApplicable {
-  std::string system;
-  std::string reason;
-};
-
-/// Everything that a reproduction found.
-struct ReproductionResults {
-  std::uint64_t seed = 0;
-  std::size_t pairs = 0;
-  std::vector<RecordingInfo> recordings;
-  std::vector<PartResults> parts;
-  std::vector<ClaimOutcome> claims;
-  std::vector<NotApplicable> not_applicable;
-};
-
-/// How the claims came out; those about something that was not run are left out.
+/// The outcomes of the claims; those about systems that were not run are left out.
 std::vector<ClaimOutcome> judge(const std::vector<Claim>& claims,
                                 const std::vector<PartResults>& parts);
-
-/// The results as results.json of a reproduction, version 1; the same bytes for the same results.
-std::string to_json(const ReproductionResults& results);
 
 }  // namespace somato

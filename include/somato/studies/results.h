@@ -3,43 +3,45 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "somato/studies/claim.h"
+
 namespace somato {
 
-/// Values, each with how often it occurred.
+/// Values with their numbers of occurrences.
 using Distribution = std::map<double, std::size_t>;
 
-/// A figure over seeds: one value a seed, in the order of the seeds. docs/reference/results.md
+/// A measure over pairs of recording and seed: one value per pair. docs/reference/results.md
 /// defines each metric.
 struct Metric {
   std::string name;
   std::vector<double> values;
-  /// Of a metric `_by_luck`: for each seed the values of which `values` has the mean, one for each
-  /// wrong grouping or shuffling. Empty for other metrics, and where a file does not have them.
+  /// Of a metric `_chance`: for each pair the values whose mean is in `values`, one for each wrong
+  /// grouping or shuffle. Empty for other metrics.
   std::vector<Distribution> of_each = {};
 
   double mean() const;
-  /// The sample standard deviation (divided by the count less one); 0 for a single value.
+  /// The sample standard deviation (divided by the count minus one); 0 for a single value.
   double standard_deviation() const;
 };
 
-/// What one seed gave, sample by sample in the order of the recording.
+/// The results of one pair, by sample in the order of the recording.
 struct Run {
   std::uint64_t seed = 0;
-  std::vector<std::size_t> winners;      ///< On the map that was tested with the sample.
+  std::vector<std::size_t> winners;      ///< On the map by which the sample was tested.
   std::vector<std::string> labels;       ///< The true classes.
-  std::vector<std::string> predictions;  ///< The classes the map named.
-  /// The same for further labels, by their names.
+  std::vector<std::string> predictions;  ///< The predicted classes.
+  /// The predictions of further labels, by their names.
   std::vector<std::pair<std::string, std::vector<std::string>>> other_predictions;
 };
 
 /// A system under one protocol.
-struct SystemResults {
-  std::string name;
+struct ProtocolResults {
   std::string protocol;
   std::string group;  ///< Of leave_group_out.
   std::string label;
@@ -47,33 +49,81 @@ struct SystemResults {
   std::vector<Metric> metrics;
   std::vector<Run> runs;
 
-  /// The metric of that name, or nullptr.
+  /// The metric with that name, or nullptr.
   const Metric* find_metric(std::string_view metric) const;
 };
 
-/// A parameter with its value as TOML writes it.
+/// A parameter with its value in TOML notation.
 struct Setting {
   std::string name;
   std::string value;
 };
 
-/// The parameters of one part of the study.
+/// The parameters of one part of a study, such as "module.map".
 struct Settings {
   std::string part;
   std::vector<Setting> settings;
 };
 
-/// What a study found: the content of results.json.
-struct StudyResults {
-  std::string study;
-  std::size_t seeds = 0;
-  std::vector<Settings> settings;
-  std::string data_hash;
-  std::string test_data_hash;  ///< Of the recording for test_data; empty without one.
-  std::vector<SystemResults> systems;
+/// The parameters as a table of TOML, after an empty line.
+std::string to_toml(const Settings& settings);
+
+/// A recording used for training or testing.
+struct RecordingInfo {
+  std::string name;
+  std::string source;      ///< The explorer, with engine and seed; "given" for a file.
+  std::uint64_t seed = 0;  ///< Of the exploration; 0 for a given recording.
+  std::string hash;        ///< See content_hash().
+  std::size_t explorations = 0;
+
+  bool operator==(const RecordingInfo&) const = default;
 };
 
-/// The results as results.json, version 3; the same bytes for the same results.
-std::string to_json(const StudyResults& results);
+/// One training and test of a system: the number of the recording, among those of the part, and the
+/// seed of the training.
+struct Pair {
+  std::size_t recording = 0;
+  std::uint64_t seed = 0;
+};
+
+/// The file of a trained system, trained on all samples of the part's first recording.
+struct ModelFile {
+  std::string path;  ///< Relative to the folder of results.json.
+  std::string hash;  ///< Of its bytes: `fnv1a64:` and 16 hexadecimal digits.
+  std::uint64_t seed = 0;
+};
+
+/// A study that was run, and its results over all pairs of recording and seed.
+struct PartResults {
+  std::string question;              ///< The question it belongs to; empty: none.
+  std::string system;                ///< Name of the study.
+  std::string variation;             ///< Empty: the unchanged system.
+  std::string study;                 ///< Its TOML; the seeds are those of `pairs`.
+  std::vector<Settings> parameters;  ///< All of them, as resolved for the first recording.
+  std::optional<ModelFile> model;    ///< Empty if none was saved.
+  std::vector<RecordingInfo> recordings;
+  std::vector<RecordingInfo> test_recordings;  ///< Of test_data: one for each of `recordings`.
+  std::vector<Pair> pairs;
+  std::vector<ProtocolResults>
+      protocols;  ///< Metrics with one value per pair, runs with one per pair.
+};
+
+/// A system that does not fit the given recordings.
+struct NotApplicable {
+  std::string system;
+  std::string reason;
+};
+
+/// The results of one command: the content of results.json. A single study is one part.
+struct Results {
+  std::vector<PartResults> parts;
+  std::vector<ClaimOutcome> claims;
+  std::vector<NotApplicable> not_applicable;
+};
+
+/// The results as results.json, version kResultsVersion; the same bytes for the same results.
+std::string to_json(const Results& results);
+
+inline constexpr std::uint64_t kResultsVersion = 4;
 
 }  // namespace somato

@@ -15,36 +15,36 @@
 
 namespace somato {
 
-/// How a study runs, as far as its results do not depend on it; and what it is tested with.
+/// Options of a study that do not affect its results, and its test recording.
 struct StudyOptions {
   std::size_t threads = 1;
-  Progress progress;                     ///< Told trainings to run, from one thread at a time.
+  Progress progress;                     ///< In trainings; called from one thread at a time.
   const Recording* test_data = nullptr;  ///< A recording for the protocol test_data, or none.
-  std::string journal = {};  ///< A file where trainings that are done are kept, so that the study
-                             ///< can go on after it was stopped; or empty. Whoever keeps the
-                             ///< results removes it.
+  std::string journal =
+      {};  ///< A file for completed trainings, so that the study can be resumed after an
+           ///< interruption; or empty. The caller removes it after saving the results.
 };
 
-/// What a study found, and a trained system to look at and to use.
+/// The results of a study, and a trained system.
 struct StudyOutcome {
-  StudyResults results;
+  PartResults results;               ///< Its recordings have no name and no source.
   SystemModel model;                 ///< Trained on all samples with the first seed.
-  std::vector<std::size_t> winners;  ///< Of all samples on the map that answers.
+  std::vector<std::size_t> winners;  ///< Of all samples on the output map.
   Classes classes;                   ///< Of all samples.
 
-  /// The map that answers.
+  /// The name of the output map.
   const Som& map() const;
 };
 
 /// Runs a study: for each protocol and seed, trains the system on the training part of every fold
-/// and tests it on the others, beside the nearest-neighbour baseline on the vectors that the map
-/// learns from. Everything that learns does so from the training part alone. The same for any
-/// number of threads, and for a study that was interrupted and gone on with.
+/// and tests it on the others, with the nearest-neighbour baseline on the vectors from which the
+/// map learns. All learning uses the training part only. The results are the same for any number of
+/// threads, and for a study that was interrupted and resumed.
 ///
-/// Errors: a recording that is not valid (kData) or lacks the channels or labels asked for
-/// (kUsage); a system that cannot be built (kUsage); fewer than two explorations, only one class,
-/// or an individual in two classes (kData); whatever the system's modules refuse; a journal of
-/// another study (kUsage); kInterrupted.
+/// Errors: a recording that is not valid (kData) or lacks the required channels or labels (kUsage);
+/// a system that cannot be built (kUsage); fewer than two explorations, only one class, or an
+/// individual in two classes (kData); errors of the system's modules; a journal of another study
+/// (kUsage); kInterrupted.
 Result<StudyOutcome> run_study(const StudyDescription& description, const Recording& recording,
                                const StudyOptions& options = {});
 

@@ -9,11 +9,25 @@
 #include "somato/core/parameter.h"
 #include "somato/graph/system_description.h"
 #include "somato/recording/format.h"
-#include "somato/studies/protocol.h"
 
 namespace somato {
 
-/// What is asked, and how often.
+/// Division into training and test explorations.
+enum class Protocol {
+  kTrainIsTest,    ///< All for both, as in the papers: it measures memory, not generalization.
+  kLeaveOneOut,    ///< Each exploration in turn is tested by a system trained on the others.
+  kLeaveGroupOut,  ///< The same with all explorations that share a label.
+  kFolds,          ///< The same with equal parts, with each class distributed over all of them.
+  kTestData,  ///< A separate test recording is tested by a system trained on the complete other
+              ///< recording.
+};
+
+template <>
+struct Choices<Protocol> {
+  static const std::vector<std::pair<Protocol, std::string>>& all();
+};
+
+/// The labels, protocols and seeds of a study.
 struct StudyParameters {
   std::string name;
   std::string label = "object";
@@ -34,24 +48,30 @@ struct StudyParameters {
   static const Declarations<StudyParameters>& declarations();
 };
 
-/// Where the samples come from.
+/// The format of the samples.
 struct RecordingParameters {
   RecordingFormat format = RecordingFormat::kAutomatic;
 
   static const Declarations<RecordingParameters>& declarations();
 };
 
-/// A whole study, as its TOML file describes it.
+/// A complete study, as described by its TOML file.
 struct StudyDescription {
-  std::string where = {};  ///< `file:line` of [study], or another place to point at.
+  std::string where = {};  ///< `file:line` of [study], or another location.
+  std::string text = {};   ///< The text of its file, for the results; empty: to_toml().
   StudyParameters study;
   RecordingParameters recording;
   SystemDescription system;
 };
 
 /// Reads a study from the tables [study] and [recording] and those of its system (see
-/// read_system()). Errors (kUsage) with their place: unknown tables or keys (with the nearest known
-/// one), values out of range, no name, no protocols, a protocol without what it needs.
+/// read_system()). Errors (kUsage) with their location: unknown tables or keys (with the nearest
+/// known one), values out of range, no name, no protocols, a protocol without its required
+/// settings.
 Result<StudyDescription> read_study(const Table& file);
+
+/// The study as TOML that is read back to the same study: tables [study] and [recording] without
+/// defaults, then its system.
+std::string to_toml(const StudyDescription& description);
 
 }  // namespace somato

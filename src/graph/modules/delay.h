@@ -8,7 +8,7 @@
 namespace somato::modules {
 
 /// A module whose output does not depend on its present input, so that it may close a loop.
-class Delay : public SteppedModule {
+class Delay : public Module {
  public:
   /// The shape of the output, known before the input is; empty when the description gives none.
   virtual const std::vector<std::size_t>& promised_shape() const = 0;

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <optional>
 
+#include "codes/change.h"
+#include "codes/mean_removal.h"
+#include "codes/onset.h"
+#include "codes/resampling.h"
 #include "graph/modules/support.h"
-#include "somato/codes/change.h"
-#include "somato/codes/mean_removal.h"
-#include "somato/codes/onset.h"
-#include "somato/codes/resampling.h"
 #include "somato/codes/spectrum.h"
 
 namespace somato::modules {
 namespace {
 
-class MeanRemovalModule : public Module {
+class MeanRemovalModule : public WholeModule {
  public:
   using Parameters = NoParameters;
   explicit MeanRemovalModule(const Parameters& /*parameters*/) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
     PortType type = inputs.front().type;
     type.sparse = false;
     return checked_size(std::move(type), inputs.front().port);
@@ -30,13 +30,13 @@ class MeanRemovalModule : public Module {
   }
 };
 
-class ChangeModule : public Module {
+class ChangeModule : public WholeModule {
  public:
   using Parameters = NoParameters;
   explicit ChangeModule(const Parameters& /*parameters*/) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
     PortType type = once(inputs.front().type);
     type.sparse = false;
     return checked_size(std::move(type), inputs.front().port);
@@ -49,13 +49,13 @@ class ChangeModule : public Module {
   }
 };
 
-class ResamplingModule : public Module {
+class ResamplingModule : public WholeModule {
  public:
   using Parameters = ResamplingParameters;
   explicit ResamplingModule(const Parameters& parameters) : parameters_(parameters) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
     PortType type = once(inputs.front().type);
     type.sparse = false;
     type.shape.insert(type.shape.begin(), parameters_.points);
@@ -86,21 +86,23 @@ struct WindowParameters {
     static const auto declared =
         Declarations<P>()
             .add("start", &P::start, "frames", Range::between(0, 1e9),
-                 "Frames that are left out at the start of an exploration.")
-            .add("length", &P::length, "frames", Range::between(1, 1e9), "Frames of the window.")
+                 "Number of frames skipped at the start of an exploration.")
+            .add("length", &P::length, "frames", Range::between(1, 1e9),
+                 "Number of frames of the window.")
             .add("beyond", &P::beyond, "", Range::any(),
-                 "What stands in the window beyond the last frame: an error, or that frame.");
+                 "Treatment of a window that extends beyond the last frame: an error, or the last "
+                 "frame is repeated.");
     return declared;
   }
 };
 
-class WindowModule : public Module {
+class WindowModule : public WholeModule {
  public:
   using Parameters = WindowParameters;
   explicit WindowModule(const Parameters& parameters) : parameters_(parameters) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
     PortType type = inputs.front().type;
     type.sparse = false;
     type.clock = fmt::format("{} frames from frame {} of {}", parameters_.length,
@@ -113,8 +115,9 @@ class WindowModule : public Module {
     const std::size_t end = parameters_.start + parameters_.length;
     if (end > frames.count() && parameters_.beyond == BeyondFrames::kRefuse) {
       return fail(ErrorKind::kData,
-                  fmt::format("the window ends at frame {}, but there are {}", end, frames.count()),
-                  {}, "choose a shorter 'length', or beyond = \"hold\"");
+                  fmt::format("the window ends at frame {}, but the exploration has {}", end,
+                              frames.count()),
+                  {}, "use a shorter 'length', or beyond = \"hold\"");
     }
     Matrix<float> window(parameters_.length, frames.size());
     for (std::size_t i = 0; i < window.rows(); ++i) {
@@ -127,7 +130,7 @@ class WindowModule : public Module {
   Parameters parameters_;
 };
 
-class OnsetWindowModule : public Module {
+class OnsetWindowModule : public WholeModule {
  public:
   using Parameters = OnsetParameters;
   explicit OnsetWindowModule(const Parameters& parameters) : parameters_(parameters) {}
@@ -135,12 +138,13 @@ class OnsetWindowModule : public Module {
   bool chooses_frames() const override { return true; }
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
     PortType type = inputs.front().type;
     if (parameters_.element > type.size()) {
       return fail(ErrorKind::kUsage,
-                  fmt::format("'element' is {}, but {} come in", parameters_.element, type.size()),
-                  {}, "number the elements from 1; 0 stands for any of them");
+                  fmt::format("'element' is {}, but the input has {} elements", parameters_.element,
+                              type.size()),
+                  {}, "elements are counted from 1; 0 means any element");
     }
     type.sparse = false;
     return checked_size(std::move(type), inputs.front().port);
@@ -156,22 +160,22 @@ class OnsetWindowModule : public Module {
   Parameters parameters_;
 };
 
-class SpectrumModule : public Module {
+class SpectrumModule : public WholeModule {
  public:
   using Parameters = SpectrumParameters;
   explicit SpectrumModule(const Parameters& parameters) : parameters_(parameters) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto valid = parameters_.validate(); !valid) return fail(std::move(valid.error()));
+    SOMATO_TRY_VOID(parameters_.validate());
     const Connection& input = inputs.front();
-    if (auto frames = expect_frames(input); !frames) return fail(frames.error());
+    SOMATO_TRY_VOID(expect_frames(input));
     if (inputs.size() > 1 && inputs.back().type.size() != 1) {
-      return fail(ErrorKind::kUsage, "a speed is a single number", inputs.back().port,
-                  "take one element");
+      return fail(ErrorKind::kUsage, "a speed must be a single number", inputs.back().port,
+                  "select one element");
     }
     if (inputs.size() > 1 && (parameters_.bands == 0 || !parameters_.high)) {
-      return fail(ErrorKind::kUsage, "cycles per mm need 'bands' and their 'high'",
-                  inputs.back().port, "give both, or leave the speed out");
+      return fail(ErrorKind::kUsage, "cycles per mm require 'bands' and 'high'", inputs.back().port,
+                  "set both, or remove the speed");
     }
     spectrum_.emplace(parameters_);
     PortType type = once(input.type);
@@ -208,24 +212,28 @@ class SpectrumModule : public Module {
 
 std::vector<ModuleType> feature_types() {
   return {
-      describe<ChangeModule>("change", "The last frame of an exploration less the first.",
+      describe<ChangeModule>("change",
+                             "Difference between the last and the first frame of an exploration.",
                              {input_port("Frames.")}, "The shape of a frame."),
       describe<ResamplingModule>("resampling",
-                                 "An exploration of any length as so many points, interpolated.",
+                                 "Resampling of an exploration of any length to a fixed number of "
+                                 "points, by interpolation.",
                                  {input_port("Frames.")}, "Points x the shape of a frame."),
-      describe<WindowModule>("window", "So many frames from a given one.", {input_port("Frames.")},
-                             "Frames of the same shape."),
-      describe<OnsetWindowModule>("onset_window", "So many frames from where something is touched.",
+      describe<WindowModule>("window", "A fixed number of frames from a given one.",
+                             {input_port("Frames.")}, "Frames of the same shape."),
+      describe<OnsetWindowModule>("onset_window",
+                                  "A fixed number of frames around the onset of contact.",
                                   {input_port("Frames.")}, "Frames of the same shape."),
-      describe<MeanRemovalModule>("mean_removal", "Frames less their mean over the exploration.",
+      describe<MeanRemovalModule>("mean_removal", "Frames minus their mean over the exploration.",
                                   {input_port("Frames.")}, "Frames of the same shape."),
-      describe<SpectrumModule>(
-          "spectrum", "How strong each element of the frames is at each frequency (P11 IV-B).",
-          {input_port("Frames."),
-           {"speed",
-            "A number in mm/s, averaged over its frames: frequencies become cycles per mm.", false,
-            false}},
-          "Elements x bands.")};
+      describe<SpectrumModule>("spectrum",
+                               "Power spectrum of each element of the frames (P11 IV-B).",
+                               {input_port("Frames."),
+                                {"speed",
+                                 "A number in mm/s, averaged over its frames: frequencies are "
+                                 "converted to cycles per mm.",
+                                 false, false}},
+                               "Elements x bands.")};
 }
 
 }  // namespace somato::modules

@@ -9,69 +9,43 @@
 namespace somato::modules {
 namespace {
 
-// Gives the first frame again and again, or each as it comes.
-class FrameStepper : public Stepper {
+class FirstRunner : public Runner {
  public:
-  FrameStepper(PortType type, bool first) : type_(std::move(type)), first_(first) {}
-
-  Result<Signal> step(std::span<const SignalView> inputs) override {
-    return advance(inputs).map([&](const SignalView& view) { return copy_of(view, type_.shape); });
-  }
-
-  Result<SignalView> advance(std::span<const SignalView> inputs) override {
-    if (!first_ || !has_frame_) frame_.assign(inputs.front());
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) override {
+    if (!has_frame_) out.assign(inputs.front());
     has_frame_ = true;
-    return frame_.view();
+    return {};
   }
 
  private:
-  PortType type_;
-  bool first_;
   bool has_frame_ = false;
-  SignalBuffer frame_;
 };
 
-// Frames become one value an exploration.
-class ClosingModule : public Module {
+class LastRunner : public Runner {
+ public:
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) override {
+    out.assign(inputs.front());
+    return {};
+  }
+};
+
+// One of the frames becomes the value of the exploration.
+template <typename R>
+class ChosenFrameModule : public Module {
  public:
   using Parameters = NoParameters;
+  explicit ChosenFrameModule(const Parameters& /*parameters*/) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
-    type_ = once(inputs.front().type);
-    return checked_size(type_, inputs.front().port);
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
+    return checked_size(once(inputs.front().type), inputs.front().port);
   }
 
- protected:
-  PortType type_;
+  std::unique_ptr<Runner> start() const override { return std::make_unique<R>(); }
 };
 
-class FirstModule : public ClosingModule {
- public:
-  explicit FirstModule(const Parameters& /*parameters*/) {}
-
-  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return single(copy_of(inputs.front()->values[0], type_.shape), inputs.front()->rate);
-  }
-
-  std::unique_ptr<Stepper> start_live() const override {
-    return std::make_unique<FrameStepper>(type_, true);
-  }
-};
-
-class LastModule : public ClosingModule {
- public:
-  explicit LastModule(const Parameters& /*parameters*/) {}
-
-  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    const Samples& values = inputs.front()->values;
-    return single(copy_of(values[values.count() - 1], type_.shape), inputs.front()->rate);
-  }
-
-  std::unique_ptr<Stepper> start_live() const override {
-    return std::make_unique<FrameStepper>(type_, false);
-  }
-};
+using FirstModule = ChosenFrameModule<FirstRunner>;
+using LastModule = ChosenFrameModule<LastRunner>;
 
 struct DelayParameters {
   std::vector<std::size_t> shape;
@@ -80,26 +54,24 @@ struct DelayParameters {
     using P = DelayParameters;
     static const auto declared =
         Declarations<P>().add("shape", &P::shape, "", Range::between(1, 1 << 20),
-                              "Shape of the signal; needed where the delay closes a loop.");
+                              "Shape of the signal; required if the delay closes a loop.");
     return declared;
   }
 };
 
-class DelayStepper : public Stepper {
+class DelayRunner : public Runner {
  public:
-  explicit DelayStepper(const PortType& type)
-      : before_(Signal::dense(type.shape, std::vector<float>(type.size()))), shape_(type.shape) {}
+  explicit DelayRunner(std::size_t size) : before_(size) {}
 
-  Result<Signal> step(std::span<const SignalView> inputs) override {
-    Signal now = copy_of(inputs.front(), shape_);
-    if (now.is_sparse()) now = Signal::dense(shape_, now.to_dense());
-    std::swap(now, before_);
-    return now;
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) override {
+    std::swap(out.begin_dense(before_.size()), before_);
+    before_.resize(inputs.front().size);
+    write_dense(inputs.front(), before_);
+    return {};
   }
 
  private:
-  Signal before_;
-  std::vector<std::size_t> shape_;
+  std::vector<float> before_;
 };
 
 }  // namespace
@@ -112,33 +84,35 @@ class DelayModule : public Delay {
   const std::vector<std::size_t>& promised_shape() const override { return parameters_.shape; }
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
-    type_ = inputs.front().type;
-    type_.sparse = false;
-    if (!parameters_.shape.empty() && parameters_.shape != type_.shape) {
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
+    PortType type = inputs.front().type;
+    type.sparse = false;
+    size_ = type.size();
+    if (!parameters_.shape.empty() && parameters_.shape != type.shape) {
       return fail(ErrorKind::kUsage,
-                  fmt::format("its 'shape' is {}, but {} comes in",
-                              fmt::join(parameters_.shape, " x "), fmt::join(type_.shape, " x ")),
-                  inputs.front().port, "give the shape of what comes in");
+                  fmt::format("its 'shape' is {}, but the input has {}",
+                              fmt::join(parameters_.shape, " x "), fmt::join(type.shape, " x ")),
+                  inputs.front().port, "use the shape of the input");
     }
-    return checked_size(type_, inputs.front().port);
+    return checked_size(std::move(type), inputs.front().port);
   }
 
-  std::unique_ptr<Stepper> start() const override { return std::make_unique<DelayStepper>(type_); }
+  std::unique_ptr<Runner> start() const override { return std::make_unique<DelayRunner>(size_); }
 
  private:
   Parameters parameters_;
-  PortType type_;
+  std::size_t size_ = 0;
 };
 
 std::vector<ModuleType> frame_types() {
   return {
       describe<FirstModule>("first", "The first frame of an exploration.", {input_port("Frames.")},
                             "The frame."),
-      describe<LastModule>("last",
-                           "The last frame of an exploration: P11 III reads the closed hand once.",
-                           {input_port("Frames.")}, "The frame."),
-      describe<DelayModule>("delay", "The frame before; zeros at the start. It may close a loop.",
+      describe<LastModule>(
+          "last", "The last frame of an exploration: P11 III uses one frame of the closed hand.",
+          {input_port("Frames.")}, "The frame."),
+      describe<DelayModule>("delay",
+                            "The preceding frame; zeros at the start. It may close a loop.",
                             {input_port("Frames.")}, "The shape of the input.")};
 }
 

@@ -17,7 +17,7 @@ struct AccumulateParameters {
     using P = AccumulateParameters;
     static const auto declared = Declarations<P>().add(
         "every_frame", &P::every_frame, "", Range::any(),
-        "Whether the memory is put out with every frame, rather than once it holds them all.");
+        "Whether the memory is output with every frame, instead of once after the last frame.");
     return declared;
   }
 };
@@ -32,30 +32,28 @@ struct LeakyAccumulateParameters {
         Declarations<P>()
             .add_from(&P::memory, MemoryParameters::declarations(), {"leak"})
             .add("every_frame", &P::every_frame, "", Range::any(),
-                 "Whether the memory is put out with every frame, rather than once it has met them "
-                 "all.");
+                 "Whether the memory is output with every frame, instead of once after the last "
+                 "frame.");
     return declared;
   }
 };
 
-class MemoryStepper : public Stepper {
+class MemoryRunner : public Runner {
  public:
-  explicit MemoryStepper(Memory memory) : memory_(std::move(memory)) {}
+  MemoryRunner(Memory memory, bool every_frame)
+      : memory_(std::move(memory)), every_frame_(every_frame) {}
 
-  Result<Signal> step(std::span<const SignalView> inputs) override {
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) override {
     memory_.add(inputs.front());
-    return memory_.value();
+    if (every_frame_) memory_.write(out);
+    return {};
   }
 
-  Result<SignalView> advance(std::span<const SignalView> inputs) override {
-    memory_.add(inputs.front());
-    memory_.write(value_);
-    return value_.view();
-  }
+  void value(SignalBuffer& out) const override { memory_.write(out); }
 
  private:
   Memory memory_;
-  SignalBuffer value_;
+  bool every_frame_;
 };
 
 class MemoryModule : public Module {
@@ -64,38 +62,23 @@ class MemoryModule : public Module {
       : parameters_(parameters), every_frame_(every_frame) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto frames = expect_frames(inputs.front()); !frames) return fail(frames.error());
-    type_ = inputs.front().type;
-    return checked_size(every_frame_ ? type_ : once(type_), inputs.front().port);
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
+    const PortType& type = inputs.front().type;
+    shape_ = type.shape;
+    return checked_size(every_frame_ ? type : once(type), inputs.front().port);
   }
 
-  bool is_stepped() const override { return every_frame_; }
-
-  std::unique_ptr<Stepper> start() const override { return every_frame_ ? start_live() : nullptr; }
-
-  std::unique_ptr<Stepper> start_live() const override {
-    return std::make_unique<MemoryStepper>(Memory(type_.shape, parameters_));
-  }
-
-  Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    const Samples& frames = inputs.front()->values;
-    Memory memory(type_.shape, parameters_);
-    std::vector<Signal> outputs;
-    for (std::size_t frame = 0; frame < frames.count(); ++frame) {
-      memory.add(frames[frame]);
-      if (every_frame_) outputs.push_back(memory.value());
-    }
-    if (!every_frame_) outputs.push_back(memory.value());
-    return Sequence{Samples::from_signals(outputs), inputs.front()->rate};
+  std::unique_ptr<Runner> start() const override {
+    return std::make_unique<MemoryRunner>(Memory(shape_, parameters_), every_frame_);
   }
 
  private:
   MemoryParameters parameters_;
   bool every_frame_;
-  PortType type_;
+  std::vector<std::size_t> shape_;
 };
 
-class AccumulateModule : public MemoryModule, public SumOfFrames {
+class AccumulateModule : public MemoryModule {
  public:
   using Parameters = AccumulateParameters;
   explicit AccumulateModule(const Parameters& parameters)
@@ -115,50 +98,49 @@ class NumberCodeModule : public MappedModule {
   explicit NumberCodeModule(const Parameters& parameters) : parameters_(parameters) {}
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
-    if (auto valid = parameters_.validate(); !valid) return fail(std::move(valid.error()));
+    SOMATO_TRY_VOID(parameters_.validate());
     PortType type = inputs.front().type;
     type.sparse = false;
     if (type.size() == 1) type.shape.clear();
     type.shape.push_back(parameters_.bits);
-    shape_ = type.shape;
-    numbers_ = inputs.front().type.size();
     return checked_size(std::move(type), inputs.front().port);
   }
 
-  Result<Signal> map(std::span<const SignalView> inputs) const override {
+  Result<void> map(std::span<const SignalView> inputs, SignalBuffer& out,
+                   SignalBuffer& scratch) const override {
     const NumberCode code(parameters_);
-    std::vector<float> numbers(numbers_);
+    std::vector<float>& numbers = scratch.begin_dense(inputs.front().size);
     write_dense(inputs.front(), numbers);
-    std::vector<float> bits;
-    bits.reserve(numbers_ * code.bits());
+    std::span<float> bits = out.begin_dense(numbers.size() * code.bits());
     for (const float number : numbers) {
-      const auto coded = code.encode(number);
-      if (!coded) return fail(coded.error());
-      bits.insert(bits.end(), coded->values().begin(), coded->values().end());
+      SOMATO_TRY_VOID(code.encode(number, bits.first(code.bits())));
+      bits = bits.subspan(code.bits());
     }
-    return Signal::dense(shape_, std::move(bits));
+    return {};
   }
 
  private:
   Parameters parameters_;
-  std::vector<std::size_t> shape_;
-  std::size_t numbers_ = 0;
 };
 
 }  // namespace
 
+bool adds_frames(const Module& module) {
+  return dynamic_cast<const AccumulateModule*>(&module) != nullptr;
+}
+
 std::vector<ModuleType> memory_types() {
-  return {describe<AccumulateModule>(
-              "accumulate", "The sum of all frames of an exploration: the STM (P06 section 2.1).",
-              {input_port("Frames.")}, "The shape of a frame."),
-          describe<LeakyAccumulateModule>(
-              "leaky_accumulate",
-              "A leaky integrator over the frames of an exploration (P06 section 5).",
-              {input_port("Frames.")}, "The shape of a frame."),
-          describe<NumberCodeModule>(
-              "number_code", "Each number as so many binary digits (P11 section IV-C).",
-              {input_port("Numbers.")},
-              "The input's shape with an axis of digits added. A single number: the digits.")};
+  return {
+      describe<AccumulateModule>(
+          "accumulate", "The sum of all frames of an exploration: the STM (P06 section 2.1).",
+          {input_port("Frames.")}, "The shape of a frame."),
+      describe<LeakyAccumulateModule>(
+          "leaky_accumulate",
+          "A leaky integrator over the frames of an exploration (P06 section 5).",
+          {input_port("Frames.")}, "The shape of a frame."),
+      describe<NumberCodeModule>(
+          "number_code", "Binary code of each number (P11 section IV-C).", {input_port("Numbers.")},
+          "The input's shape with an axis of digits appended. For a single number: the digits.")};
 }
 
 }  // namespace somato::modules

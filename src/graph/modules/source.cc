@@ -7,21 +7,10 @@
 
 namespace somato {
 
-Result<SignalView> Stepper::advance(std::span<const SignalView> inputs) {
-  return step(inputs).map([this](Signal output) {
-    stepped_ = std::move(output);
-    return stepped_.view();
-  });
-}
-
-Result<Sequence> Source::run(std::span<const Sequence* const> /*inputs*/) const {
-  return fail(ErrorKind::kUsage, "a source has no inputs to run on");
-}
-
 namespace modules {
 namespace {
 
-/// What happens to an element that the sensor told nothing about.
+/// Treatment of a missing value of a sensor.
 enum class Invalid { kRefuse, kZero, kHold };
 
 }  // namespace
@@ -52,14 +41,14 @@ struct ChannelParameters {
     static const auto declared =
         Declarations<P>()
             .add("channel", &P::channel, "", Range::any(),
-                 "Name of the recording's channel. Has to be given.")
+                 "Name of the recording's channel. Required.")
             .add("shape", &P::shape, "", Range::between(1, 1 << 24),
-                 "Shape of a frame, which the recording must have; none: whatever it has.")
+                 "Shape of a frame, which the recording must have; empty: that of the recording.")
             .add("elements", &P::elements, "", Range::any(),
-                 "The elements to take, by name or by number from 1; none: all of them.")
+                 "Elements to select, by name or by number from 1; empty: all.")
             .add("invalid", &P::invalid, "", Range::any(),
-                 "What becomes of a value that the sensor did not give: an error, 0, or the last "
-                 "valid value before it (0 where there is none).");
+                 "Treatment of a value marked as invalid: an error, 0, or the preceding valid "
+                 "value (0 if there is none).");
     return declared;
   }
 };
@@ -76,8 +65,8 @@ Result<std::size_t> find_element(const ChannelLayout& channel, std::size_t eleme
   const bool is_number = read.ec == std::errc{} && read.ptr == name.data() + name.size();
   if (is_number && number >= 1 && number <= elements) return number - 1;
   if (!names.empty()) return fail(unknown_name("element", name, {}, names));
-  return fail(ErrorKind::kUsage, "there is no element '" + name + "'", {},
-              fmt::format("number the elements from 1 to {}", elements));
+  return fail(ErrorKind::kUsage, "unknown element '" + name + "'", {},
+              fmt::format("elements are numbered from 1 to {}", elements));
 }
 
 class ChannelModule : public Source {
@@ -93,52 +82,47 @@ class ChannelModule : public Source {
       known.push_back(channel.name);
     }
     if (parameters_.channel.empty()) {
-      return fail(
-          ErrorKind::kUsage, "it does not say which channel it is", {},
-          "add channel = \"...\"; the recording has: " + fmt::format("{}", fmt::join(known, ", ")));
+      return fail(ErrorKind::kUsage, "'channel' is missing", {},
+                  "add channel = \"...\"; the channels of the recording are: " +
+                      fmt::format("{}", fmt::join(known, ", ")));
     }
     return fail(unknown_name("channel", parameters_.channel, {}, known));
   }
 
   Result<PortType> connect(const std::vector<Connection>& /*inputs*/) override { return type_; }
 
-  Result<Sequence> read(const Exploration& exploration) const override {
-    Result<const Channel*> found = find_channel(exploration, parameters_.channel);
-    if (!found) return fail(std::move(found.error()));
-    const Channel& channel = **found;
-    if (channel.frames.columns() != source_elements_) {
-      return fail(ErrorKind::kData,
-                  fmt::format("channel '{}' has {} elements where the system takes {}",
-                              channel.name, channel.frames.columns(), source_elements_));
-    }
-    Matrix<float> values(channel.frames.rows(), elements_.size());
-    for (std::size_t frame = 0; frame < values.rows(); ++frame) {
-      if (auto taken = take(channel, frame, values); !taken) return fail(taken.error());
-    }
-    return Sequence{Samples(std::move(values)), channel.frame_rate()};
-  }
-
   const std::string& channel() const override { return parameters_.channel; }
   std::size_t channel_elements() const override { return source_elements_; }
 
-  void take(std::span<const float> frame, SignalBuffer& out) const override {
+  Result<void> read(const Channel& channel, std::size_t row, bool is_first,
+                    SignalBuffer& out) const override {
     std::vector<float>& values = out.begin_dense(elements_.size());
-    for (std::size_t i = 0; i < elements_.size(); ++i) values[i] = frame[elements_[i]];
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      const bool valid = channel.valid.empty() || channel.valid(row, elements_[i]) != 0;
+      if (!valid && parameters_.invalid == Invalid::kRefuse) {
+        return fail(ErrorKind::kData,
+                    fmt::format("channel '{}', frame {}, element {} is not valid", channel.name,
+                                row + 1, elements_[i] + 1),
+                    {}, R"(set 'invalid' of the module to "zero" or "hold")");
+      }
+      const bool hold = parameters_.invalid == Invalid::kHold && !is_first;
+      if (valid || !hold) values[i] = valid ? channel.frames(row, elements_[i]) : 0.0F;
+    }
+    return {};
   }
 
  private:
-  // Its own word is all there is.
+  // Uses only the module's own settings.
   Result<void> open_without_recording() {
     if (parameters_.channel.empty()) {
-      return fail(ErrorKind::kUsage, "it does not say which channel it is", {},
-                  "add channel = \"...\"");
+      return fail(ErrorKind::kUsage, "'channel' is missing", {}, "add channel = \"...\"");
     }
     if (parameters_.shape.empty()) {
-      return fail(ErrorKind::kUsage, "without a recording its shape is unknown", {},
-                  "give a recording with --data, or write shape = [...]");
+      return fail(ErrorKind::kUsage, "its shape is unknown without a recording", {},
+                  "use --data with a recording, or write shape = [...]");
     }
     ChannelLayout channel{parameters_.channel, {}, parameters_.shape, {}, "the recording"};
-    // Whatever names its elements have: only their number is asked for.
+    // The names of its elements are irrelevant; only their number is used.
     channel.element_names = parameters_.elements;
     return open(channel);
   }
@@ -149,37 +133,19 @@ class ChannelModule : public Source {
           ErrorKind::kUsage,
           fmt::format("channel '{}' has the shape {} in the recording, not {}", channel.name,
                       fmt::join(channel.shape, " x "), fmt::join(parameters_.shape, " x ")),
-          {}, "correct 'shape', or leave it out");
+          {}, "correct 'shape', or remove it");
     }
     type_ = {Rate::kFrame, channel.shape, false, channel.clock};
-    if (auto possible = checked_size(type_, {}); !possible) return fail(possible.error());
+    SOMATO_TRY_VOID(checked_size(type_, {}));
     source_elements_ = type_.size();
     for (std::size_t i = 0; parameters_.elements.empty() && i < source_elements_; ++i) {
       elements_.push_back(i);
     }
     for (const std::string& name : parameters_.elements) {
-      const Result<std::size_t> element = find_element(channel, source_elements_, name);
-      if (!element) return fail(element.error());
-      elements_.push_back(*element);
+      SOMATO_TRY(const std::size_t element, find_element(channel, source_elements_, name));
+      elements_.push_back(element);
     }
     if (!parameters_.elements.empty()) type_.shape = {elements_.size()};
-    return {};
-  }
-
-  Result<void> take(const Channel& channel, std::size_t frame, Matrix<float>& values) const {
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      const bool valid = channel.valid.empty() || channel.valid(frame, elements_[i]) != 0;
-      values(frame, i) = channel.frames(frame, elements_[i]);
-      if (valid) continue;
-      if (parameters_.invalid == Invalid::kRefuse) {
-        return fail(ErrorKind::kData,
-                    fmt::format("channel '{}', frame {}, element {} is not valid", channel.name,
-                                frame + 1, elements_[i] + 1),
-                    {}, R"(set 'invalid' of the module to "zero" or "hold")");
-      }
-      const bool hold = parameters_.invalid == Invalid::kHold && frame > 0;
-      values(frame, i) = hold ? values(frame - 1, i) : 0.0F;
-    }
     return {};
   }
 
@@ -193,7 +159,7 @@ class ChannelModule : public Source {
 
 std::vector<ModuleType> source_types() {
   return {describe<ChannelModule>("channel", "A channel of the recording.", {},
-                                  "Every frame of the channel, or those elements of it.")};
+                                  "Every frame of the channel, or the selected elements of it.")};
 }
 
 }  // namespace modules

@@ -1,27 +1,16 @@
 #pragma once
 
+#include <optional>
+
 #include "somato/codes/normalization.h"
+#include "somato/graph/module.h"
 
 namespace somato::modules {
 
-/// A module that a reading which follows the sum of frames may stand for.
-class Followed {
- public:
-  Followed() = default;
-  Followed(const Followed&) = delete;
-  Followed(Followed&&) = delete;
-  Followed& operator=(const Followed&) = delete;
-  Followed& operator=(Followed&&) = delete;
-  virtual ~Followed() = default;
-};
+/// Whether the module gives the sum of all frames so far.
+bool adds_frames(const Module& module);
 
-/// Gives the sum of all frames so far, nothing forgotten.
-class SumOfFrames : public Followed {};
-
-/// Gives its input divided by a norm.
-class DividedByNorm : public Followed {
- public:
-  virtual Norm norm() const = 0;
-};
+/// The norm by which the module divides its input; nothing for any other module.
+std::optional<Norm> norm_divided_by(const Module& module);
 
 }  // namespace somato::modules

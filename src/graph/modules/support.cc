@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/memory.h"
 #include "somato/core/check.h"
 
 namespace somato::modules {
@@ -10,20 +11,17 @@ namespace {
 constexpr std::size_t kMostElements = (std::size_t{1} << 32) - 1;
 constexpr std::size_t kMostDenseElements = std::size_t{1} << 26;
 
-class MappedStepper : public Stepper {
+class MappedRunner : public Runner {
  public:
-  explicit MappedStepper(const MappedModule& module) : module_(module) {}
+  explicit MappedRunner(const MappedModule& module) : module_(module) {}
 
-  Result<Signal> step(std::span<const SignalView> inputs) override { return module_.map(inputs); }
-
-  Result<SignalView> advance(std::span<const SignalView> inputs) override {
-    if (auto written = module_.write(inputs, room_); !written) return fail(written.error());
-    return room_.output.view();
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& out) override {
+    return module_.map(inputs, out, scratch_);
   }
 
  private:
   const MappedModule& module_;
-  MappedModule::Room room_;
+  SignalBuffer scratch_;
 };
 
 }  // namespace
@@ -35,8 +33,8 @@ const Declarations<NoParameters>& NoParameters::declarations() {
 
 Result<void> expect_frames(const Connection& input) {
   if (input.type.rate == Rate::kFrame) return {};
-  return fail(ErrorKind::kUsage, "it takes frames, but what comes in is one value an exploration",
-              input.port, "connect it before the frames are put together");
+  return fail(ErrorKind::kUsage, "it requires frames, but its input has one value per exploration",
+              input.port, "connect it before the frames are combined");
 }
 
 PortType once(PortType type) {
@@ -50,14 +48,14 @@ Result<void> expect_together(const std::vector<Connection>& inputs) {
   for (const Connection& input : inputs) {
     if (input.type.rate != first.rate) {
       return fail(ErrorKind::kUsage,
-                  "one input comes with every frame and another once an exploration", input.port,
-                  "put the frames together first, as with 'last' or 'accumulate'");
+                  "one input has a value per frame and another one per exploration", input.port,
+                  "combine the frames first, for example with 'last' or 'accumulate'");
     }
     if (input.type.clock != first.clock) {
       return fail(ErrorKind::kUsage,
-                  fmt::format("the frames of '{}' and of '{}' are not taken together", first.clock,
-                              input.type.clock),
-                  input.port, "bring each to one value an exploration first");
+                  fmt::format("the frames of '{}' and of '{}' are not recorded together",
+                              first.clock, input.type.clock),
+                  input.port, "reduce each to one value per exploration first");
     }
   }
   return {};
@@ -66,25 +64,24 @@ Result<void> expect_together(const std::vector<Connection>& inputs) {
 Result<PortType> checked_size(PortType type, const std::string& port) {
   const std::size_t most = type.sparse ? kMostElements : kMostDenseElements;
   if (type.size() == 0) {
-    return fail(ErrorKind::kUsage, "its output would have no elements", port);
+    return fail(ErrorKind::kUsage, "its output has no elements", port);
   }
   if (type.size() <= most) return type;
   return fail(ErrorKind::kUsage,
-              fmt::format("its output of {} elements would have more than {}",
+              fmt::format("its output of {} elements exceeds the maximum of {}",
                           fmt::join(type.shape, " x "), most),
-              port, "give fewer elements to what comes in");
+              port, "reduce the number of elements of its input");
 }
 
-Result<std::size_t> common_count(std::span<const Sequence* const> inputs) {
-  const std::size_t count = inputs.front()->values.count();
-  for (const Sequence* input : inputs) {
-    if (input->values.count() == count) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("{} frames come in at one port and {} at another", count,
-                            input->values.count()),
-                {}, "record the channels together, frame by frame");
-  }
-  return count;
+Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::string& port) {
+  const double needed =
+      static_cast<double>(neurons) * static_cast<double>(elements) * sizeof(float);
+  const auto there = static_cast<double>(memory_of_machine());
+  if (needed <= there) return {};
+  return fail(ErrorKind::kUsage,
+              fmt::format("{} neurons with {} elements need {} of memory, and this machine has {}",
+                          neurons, elements, memory_text(needed), memory_text(there)),
+              port, "use fewer neurons or elements");
 }
 
 Matrix<float> dense_rows(const Sequence& sequence) {
@@ -97,51 +94,17 @@ Sequence single(Signal signal, double rate) {
   return {Samples::from_signals({std::move(signal)}), rate};
 }
 
-Result<Sequence> SteppedModule::run(std::span<const Sequence* const> inputs) const {
-  const Result<std::size_t> count = common_count(inputs);
-  if (!count) return fail(count.error());
-  const std::unique_ptr<Stepper> stepper = start();
-  std::vector<SignalView> views(inputs.size());
-  std::vector<Signal> outputs;
-  outputs.reserve(*count);
-  for (std::size_t frame = 0; frame < *count; ++frame) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) views[i] = inputs[i]->values[frame];
-    Result<Signal> output = stepper->step(views);
-    if (!output) {
-      output.error().what += fmt::format(" (frame {})", frame + 1);
-      return fail(std::move(output.error()));
-    }
-    outputs.push_back(std::move(*output));
-  }
-  return Sequence{Samples::from_signals(outputs), inputs.front()->rate};
-}
-
-std::unique_ptr<Stepper> MappedModule::start() const {
-  return std::make_unique<MappedStepper>(*this);
-}
-
-Result<void> MappedModule::write(std::span<const SignalView> inputs, Room& room) const {
-  const Result<Signal> output = map(inputs);
-  if (!output) return fail(output.error());
-  room.output.assign(output->view());
-  return {};
-}
-
-Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape) {
-  std::vector<float> values(view.values.begin(), view.values.end());
-  if (!view.sparse) return Signal::dense(shape, std::move(values));
-  return Signal::sparse(shape, {view.indices.begin(), view.indices.end()}, std::move(values));
+std::unique_ptr<Runner> MappedModule::start() const {
+  return std::make_unique<MappedRunner>(*this);
 }
 
 Samples all_values(const TrainingInputs& explorations) {
-  std::vector<Signal> signals;
+  SampleCollector all;
   for (const auto& ports : explorations) {
     const Samples& values = ports.front()->values;
-    for (std::size_t i = 0; i < values.count(); ++i) {
-      signals.push_back(copy_of(values[i], {values.size()}));
-    }
+    for (std::size_t i = 0; i < values.count(); ++i) all.add(values[i]);
   }
-  return Samples::from_signals(signals);
+  return all.samples();
 }
 
 InputPort input_port(std::string text) {

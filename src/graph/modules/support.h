@@ -18,7 +18,7 @@ struct NoParameters {
 /// Refuses values that come once an exploration where frames are needed.
 Result<void> expect_frames(const Connection& input);
 
-/// A frame port as it is once an exploration; the clock is gone.
+/// The type of a frame port after reduction to one value per exploration; it has no clock.
 PortType once(PortType type);
 
 /// Refuses inputs that do not come together: of another rate, or frames of other channels.
@@ -27,41 +27,32 @@ Result<void> expect_together(const std::vector<Connection>& inputs);
 /// Refuses a size that no machine could hold, with the port of the input at fault.
 Result<PortType> checked_size(PortType type, const std::string& port);
 
-/// The number of values of the inputs, which must all have as many. Errors: kData.
-Result<std::size_t> common_count(std::span<const Sequence* const> inputs);
+/// Refuses weights that exceed the machine's memory before allocation: on a system that overcommits
+/// memory, the program would otherwise be killed later without a message.
+Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::string& port);
 
-/// All values of a sequence, a row each, zeros written out.
+/// All values of a sequence, one per row, including zeros.
 Matrix<float> dense_rows(const Sequence& sequence);
 
 /// A sequence of a single value.
 Sequence single(Signal signal, double rate = 0.0);
 
-/// A module that turns its inputs into its output frame by frame; see Module::start().
-class SteppedModule : public Module {
+/// A module that needs explorations as a whole.
+class WholeModule : public Module {
  public:
-  bool is_stepped() const final { return true; }
-  Result<Sequence> run(std::span<const Sequence* const> inputs) const final;
+  bool is_stepped() const final { return false; }
 };
 
-/// A module whose output depends on the present input alone: whatever the rate, value by value.
-class MappedModule : public SteppedModule {
+/// A stepped module whose output depends only on the present input, for any rate.
+class MappedModule : public Module {
  public:
-  std::unique_ptr<Stepper> start() const override;
+  std::unique_ptr<Runner> start() const final;
 
-  /// The output for one value of each input. Errors: kData.
-  virtual Result<Signal> map(std::span<const SignalView> inputs) const = 0;
-
-  /// The same, flat, into `room.output`; for modules that run live, without allocation once the
-  /// room has grown.
-  struct Room {
-    SignalBuffer output;
-    SignalBuffer scratch;
-  };
-  virtual Result<void> write(std::span<const SignalView> inputs, Room& room) const;
+  /// Writes the output for one value of each input to `out`; `scratch` is memory to use on the way.
+  /// Errors: kData.
+  virtual Result<void> map(std::span<const SignalView> inputs, SignalBuffer& out,
+                           SignalBuffer& scratch) const = 0;
 };
-
-/// A signal of that shape from a view.
-Signal copy_of(const SignalView& view, const std::vector<std::size_t>& shape);
 
 /// Everything that comes in at the first port, of all explorations one after the other.
 Samples all_values(const TrainingInputs& explorations);
@@ -95,6 +86,8 @@ std::vector<ModuleType> frame_types();
 std::vector<ModuleType> feature_types();
 std::vector<ModuleType> memory_types();
 std::vector<ModuleType> scaling_types();
-std::vector<ModuleType> map_types();
+std::vector<ModuleType> som_types();
+std::vector<ModuleType> t_mpsom_types();
+std::vector<ModuleType> winner_types();
 
 }  // namespace somato::modules

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "somato/simulation/engine.h"
+#include "somato/simulation/simulated_explorer.h"
 
 int main() {
   const auto engine = somato::physics_engine();

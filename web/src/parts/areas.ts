@@ -1,11 +1,12 @@
-// The areas of the classes on a map, as docs/reference/results.md says: a neuron belongs to the
-// class of the winner nearest to it; among winners equally near to the class with most samples at
+// The areas of the classes on a map, defined in docs/reference/results.md: a neuron belongs to the
+// class of the winner nearest to it; among equally near winners to the class with most samples at
 // them, then to the class that comes first.
 
 import type { GridData } from "./data";
 import { neuronCount, squaredDistance } from "./grid";
 
-/** winners[i] won the sample of class classes[i]. The class of each neuron; null without samples. */
+/** The class of each neuron, where winners[i] is the winner of a sample of class classes[i]; null
+ * without samples. */
 export function areasOf(
   grid: GridData,
   winners: readonly number[],
@@ -17,7 +18,7 @@ export function areasOf(
   return areas;
 }
 
-/** For each neuron that won, how many samples of each class. */
+/** For each winner the number of samples of each class. */
 export function wonBy(
   winners: readonly number[],
   classes: readonly number[],

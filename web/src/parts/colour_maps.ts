@@ -1,7 +1,7 @@
-// Colours that stand for numbers and for classes, told apart by people who see colours differently.
+// Colours for numbers and classes that can be distinguished with colour vision deficiency.
 //
 //   sequenceColour(share)   0 dark blue to 1 light yellow: lightness rises evenly
-//   divergingColour(share)  0 blue, 0.5 light grey, 1 brown: for numbers on both sides of one
+//   divergingColour(share)  0 blue, 0.5 light grey, 1 brown: for numbers on both sides of a centre
 //   classColour(number)     a CSS colour that goes with the theme, for SVG and HTML
 //   classHex(number)        the same as "#rrggbb" in the light theme, for WebGL
 //
@@ -21,7 +21,8 @@ export const kSequence: readonly Colour[] = [
   [0xff, 0xef, 0x8c],
 ];
 
-// Lightness rises to the middle and falls again in even steps; blue and brown differ for everyone.
+// Lightness rises to the middle and falls again in even steps; blue and brown are distinguishable
+// with colour vision deficiency.
 const kDiverging: readonly Colour[] = [
   [0x0b, 0x3c, 0x6f],
   [0x2f, 0x68, 0x9c],

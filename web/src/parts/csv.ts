@@ -1,6 +1,6 @@
-// Tables as CSV (RFC 4180): a field with a comma, a quote or a line break is put in quotes. A text
-// that a spreadsheet would take for a formula gets an apostrophe before it, because names come from
-// recordings of others.
+// Tables as CSV (RFC 4180): a field with a comma, a quote or a line break is quoted. A text that a
+// spreadsheet would interpret as a formula is prefixed by an apostrophe, because names are untrusted
+// input.
 
 export type Cell = string | number | null;
 

@@ -1,6 +1,15 @@
-// What the report and the view are told in the same way. Numbers are in the unit that stands beside
-// them; neurons are numbered row after row from 0.
+// Made from web/schema/parts.json by scripts/page_types.py; change the schema.
+//
+// Data types shared by the report and the view. Numbers are in the accompanying unit; neurons are
+// numbered row by row from 0.
 
+/** A number, or null for NaN and infinity, which JSON does not support. */
+export type NumberOrNull = number | null;
+
+/** The labels of an exploration: name to value, such as "object" to "boule". */
+export type Labels = Record<string, string>;
+
+/** The grid of a map. */
 export interface GridData {
   rows: number;
   columns: number;
@@ -8,64 +17,95 @@ export interface GridData {
   topology: "plane" | "torus";
 }
 
-/** A module of a system, as its TOML says and as it was built. */
+/** For each neuron the index of its class in `classes`; null for a neuron without a class. */
+export type NeuronClasses = (number | null)[];
+
+/** The module that is connected to an input port. */
+export interface ModuleInput {
+  port: string;
+  module: string;
+}
+
+/** A module of a system, from its TOML and as built. */
 export interface ModuleData {
   name: string;
-  type: string; // as in docs/reference/modules.md, such as "tensor_product"
-  text: string; // what a module of that type does, one line
-  inputs: { port: string; module: string }[];
-  shape: number[]; // of one value; [] for a single number
+  /** As in docs/reference/modules.md, such as "tensor_product". */
+  type: string;
+  /** One line about modules of that type. */
+  text: string;
+  inputs: ModuleInput[];
+  /** Of one output value; [] for a single number. */
+  shape: number[];
   sparse: boolean;
   rate: "frame" | "exploration";
   learns: boolean;
-  channel?: string; // of type "channel": the channel it takes
-  parameters: Record<string, string>; // name to value, as TOML writes it
-  // Parameters whose text says that no paper gives them.
+  /** For the type "channel": its channel. */
+  channel?: string;
+  /** Name to value, in TOML notation. */
+  parameters: Record<string, string>;
+  /** Names of the parameters that the papers do not give, according to their text. */
   not_given: string[];
 }
 
-export interface GraphData {
-  modules: ModuleData[];
-  map: string; // the module that answers
-  phases: { learn: string[]; draws: number | null; of: "frames" | "explorations" }[];
+/** A training phase. */
+export interface PhaseData {
+  /** Names of modules. */
+  learn: string[];
+  /** Number of training samples drawn; null: the default of the module. */
+  draws: number | null;
+  of: "frames" | "explorations";
 }
 
+/** The modules of a system, in the order of its description. */
+export interface GraphData {
+  modules: ModuleData[];
+  /** Name of the output map. */
+  map: string;
+  phases: PhaseData[];
+}
+
+/** A channel of a recording. */
 export interface ChannelData {
   name: string;
+  /** Of its values; "" without one. */
   unit: string;
-  elements: string[]; // names; "1", "2", ... where nobody named them
+  /** Names of the elements; "1", "2", ... by default. */
+  elements: string[];
+  /** Of a frame. */
   shape: number[];
 }
 
-/** Something that was explored, for its picture. Sizes in mm. */
+/** An explored object or material, for its picture. */
 export interface ThingData {
   name: string;
-  shape: "sphere" | "cylinder" | "block" | "cone" | "ellipsoid" | "capsule" | "mesh" | null;
-  size: [number, number, number] | null; // width, depth, height
+  /**
+   * sphere, cylinder, block, cone, ellipsoid, capsule, mesh, or another label of a recording; null
+   * for a material.
+   */
+  shape: string | null;
+  /** Width, depth and height in mm. */
+  size: [number, number, number] | null;
+  /** Of a cone, in mm. */
   top_diameter: number;
+  /** "" if unknown. */
   material: string;
+  /** "" if unknown. */
   hardness: string;
-  colour: [number, number, number] | null; // 0 to 1
-  mass: number | null; // kg
+  /** Red, green and blue, 0 to 1; only for display. */
+  colour: [number, number, number] | null;
+  /** In kg. */
+  mass: number | null;
 }
 
-/** For each neuron what its weights stand for at the elements of a channel (or of a module, where the
- * way back ends before one): the weights summed over everything else that they are crossed with; of
- * one-hot codes the mean of the bins. values[neuron][element]. */
+/**
+ * The weights of each neuron projected onto the elements of a channel (or of a module at which the
+ * projection ends): summed over the other factors of tensor products; for one-hot codes the mean of
+ * the bins.
+ */
 export interface ChannelPlanes {
   channel: ChannelData;
-  unit: string; // of the values; "" for weights without one
-  values: (number | null)[][]; // null where the weights say nothing
-}
-
-/** From which elements of its input a T-MPSOM's neurons hear. weights[neuron][element]; where there
- * are more than `limit` numbers only every so-and-so-manieth neuron stands there. */
-export interface ReceptiveFields {
-  module: string;
-  shape: [number, number]; // neurons along either axis
-  input: string; // the module that comes in
-  axis: 0 | 1; // along which axis of the neurons the input lies
-  elements: number;
-  neurons: number[]; // the numbers of those that follow
-  weights: number[][];
+  /** Of the values; "" for weights without one. */
+  unit: string;
+  /** values[neuron][element]; null where the weights determine no value. */
+  values: NumberOrNull[][];
 }

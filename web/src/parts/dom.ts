@@ -1,6 +1,6 @@
-// Makes elements of the page: element("p", { class: "note" }, ["text"]). Children that are strings
+// Creates elements of the page: element("p", { class: "note" }, ["text"]). Children that are strings
 // become text, never markup. An attribute that is a function is a listener: { onclick: run }; true
-// stands for an attribute without a value, false and null for none. Styles are set through the
+// means an attribute without a value, false and null mean none. Styles are set through the
 // object model, which a strict content security policy allows.
 
 export type Child = Node | string | null;
@@ -31,13 +31,13 @@ export function append(to: Node, children: Child[]): void {
   }
 }
 
-/** Puts `children` in place of what is there. */
+/** Replaces the content by `children`. */
 export function fill(to: Element, children: Child[]): void {
   to.replaceChildren();
   append(to, children);
 }
 
-/** A name that may go on in the next line after each underscore. */
+/** A name that may be wrapped after each underscore. */
 export function breakable(name: string): Child[] {
   return name
     .split(/(?<=[_/])/)
@@ -46,7 +46,7 @@ export function breakable(name: string): Child[] {
 
 let lastNumber = 0;
 
-/** A name that no other element of the page has as its id. */
+/** An id that is unique on the page. */
 export function uniqueId(stem: string): string {
   lastNumber += 1;
   return `${stem}-${lastNumber}`;

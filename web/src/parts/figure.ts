@@ -1,11 +1,10 @@
-// A figure: a title, what is shown, and buttons that save it as SVG and PNG and the numbers behind
-// it as CSV.
+// A figure: a title, a body, and buttons that save it as SVG and PNG and its data as CSV.
 //
 //   const shown = figure({ title: "U-matrix", file: "system-u-matrix", body: picture.element,
 //                          picture: () => picture.svg, numbers: () => table });
 //
-// `picture` and `numbers` are asked when a button is pressed, so they tell what is shown then. A
-// figure without a picture (a table) offers CSV alone.
+// `picture` and `numbers` are called when a button is pressed, so they return the current content.
+// A figure without a picture (a table) offers only CSV.
 
 import { csv, type Table } from "./csv";
 import { element, type Child } from "./dom";
@@ -36,6 +35,11 @@ export function figure(options: FigureOptions): HTMLElement {
     options.body,
     note,
   ]);
+}
+
+/** A table in a place that scrolls sideways where the table is too wide. */
+export function scrolled(label: string, table: HTMLTableElement): HTMLElement {
+  return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
 }
 
 function saveButtons(options: FigureOptions): HTMLElement {
@@ -80,7 +84,7 @@ async function saveCsv(name: string, table: Table): Promise<void> {
   saveFile(`${name}.csv`, new Blob([csv(table)], { type: "text/csv" }));
 }
 
-/** A name that every file system takes. */
+/** A name that is valid on every file system. */
 export function fileName(words: string): string {
   const name = words.replaceAll(/[^\p{L}\p{N}._-]+/gu, "-").replaceAll(/^[-.]+|[-.]+$/g, "");
   return [...name].slice(0, 80).join("") || "figure";

@@ -1,4 +1,4 @@
-// Lays out a graph of modules in layers from left to right. What closes a loop goes backwards.
+// Lays out a graph of modules in layers from left to right. The links that close a loop go backwards.
 
 import type { ModuleData } from "./data";
 
@@ -42,7 +42,7 @@ function linksOf(modules: readonly ModuleData[]): Link[] {
   );
 }
 
-/** A loop is cut where it enters a delay; where there is none, where a walk meets itself. */
+/** A loop is cut at the input of a delay; without a delay, where a traversal meets itself. */
 function markBack(links: Link[], modules: readonly ModuleData[]): Link[] {
   for (const link of links) {
     const isDelay = modules[link.to]?.type.includes("delay") ?? false;
@@ -70,7 +70,7 @@ function reaches(links: Link[], from: number, to: number): boolean {
   return seen.has(to);
 }
 
-/** The longest way from a source; a source stands right before what it goes to. */
+/** The longest path from a source; a source is placed directly before its targets. */
 function layersOf(count: number, links: Link[]): number[] {
   const layers = new Array<number>(count).fill(0);
   const ahead = links.filter((link) => !link.isBack);
@@ -88,7 +88,7 @@ interface Station {
   after: Station[];
 }
 
-/** A station for each module, and one for each layer that a link passes through. */
+/** A node for each module, and one for each layer that a link passes through. */
 function withBends(layers: number[], links: Link[]): Station[] {
   const made = (layer: number, link: Link | null): Station => ({
     layer,
@@ -119,7 +119,7 @@ function join(one: Station, other: Station): void {
 
 const kSweeps = 12;
 
-/** Nodes of each layer, ordered so that links cross little: by the mean place of their neighbours. */
+/** Nodes of each layer, ordered by the mean position of their neighbours to reduce crossings. */
 function orderedLayers(nodes: Station[]): Station[][] {
   const count = Math.max(0, ...nodes.map((node) => node.layer)) + 1;
   const order = Array.from({ length: count }, (_, layer) => nodes.filter((node) => node.layer === layer));
@@ -153,7 +153,7 @@ function place(nodes: Station[], order: Station[][]): void {
 
 function spread(layer: Station[]): void {
   const wanted = layer.map((node) => meanRow([...node.before, ...node.after], node.row));
-  // Neighbours that want the same place share it about its middle.
+  // Neighbours with the same desired position are centred about it.
   const groups: { from: number; size: number; sum: number }[] = [];
   wanted.forEach((row, i) => {
     groups.push({ from: i, size: 1, sum: row });
@@ -171,6 +171,6 @@ function spread(layer: Station[]): void {
 
 type Group = { from: number; size: number; sum: number };
 
-// `sum` is that of the rows wanted, each less its place in the group.
+// `sum` is that of the desired rows, each minus its position in the group.
 const startOf = (group: Group) => group.sum / group.size;
 const overlaps = (one: Group, other: Group) => startOf(one) + one.size > startOf(other);

@@ -1,9 +1,9 @@
-// The graph of a system's modules, from sensors at the left to the map at the right.
+// The graph of a system's modules, from the sensors on the left to the map on the right.
 //
 //   const picture = graphPicture(graph, (module) => show(module));
 //
-// Every module is a button that is pressed to tell more about it. picture.mark(name, words) puts a
-// short text below a module's name, such as what goes through it now.
+// Every module is a button that shows its details. picture.mark(name, words) sets a
+// short text below a module's name, such as its current output.
 
 import type { GraphData, ModuleData } from "./data";
 import { graphLayout, type GraphLayout } from "./graph_layout";
@@ -26,7 +26,7 @@ interface Sizes {
   step: number; // from layer to layer
 }
 
-/** Generous where there is room for it. */
+/** Wide spacing if there is space. */
 function sizesFor(layers: number): Sizes {
   const box = layers > 5 ? 114 : 138;
   const step = (kRoom - box) / Math.max(1, layers - 1);
@@ -68,7 +68,7 @@ function placeOf(layout: GraphLayout, module: number, { step }: Sizes): Place {
   return { x: (layout.layers[module] ?? 0) * step, y: (layout.rows[module] ?? 0) * kRowStep };
 }
 
-/** What a module is for: "sense", "code", "learn" or "answer". */
+/** The role of a module: "sense", "code", "learn" or "answer". */
 export function kindOf(graph: GraphData, module: ModuleData): string {
   if (module.name === graph.map) return "answer";
   if (module.learns) return "learn";
@@ -161,7 +161,7 @@ function curveTo(from: Place, to: Place): string {
   return `C${middle} ${rounded(from.y)} ${middle} ${rounded(to.y)} ${rounded(to.x)} ${rounded(to.y)}`;
 }
 
-/** Below everything and back. */
+/** A path below all nodes and back. */
 function loopPath(layout: GraphLayout, start: Place, end: Place, number: number): string {
   const below = rounded((layout.rowCount - 1) * kRowStep + kBoxHeight + 12 + number * 16);
   const out = 11 + number * 3;

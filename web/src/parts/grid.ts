@@ -1,7 +1,8 @@
-// Where the neurons of a map lie, and which are neighbours. Lengths are in widths of a cell. On a
-// hexagonal lattice odd rows are shifted right by a half; on a torus opposite edges touch.
+// Positions and neighbours of the neurons of a map. Lengths are in cell widths. On a
+// hexagonal lattice odd rows are shifted right by a half; on a torus opposite edges are connected.
 
 import type { GridData } from "./data";
+import { rounded } from "./svg";
 
 export type Point = readonly [number, number];
 
@@ -47,12 +48,12 @@ export function cornersOf(grid: GridData, neuron: number): Point[] {
   return (isHexagonal(grid) ? kHexagon : kSquare).map(([dx, dy]) => [x + dx, y + dy]);
 }
 
-/** "row 3, column 4": counted from 1, as everywhere that a person reads. */
+/** "row 3, column 4", counted from 1 as in all texts for users. */
 export function placeOf(grid: GridData, neuron: number): string {
   return `row ${rowOf(grid, neuron) + 1}, column ${columnOf(grid, neuron) + 1}`;
 }
 
-/** The square of the distance between two neurons, on a torus the shortest way around. */
+/** The squared distance between two neurons, on a torus the shortest one. */
 export function squaredDistance(grid: GridData, one: number, other: number): number {
   const [ax, ay] = centreOf(grid, one);
   const [bx, by] = centreOf(grid, other);
@@ -66,7 +67,8 @@ function around(difference: number, length: number): number {
   return Math.min(apart, length - apart);
 }
 
-/** The neuron one step up, down, left or right, or itself at an edge; on a torus beyond it. */
+/** The neuron one step up, down, left or right, or itself at an edge; on a torus that of the
+ * opposite edge. */
 export function stepFrom(grid: GridData, neuron: number, rows: number, columns: number): number {
   const row = moved(rowOf(grid, neuron) + rows, grid.rows, grid.topology);
   const column = moved(columnOf(grid, neuron) + columns, grid.columns, grid.topology);
@@ -76,6 +78,17 @@ export function stepFrom(grid: GridData, neuron: number, rows: number, columns: 
 function moved(to: number, size: number, topology: GridData["topology"]): number {
   if (topology === "torus") return (to + size) % size;
   return Math.min(size - 1, Math.max(0, to));
+}
+
+// A map as pixels has two for each neuron, side by side, so that odd rows of a hexagonal map can be
+// shifted by one.
+const pixelShift = (grid: GridData) => (isHexagonal(grid) && grid.rows > 1 ? 1 : 0);
+export const pixelColumns = (grid: GridData) => 2 * grid.columns + pixelShift(grid);
+
+/** The neuron at pixel x of a row; null beside the map. */
+export function neuronAtPixel(grid: GridData, x: number, row: number): number | null {
+  const column = Math.floor((x - (row % 2) * pixelShift(grid)) / 2);
+  return column < 0 || column >= grid.columns ? null : row * grid.columns + column;
 }
 
 export interface Edge {
@@ -113,8 +126,8 @@ function addEdge(seen: Sides, edge: Edge, area: number | null): void {
   else Object.assign(other, { paired: true, differs: other.area !== area });
 }
 
-/** Edges as one SVG path, `scale` pixels a cell. */
+/** Edges as one SVG path, `scale` pixels per cell. */
 export function edgesPath(edges: readonly Edge[], scale: number): string {
-  const at = ([x, y]: Point) => `${Math.round(x * scale * 100) / 100} ${Math.round(y * scale * 100) / 100}`;
+  const at = ([x, y]: Point) => `${rounded(x * scale)} ${rounded(y * scale)}`;
   return edges.map(({ from, to }) => `M${at(from)}L${at(to)}`).join("");
 }

@@ -1,14 +1,9 @@
-// Where the elements of a channel lie on an unfolded hand, from their names alone:
-// "finger1_proximal_3" is the third element of the proximal segment of finger1. Fingers stand side
+// Positions of the elements of a channel on an unfolded hand, derived from their names:
+// "finger1_proximal_3" is the third element of the proximal segment of finger1. Fingers are side
 // by side, distal above proximal, elements in rows as in models/lucs_haptic_hand_2.xml and _3.xml
 // (the lower the number, the nearer to the palm). Lengths are in distances between elements.
 
-export interface Box {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
+import type { Box } from "./svg";
 
 export interface HandLayout {
   width: number;
@@ -30,7 +25,7 @@ const kPad = 0.28;
 const kBetweenSegments = 0.2;
 const kBetweenFingers = 0.75;
 
-/** Null where the names do not tell of a hand. */
+/** Null if the names do not describe a hand. */
 export function handLayout(elements: readonly string[]): HandLayout | null {
   const parts = elements.map(partOf);
   if (elements.length < 2 || parts.some((part) => part === null)) return null;
@@ -65,7 +60,7 @@ interface Segment {
   rows: Part[][];
 }
 
-/** In the order of their names, a thumb first. */
+/** Sorted by name, with the thumb first. */
 function fingersOf(parts: Part[]): string[] {
   const names = [...new Set(parts.map((part) => part.finger))];
   return [...names.filter((name) => name === "thumb"), ...names.filter((name) => name !== "thumb")];
@@ -126,7 +121,7 @@ function placeRow(layout: HandLayout, row: Part[], middle: number, y: number): v
   });
 }
 
-/** Elements without such names, in a grid by the shape of their channel: axes of length 1 are none. */
+/** Elements without such names, in a grid by the shape of their channel without axes of length 1. */
 export function gridLayout(count: number, shape: readonly number[]): HandLayout {
   const axes = shape.filter((length) => length > 1);
   const columns = Math.max(

@@ -1,19 +1,18 @@
-// A picture of what the elements of a channel tell: on an unfolded hand where their names say where
-// they are (hand_layout.ts), else in a grid.
+// A picture of the values of a channel: on an unfolded hand if the names give the positions
+// (hand_layout.ts), otherwise in a grid.
 //
 //   const picture = handMap(channel, { label: "Touch", unit: "N", onChoose: show });
-//   picture.setValues(values, [0, 5]);   // cheap: only elements that change are touched
+//   picture.setValues(values, [0, 5]);   // cheap: only changed elements are updated
 
 import type { ChannelData } from "./data";
 import { sequenceColour } from "./colour_maps";
-import { element } from "./dom";
 import { gridLayout, handLayout, type HandLayout } from "./hand_layout";
 import { colourBar } from "./legend";
-import { attachCursor, type CursorOptions, type CursorPlace } from "./map_cursor";
+import { cellPicture, type CellPicture, type CursorOptions, type CursorPlace } from "./map_cursor";
 import { markerPath } from "./markers";
-import { rangeOf, readable } from "./numbers";
+import { rangeOf, readable, withUnit } from "./numbers";
 import { painter } from "./painter";
-import { rounded, shape, svg, text } from "./svg";
+import { rounded, shape, svg, text, type Box } from "./svg";
 
 export interface HandOptions extends CursorOptions {
   unit?: string;
@@ -21,12 +20,9 @@ export interface HandOptions extends CursorOptions {
   colour?: (share: number) => string;
 }
 
-export interface HandPicture {
-  element: HTMLElement;
-  svg: SVGSVGElement;
+export interface HandPicture extends CellPicture {
   isHand: boolean;
   setValues(values: readonly (number | null)[], range?: readonly [number, number]): void;
-  select(element: number | null): void;
 }
 
 export function handMap(channel: ChannelData, options: HandOptions): HandPicture {
@@ -34,23 +30,20 @@ export function handMap(channel: ChannelData, options: HandOptions): HandPicture
   const layout = hand ?? gridLayout(channel.elements.length, channel.shape);
   const colour = options.colour ?? sequenceColour;
   const drawn = draw(layout, options, colour, hand !== null);
-  const readout = element("output", { class: "readout", "aria-live": "polite" });
   let shown: readonly (number | null)[] = [];
   const tell = (i: number) =>
-    `${channel.elements[i] ?? ""}: ${readable(shown[i])} ${options.unit ?? ""}`.trim();
-  const cursor = attachCursor(drawn.place, readout, tell, options);
+    `${channel.elements[i] ?? ""}: ${withUnit(readable(shown[i]), options.unit ?? "")}`;
+  const picture = cellPicture(drawn.place, "hand-map", tell, options);
   const paint = painter(drawn.place.cells, colour);
   return {
-    element: element("div", { class: "hand-map" }, [drawn.place.svg, readout]),
-    svg: drawn.place.svg,
+    ...picture,
     isHand: hand !== null,
-    select: cursor.select,
     setValues: (values, range) => {
       const [low, high] = range ?? rangeOf(values) ?? [0, 1];
       shown = values;
       paint(values, low, high);
       drawn.setRange(low, high);
-      cursor.refresh();
+      picture.refresh();
     },
   };
 }
@@ -77,7 +70,7 @@ function draw(
   const below = layout.height * pitch + (isHand ? kNames : 6) + 6;
   const bar = colourBar(width, options.unit ?? "", colour);
   bar.group.setAttribute("transform", `translate(0 ${rounded(below)})`);
-  const bones = layout.segments.map((segment) => boneAt(segment, pitch));
+  const bones = layout.segments.map((segment) => boneAt(segment, pitch, pitch, pitch / 2));
   const names = layout.fingers.map(({ name, x, y }) =>
     text(x * pitch, y * pitch + 15, name, { class: "middle muted" }),
   );
@@ -103,13 +96,14 @@ function cellAt(x: number, y: number, pitch: number, i: number, isHand: boolean)
   });
 }
 
-function boneAt(box: { x: number; y: number; width: number; height: number }, pitch: number): SVGRectElement {
-  const [x, y] = [rounded(box.x * pitch), rounded(box.y * pitch)];
-  const [width, height] = [rounded(box.width * pitch), rounded(box.height * pitch)];
-  return shape("rect", { x, y, width, height, rx: rounded(pitch * 0.5), class: "bone" });
+/** A segment of a finger; `wide` and `tall` are pixels between elements, `corner` is a radius in pixels. */
+export function boneAt(box: Box, wide: number, tall: number, corner: number): SVGRectElement {
+  const [x, y] = [rounded(box.x * wide), rounded(box.y * tall)];
+  const [width, height] = [rounded(box.width * wide), rounded(box.height * tall)];
+  return shape("rect", { x, y, width, height, rx: rounded(corner), class: "bone" });
 }
 
-/** The nearest element that lies more in this direction than beside it; else the same. */
+/** The nearest element in the given direction (within 45 degrees), or the same element. */
 export function nearestTowards(layout: HandLayout, from: number, dx: number, dy: number): number {
   const at = layout.dots[from];
   if (!at) return from;

@@ -3,7 +3,7 @@
 import { uniqueId } from "./dom";
 import { marker } from "./markers";
 import { readable } from "./numbers";
-import { rounded, shape, shortened, text, textWidth } from "./svg";
+import { rounded, shape, shortened, svg, text, textWidth } from "./svg";
 
 export interface ColourBar {
   group: SVGGElement;
@@ -34,7 +34,7 @@ export function colourBar(width: number, unit: string, colour: (share: number) =
 const kRow = 20;
 const kTall = 5; // rows: of more names long ones are shortened, so that they stand in two columns
 
-/** Markers of the classes in columns, `counts` beside the names where given. */
+/** Markers of the classes in columns, with `counts` beside the names if given. */
 export function markerLegend(
   width: number,
   names: readonly string[],
@@ -54,4 +54,10 @@ export function markerLegend(
     group.append(marker(i, x + 8, y, 5), label);
   });
   return { group, height: rows * kRow };
+}
+
+/** A picture of the markers of the classes. */
+export function classLegend(names: readonly string[]): SVGSVGElement {
+  const { group, height } = markerLegend(380, names);
+  return svg(380, height, `Classes: ${names.join(", ")}`, [group]);
 }

@@ -1,9 +1,13 @@
-// What every picture of a map has: cells, border, and layers for marks and rings.
+// Common parts of all pictures of a map: cells, border, and layers for marks and rings.
 
 import type { GridData } from "./data";
 import { borders, cornersOf, edgesPath, heightOf, neuronCount, stepFrom, widthOf } from "./grid";
-import type { CursorPlace } from "./map_cursor";
+import type { CursorOptions, CursorPlace } from "./map_cursor";
 import { rounded, shape, svg } from "./svg";
+
+export interface MapOptions extends CursorOptions {
+  size?: number; // about how wide, in pixels; 420 unless said
+}
 
 export interface MapFrame extends CursorPlace {
   grid: GridData;
@@ -19,13 +23,14 @@ export interface MapFrame extends CursorPlace {
 const kMargin = 3; // room for rings at the edge
 const kFootGap = 12;
 
-/** Pixels a cell so that a map is about `size` wide and no taller. */
-export function cellSize(grid: GridData, size: number): number {
+/** Pixels per cell such that a map is about `size` wide and not taller. */
+function cellSize(grid: GridData, size = 420): number {
   const fitting = Math.min(size / widthOf(grid), size / heightOf(grid));
   return Math.max(6, Math.min(56, fitting));
 }
 
-export function mapFrame(grid: GridData, label: string, cell: number, footHeight: number): MapFrame {
+export function mapFrame(grid: GridData, { label, size }: MapOptions, footHeight: number): MapFrame {
+  const cell = cellSize(grid, size);
   const width = widthOf(grid) * cell;
   const height = heightOf(grid) * cell;
   const wide = Math.max(width, footHeight > 0 ? 180 : 0);
@@ -43,7 +48,7 @@ export function mapFrame(grid: GridData, label: string, cell: number, footHeight
   return { ...cursor, grid, cell, width: wide, height, border, marks, winner, foot };
 }
 
-/** Makes room for a foot that turned out so tall. */
+    /** Makes space for a footer of the given height. */
 export function setFootHeight(frame: MapFrame, tall: number): void {
   const height = rounded(frame.height + (tall > 0 ? kFootGap + tall : 0) + 2 * kMargin);
   const width = rounded(frame.width + 2 * kMargin);

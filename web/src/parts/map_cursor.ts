@@ -1,13 +1,14 @@
-// Pointing at the cells of a picture (neurons of a map, taxels of a hand) and choosing them, with
-// the mouse, a finger or the keyboard. A cell is a path with the attribute data-cell.
+// Pointing at and selecting the cells of a picture (neurons of a map, taxels of a hand) with
+// the mouse, by touch or with the keyboard. A cell is a path with the attribute data-cell.
 
+import { element } from "./dom";
 import { shape } from "./svg";
 
 export interface CursorPlace {
   svg: SVGSVGElement;
   cells: readonly SVGPathElement[];
   rings: SVGGElement;
-  kind: string; // "map": what the picture is, for those who hear it
+  kind: string; // "map": the kind of picture, for screen readers
   cellName: string; // "neurons"
   step(at: number, rows: number, columns: number): number;
 }
@@ -18,19 +19,28 @@ export interface CursorOptions {
   onPoint?: (cell: number | null) => void;
 }
 
-export interface Cursor {
+export interface CellPicture {
+  element: HTMLElement; // the picture with its readout
+  svg: SVGSVGElement;
   select(cell: number | null): void;
   refresh(): void; // says again what is pointed at, after values have changed
 }
 
-export function attachCursor(
+/** The picture with a readout below it, which says what `tell` has for the cell that is pointed at. */
+export function cellPicture(
   place: CursorPlace,
-  readout: HTMLElement,
+  kind: string | null, // its class in the style sheet
   tell: (cell: number) => string,
   options: CursorOptions,
-): Cursor {
+): CellPicture {
+  const readout = element("output", { class: "readout", "aria-live": "polite" });
   const cursor = new CellCursor(place, readout, tell, options);
-  return { select: (cell) => cursor.select(cell), refresh: () => cursor.say() };
+  return {
+    element: element("div", { class: kind }, [place.svg, readout]),
+    svg: place.svg,
+    select: (cell) => cursor.select(cell),
+    refresh: () => cursor.say(),
+  };
 }
 
 const kSteps: Record<string, [number, number]> = {
@@ -101,7 +111,7 @@ class CellCursor {
 }
 
 function prepare({ svg, kind, cellName }: CursorPlace, options: CursorOptions): void {
-  const keys = `Arrow keys point at ${cellName}${options.onChoose ? ", Enter chooses one" : ""}.`;
+  const keys = `Arrow keys move between ${cellName}${options.onChoose ? ", Enter selects one" : ""}.`;
   svg.setAttribute("role", "application");
   svg.setAttribute("aria-roledescription", kind);
   svg.setAttribute("aria-label", `${options.label}. ${keys}`);

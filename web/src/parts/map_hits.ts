@@ -1,33 +1,22 @@
-// How many samples each neuron of a map won: discs whose areas are as the numbers.
+// The number of samples won by each neuron: discs with areas proportional to the numbers.
 
 import type { GridData } from "./data";
-import { element } from "./dom";
 import { centreOf, placeOf } from "./grid";
-import { cellSize, mapFrame, type MapFrame } from "./map_cells";
-import { attachCursor } from "./map_cursor";
-import type { MapOptions, MapPicture } from "./map_picture";
+import { mapFrame, type MapFrame, type MapOptions } from "./map_cells";
+import { cellPicture, type CellPicture } from "./map_cursor";
+import { countOf } from "./numbers";
 import { shape, rounded, text } from "./svg";
 
 export function hitsPicture(
   grid: GridData,
   hits: readonly (number | null)[],
   options: MapOptions,
-): MapPicture {
-  const frame = mapFrame(grid, options.label, cellSize(grid, options.size ?? 420), 0);
+): CellPicture {
+  const frame = mapFrame(grid, options, 0);
   const most = Math.max(1, ...hits.map((count) => count ?? 0));
   hits.forEach((count, neuron) => drawHits(frame, neuron, count ?? 0, most));
-  const readout = element("output", { class: "readout", "aria-live": "polite" });
-  const tell = (neuron: number) => `${placeOf(grid, neuron)}: ${hitWords(hits[neuron] ?? 0)}`;
-  const cursor = attachCursor(frame, readout, tell, options);
-  return {
-    element: element("div", { class: "map-picture" }, [frame.svg, readout]),
-    svg: frame.svg,
-    select: cursor.select,
-  };
-}
-
-function hitWords(count: number): string {
-  return count === 1 ? "1 sample" : `${count} samples`;
+  const tell = (neuron: number) => `${placeOf(grid, neuron)}: ${countOf(hits[neuron] ?? 0, "sample")}`;
+  return cellPicture(frame, "map-picture", tell, options);
 }
 
 const kNumberSize = 15; // pixels a cell needs for a number in its disc

@@ -4,12 +4,10 @@
 import type { GridData } from "./data";
 import { areasOf, wonBy } from "./areas";
 import { classColour } from "./colour_maps";
-import { element } from "./dom";
 import { borders, centreOf, edgesPath, isHexagonal, placeOf } from "./grid";
 import { markerLegend } from "./legend";
-import { cellSize, mapFrame, setFootHeight, type MapFrame } from "./map_cells";
-import { attachCursor } from "./map_cursor";
-import type { MapOptions, MapPicture } from "./map_picture";
+import { mapFrame, setFootHeight, type MapFrame, type MapOptions } from "./map_cells";
+import { cellPicture, type CellPicture } from "./map_cursor";
 import { marker } from "./markers";
 import { shape, text } from "./svg";
 
@@ -22,18 +20,15 @@ export interface LabelsOptions extends MapOptions {
 
 type Won = Map<number, Map<number, number>>;
 
-export function labelsPicture(grid: GridData, options: LabelsOptions): MapPicture {
+export function labelsPicture(grid: GridData, options: LabelsOptions): CellPicture {
   const won = wonBy(options.winners, options.classes);
-  const frame = mapFrame(grid, options.label, cellSize(grid, options.size ?? 420), 1);
+  const frame = mapFrame(grid, options, 1);
   const legend = markerLegend(frame.width, options.names, countsOf(options));
   frame.foot.append(legend.group);
   setFootHeight(frame, legend.height);
   if (options.areas && won.size > 0) drawAreas(frame, areasOf(grid, options.winners, options.classes), won);
   for (const [neuron, counts] of won) drawWon(frame, neuron, counts);
-  const readout = element("output", { class: "readout", "aria-live": "polite" });
-  const cursor = attachCursor(frame, readout, (neuron) => tell(grid, neuron, won, options.names), options);
-  const whole = element("div", { class: "map-picture" }, [frame.svg, readout]);
-  return { element: whole, svg: frame.svg, select: cursor.select };
+  return cellPicture(frame, "map-picture", (neuron) => tell(grid, neuron, won, options.names), options);
 }
 
 function countsOf(options: LabelsOptions): number[] {
@@ -63,7 +58,7 @@ function drawAreas(frame: MapFrame, areas: (number | null)[], won: Won): void {
 const kLeastRadius = 2.2;
 const kGreatestRadius = 7;
 
-/** A marker a sample where they have room, else one a class with a number. */
+/** One marker per sample if there is space, otherwise one per class with a number. */
 function drawWon(frame: MapFrame, neuron: number, counts: Map<number, number>): void {
   const each = [...counts].sort(([one], [other]) => one - other);
   const samples = each.flatMap(([number, count]) => Array.from({ length: count }, () => number));
@@ -101,7 +96,7 @@ function radiusFor(spacing: number): number {
   return Math.min(0.36 * spacing, kGreatestRadius);
 }
 
-/** Markers lie in an upright square, row after row; short rows are centred. */
+/** Markers are arranged in an upright square, row by row; short rows are centred. */
 function offsetOf(index: number, markers: number, spacing: number): [number, number] {
   const columns = Math.ceil(Math.sqrt(markers));
   const row = Math.floor(index / columns);

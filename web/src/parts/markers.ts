@@ -1,5 +1,5 @@
-// Markers: the shape and the colour of a class. A picture of more than eight classes gives the next
-// eight another shape each, as src/drawing/colours.cc does.
+// Markers: the shape and the colour of a class. With more than eight classes the next
+// eight have other shapes, as in src/drawing/colours.cc.
 //
 //   marker(3, x, y, radius)   the marker of class 3, an SVG path
 
@@ -75,7 +75,7 @@ const kOutlines: readonly (readonly Corner[])[] = [
   ],
 ];
 
-/** Which of the eight shapes class `number` has. */
+/** The index of the shape of class `number`. */
 export function markerShape(number: number): number {
   return (number + Math.floor(number / kOutlines.length)) % kOutlines.length;
 }

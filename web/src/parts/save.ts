@@ -1,6 +1,6 @@
-// Saves what is on the page as a file, without a server.
+// Saves content of the page as a file, without a server.
 //
-//   svgText(picture)   the picture as an SVG file that stands alone, always in the light theme
+//   svgText(picture)   the picture as a self-contained SVG file, always in the light theme
 //   pngOf(text, ...)   the same as a PNG
 //   saveFile(name, blob)
 
@@ -25,7 +25,7 @@ const kProperties = [
   "paint-order",
 ];
 
-/** The picture with every colour and font written out, on white. */
+/** The picture with inline colours and fonts, on white. */
 export function svgText(picture: SVGSVGElement): string {
   const copy = picture.cloneNode(true) as SVGSVGElement;
   const place = document.createElement("div");
@@ -79,14 +79,14 @@ function withBackground(copy: SVGSVGElement): string {
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
 }
 
-/** x, y, width and height of what a picture shows. */
+/** x, y, width and height of the content of a picture. */
 export function sizeOf(picture: SVGSVGElement): number[] {
   const box = picture.getAttribute("viewBox");
   if (box !== null) return box.split(/[ ,]+/).map(Number);
   return [0, 0, Number(picture.getAttribute("width")), Number(picture.getAttribute("height"))];
 }
 
-/** As a PNG with `scale` pixels for each of the SVG's. */
+/** The picture as a PNG with `scale` pixels per SVG pixel. */
 export async function pngOf(text: string, scale: number): Promise<Blob> {
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
@@ -106,6 +106,6 @@ export function saveFile(name: string, blob: Blob): void {
   link.href = address;
   link.download = name;
   link.click();
-  // The browser takes the address before it asks where to save, but not at once.
+  // The browser reads the address asynchronously, before it asks for the file name.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

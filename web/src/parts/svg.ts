@@ -1,5 +1,5 @@
-// Makes elements of a picture: shape("circle", { r: 3, class: "dot" }). svg(width, height) is a
-// picture that shrinks with its place; its words are told apart by the classes of style.css.
+// Creates elements of a picture: shape("circle", { r: 3, class: "dot" }). svg(width, height) is a
+// picture that shrinks with its element; its texts are styled by the classes of style.css.
 
 import { append, setAttribute, type Attributes, type Child } from "./dom";
 
@@ -16,6 +16,13 @@ export function shape<Tag extends keyof SVGElementTagNameMap>(
   return made;
 }
 
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
 export function svg(width: number, height: number, label: string, children: Child[] = []): SVGSVGElement {
   const box = `0 0 ${rounded(width)} ${rounded(height)}`;
   const attributes = { viewBox: box, width: rounded(width), height: rounded(height) };
@@ -26,17 +33,17 @@ export function text(x: number, y: number, words: string, attributes: Attributes
   return shape("text", { x: rounded(x), y: rounded(y), ...attributes }, [words]);
 }
 
-/** Two decimals, so that pictures stay small. */
+/** Two decimals, to keep pictures small. */
 export function rounded(value: number): number {
   return Math.round(value * 100) / 100;
 }
 
-/** About how wide `words` are, in pixels. */
+/** The approximate width of `words` in pixels. */
 export function textWidth(words: string, size: number): number {
   return [...words].length * size * 0.56;
 }
 
-/** `words`, cut where they are wider than `width`. */
+/** `words`, truncated to `width`. */
 export function shortened(words: string, width: number, size: number): string {
   const letters = [...words];
   const room = Math.max(1, Math.floor(width / (size * 0.56)));

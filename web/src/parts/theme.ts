@@ -1,5 +1,5 @@
-// Light or dark: as the system says, until somebody chooses. The choice is kept where the browser
-// lets us keep it.
+// Light or dark theme: that of the system until the user selects one. The selection is stored if
+// the browser allows it.
 //
 //   place.append(themeButton());
 
@@ -51,6 +51,6 @@ function keep(theme: Theme): void {
   try {
     localStorage.setItem(kKey, theme);
   } catch {
-    // The choice then lasts as long as the page.
+    // The selection is then lost when the page is closed.
   }
 }

@@ -1,8 +1,8 @@
-// A small picture of a thing at true proportions, seen from above at an angle (isometric).
+// A small isometric picture of an object at true proportions, seen from above.
 //
-//   thingPicture(thing, 0.6)   0.6 pixels a mm; the same for all things of a table
+//   thingPicture(thing, 0.6)   0.6 pixels per mm; the same for all objects of a table
 //
-// Of what has a shape and no size only the shape is true; what has neither is a piece of material.
+// Without a size only the shape is true; without a shape a piece of material is drawn.
 
 import type { ThingData } from "./data";
 import { uniqueId } from "./dom";
@@ -41,7 +41,7 @@ function sizeOf({ size, shape }: ThingData): readonly [number, number, number] {
   return shape === "sphere" ? kAround60 : kUpright;
 }
 
-/** How many pixels a mm so that the largest of `things` is `size` tall or wide. */
+/** Pixels per mm such that the largest of `things` is `size` tall or wide. */
 export function commonScale(things: readonly ThingData[], size: number): number {
   const largest = things.map((thing) => {
     const [width, depth, height] = sizeOf(thing);
@@ -54,7 +54,7 @@ function project([x, y, z]: Point3): Point2 {
   return [(x - y) * kCos30, (x + y) / 2 - z];
 }
 
-/** Points of the surface whose hull is the outline. */
+/** Points of the surface whose convex hull is the outline. */
 function pointsOf(kind: string, w: number, d: number, h: number, top: number): Point2[] {
   if (kind === "sphere" || kind === "ellipsoid") return ball(w / 2, d / 2, h / 2, h / 2).map(project);
   if (kind === "capsule") {

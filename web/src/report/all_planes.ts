@@ -1,13 +1,15 @@
 // The component planes of all elements of a channel at once: a small map for each, at its place on
-// the hand where the names tell of one.
+// the hand if the names identify it.
 
 import { between, kSequence, sequenceColour } from "../parts/colour_maps";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import { columnOf, isHexagonal, rowOf } from "../parts/grid";
+import { neuronAtPixel, pixelColumns } from "../parts/grid";
 import { gridLayout, handLayout, type HandLayout } from "../parts/hand_layout";
+import { boneAt } from "../parts/hand_map";
 import { colourBar } from "../parts/legend";
+import { pixel, pixelImage, scaled } from "../parts/painter";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { neuronTable } from "./system_map";
 
@@ -35,13 +37,13 @@ export function allPlanesFigure(
   });
   return figure({
     title: hand
-      ? `The map by every element of ${channel.name}, each at its place on the hand`
-      : `The map by every element of ${channel.name}`,
+      ? `Component planes of ${channel.name}, arranged on the hand`
+      : `Component planes of ${channel.name}`,
     file: `${file}-planes`,
     body: element("div", { class: "all-planes" }, [picture]),
     picture: () => picture,
     numbers: () => neuronTable(grid, channel.elements, (i) => planes.values[i] ?? []),
-    note: "All in the same colours. A click chooses the element for the figures above.",
+    note: "All panels share one colour scale. Click an element to select it for the figures above.",
     wide: true,
   });
 }
@@ -57,16 +59,7 @@ function draw(
   const pitch = pitchFor(layout, isNamed);
   const tall = pitch + (isNamed ? kName : 0);
   const [width, height] = [layout.width * pitch, layout.height * tall];
-  const bones = layout.segments.map((one) =>
-    shape("rect", {
-      x: rounded(one.x * pitch),
-      y: rounded(one.y * tall),
-      width: rounded(one.width * pitch),
-      height: rounded(one.height * tall),
-      rx: 14,
-      class: "bone",
-    }),
-  );
+  const bones = layout.segments.map((one) => boneAt(one, pitch, tall, 14));
   const maps = layout.dots.map(({ x, y }, i) =>
     planeAt(grid, planes, range, i, { x: (x - 0.5) * pitch, y: (y - 0.5) * tall, pitch }),
   );
@@ -88,7 +81,7 @@ function draw(
 
 const kWide = 880;
 
-/** As large as fits beside each other. */
+/** The largest size that fits side by side. */
 function pitchFor(layout: HandLayout, isNamed: boolean): number {
   return isNamed ? Math.max(kPitch, Math.min(kNamedPitch, kWide / layout.width)) : kPitch;
 }
@@ -97,6 +90,8 @@ function nameAt(name: string, x: number, y: number, pitch: number): SVGTextEleme
   return text(x, y, shortened(name, pitch - 4, 11), { class: "middle muted note" });
 }
 
+const planePixel = (share: number) => pixel(between(kSequence, share));
+
 function planeAt(
   grid: GridData,
   planes: ChannelPlanes,
@@ -104,40 +99,15 @@ function planeAt(
   which: number,
   { x, y, pitch }: { x: number; y: number; pitch: number },
 ): SVGElement {
-  const href = pixels(
-    grid,
-    planes.values.map((values) => values[which] ?? null),
-    range,
-  );
   const side = pitch - kGap;
-  const image = shape("image", {
-    x: rounded(x + kGap / 2),
-    y: rounded(y + kGap / 2),
-    width: side,
-    height: side,
-    href,
-    preserveAspectRatio: "none",
-    "data-element": which,
-    style: "image-rendering:pixelated",
-  });
+  const box = { x: rounded(x + kGap / 2), y: rounded(y + kGap / 2), width: side, height: side };
+  const colour = scaled(planePixel, ...range);
+  const at = (column: number, row: number) => {
+    const neuron = neuronAtPixel(grid, column, row);
+    return neuron === null ? null : colour(planes.values[neuron]?.[which]);
+  };
+  const image = pixelImage(box, pixelColumns(grid), grid.rows, at);
+  image.setAttribute("data-element", String(which));
   image.append(shape("title", {}, [planes.channel.elements[which] ?? ""]));
   return image;
-}
-
-/** Two pixels a neuron side by side, so that odd rows of a hexagonal map can be shifted by one. */
-function pixels(grid: GridData, values: (number | null)[], [low, high]: [number, number]): string {
-  const shift = isHexagonal(grid) && grid.rows > 1 ? 1 : 0;
-  const canvas = element("canvas", { width: 2 * grid.columns + shift, height: grid.rows });
-  const context = canvas.getContext("2d");
-  if (!context) return "";
-  const image = context.createImageData(canvas.width, canvas.height);
-  values.forEach((value, neuron) => {
-    if (value === null || !Number.isFinite(value)) return;
-    const colour = between(kSequence, high > low ? (value - low) / (high - low) : 0);
-    const row = rowOf(grid, neuron);
-    const at = 4 * (row * canvas.width + 2 * columnOf(grid, neuron) + (row % 2) * shift);
-    image.data.set([...colour, 255, ...colour, 255], at);
-  });
-  context.putImageData(image, 0, 0);
-  return canvas.toDataURL("image/png");
 }

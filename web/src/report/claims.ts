@@ -1,17 +1,18 @@
-// The papers' sentences, and how often each holds.
+// The claims of the papers, and how often each holds.
 
 import type { Table } from "../parts/csv";
 import { breakable, element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
+import { figure, scrolled } from "../parts/figure";
 import { percent, readable } from "../parts/numbers";
 import type { ClaimReport, ReportData } from "./data";
+import type { Placed } from "./same_names";
 import { kindOf } from "./words";
 
 export function claimsSection(data: ReportData): HTMLElement {
   return element("section", { id: "claims", "aria-labelledby": "claims-title" }, [
     element("h2", { id: "claims-title" }, ["Claims"]),
     element("p", { class: "muted lead" }, [
-      "The papers trained each system once and read its figure by eye. Here each sentence is a number, asked of every run.",
+      "The papers trained each system once and interpreted a figure. Here each claim is a measured number, evaluated for every run.",
     ]),
     claimsFigure(data.claims, "somato-claims", true),
   ]);
@@ -27,13 +28,11 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
     ...ownBodies(claims.filter((claim) => !isOfPaper(claim)), hasSystem),
   ]);
   return figure({
-    title: "How the claims hold",
+    title: "Results of the claims",
     file,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Claims" }, [
-      table,
-    ]),
+    body: scrolled("Claims", table),
     numbers: () => claimsTable(claims),
-    note: "Here: the median over the runs, with the least and the greatest. By luck: the same on wrong groupings.",
+    note: "Here: median, minimum and maximum over the runs. By chance: the same for wrong groupings.",
     wide: true,
   });
 }
@@ -46,11 +45,11 @@ function bodies(claims: ClaimReport[], hasSystem: boolean): HTMLElement[] {
   return hasSystem ? bodiesBySystem(claims) : [element("tbody", {}, claims.map(claimRow))];
 }
 
-/** The claims that no paper makes, apart from the others. */
+/** The claims that are not from a paper, listed separately. */
 function ownBodies(claims: ClaimReport[], hasSystem: boolean): HTMLElement[] {
   if (claims.length === 0) return [];
   const title = element("th", { scope: "rowgroup", colspan: kColumns.length, class: "own" }, [
-    "Comparisons of our own",
+    "Additional comparisons",
   ]);
   return [element("tbody", {}, [element("tr", {}, [title])]), ...bodies(claims, hasSystem)];
 }
@@ -72,14 +71,14 @@ function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
   });
 }
 
-function claimedSystem({ system, variation, question, place }: ClaimReport): string {
+function claimedSystem({ system, variation, question, place }: Placed<ClaimReport>): string {
   const asked = question ? ` (${question.replaceAll("_", " ")})` : "";
   const of = place === undefined ? "" : ` (${place})`;
   return `${variation === "" ? system : `${system}, ${variation}`}${asked}${of}`;
 }
 
-const kColumns = ["claim", "paper", "published", "here", "by luck", "holds in"];
-const kNumbers = new Set(["published", "here", "by luck"]);
+const kColumns = ["claim", "paper", "published", "here", "by chance", "holds in"];
+const kNumbers = new Set(["published", "here", "by chance"]);
 
 function claimRow(claim: ClaimReport): HTMLElement {
   const measured = [claim.metric, bound(claim), claim.protocol.replaceAll("_", " "), claim.group]
@@ -90,13 +89,13 @@ function claimRow(claim: ClaimReport): HTMLElement {
     element("td", { class: "paper" }, [claim.paper || "ours"]),
     element("td", { class: "number" }, [readable(claim.published)]),
     element("td", { class: "number" }, hereWords(claim.values)),
-    element("td", { class: "number" }, [readable(claim.by_luck)]),
+    element("td", { class: "number" }, [readable(claim.by_chance)]),
     element("td", {}, [shareBar(claim)]),
   ]);
 }
 
 function bound(claim: ClaimReport): string {
-  const less = claim.than === "" ? "" : `less that of ${claim.than} `;
+  const less = claim.than === "" ? "" : `minus that of ${claim.than} `;
   if (claim.at_least !== null && claim.at_most !== null) {
     return `${less}between ${readable(claim.at_least)} and ${readable(claim.at_most)}`;
   }
@@ -115,14 +114,14 @@ function hereWords(values: (number | null)[]): Child[] {
     : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
 }
 
-/** Of numbers in order. */
+/** The median of sorted numbers. */
 export function median(sorted: readonly number[]): number | null {
   if (sorted.length === 0) return null;
   const half = (sorted.length - 1) / 2;
   return ((sorted[Math.floor(half)] ?? 0) + (sorted[Math.ceil(half)] ?? 0)) / 2;
 }
 
-/** A bar and words: the colour is never the only sign. */
+/** A bar with words, so that the verdict is not shown by colour only. */
 function shareBar({ share, verdict, reason }: ClaimReport): HTMLElement {
   const filled = element("span", { class: "filled", style: `width:${Math.round(100 * (share || 0))}%` });
   const words = [percent(share), verdict, reason].filter((part) => (part ?? "") !== "");
@@ -147,7 +146,7 @@ function claimsTable(claims: ClaimReport[]): Table {
     "published",
     "at_least",
     "at_most",
-    "by_luck",
+    "by_chance",
     "chance_share",
     "verdict",
     "reason",
@@ -168,7 +167,7 @@ function claimsTable(claims: ClaimReport[]): Table {
     claim.published,
     claim.at_least,
     claim.at_most,
-    claim.by_luck,
+    claim.by_chance,
     claim.chance_share ?? null,
     claim.verdict ?? null,
     claim.reason ?? null,

@@ -1,7 +1,6 @@
-// A table of classes against classes as a picture: the darker, the larger the share of its row.
+// A picture of a confusion matrix: darker cells have a larger share of their row.
 
-import { element } from "../parts/dom";
-import { attachCursor, type CursorPlace } from "../parts/map_cursor";
+import { cellPicture, type CellPicture, type CursorPlace } from "../parts/map_cursor";
 import { percent } from "../parts/numbers";
 import { rounded, shape, shortened, svg, text, textWidth } from "../parts/svg";
 
@@ -19,7 +18,7 @@ interface Sizes {
 const kLongest = 130;
 const kDarkest = 0.5; // numbers stay readable on it
 
-export function confusionPicture(of: Counts, label: string): { svg: SVGSVGElement; element: HTMLElement } {
+export function confusionPicture(of: Counts, label: string): CellPicture {
   const sizes = sizesFor(of.classes);
   const totals = of.counts.map((row) => row.reduce((sum, count) => sum + count, 0));
   const cells = cellsOf(of, totals, sizes);
@@ -32,11 +31,9 @@ export function confusionPicture(of: Counts, label: string): { svg: SVGSVGElemen
     rings,
   ];
   const picture = svg(sizes.left * 1.6 + side, sizes.top + side + 4, label, drawn);
-  const readout = element("output", { class: "readout", "aria-live": "polite" });
   const step = (at: number, rows: number, columns: number) => stepped(of.classes.length, at, rows, columns);
   const place: CursorPlace = { svg: picture, cells, rings, kind: "table", cellName: "cells", step };
-  attachCursor(place, readout, (cell) => tellOf(of, totals, cell), { label });
-  return { svg: picture, element: element("div", {}, [picture, readout]) };
+  return cellPicture(place, null, (cell) => tellOf(of, totals, cell), { label });
 }
 
 function sizesFor(classes: string[]): Sizes {

@@ -1,4 +1,4 @@
-// What was named for what: rows are the true classes, columns what was said.
+// Confusion matrices: rows are the true classes, columns the predicted ones.
 
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
@@ -10,14 +10,14 @@ import type { Selection } from "./selection";
 import { runWords } from "./toolbar";
 import { protocolName, systemName } from "./words";
 
-/** Over all runs, and in the chosen one. */
+/** The confusion matrix over all runs, and that of the selected run. */
 export function confusionFigures(system: SystemReport, selection: Selection): HTMLElement[] {
   return [true, false].map((isAll) => {
     const options = {
-      title: isAll ? "Confusions over all runs" : "Confusions of the chosen seed",
+      title: isAll ? "Confusion matrix of all runs" : "Confusion matrix of the selected seed",
       file: `${systemName(system)}-confusions${isAll ? "" : "-of-seed"}`,
       note: isAll
-        ? "A row is a true class, a column what was named; the colour is the share of its row."
+        ? "Rows are true classes, columns predicted classes; the colour is the share of the row."
         : "",
     };
     return liveFigure(options, selection, () => draw(system, selection, isAll)).element;
@@ -26,9 +26,9 @@ export function confusionFigures(system: SystemReport, selection: Selection): HT
 
 function draw(system: SystemReport, selection: Selection, isAll: boolean): Drawn {
   const { protocol, run, label } = selection;
-  if (!protocol || !run) return nothing("There is no run of this protocol.");
+  if (!protocol || !run) return nothing("This protocol has no runs.");
   const counts = countsOf(system, selection, isAll ? protocol.runs : [run]);
-  if (!counts) return nothing(`What was named is not known for the label ${label} under this protocol.`);
+  if (!counts) return nothing(`There are no predictions of the label ${label} under this protocol.`);
   const runs = isAll ? allRuns(protocol.runs.length) : `seed ${runWords(selection)}`;
   const words = `${protocolName(protocol)}, by ${label}, ${runs}`;
   const picture = confusionPicture(counts, `Confusions: ${words}`);

@@ -1,13 +1,11 @@
-// From which elements of their input the neurons of a T-MPSOM hear: all of them at a glance, and the
-// receptive field of one.
+// The input weights of a T-MPSOM: those of all neurons, and the receptive field of one neuron.
 
 import * as Plot from "@observablehq/plot";
 
 import { choice } from "../parts/controls";
-import type { ReceptiveFields } from "../parts/data";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import type { SystemReport } from "./data";
+import type { ReceptiveFields, SystemReport } from "./data";
 import { matrixPicture, type MatrixPicture } from "./matrix";
 import { plotFigure, plotPicture } from "./plots";
 import { systemName } from "./words";
@@ -64,7 +62,7 @@ class Fields {
     const some = fields.neurons.length < rows * columns ? `, ${fields.neurons.length} of them` : "";
     return [
       figure({
-        title: `What ${fields.module} hears of ${fields.input}`,
+        title: `Weights of ${fields.module} for ${fields.input}`,
         file: `${name}-connectivity`,
         body: this.matrix.svg,
         picture: () => this.matrix.svg,
@@ -72,7 +70,7 @@ class Fields {
           columns: ["neuron", ...elementNames(fields)],
           rows: fields.weights.map((weights, i) => [(fields.neurons[i] ?? 0) + 1, ...weights]),
         }),
-        note: `A row is one of the ${rows} × ${columns} neurons${some}; ${fields.input} lies along ${fields.axis === 0 ? "the rows" : "the columns"} of neurons.`,
+        note: `Each row is one of the ${rows} × ${columns} neurons${some}; ${fields.input} is spread along ${fields.axis === 0 ? "the rows" : "the columns"} of neurons.`,
       }),
       figure({
         title: "Receptive field",

@@ -1,4 +1,4 @@
-// A channel over the time of an exploration: few elements as lines, many as rows of a matrix.
+// A channel over the time of an exploration: lines for few elements, rows of a matrix for many.
 
 import * as Plot from "@observablehq/plot";
 
@@ -34,16 +34,16 @@ export function courseFigure(
       columns: ["time (s)", ...channel.elements],
       rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]),
     }),
-    note: `${name}. ${isFew ? "The" : "A row is an element; the"} upright line is ${momentWords(moment)}.`,
+    note: `${name}. ${isFew ? "The" : "Each row is an element; the"} vertical line marks ${momentWords(moment)}.`,
   });
 }
 
-/** The moment is that of most touch, where there is touch, else the last. */
+/** The moment is that of maximum touch if there is a touch channel, otherwise the last frame. */
 function momentWords({ channels }: MomentData): string {
   if (channels.some(({ channel }) => handLayout(channel.elements) !== null))
     return "the moment shown on the hand";
   const hasTouch = channels.some(({ channel }) => channel.name === "touch");
-  return hasTouch ? "the moment of most touch" : "the last frame";
+  return hasTouch ? "the moment of maximum touch" : "the last frame";
 }
 
 function linesOf(of: MomentChannel, name: string): HTMLElement {
@@ -52,7 +52,7 @@ function linesOf(of: MomentChannel, name: string): HTMLElement {
     values.map((value, line) => ({ frame: i, time: of.times[i] ?? 0, value, line })),
   );
   const marksApart = Math.max(8, Math.floor(of.series.length / 5));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
+  const plot = plotFigure(`${channel.name} while exploring ${name}`, {
     height: 250,
     x: { label: "time (s)", grid: false },
     y: { label: channel.unit || "value", grid: true, nice: true },
@@ -89,7 +89,7 @@ function stripsOf(of: MomentChannel, name: string): HTMLElement {
   const { channel } = of;
   const rows = channel.elements.map((_, i) => of.series.map((values) => values[i] ?? null));
   const picture = matrixPicture(rows, {
-    label: `${channel.name} while feeling ${name}`,
+    label: `${channel.name} while exploring ${name}`,
     rowName: "element",
     columnName: "time",
     unit: channel.unit,

@@ -1,4 +1,4 @@
-// How something changes with a setting: a line through the means, a band of one standard deviation
+// A metric as a function of a setting: a line through the means, a band of one standard deviation
 // and a dot for every value.
 
 import * as Plot from "@observablehq/plot";
@@ -15,9 +15,9 @@ import { metricName, metricRange } from "./words";
 
 export function curvesSection(data: ReportData): HTMLElement {
   return element("section", { id: "curves", "aria-labelledby": "curves-title" }, [
-    element("h2", { id: "curves-title" }, ["What changes with a setting"]),
+    element("h2", { id: "curves-title" }, ["Metrics as a function of a setting"]),
     element("p", { class: "muted lead" }, [
-      "Lines go through the means; bands are one standard deviation to either side; dots are single runs.",
+      "Lines show means, bands one standard deviation on either side, and dots single runs.",
     ]),
     lazy(360, () => [
       element(
@@ -54,7 +54,9 @@ interface Point {
 
 function curvePlot(curve: CurveReport): HTMLElement {
   const points = curve.lines.flatMap(({ points: all }, line): Point[] =>
-    all.map(({ x, mean, sd }) => ({ line, x, mean, low: mean - (sd ?? 0), high: mean + (sd ?? 0) })),
+    all.flatMap(({ x, mean, sd }) =>
+      mean === null ? [] : [{ line, x, mean, low: mean - (sd ?? 0), high: mean + (sd ?? 0) }],
+    ),
   );
   const dots = curve.lines.flatMap(({ points: all }, line) =>
     all.flatMap(({ x, values }) => values.map((y) => ({ line, x, y }))),

@@ -1,140 +1,223 @@
-// The JSON that `somato report` puts into report.html; docs/formats/report.md says the same in words.
+// Made from web/schema/report.json by scripts/page_types.py; change the schema.
+//
+// The JSON that `somato report` writes into report.html, documented in docs/formats/report.md.
 
 import type {
   ChannelData,
   ChannelPlanes,
   GraphData,
   GridData,
-  ReceptiveFields,
+  Labels,
+  NeuronClasses,
+  NumberOrNull,
   ThingData,
 } from "../parts/data";
 
+/** The whole report. */
 export interface ReportData {
   version: 1;
-  somato: string; // version of the program
+  /** Version of the program. */
+  somato: string;
   systems: SystemReport[];
   claims: ClaimReport[];
   curves: CurveReport[];
 }
 
+/** A metric over the runs of a protocol. */
 export interface MetricData {
-  mean: number;
-  sd: number;
-  values: number[]; // one a seed (or pair of recording and seed)
+  mean: NumberOrNull;
+  /** Standard deviation. */
+  sd: NumberOrNull;
+  /** One for each seed (or pair of recording and seed). */
+  values: NumberOrNull[];
 }
 
+/** One run of a protocol. Winners, labels and predictions are in the order of the samples. */
 export interface RunData {
   seed: number;
-  recording: number; // index into `recordings`
+  /** Index into `recordings`. */
+  recording: number;
   winners: number[];
   labels: string[];
   predictions: string[];
+  /** Predictions of other labels, by the name of the label. */
   other_predictions?: Record<string, string[]>;
 }
 
-/** One protocol of a system: as in results.json. */
+/** One protocol of a system, as in results.json. */
 export interface ProtocolData {
   protocol: string;
+  /** The label whose values are left out in turn. */
   group?: string;
+  /** The label that is predicted. */
   label: string;
   samples: number;
+  /** By their names. */
   metrics: Record<string, MetricData>;
   runs: RunData[];
 }
 
 /** One system (or variation of one) of one results.json. */
 export interface SystemReport {
-  file: string; // the results.json, as it was named on the command line
-  place?: string; // what tells it from one of the same name; made here (same_names.ts)
+  /** The results.json, as it was named on the command line. */
+  file: string;
   name: string;
-  variation: string; // "" for the system as it stands
-  question: string; // "" where it is not part of one
-  settings: Record<string, Record<string, string>>; // part, such as "module.map", to settings
+  /** "" for the original system. */
+  variation: string;
+  /** "" if it is not part of one. */
+  question: string;
+  /** Every parameter in TOML notation: part, such as "module.map", to name to value. */
+  settings: Record<string, Record<string, string>>;
+  /** Hash of the first of its recordings that was available, else of its first. */
   data_hash: string;
-  recordings: string[]; // names; one for the results of `somato run`, "" where it is not at hand
+  /** Names. */
+  recordings: string[];
   protocols: ProtocolData[];
   graph: GraphData | null;
-  grid: GridData | null; // of the map that answers
-  // The values of each label of the explorations, in the order of the samples (of all protocols but
-  // test_data), where known: those of the first recording that was at hand.
-  samples: Record<string, string>[] | null;
+  /** Of the output map. */
+  grid: GridData | null;
+  /**
+   * The labels of each exploration, in the order of the samples (of all protocols except
+   * test_data), from the first available recording.
+   */
+  samples: Labels[] | null;
   things: ThingData[];
   not_given: NotGiven[];
-  // What only the trained system knows, of the seed that is saved; null without system.somato.
+  /** Data of the trained system, for the saved seed; null without system.somato. */
   trained: TrainedData | null;
-  // A moment of a grasp, where a recording was at hand: of each thing one exploration. [] for
-  // variations and questions, which are on recordings like those of the system as it stands.
+  /**
+   * Sensor readings of one exploration of each thing, if a recording was available. [] for
+   * variations and questions, whose recordings are similar to those of the original system.
+   */
   moments: MomentData[];
-  missing: string[]; // sentences: what is not here and how to get it
+  /** Sentences that state what is missing and how to obtain it. */
+  missing: string[];
 }
 
-/** A parameter that no paper gives, with the value taken. */
+/** A parameter that no paper gives, with the value used. */
 export interface NotGiven {
-  part: string; // "module.map"
+  /** Such as "module.map". */
+  part: string;
   name: string;
+  /** In TOML notation. */
   value: string;
+  /** Its documentation. */
   text: string;
 }
 
+/** The output map of the trained system. */
 export interface TrainedData {
   file: string;
-  seed: number | null; // of the run whose winners are all its own; null: none, or no recording
+  /** Of the run in which it was trained; null: unknown. */
+  seed: number | null;
   classes: string[];
-  neuron_classes: (number | null)[]; // index into classes
-  u_matrix: number[]; // mean distance of a neuron's weights from its neighbours'
-  hits: number[]; // samples a neuron, of the saved system; [] without a recording
-  // Component planes: all elements of a short input, else those of the channels.
+  neuron_classes: NeuronClasses;
+  /** For each neuron the mean distance between its weights and those of its neighbours. */
+  u_matrix: number[];
+  /** For each neuron the number of samples, of the saved system; [] without a recording. */
+  hits: number[];
+  /** Component planes: all elements of a short input, else those of the channels. */
   planes: ChannelPlanes[];
   receptive_fields: ReceptiveFields[];
 }
 
-/** What the sensors told at one moment and over one exploration. */
+/**
+ * The receptive fields of a T-MPSOM's neurons along one input. For more than 20000 numbers only
+ * every k-th neuron is included.
+ */
+export interface ReceptiveFields {
+  module: string;
+  /** Neurons along either axis. */
+  shape: [number, number];
+  /** The module that is connected. */
+  input: string;
+  /** The axis of the neurons along which the input lies. */
+  axis: 0 | 1;
+  /** Of the input. */
+  elements: number;
+  /** Numbers of the neurons in `weights`. */
+  neurons: number[];
+  /** weights[neuron][element]: arbor times weight. */
+  weights: number[][];
+}
+
+/** The sensor readings at one moment and over one exploration. */
 export interface MomentData {
-  labels: Record<string, string>;
+  labels: Labels;
   channels: MomentChannel[];
 }
 
+/** One channel at the moment, and at most 200 evenly chosen frames of the exploration. */
 export interface MomentChannel {
   channel: ChannelData;
+  /** Frames per second; 0 if unknown. */
   rate: number;
-  frame: number; // the moment: where most touches, else the last
-  time?: number; // of that frame, as in `times`
-  values: number[]; // at that frame
-  // Over time, at most 200 frames evenly chosen: series[frame][element]; [] where there are more
-  // than 64 elements.
+  /** The moment: the frame with the greatest sum of `touch`, else the last. */
+  frame: number;
+  /** Of that frame, as in `times`. */
+  time: number;
+  /** At that frame, one for each element. */
+  values: NumberOrNull[];
+  /** Of the chosen frames, in seconds; the number of the frame if times are unknown. */
   times: number[];
-  series: number[][];
+  /** series[frame][element]; [] for more than 64 elements. */
+  series: NumberOrNull[][];
 }
 
-/** A sentence of a paper, and how often it holds here. */
+/** A claim, and how often it holds. */
 export interface ClaimReport {
-  file: string; // as that of its system
-  place?: string; // as that of its system
-  question: string; // "" for a claim about a system as its own file has it
+  /** As that of its system. */
+  file: string;
+  /** "" for a claim in the file of a system. */
+  question: string;
   system: string;
   variation: string;
   text: string;
-  paper: string; // such as "P11 II-C"; "" for a claim of ours
+  /** Such as "P11 II-C"; "" for an additional comparison. */
+  paper: string;
   metric: string;
   protocol: string;
   group: string;
-  than: string; // the other system or variation, or ""
+  /** The other system or variation, or "". */
+  than: string;
   published: number | null;
   at_least: number | null;
   at_most: number | null;
-  values: number[];
-  by_luck: number | null; // the wrong-grouping control
-  chance_share?: number | null; // share of wrong groupings that meet the bounds
-  verdict: string; // see verdictOf() in words.ts
-  reason: string; // why it cannot be decided here, or ""
-  share: number; // of the values for which it holds
+  /** Of the metric, or of the difference, one for each pair of recording and seed. */
+  values: NumberOrNull[];
+  /** Mean of the metric on wrong groupings. */
+  by_chance: number | null;
+  /** Share of wrong groupings that meet the bounds. */
+  chance_share: number | null;
+  verdict: "holds" | "holds, but so does chance" | "mostly" | "fails" | "cannot be decided here";
+  /** Why it cannot be decided, or "". */
+  reason: string;
+  /** Share of the values for which it holds. */
+  share: number;
 }
 
-/** How something changes with a setting, such as accuracy with the noise of placement. */
+/** A metric at one value of the setting. */
+export interface CurvePoint {
+  x: number;
+  mean: NumberOrNull;
+  /** Standard deviation. */
+  sd: NumberOrNull;
+  values: NumberOrNull[];
+}
+
+/** The curve of one system. */
+export interface CurveLine {
+  name: string;
+  points: CurvePoint[];
+}
+
+/** A metric as a function of a setting, such as accuracy and placement noise. */
 export interface CurveReport {
   title: string;
-  x: string; // name of the setting
+  /** Name of the setting. */
+  x: string;
+  /** Of the setting; "" without one. */
   unit: string;
   metric: string;
-  lines: { name: string; points: { x: number; mean: number; sd: number; values: number[] }[] }[];
+  lines: CurveLine[];
 }

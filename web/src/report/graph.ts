@@ -1,4 +1,4 @@
-// The figure of a system's modules, with what its file says of the one that is chosen.
+// The figure of a system's modules, with the settings of the selected one.
 
 import type { ModuleData } from "../parts/data";
 import { element, fill, type Child } from "../parts/dom";
@@ -11,7 +11,7 @@ export function graphFigure(system: SystemReport): Child {
   const { graph } = system;
   if (!graph) return null;
   const details = element("div", { class: "module-details", "aria-live": "polite" }, [
-    element("p", { class: "small muted no-print" }, ["Choose a module to read its settings."]),
+    element("p", { class: "small muted no-print" }, ["Select a module to see its settings."]),
   ]);
   const picture = graphPicture(graph, (module) => {
     picture.select(module.name);
@@ -49,8 +49,8 @@ function phaseNote(system: SystemReport): string {
   });
   if (phases.length === 0) return "";
   return phases.length === 1
-    ? `It learns in one phase, ${phases[0]?.slice(3) ?? ""}.`
-    : `It learns in phases: ${phases.join("; ")}.`;
+    ? `The system is trained in one phase, ${phases[0]?.slice(3) ?? ""}.`
+    : `The system is trained in phases: ${phases.join("; ")}.`;
 }
 
 function moduleDetails(module: ModuleData): Child[] {
@@ -62,7 +62,7 @@ function moduleDetails(module: ModuleData): Child[] {
     ]),
   );
   const table = rows.length === 0 ? null : element("table", {}, [element("tbody", {}, rows)]);
-  const words = `${module.text} ${module.inputs.length === 0 ? "" : `It takes ${module.inputs.map((one) => one.module).join(", ")}.`}`;
+  const words = `${module.text} ${module.inputs.length === 0 ? "" : `Inputs: ${module.inputs.map((one) => one.module).join(", ")}.`}`;
   return [
     element("p", { class: "figure-title" }, [module.name]),
     element("p", { class: "small muted" }, [words]),

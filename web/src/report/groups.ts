@@ -1,5 +1,5 @@
-// Systems as they stand, and those that were tried to answer a question: the latter are many, so a
-// question has one section with a table, and each of its systems opens from there.
+// Original systems, and the systems of questions: the latter are many, so each question has one
+// section with a table from which its systems can be opened.
 
 import type { ReportData, SystemReport } from "./data";
 
@@ -35,7 +35,7 @@ export function questionsOf(data: ReportData): Question[] {
 
 export const systemId = (index: number) => `system-${index + 1}`;
 
-/** "touch_change" as it stands at the start of a title. */
+/** "touch_change" as the start of a title. */
 export function capital(name: string): string {
   const words = name.replaceAll("_", " ");
   return words.slice(0, 1).toUpperCase() + words.slice(1);

@@ -1,14 +1,14 @@
-// The classes of a system's samples, by each label that is known.
+// The classes of a system's samples, by each known label.
 
 import type { ProtocolData, RunData, SystemReport } from "./data";
 
-/** The labels that samples can be shown by: that of the study, then those of the explorations. */
+/** The labels for display: that of the study, then those of the explorations. */
 export function labelNames(system: SystemReport, protocol: ProtocolData): string[] {
   const others = samplesOf(system, protocol).flatMap((sample) => Object.keys(sample));
   return [...new Set([protocol.label, ...others])];
 }
 
-/** The value of `label` for each sample of a run; null where it is not known. */
+/** The value of `label` for each sample of a run; null if it is unknown. */
 export function valuesOf(
   system: SystemReport,
   protocol: ProtocolData,
@@ -21,18 +21,18 @@ export function valuesOf(
   return samples.map((sample) => sample[label] ?? "(none)");
 }
 
-/** They are those of the recording that was learned from, not of a new one. */
+/** The labels are those of the training recording, not of a separate test recording. */
 function samplesOf(system: SystemReport, protocol: ProtocolData): Record<string, string>[] {
   return protocol.protocol === "test_data" ? [] : (system.samples ?? []);
 }
 
-/** What was named for each sample of a run. */
+/** The prediction for each sample of a run. */
 export function predictionsOf(protocol: ProtocolData, run: RunData, label: string): string[] | null {
   if (label === protocol.label) return run.predictions;
   return run.other_predictions?.[label] ?? null;
 }
 
-/** Classes in the order in which they come: the same for every run, so that colours stay. */
+/** Classes in order of appearance, which is the same for every run, so that colours are stable. */
 export function classesOf(system: SystemReport, label: string): string[] {
   const found = new Set<string>();
   for (const protocol of system.protocols) {

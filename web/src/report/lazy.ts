@@ -1,4 +1,4 @@
-// Draws parts of the page when they come near to what is seen, or when the page is printed.
+// Draws parts of the page when they approach the visible area, or when the page is printed.
 
 import { element, type Child } from "./../parts/dom";
 
@@ -13,7 +13,7 @@ const watcher =
         { rootMargin: "600px" },
       );
 
-/** A place that is filled by `make` when it is needed. What cannot be drawn says so. */
+/** An element that is filled by `make` when needed, or by an error message. */
 export function lazy(height: number, make: () => Child[]): HTMLElement {
   const place = element("div", { class: "lazy", style: `min-height:${height}px` });
   waiting.set(place, () => {
@@ -25,12 +25,12 @@ export function lazy(height: number, make: () => Child[]): HTMLElement {
   return place;
 }
 
-/** What `make` makes, or a sentence that says why not. */
+/** The result of `make`, or an error message. */
 export function tried(make: () => Child[]): (Node | string)[] {
   try {
     return make().filter((child) => child !== null);
   } catch (problem) {
-    const words = `This part cannot be drawn from what the page carries (${String(problem)}).`;
+    const words = `This part cannot be drawn from the data of the page (${String(problem)}).`;
     return [element("p", { class: "message problem" }, [words])];
   }
 }
@@ -42,15 +42,15 @@ export function drawNow(place: Element): void {
   draw?.();
 }
 
-/** Draws what waits inside `place`, such as before it is scrolled to. */
+/** Draws the pending parts inside `place`, for example before scrolling to it. */
 export function drawInside(place: Element): void {
-  // What is drawn may bring parts that wait in their turn.
+  // Drawn parts may contain further pending parts.
   for (const one of waiting.keys()) if (place.contains(one)) drawNow(one);
 }
 
 export function drawAllForPrint(): void {
   const drawAll = () => {
-    // What is folded away is not printed.
+    // Collapsed parts are not printed.
     for (const one of waiting.keys()) if (!one.closest("details:not([open])")) drawNow(one);
   };
   addEventListener("beforeprint", drawAll);

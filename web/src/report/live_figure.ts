@@ -1,4 +1,4 @@
-// A figure that is drawn anew when something else is chosen.
+// A figure that is redrawn when the selection changes.
 
 import type { Table } from "../parts/csv";
 import { element, fill, type Child } from "../parts/dom";

@@ -1,4 +1,4 @@
-// The report: one page that shows what `somato report` put into it.
+// The report: a page that shows the data written by `somato report`.
 
 import "../parts/style.css";
 import "./report.css";

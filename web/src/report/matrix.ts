@@ -1,8 +1,9 @@
-// A matrix of numbers as a picture: drawn on a canvas once, for it may have tens of thousands.
+// A picture of a matrix, drawn once on a canvas because it may have tens of thousands of elements.
 
-import { sequenceColour, parsed } from "../parts/colour_maps";
+import { sequenceColour } from "../parts/colour_maps";
 import { colourBar } from "../parts/legend";
 import { rangeOf } from "../parts/numbers";
+import { pixelImage, pixelRamp, scaled } from "../parts/painter";
 import { rounded, shape, shortened, svg, text, textWidth } from "../parts/svg";
 
 export interface MatrixPicture {
@@ -25,6 +26,7 @@ export interface MatrixOptions {
 
 const kLeft = 34;
 const kTop = 8;
+const kSteps = 256; // of colours
 
 export function matrixPicture(
   values: readonly (readonly (number | null)[])[],
@@ -34,16 +36,9 @@ export function matrixPicture(
   const columns = Math.max(1, ...values.map((row) => row.length));
   const [width, height] = [options.width ?? 460, options.height ?? Math.max(80, Math.min(380, rows * 12))];
   const [low, high] = rangeOf(values.flatMap((row) => rangeOf(row) ?? [])) ?? [0, 1];
-  const href = pixels(values, rows, columns, low, high);
-  const image = shape("image", {
-    x: kLeft,
-    y: kTop,
-    width,
-    height,
-    href,
-    preserveAspectRatio: "none",
-    style: "image-rendering:pixelated",
-  });
+  const colour = scaled(pixelRamp(sequenceColour, kSteps), low, high);
+  const box = { x: kLeft, y: kTop, width, height };
+  const image = pixelImage(box, columns, Math.max(1, rows), (x, y) => colour(values[y]?.[x]));
   const line = shape("rect", { class: "matrix-mark", "data-transient": "" });
   const bar = colourBar(width, options.unit, sequenceColour);
   bar.setRange(low, high);
@@ -73,7 +68,7 @@ export function matrixPicture(
 
 const kLetters = 12;
 
-/** The names of the first row and the last, and what rows are, as far as there is room. */
+/** The names of the first and last row, and the meaning of rows, if there is space. */
 function besideRows({ rowName, rowEnds }: MatrixOptions, height: number): SVGTextElement[] {
   const [first, last] = rowEnds.map((words) => shortened(words, height / 2 - 4, kLetters));
   const between = `← ${rowName}`;
@@ -126,30 +121,4 @@ function listen(
     const row = Math.floor(((event.clientY - box.top) / box.height) * rows);
     if (row >= 0 && row < rows) onRow(row);
   });
-}
-
-function pixels(
-  values: readonly (readonly (number | null)[])[],
-  rows: number,
-  columns: number,
-  low: number,
-  high: number,
-): string {
-  const canvas = document.createElement("canvas");
-  canvas.width = columns;
-  canvas.height = Math.max(1, rows);
-  const context = canvas.getContext("2d");
-  if (!context) return "";
-  const image = context.createImageData(columns, Math.max(1, rows));
-  const table = Array.from({ length: 257 }, (_, i) => parsed(sequenceColour(i / 256)));
-  const scale = high > low ? 256 / (high - low) : 0;
-  values.forEach((row, y) =>
-    row.forEach((value, x) => {
-      if (value === null || !Number.isFinite(value)) return;
-      const colour = table[Math.round((value - low) * scale)] ?? [0, 0, 0];
-      image.data.set([...colour, 255], 4 * (y * columns + x));
-    }),
-  );
-  context.putImageData(image, 0, 0);
-  return canvas.toDataURL("image/png");
 }

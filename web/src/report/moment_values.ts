@@ -1,11 +1,11 @@
-// The values of a channel at one moment: few as numbers, many as a plot.
+// The values of a channel at one moment: numbers for few elements, a plot for many.
 
 import * as Plot from "@observablehq/plot";
 
 import type { Table } from "../parts/csv";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import { readable } from "../parts/numbers";
+import { readable, withUnit } from "../parts/numbers";
 import type { MomentChannel, SystemReport } from "./data";
 import { capital } from "./groups";
 import { plotFigure, plotPicture } from "./plots";
@@ -22,7 +22,7 @@ const kFewValues = 4;
 function fewValues(system: SystemReport, of: MomentChannel, name: string): Child {
   const { channel } = of;
   const values = channel.elements.map((one, i) => {
-    const words = `${readable(of.values[i])} ${channel.unit}`.trim();
+    const words = withUnit(readable(of.values[i]), channel.unit);
     return element("div", {}, [
       element("dt", {}, [one === "1" ? channel.name : one]),
       element("dd", {}, [words]),
@@ -47,7 +47,7 @@ export function valuesTable({ channel, values }: MomentChannel): Table {
 function manyValues(system: SystemReport, of: MomentChannel, name: string): Child {
   const { channel } = of;
   const points = of.values.map((value, i) => ({ x: i + 1, value: value ?? 0 }));
-  const plot = plotFigure(`${channel.name} while feeling ${name}`, {
+  const plot = plotFigure(`${channel.name} while exploring ${name}`, {
     height: 220,
     x: { label: "element", grid: false },
     y: { label: channel.unit || "value", grid: true, nice: true },

@@ -1,4 +1,4 @@
-// What the sensors told while a thing was explored: touch on the hand at one moment, and joints and
+// The sensor readings during an exploration: touch on the hand at one moment, and joints and
 // touch over time.
 
 import { choice } from "../parts/controls";
@@ -25,7 +25,7 @@ export function momentFigures(system: SystemReport): Child[] {
   return [element("div", { class: "controls" }, [choice("Exploration of", names, 0, show).element]), place];
 }
 
-/** By the label of the study, where it is known: explorations may have many more. */
+/** The label of the study if it is known, because explorations may have many labels. */
 function momentName(system: SystemReport, { labels }: MomentData, index: number): string {
   const own =
     labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
@@ -35,7 +35,7 @@ function momentName(system: SystemReport, { labels }: MomentData, index: number)
 function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
   const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
   const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
-  // What lies on the hand comes first, touch before joints.
+  // Channels on the hand come first, touch before joints.
   const channels = [...moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
     const isOnHand = isHand(one);
@@ -48,11 +48,11 @@ function figuresOf(system: SystemReport, moment: MomentData, name: string): Chil
   });
 }
 
-/** The hand at a moment that a slider chooses, where there is more than one. */
+/** The hand at a moment, selected by a slider if there is more than one. */
 function handFigure(system: SystemReport, of: MomentChannel, name: string): Child {
   const { channel, series, times } = of;
   const picture = handMap(channel, {
-    label: `${channel.name} while feeling ${name}`,
+    label: `${channel.name} while exploring ${name}`,
     unit: channel.unit,
     size: 380,
   });
@@ -74,7 +74,7 @@ function handFigure(system: SystemReport, of: MomentChannel, name: string): Chil
     body: element("div", {}, [title, picture.element]),
     picture: () => picture.svg,
     numbers: () => valuesTable({ ...of, values: shown.values }),
-    note: "At first the moment at which most of the hand is touched.",
+    note: "Initially the moment of maximum touch is shown.",
   });
 }
 

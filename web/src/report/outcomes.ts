@@ -1,13 +1,14 @@
-// What came out over the seeds, against the paper, the nearest neighbour and wrong groupings.
+// The results over the seeds, compared with the paper, the nearest neighbour and wrong groupings.
 
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
+import { countOf } from "../parts/numbers";
 import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "./data";
 import { classesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
 import type { Selection } from "./selection";
 import { stripsPicture, type Strip } from "./strips";
-import { countOf, metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
+import { metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
 
 export function outcomesFigure(
   system: SystemReport,
@@ -17,7 +18,7 @@ export function outcomesFigure(
   const options = {
     title: "Outcomes",
     file: `${systemName(system)}-outcomes`,
-    note: "A dot is a run; where runs agree one dot stands for them, as large as they are many. The upright stroke is the median.",
+    note: "Each dot is a run; equal runs share one dot whose area is proportional to their number. The vertical line is the median.",
     wide: true,
   };
   return liveFigure(options, selection, () => draw(system, selection, claims)).element;
@@ -25,9 +26,9 @@ export function outcomesFigure(
 
 function draw(system: SystemReport, selection: Selection, claims: ClaimReport[]): Drawn {
   const { protocol, label } = selection;
-  if (!protocol) return nothing("There is no protocol to show.");
+  if (!protocol) return nothing("There are no protocols.");
   const strips = stripsOf(system, protocol, label, claims);
-  if (strips.length === 0) return nothing(`Nothing was measured for the label ${label} under this protocol.`);
+  if (strips.length === 0) return nothing(`There are no metrics for the label ${label} under this protocol.`);
   const words = `${protocolName(protocol)}, ${label}, ${countOf(protocol.runs.length, "run")} of ${countOf(protocol.samples, "sample")}`;
   const picture = stripsPicture(strips, `Outcomes: ${words}`);
   const seeds = protocol.runs.map((run) => run.seed);
@@ -38,7 +39,7 @@ function draw(system: SystemReport, selection: Selection, claims: ClaimReport[])
   };
 }
 
-const kBeside = /^baseline_|_by_luck$/;
+const kBeside = /^baseline_|_chance$/;
 
 function stripsOf(
   system: SystemReport,
@@ -69,7 +70,7 @@ function stripOf(
     metric,
     name: metricName(metric),
     values: data.values,
-    luck: other(`${name}_by_luck`)?.values ?? [],
+    luck: other(`${name}_chance`)?.values ?? [],
     baseline: name === "accuracy" ? (other("baseline_accuracy")?.mean ?? null) : null,
     published: claim?.published ?? null,
     range,
@@ -84,7 +85,7 @@ function isOf(claim: ClaimReport, protocol: ProtocolData): boolean {
 function stripsTable(strips: Strip[], seeds: number[]): Table {
   const rows = strips.flatMap((strip) => [
     ...strip.values.map((value, i) => [strip.metric, "here", seeds[i] ?? null, value]),
-    ...strip.luck.map((value, i) => [strip.metric, "by luck", seeds[i] ?? null, value]),
+    ...strip.luck.map((value, i) => [strip.metric, "by chance", seeds[i] ?? null, value]),
     ...(strip.baseline === null ? [] : [[strip.metric, "nearest neighbour", null, strip.baseline]]),
     ...(strip.published === null ? [] : [[strip.metric, "paper", null, strip.published]]),
   ]);

@@ -1,11 +1,12 @@
-// What was found, at a glance: every system with its main figures and how its claims hold.
+// Overview of the results: every system with its main metrics and the verdicts of its claims.
 
 import { element, type Child } from "../parts/dom";
+import { countOf } from "../parts/numbers";
 import { isOfPaper } from "./claims";
 import type { ReportData } from "./data";
 import { questionsOf, standing } from "./groups";
 import { systemsFigure } from "./systems_table";
-import { countOf, kVerdicts } from "./words";
+import { kVerdicts } from "./words";
 
 export function overviewSection(data: ReportData): HTMLElement {
   const systems = standing(data);
@@ -18,13 +19,13 @@ export function overviewSection(data: ReportData): HTMLElement {
   ];
   return element("section", { id: "overview", class: "overview", "aria-labelledby": "overview-title" }, [
     element("header", { class: "title" }, [
-      element("h1", { id: "overview-title" }, ["What the hands felt, and what the maps made of it"]),
+      element("h1", { id: "overview-title" }, ["Results"]),
       element("p", { class: "muted" }, [`${counts.join(", ")}. Written by Somato ${data.somato}.`]),
     ]),
     ...summary(data),
     data.systems.length === 0
       ? element("p", { class: "message" }, [
-          "No results were given, so there is no system to show. Name one or more results.json: somato report RESULTS.json -o report.html",
+          "No results were given. Name one or more results.json: somato report RESULTS.json -o report.html",
         ])
       : systems.length > 0
         ? systemsFigure(systems, data, "somato-systems")

@@ -1,4 +1,4 @@
-// The whole page: navigation at the side, the overview, claims and curves, and a section a system.
+// The whole page: side navigation, overview, claims and curves, and a section for each system.
 
 import { breakable, element } from "../parts/dom";
 import { themeButton } from "../parts/theme";
@@ -87,13 +87,13 @@ function entryList(title: string, entries: Entry[]): HTMLElement[] {
   return title === "" ? [list] : [element("p", { class: "list-title" }, [title]), list];
 }
 
-/** Draws what a link leads to before going there, and shows in the list where one is. */
+/** Draws the target of a link before scrolling to it, and marks the current section. */
 function followLinks(): void {
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.side a")];
   addEventListener("hashchange", goToHash);
   if (location.hash !== "") goToHash();
   const sections = [...document.querySelectorAll("main > section")];
-  // Sections come and go at this line, a fifth of the way down; asked only then.
+  // The current section is that at a fifth of the height.
   const atLine = { rootMargin: "-20% 0px -79% 0px" };
   const watcher = new IntersectionObserver(() => mark(links, sectionAtLine(sections)), atLine);
   sections.forEach((section) => watcher.observe(section));

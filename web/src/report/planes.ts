@@ -1,5 +1,5 @@
-// Component planes, folded back onto the hand: at the left the map by one element, at the right what
-// one neuron stands for at all elements. Choosing on one side changes the other.
+// Component planes, projected onto the hand: on the left the component plane of one element, on the
+// right the weights of one neuron for all elements. A selection on one side changes the other.
 
 import { choice } from "../parts/controls";
 import type { ChannelPlanes, GridData } from "../parts/data";
@@ -30,7 +30,7 @@ export function planeFigures(system: SystemReport, _selection: Selection): Child
   return [element("div", { class: "controls" }, channels), place];
 }
 
-/** What has most to show comes first. */
+/** The plane with most elements comes first. */
 function richest(all: ChannelPlanes[]): number {
   const counts = all.map((planes) => planes.channel.elements.length);
   return Math.max(0, counts.indexOf(Math.max(...counts)));
@@ -59,7 +59,7 @@ class LinkedPlanes {
       onPoint: (neuron: number | null) => this.preview(neuron),
     };
     this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
-    const handLabel = `What a neuron stands for at ${channel.name}`;
+    const handLabel = `Weights of a neuron for ${channel.name}`;
     const keepElement = {
       onChoose: (one: number) => this.setElement(one),
       onPoint: (one: number | null) => this.previewPlane(one),
@@ -76,7 +76,7 @@ class LinkedPlanes {
     const isOne = channel.elements.length === 1;
     const figures: Child[] = [
       figure({
-        title: isOne ? `The map by ${channel.name}` : `The map by one element of ${channel.name}`,
+        title: isOne ? `Component plane of ${channel.name}` : `Component plane of an element of ${channel.name}`,
         file: `${name}-plane`,
         controls: isOne ? [] : [this.elements.element],
         body: element("div", {}, [this.mapTitle, this.map.element]),
@@ -85,15 +85,15 @@ class LinkedPlanes {
           neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
         note: isOne
           ? ""
-          : "Choose a neuron to see what it stands for. The CSV has the planes of all elements.",
+          : "Select a neuron to see its weights. The CSV contains the planes of all elements.",
       }),
       figure({
-        title: this.hand.isHand ? "One neuron on the hand" : "One neuron, all elements",
+        title: this.hand.isHand ? "Weights of one neuron on the hand" : "Weights of one neuron",
         file: `${name}-neuron`,
         body: element("div", {}, [this.handTitle, this.hand.element]),
         picture: () => this.hand.svg,
         numbers: () => this.neuronNumbers(),
-        note: "Choose an element to see where on the map it matters.",
+        note: "Select an element to see its component plane.",
       }),
     ];
     if (isOne) return figures.slice(0, 1);
@@ -116,7 +116,7 @@ class LinkedPlanes {
     this.preview(null);
   }
 
-  /** The plane of an element that is pointed at, or of the chosen one. */
+  /** The plane of the element under the pointer, or of the selected one. */
   private previewPlane(pointed: number | null): void {
     const one = pointed ?? this.element;
     this.map.setValues(this.planes.values.map((values) => values[one] ?? null));
@@ -139,7 +139,7 @@ class LinkedPlanes {
 
 const ranges = new WeakMap<ChannelPlanes, [number, number]>();
 
-/** The same for all neurons, so that they can be compared. */
+/** The range is the same for all neurons, so that they can be compared. */
 function rangeOfAll(planes: ChannelPlanes): [number, number] {
   const known = ranges.get(planes);
   if (known) return known;
@@ -152,7 +152,7 @@ function rangeOfAll(planes: ChannelPlanes): [number, number] {
   return range;
 }
 
-/** The neuron whose weights reach highest: something to see at first. */
+/** The neuron with the largest weight, as the initial selection. */
 function busiest(planes: ChannelPlanes): number {
   const peaks = planes.values.map((values) => rangeOf(values)?.[1] ?? Number.NEGATIVE_INFINITY);
   return Math.max(0, peaks.indexOf(Math.max(...peaks)));

@@ -1,4 +1,4 @@
-// Plots by Observable Plot, in the look of the page.
+// Plots by Observable Plot, in the style of the page.
 
 import * as Plot from "@observablehq/plot";
 
@@ -9,7 +9,7 @@ import { markerLegend } from "../parts/legend";
 import { sizeOf } from "../parts/save";
 import { shape, svg } from "../parts/svg";
 
-/** The plot in a place that it fills. */
+/** The plot in an element that it fills. */
 export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElement {
   const made = Plot.plot({
     width: 460,
@@ -20,18 +20,18 @@ export function plotFigure(label: string, options: Plot.PlotOptions): HTMLElemen
   });
   made.setAttribute("role", "img");
   made.setAttribute("aria-label", label);
-  // Plot names its axes and marks inside a picture, where names say nothing to those who listen.
+  // Plot labels axes and marks inside a picture, where the labels are of no use to screen readers.
   made.querySelectorAll("[aria-label]").forEach((part) => part.removeAttribute("aria-label"));
   made.classList.add("plot");
   return element("div", { class: "plot-place" }, [made]);
 }
 
-/** Lines of a plot: what is dark on light must be light on dark, as the tokens say. */
+/** Line colours of a plot follow the theme. */
 export function strokeOf(line: number): string {
   return classColour(line % kClassColours);
 }
 
-/** The plot as a picture to save: its legend goes with it. */
+/** The plot as a picture to save, including its legend. */
 export function plotPicture(place: HTMLElement, names: readonly string[]): SVGSVGElement | null {
   const plot = place.querySelector<SVGSVGElement>("svg.plot");
   if (!plot || names.length < 2) return plot;

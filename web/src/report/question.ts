@@ -1,13 +1,14 @@
-// The section of a question: its systems in a table, and each of them to open.
+// The section of a question: a table of its systems, each of which can be opened.
 
 import { breakable, element } from "../parts/dom";
+import { countOf } from "../parts/numbers";
 import { claimsFigure } from "./claims";
 import type { ReportData } from "./data";
 import type { Question } from "./groups";
 import { drawInside } from "./lazy";
 import { claimsOf, systemsFigure } from "./systems_table";
 import { systemSection } from "./system";
-import { countOf, systemName } from "./words";
+import { systemName } from "./words";
 
 export function questionSection(question: Question, data: ReportData): HTMLElement {
   const { id, name, systems } = question;
@@ -20,7 +21,7 @@ export function questionSection(question: Question, data: ReportData): HTMLEleme
   });
   return element("section", { id, class: "question", "aria-labelledby": `${id}-title` }, [
     element("h2", { id: `${id}-title` }, [name]),
-    element("p", { class: "muted lead" }, [`A question, put to ${countOf(systems.length, "system")}.`]),
+    element("p", { class: "muted lead" }, [`Question about ${countOf(systems.length, "system")}.`]),
     systemsFigure(systems, data, `question-${name}`),
     claims.length === 0 ? null : claimsFigure(claims, `question-${name}-claims`, true),
     element("div", { class: "folds" }, folds),

@@ -1,16 +1,16 @@
-// Reads what `somato report` put into the page. What is missing is filled with what stands for
-// nothing, so that a report of another version of the program shows what it can.
+// Reads the data that `somato report` wrote into the page. Missing fields are replaced by empty
+// values, so that the report of another version of the program is shown as far as possible.
 
 import type { ClaimReport, ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
 import { withPlaces } from "./same_names";
 
 export type Read = { data: ReportData } | { problem: string };
 
-const kMakeAnother = "Make the page anew with: somato report RESULTS.json -o report.html";
+const kMakeAnother = "Create the page again with: somato report RESULTS.json -o report.html";
 
 export function readReport(text: string): Read {
   if (text.trim() === "" || text.trim() === "null") {
-    return { problem: `This page carries no results yet. ${kMakeAnother}` };
+    return { problem: `This page contains no results. ${kMakeAnother}` };
   }
   let parsed: unknown;
   try {
@@ -26,7 +26,7 @@ function checked(parsed: unknown): Read {
   if (parsed["version"] !== 1) {
     const version = String(parsed["version"]);
     return {
-      problem: `The results in this page are of version ${version}; this page reads version 1. ${kMakeAnother}`,
+      problem: `The results in this page have version ${version}; this page reads version 1. ${kMakeAnother}`,
     };
   }
   const systems = listOf(parsed["systems"]).filter(isObject).map(completed);
@@ -41,7 +41,7 @@ function checked(parsed: unknown): Read {
   };
 }
 
-/** A system of which nothing is known. */
+/** A system without data. */
 export function emptySystem(): SystemReport {
   return {
     file: "",

@@ -1,18 +1,21 @@
-// Systems of one name from several files, told apart by where their files are: the folder, or the
-// whole path where folders have one name, too.
+// Systems of the same name from several files are distinguished by the folder of their files, or
+// by the whole path if the folders have the same name, too.
 
 import type { ClaimReport, SystemReport } from "./data";
 
-/** The same, with `place` where it is needed. */
+/** `place` distinguishes it from one of the same name; it is found here, not in the report's JSON. */
+export type Placed<One> = One & { place?: string };
+
+/** The same, with `place` if needed. */
 export function withPlaces(
   systems: SystemReport[],
   claims: ClaimReport[],
-): { systems: SystemReport[]; claims: ClaimReport[] } {
+): { systems: Placed<SystemReport>[]; claims: Placed<ClaimReport>[] } {
   const twice = filesWithTwins(systems);
   const folders = twice.map(folderOf);
   const isTold = new Set(folders).size === folders.length && !folders.includes("");
   const places = new Map(twice.map((file, i) => [file, isTold ? (folders[i] ?? file) : file]));
-  const placed = <One extends { file: string }>(one: One): One => {
+  const placed = <One extends { file: string }>(one: One): Placed<One> => {
     const place = places.get(one.file);
     return place === undefined ? one : { ...one, place };
   };

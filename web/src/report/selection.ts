@@ -1,4 +1,4 @@
-// What is chosen for a system: a protocol, a label and a run. Whoever shows it listens.
+// The selection for a system: a protocol, a label and a run. Figures listen to its changes.
 
 import { labelNames } from "./labels";
 import type { ProtocolData, RunData, SystemReport } from "./data";
@@ -27,7 +27,7 @@ export class Selection {
     return this.protocol?.runs[this.runIndex];
   }
 
-  /** The label and the run stay as they are where the new protocol has them. */
+  /** The label and the run are kept if the new protocol has them. */
   setProtocol(index: number): void {
     const label = this.label;
     this.protocolIndex = index;

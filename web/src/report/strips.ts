@@ -1,10 +1,9 @@
 // Distributions as strips: for each metric the values of all runs, those of wrong groupings below,
-// and marks where the paper and the nearest neighbour are.
+// and marks for the paper and the nearest neighbour.
 
-import { rangeOf, readable } from "../parts/numbers";
+import { countOf, rangeOf, readable } from "../parts/numbers";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { median } from "./claims";
-import { countOf } from "./words";
 
 export interface Strip {
   metric: string;
@@ -27,7 +26,7 @@ export function stripsPicture(strips: readonly Strip[], label: string): SVGSVGEl
   return svg(kNames + kWidth + kRight, kHead + strips.length * kRow, label, [legend(strips), ...rows]);
 }
 
-/** Of the signs that are drawn. */
+/** The legend of the signs in the picture. */
 function legend(strips: readonly Strip[]): SVGGElement {
   const entries: [string, SVGElement, (strip: Strip) => boolean][] = [
     ["run", dot(0, 0, 4.5, "run"), () => true],
@@ -109,7 +108,7 @@ function dots(
 
 const kLargest = 10.5;
 
-/** Areas as the numbers, but no dot beyond its row. */
+/** Areas are proportional to the numbers, but no dot exceeds its row. */
 function radiusFor(radius: number, count: number): number {
   return Math.min(kLargest, radius * Math.sqrt(1 + (count - 1) * 0.22));
 }

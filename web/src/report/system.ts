@@ -1,6 +1,7 @@
 // The section of one system.
 
 import { element, type Child } from "../parts/dom";
+import { countOf } from "../parts/numbers";
 import { claimsFigure } from "./claims";
 import { confusionFigures } from "./confusions";
 import { connectivityFigures } from "./connectivity";
@@ -17,7 +18,7 @@ import { mapFigure, savedMapFigures } from "./system_map";
 import { missingList, notGivenFigure, settingsList } from "./tables";
 import { thingsFigure } from "./things";
 import { toolbar } from "./toolbar";
-import { countOf, systemName } from "./words";
+import { systemName } from "./words";
 
 export function systemSection(system: SystemReport, index: number, data: ReportData): HTMLElement {
   const id = systemId(index);
@@ -29,7 +30,7 @@ export function systemSection(system: SystemReport, index: number, data: ReportD
 }
 
 function systemHeader(system: SystemReport, id: string): HTMLElement {
-  // Below the heading of a question it is one of a lower level.
+  // Below the heading of a question the level is lower.
   const title = element(system.question === "" ? "h2" : "h3", { id, class: "system-title" }, [
     systemName(system),
   ]);
@@ -54,8 +55,8 @@ function factsOf(system: SystemReport): [string, string][] {
   const facts: [string, string][] = [["Results", system.file]];
   if (grid) facts.push(["Map", `${grid.rows} × ${grid.columns}, ${grid.lattice}, ${grid.topology}`]);
   facts.push(["Samples", String(samples)], ["Runs", String(runs)]);
-  const named = recordings.filter((name) => name !== "");
-  if (named.length > 0) facts.push([named.length === 1 ? "Recording" : "Recordings", recordingWords(named)]);
+  const word = recordings.length === 1 ? "Recording" : "Recordings";
+  if (recordings.length > 0) facts.push([word, recordingWords(recordings)]);
   if (system.data_hash !== "") facts.push(["Data", system.data_hash]);
   return facts;
 }
@@ -73,22 +74,22 @@ function systemParts(system: SystemReport, data: ReportData, id: string): Child[
     ["The graph of its modules", 260, system.graph !== null, () => [graphFigure(system)]],
     ["The map", 620, system.protocols.length > 0, () => mapFigures(system, selection)],
     [
-      "What the neurons stand for",
+      "Weights of the neurons",
       560,
       system.grid !== null && (trained?.planes.length ?? 0) > 0,
       () => planeFigures(system, selection),
     ],
     ["Connectivity", 480, (trained?.receptive_fields.length ?? 0) > 0, () => connectivityFigures(system)],
-    ["What the sensors told", 480, system.moments.length > 0, () => momentFigures(system)],
+    ["Sensor readings", 480, system.moments.length > 0, () => momentFigures(system)],
     ["Over the seeds", 420, system.protocols.length > 0, () => [outcomesFigure(system, selection, claims)]],
     [
-      "What was taken for what",
+      "Confusion matrix",
       420,
       system.protocols.length > 0,
       () => figuresOf(confusionFigures(system, selection)),
     ],
     ["Claims", 200, claims.length > 0, () => [claimsFigure(claims, `${systemName(system)}-claims`, false)]],
-    ["Things and materials", 240, system.things.length > 0, () => [thingsFigure(system)]],
+    ["Objects and materials", 240, system.things.length > 0, () => [thingsFigure(system)]],
     ["Not given in the papers", 160, system.not_given.length > 0, () => [notGivenFigure(system)]],
   ];
   const blocks = parts
@@ -108,7 +109,7 @@ function figuresOf(figures: HTMLElement[]): Child[] {
 
 function noProtocols(): Child {
   return element("p", { class: "message" }, [
-    "These results have no protocol, so there is nothing to show of a test.",
+    "These results contain no protocol.",
   ]);
 }
 

@@ -1,5 +1,5 @@
-// The map of a system: its winners by class, as in the papers' figures, and what the saved one tells
-// beside that.
+// The map of a system: its winners by class, as in the papers' figures, and the data of the saved
+// map.
 
 import type { Table } from "../parts/csv";
 import type { GridData } from "../parts/data";
@@ -7,7 +7,8 @@ import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { columnOf, neuronCount, rowOf } from "../parts/grid";
 import { hitsPicture } from "../parts/map_hits";
-import { labelsPicture, valuesPicture } from "../parts/map_picture";
+import { labelsPicture } from "../parts/map_labels";
+import { valuesPicture } from "../parts/map_picture";
 import type { SystemReport, TrainedData } from "./data";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
@@ -19,7 +20,7 @@ export function mapFigure(system: SystemReport, selection: Selection): HTMLEleme
   const options = {
     title: "Winners",
     file: `${systemName(system)}-map`,
-    note: "A marker is a sample, at the neuron that won it; an area is what lies nearest to the winners of a class. A dotted border touches the opposite one.",
+    note: "Each marker is a sample at its winner; an area contains the neurons nearest to the winners of a class. Opposite dotted borders are connected.",
   };
   return liveFigure(options, selection, () => drawMap(system, selection)).element;
 }
@@ -27,10 +28,10 @@ export function mapFigure(system: SystemReport, selection: Selection): HTMLEleme
 function drawMap(system: SystemReport, selection: Selection): Drawn {
   const { grid } = system;
   const { protocol, run, label } = selection;
-  if (!grid) return nothing("The shape of the map is not known, so it cannot be drawn.");
-  if (!protocol || !run) return nothing("There is no run of this protocol.");
+  if (!grid) return nothing("The map cannot be drawn because its shape is unknown.");
+  if (!protocol || !run) return nothing("This protocol has no runs.");
   const values = valuesOf(system, protocol, run, label);
-  if (!values) return nothing(`The label ${label} is not known for the samples of this run.`);
+  if (!values) return nothing(`The label ${label} is unknown for the samples of this run.`);
   const names = classesOf(system, label);
   const classes = numbered(values, names);
   const isOneMap = hasOneMap(protocol);
@@ -54,7 +55,7 @@ function drawMap(system: SystemReport, selection: Selection): Drawn {
 }
 
 const kManyMaps =
-  "Each sample was tested on a map of its own that had not learned from it: places on different maps are not to be compared, and no areas are drawn.";
+  "Each sample was tested on a separate map trained without it: positions on different maps are not comparable, and no areas are drawn.";
 
 function mapTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
   const columns = ["sample", "winner", "row", "column", "class", "named"];
@@ -69,7 +70,7 @@ function mapTable(grid: GridData, winners: number[], values: string[], named: st
   return { columns, rows };
 }
 
-/** U-matrix and hits of the system that is saved. */
+/** U-matrix and hits of the saved system. */
 export function savedMapFigures(system: SystemReport): Child[] {
   const { grid, trained } = system;
   if (!grid || !trained) return [];
@@ -83,7 +84,7 @@ export function savedMapFigures(system: SystemReport): Child[] {
 function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
   const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size: 300 });
   picture.setValues(trained.u_matrix);
-  // The same marks as on the map of winners: classes numbered as there.
+  // Classes have the same marks as on the map of winners.
   const label = system.protocols[0]?.label ?? "";
   const names = [...new Set([...classesOf(system, label), ...trained.classes])];
   const classes = trained.neuron_classes.map((one) =>
@@ -93,7 +94,7 @@ function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedDat
   return figure({
     title: "U-matrix",
     file: `${systemName(system)}-u-matrix`,
-    note: `The mean distance of a neuron's weights from its neighbours', ${seed}: light ridges part what differs. A marker is the class that a neuron is labelled with.`,
+    note: `The mean distance between a neuron's weights and those of its neighbours, ${seed}: light ridges separate different samples. A marker is the class of a neuron.`,
     body: picture.element,
     picture: () => picture.svg,
     numbers: () =>
@@ -111,7 +112,7 @@ function hitsFigure(system: SystemReport, grid: GridData, trained: TrainedData, 
   return figure({
     title: "Hits",
     file: `${systemName(system)}-hits`,
-    note: `How many samples a neuron won, ${seed}.`,
+    note: `Number of samples won by each neuron, ${seed}.`,
     body: picture.element,
     picture: () => picture.svg,
     numbers: () => neuronTable(grid, ["samples"], (i) => [trained.hits[i] ?? null]),

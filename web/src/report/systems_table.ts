@@ -1,9 +1,9 @@
-// Systems in a table: main figures, and how many of their claims hold.
+// A table of systems: main metrics, and the number of claims that hold.
 
 import type { Table } from "../parts/csv";
 import { breakable, element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
-import { readable } from "../parts/numbers";
+import { figure, scrolled } from "../parts/figure";
+import { hundredths } from "../parts/numbers";
 import { isOfPaper } from "./claims";
 import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
 import { systemId, type Numbered } from "./groups";
@@ -12,7 +12,7 @@ import { systemName } from "./words";
 const kColumns = [
   "system",
   "runs",
-  "named rightly, train = test",
+  "accuracy, train = test",
   "held out",
   "nearest neighbour, held out",
   "claims that hold",
@@ -30,12 +30,10 @@ export function systemsFigure(systems: Numbered[], data: ReportData, file: strin
   return figure({
     title: "Systems",
     file,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Systems" }, [
-      table,
-    ]),
+    body: scrolled("Systems", table),
     numbers: () => systemsTable(systems, data),
     wide: true,
-    note: "Mean ± standard deviation over the seeds. Held out: the first protocol that tests on what was not learned. Claims: those of papers.",
+    note: "Mean ± standard deviation over the seeds. Held out: the first protocol with separate test data. Claims: only those of papers.",
   });
 }
 
@@ -93,13 +91,8 @@ function mainFigures(system: SystemReport): MainFigures {
 /** "0.85 ± 0.07"; a single run has no spread. */
 function spread(metric: MetricData | undefined): string {
   if (!metric) return "–";
-  const mean = fixed(metric.mean);
-  return metric.values?.length === 1 ? mean : `${mean} ± ${fixed(metric.sd)}`;
-}
-
-function fixed(value: number | null): string {
-  if (value === null) return "–";
-  return Math.abs(value) < 100 ? value.toFixed(2).replace("-", "−") : readable(value);
+  const mean = hundredths(metric.mean);
+  return metric.values?.length === 1 ? mean : `${mean} ± ${hundredths(metric.sd)}`;
 }
 
 function systemsTable(systems: Numbered[], data: ReportData): Table {

@@ -1,18 +1,18 @@
-// What the papers do not give, what this page does not show, and every setting.
+// Tables of the settings not given in the papers, of missing data, and of all settings.
 
 import { element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
+import { figure, scrolled } from "../parts/figure";
 import type { SystemReport } from "./data";
 import { systemName } from "./words";
 
 export function notGivenFigure(system: SystemReport): Child {
   const rows = system.not_given.map((one) => [one.part, one.name, one.value, one.text]);
   return figure({
-    title: "What was not given in the paper",
+    title: "Settings not given in the paper",
     file: `${systemName(system)}-not-given`,
-    body: plainTable("Not given", ["module", "setting", "taken", "what it is"], rows, 3),
+    body: plainTable("Not given", ["module", "setting", "value", "meaning"], rows, 3),
     numbers: () => ({ columns: ["part", "setting", "value", "text"], rows }),
-    note: "The papers leave these open; the values here are ours.",
+    note: "The papers do not specify these settings; the values are our choices.",
     wide: true,
   });
 }
@@ -30,10 +30,10 @@ function plainTable(label: string, columns: string[], rows: string[][], codes: n
       rows.map((row) => element("tr", {}, row.map(cell))),
     ),
   ]);
-  return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
+  return scrolled(label, table);
 }
 
-/** What is not here and how to get it. */
+/** The missing data and how to obtain them. */
 export function missingList(system: SystemReport): Child[] {
   if (system.missing.length === 0) return [];
   const items = system.missing.map((sentence) => element("li", {}, [sentence]));

@@ -1,9 +1,9 @@
-// The things and materials that were explored, each with a picture at the same scale.
+// The explored objects and materials, with pictures at the same scale.
 
 import type { Table } from "../parts/csv";
 import type { ThingData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
+import { figure, scrolled } from "../parts/figure";
 import { readable } from "../parts/numbers";
 import { commonScale, thingPicture } from "../parts/thing_picture";
 import type { SystemReport } from "./data";
@@ -29,9 +29,7 @@ export function thingsFigure(system: SystemReport): Child {
   return figure({
     title: "Things",
     file: `${systemName(system)}-things`,
-    body: element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": "Things" }, [
-      table,
-    ]),
+    body: scrolled("Things", table),
     numbers: () => thingsTable(things),
     note: noteOf(things),
     wide: true,
@@ -41,10 +39,10 @@ export function thingsFigure(system: SystemReport): Child {
 function noteOf(things: ThingData[]): string {
   const isKnown = (thing: ThingData) => thing.size !== null || thing.shape === null;
   if (things.every((thing) => thing.size === null)) {
-    return things.every(isKnown) ? "" : "Drawn by their shapes alone; their sizes are not known.";
+    return things.every(isKnown) ? "" : "Only the shapes are drawn; the sizes are unknown.";
   }
-  const others = things.every(isKnown) ? "" : " Those without a size are drawn by their shapes alone.";
-  return `All drawn at the same scale; width × depth × height.${others}`;
+  const others = things.every(isKnown) ? "" : " Only the shape is drawn if the size is unknown.";
+  return `All are drawn at the same scale; width × depth × height.${others}`;
 }
 
 interface Column {
@@ -66,7 +64,7 @@ const kColumns: Column[] = [
   },
 ];
 
-/** Those columns in which something stands. */
+/** The columns that are not empty. */
 function columnsOf(things: ThingData[]): Column[] {
   return kColumns.filter(({ value }) => things.some((thing) => value(thing) !== ""));
 }
@@ -77,7 +75,7 @@ function sizeWords(thing: ThingData): string {
   return thing.top_diameter > 0 ? `${words}, top ${readable(thing.top_diameter)}` : words;
 }
 
-/** Of a name alone nobody knows what it looks like. */
+/** The appearance is unknown if only the name is given. */
 function hasPicture({ shape, material, colour }: ThingData): boolean {
   return shape !== null || material !== "" || colour !== null;
 }

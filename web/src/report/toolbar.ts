@@ -1,5 +1,5 @@
-// The controls of a system's section: protocol, label and run. They stay in sight while its figures
-// are looked at.
+// The controls of a system's section: protocol, label and run. They remain visible while its
+// figures are visible.
 
 import { choice, segments } from "../parts/controls";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
@@ -24,7 +24,7 @@ export function toolbar(selection: Selection): HTMLElement {
     protocol = selection.protocolIndex;
     redraw();
   });
-  const attributes = { class: "controls toolbar", role: "group", "aria-label": "What is shown" };
+  const attributes = { class: "controls toolbar", role: "group", "aria-label": "Selection" };
   return element("div", attributes, [protocols.element, labels, runs]);
 }
 
@@ -38,7 +38,7 @@ function labelControl(selection: Selection): Child {
   return choice("Label", labels, labelIndex, change).element;
 }
 
-/** A slider: arrow keys go from run to run. */
+/** A slider; the arrow keys select the previous or next run. */
 function runControl(selection: Selection): Child {
   const count = selection.protocol?.runs.length ?? 0;
   const id = uniqueId("run");

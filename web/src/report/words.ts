@@ -1,8 +1,9 @@
 // The names of protocols and metrics in words. docs/reference/results.md defines every metric.
 
 import type { ProtocolData, SystemReport } from "./data";
+import type { Placed } from "./same_names";
 
-export function systemName(system: SystemReport): string {
+export function systemName(system: Placed<SystemReport>): string {
   const name = system.name || system.file || "A system without a name";
   const whole = system.variation === "" ? name : `${name}, ${system.variation}`;
   return system.place === undefined ? whole : `${whole} (${system.place})`;
@@ -20,30 +21,30 @@ export function protocolName(protocol: ProtocolData): string {
   return kProtocols[protocol.protocol] ?? protocol.protocol.replaceAll("_", " ");
 }
 
-/** Whether all winners of one run are of one map, so that areas mean something. */
+/** Whether all winners of one run belong to one map, so that areas are meaningful. */
 export function hasOneMap(protocol: ProtocolData): boolean {
   return protocol.protocol === "train_is_test" || protocol.protocol === "test_data";
 }
 
 const kMetrics: Record<string, string> = {
-  accuracy: "Named rightly",
-  baseline_accuracy: "Named rightly by the nearest neighbour",
+  accuracy: "Accuracy",
+  baseline_accuracy: "Nearest-neighbour accuracy",
   baseline_accuracy_raw: "Nearest neighbour, raw",
   baseline_accuracy_standardized: "Nearest neighbour, standardized",
   individuals_apart: "No neuron wins two classes",
-  areas_connected: "One connected area a class",
-  told_exactly: "Classes told exactly",
-  undetermined: "Samples undetermined",
-  with_own: "Samples among their own",
+  areas_connected: "One connected area per class",
+  classes_separated: "Classes separated",
+  undetermined: "Ambiguous samples",
+  neighbours_same_class: "Samples with neighbours of the same class",
   on_border: "Winners on the border",
   order_around: "Order around the map",
   order_within: "Order within a group",
-  placed_with_most_similar: "Placed with the most similar",
+  placed_with_most_similar: "Placed near the most similar",
   quantization_error: "Quantization error",
   topographic_error: "Topographic error",
 };
 
-/** "shape.with_own" is ["shape", "with_own"]; the label of the study itself has no name there. */
+/** "shape.neighbours_same_class" is ["shape", "neighbours_same_class"]; the label of the study itself has no name there. */
 export function splitMetric(metric: string): [string, string] {
   const match = /^([^.\s]+)\.(.+)$/s.exec(metric);
   return match ? [match[1] ?? "", match[2] ?? ""] : ["", metric];
@@ -58,13 +59,13 @@ export function metricName(metric: string): string {
 
 const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|similar)/;
 
-/** The least and greatest that a metric can be, where that is known. */
+/** The range of a metric, if known. */
 export function metricRange(metric: string, samples: number, classes: number): [number, number] | null {
   const [, own] = splitMetric(metric);
   if (own === "quantization_error") return null;
   if (own.startsWith("mapped_with")) return null;
-  if (own.startsWith("told_exactly")) return [0, Math.max(1, classes)];
-  if (/^(undetermined|with_own)/.test(own)) return [0, Math.max(1, samples)];
+  if (own.startsWith("classes_separated")) return [0, Math.max(1, classes)];
+  if (/^(undetermined|neighbours_same_class)/.test(own)) return [0, Math.max(1, samples)];
   return kShares.test(own) ? [0, 1] : null;
 }
 
@@ -81,8 +82,4 @@ export const kVerdicts: [verdict: string, kind: VerdictKind][] = [
 
 export function kindOf(verdict: string): VerdictKind {
   return kVerdicts.find(([name]) => name === verdict)?.[1] ?? "neutral";
-}
-
-export function countOf(count: number, one: string, many = `${one}s`): string {
-  return `${count} ${count === 1 ? one : many}`;
 }

@@ -1,12 +1,13 @@
-// Every answer that the system knows, as a bar as long as it is far. The order stays, so that bars
-// can be watched; the nearest is marked.
+// A bar for each class, with a length proportional to its distance. The order is fixed, so that bars
+// can be followed; the nearest class is marked.
 
+import type { NumberOrNull } from "../parts/data";
 import { element, fill } from "../parts/dom";
 import { marker } from "../parts/markers";
+import { digits } from "../parts/numbers";
 import { shape } from "../parts/svg";
 import type { Reading } from "./data";
 import type { Model } from "./model";
-import { digits } from "./numbers";
 
 interface Row {
   root: HTMLElement;
@@ -16,12 +17,12 @@ interface Row {
 
 export class Candidates {
   readonly root = element("div", { class: "candidates" });
-  private readonly list = element("ul", { "aria-label": "How far each answer is" });
+  private readonly list = element("ul", { "aria-label": "Distance to each class" });
   private rows = new Map<string, Row>();
 
   constructor(private readonly model: Model) {
     const note = element("p", { class: "muted small" }, [
-      "Distance to the nearest neuron of each",
+      "Distance to the nearest neuron of each class",
     ]);
     this.root.append(this.list, note);
   }
@@ -29,12 +30,12 @@ export class Candidates {
   show(reading: Reading): void {
     const known = reading.candidates.every(({ name }) => this.rows.has(name));
     if (!known || reading.candidates.length !== this.rows.size) this.build(reading);
-    const most = Math.max(...reading.candidates.map(({ distance }) => distance), 1e-12);
+    const most = Math.max(...reading.candidates.map(({ distance }) => distance ?? 0), 1e-12);
     for (const { name, distance } of reading.candidates)
-      this.update(name, distance, distance / most, reading);
+      this.update(name, distance, (distance ?? 0) / most, reading);
   }
 
-  private update(name: string, distance: number, share: number, reading: Reading): void {
+  private update(name: string, distance: NumberOrNull, share: number, reading: Reading): void {
     const row = this.rows.get(name);
     if (row === undefined) return;
     row.bar.style.width = `${Math.min(1, Math.max(0, share)) * 100}%`;
@@ -73,7 +74,7 @@ function makeRow(name: string, number: number): Row {
   return { root, bar, distance };
 }
 
-/** The marker that the class has on the map. */
+/** The marker of the class on the map. */
 export function sign(number: number): SVGSVGElement {
   const drawn = number < 0 ? [] : [marker(number, 8, 8, 5)];
   return shape(

@@ -1,4 +1,4 @@
-// What a neuron stands for, or where a touch sensor matters: of what was clicked last.
+// The weights of the neuron, or the component plane of the touch sensor, that was clicked last.
 
 import { element, fill } from "../parts/dom";
 import type { State } from "./data";
@@ -8,7 +8,7 @@ import { Panel } from "./panel";
 import { taxelAnswer, taxelChoice } from "./taxel_answer";
 
 export class CloserPanel {
-  readonly panel = new Panel(4, "closer", "A closer look");
+  readonly panel = new Panel(4, "closer", "Details");
   private readonly place = element("div", { class: "closer", "aria-live": "polite" });
   private readonly choice: HTMLElement;
 
@@ -29,7 +29,7 @@ export class CloserPanel {
 
   private hint(): HTMLElement {
     return element("p", { class: "empty" }, [
-      "Click a neuron of the map to see what it stands for, or a touch sensor of the hand to see where on the map it matters.",
+      "Click a neuron of the map to see its weights, or a touch sensor of the hand to see its weight in each neuron.",
     ]);
   }
 }

@@ -1,14 +1,14 @@
-// The stream of events, and what becomes of it: it is lost when the browser says so or when nothing
-// has come for three pings' time. Then it is tried again every few seconds, and at once when asked.
+// The stream of events and its state: it is lost if the browser reports an error or if no event has
+// arrived within three ping intervals. It is then reconnected every few seconds, or on request.
 
-import type { Scene, State } from "./data";
+import type { Events, Scene, State } from "./data";
 import type { Server } from "./server";
 
 export type Link =
   | { kind: "connecting" }
   | { kind: "open" }
-  | { kind: "lost"; seconds: number; full: boolean } // until it is tried again; too many look on
-  | { kind: "refused" }; // the token is not the program's
+  | { kind: "lost"; seconds: number; full: boolean } // until the next attempt; full: too many viewers
+  | { kind: "refused" }; // the token is invalid
 
 export interface Listener {
   link(link: Link): void;
@@ -52,13 +52,13 @@ export class Connection {
   }
 
   private listen(events: EventSource): void {
-    const on = (name: string, tell: (text: string) => void) =>
+    const on = (name: keyof Events, tell: (text: string) => void) =>
       events.addEventListener(name, (event: MessageEvent<string>) => {
         this.heard();
         tell(event.data);
       });
-    on("state", (text) => this.listener.state(JSON.parse(text) as State));
-    on("scene", (text) => this.tellScene(JSON.parse(text) as Scene | null));
+    on("state", (text) => this.listener.state(JSON.parse(text) as Events["state"]));
+    on("scene", (text) => this.tellScene(JSON.parse(text) as Events["scene"]));
     on("frame", (text) => this.listener.frame(text));
     on("training", (text) => this.listener.training(text));
     on("ping", () => undefined);
@@ -75,7 +75,7 @@ export class Connection {
       const scene = await this.server.scene();
       if (!this.known) this.tellScene(scene);
     } catch {
-      // The stream's end tells of what is wrong.
+      // The end of the stream reports the error.
     }
   }
 

@@ -1,139 +1,348 @@
-// What `somato view` tells the page; docs/formats/view.md says the same in words. Whoever wants
-// another page can build it on this.
+// Made from web/schema/view.json by scripts/page_types.py; change the schema.
 //
-//   GET  /api/state                the State
-//   GET  /api/scene                the Scene of what plays now, or null
-//   GET  /api/neuron?map=M&neuron=N  a NeuronAnswer: what a neuron stands for
-//   GET  /api/taxel?element=E      a TaxelAnswer: where on the map an element of `touch` matters
-//   GET  /api/strips               the Strips of the exploration that is shown, or null
-//   GET  /api/events               server-sent events: "state" (State; first, and when it changes),
-//                                  "scene" (Scene | null; when the scene changes), "frame" (Frame),
-//                                  "training" (Training), "ping" ({}; every 2 seconds)
-//   POST /api/command              a Command as JSON; answers {"ok":true} or {"error":"..."}
-//
-// Every request carries the token of the start address, as ?token= or in the header X-Somato-Token;
-// a POST must come from the page's own origin.
+// The HTTP API of `somato view`, documented in docs/formats/view.md as a basis for other pages.
+// `Events` are the server-sent events of GET /api/events, `Answers` the answers of GET /api/NAME. A
+// Command is sent by POST /api/command, which answers with Done; a refused command or question is
+// answered with Refusal and the status 400. Every request contains the token of the start address,
+// as ?token= or in the header X-Somato-Token; a POST must come from the origin of the page.
 
-import type { ChannelData, ChannelPlanes, GraphData, GridData, ThingData } from "../parts/data";
+import type {
+  ChannelData,
+  ChannelPlanes,
+  GraphData,
+  GridData,
+  Labels,
+  NeuronClasses,
+  NumberOrNull,
+  ThingData,
+} from "../parts/data";
 
+/** The data of each event, by its name. */
+export interface Events {
+  /** The first event; sent again when the state changes. */
+  state: State;
+  /** Sent when the scene changes; null if it is unknown. */
+  scene: Scene | null;
+  frame: Frame;
+  training: Training;
+  /** Sent if no other event was sent for 2 seconds. */
+  ping: Record<string, never>;
+}
+
+/** The answer of each GET request, by its name. */
+export interface Answers {
+  state: State;
+  scene: Scene | null;
+  /** Of ?map=NAME&neuron=NUMBER. */
+  neuron: NeuronAnswer;
+  /** Of ?element=NUMBER. */
+  taxel: TaxelAnswer;
+  /** Of the current exploration; null without one. */
+  strips: Strips | null;
+}
+
+/** The answer to a command. */
+export interface Done {
+  ok: true;
+}
+
+/** The answer to a refused command or question. */
+export interface Refusal {
+  /** A sentence. */
+  error: string;
+}
+
+/** What is viewed, and with which system. */
 export interface State {
   version: 1;
   source: "recording" | "body";
-  name: string; // the file's name, or the body's
-  // Of a recording: its explorations by their labels. Of a body: those explored so far.
-  explorations: { index: number; labels: Record<string, string> }[];
-  exploration: number | null; // the one that plays
-  frame: number; // the next to come
-  frames: number | null; // of this exploration; null while it is not over
-  duration: number | null; // seconds
+  /** Of the file or the body. */
+  name: string;
+  /** Those of the recording, or those that the body has completed. */
+  explorations: ExplorationLabels[];
+  /** Index of the current exploration; while a body explores, the index that it will have. */
+  exploration: number | null;
+  /** Index of the next frame. */
+  frame: number;
+  /** Of this exploration; null while a body explores it. */
+  frames: number | null;
+  /** Of this exploration in seconds; null while a body explores it. */
+  duration: number | null;
   playing: boolean;
-  speed: number; // 1: as fast as it was
-  live: boolean; // a body that explores now
+  /** 1: the original speed. */
+  speed: number;
+  /** Whether a body explores now. */
+  live: boolean;
   channels: ChannelData[];
-  things: ThingData[]; // what a body can be given; [] for a recording
+  /** The objects or materials that a body can explore; [] for a recording. */
+  things: ThingData[];
+  /** Name of the selected one. */
   thing: string | null;
-  placement: { x: number; y: number; turn: number } | null; // mm, mm, deg; of a body
-  systems: { name: string; text: string; learns: boolean }[]; // those to choose from; can it be trained here?
+  /** Offset of the selected object. */
+  placement: Placement | null;
+  systems: SystemChoice[];
+  /** Name of the selected one. */
   system: string | null;
-  system_problem: string | null; // why there is no reading, in a sentence
+  /** A sentence: why there is no reading. */
+  system_problem: string | null;
   graph: GraphData | null;
-  maps: { module: string; grid: GridData; classes: string[]; neuron_classes: (number | null)[] }[];
-  label: string | null; // what the reading says, such as "object"
+  maps: MapData[];
+  /** The label that is predicted, such as "object". */
+  label: string | null;
+  /** Whether a system is being trained. */
   training: boolean;
+  /** Number of connected viewers. */
   clients: number;
-  problem: string | null; // what went wrong last, in a sentence
+  /** A sentence: the last error. */
+  problem: string | null;
 }
 
-/** What is drawn in three dimensions. Metres; quaternions w, x, y, z. */
+/** An exploration of the recording or the body. */
+export interface ExplorationLabels {
+  index: number;
+  labels: Labels;
+}
+
+/** Offset of an object from its usual place. */
+export interface Placement {
+  /** In mm. */
+  x: number;
+  /** In mm. */
+  y: number;
+  /** In degrees. */
+  turn: number;
+}
+
+/** A system that can be selected. */
+export interface SystemChoice {
+  name: string;
+  text: string;
+  /** Whether it can be trained here. */
+  learns: boolean;
+}
+
+/** A map of the selected system. */
+export interface MapData {
+  module: string;
+  grid: GridData;
+  classes: string[];
+  neuron_classes: NeuronClasses;
+}
+
+/** x, y and z. */
+export type Vector3 = [number, number, number];
+
+/** In metres. */
+export interface Camera {
+  position: Vector3;
+  target: Vector3;
+}
+
+/** The three-dimensional scene. Lengths are in metres, quaternions in the order w, x, y, z. */
 export interface Scene {
-  bodies: string[]; // names; a frame brings a pose for each
+  /** Names; a frame contains a pose for each. */
+  bodies: string[];
   geoms: Geom[];
-  camera: { position: [number, number, number]; target: [number, number, number] };
+  camera: Camera;
 }
 
+/** A piece of the scene. */
 export interface Geom {
-  body: number; // it moves with; -1: stands still
+  /** Index of the body with which it moves; -1: fixed. */
+  body: number;
   name: string;
   type: "box" | "sphere" | "capsule" | "cylinder" | "ellipsoid" | "mesh";
-  size: [number, number, number]; // half sizes, as MuJoCo: radius, half length, ...
-  position: [number, number, number];
+  /** Half sizes in metres, as in MuJoCo: radius, half length, ... */
+  size: Vector3;
+  position: Vector3;
   quaternion: [number, number, number, number];
-  colour: [number, number, number, number]; // 0 to 1
+  /** Red, green, blue and opacity. */
+  colour: [number, number, number, number];
   role: "hand" | "object" | "table";
-  taxel: number | null; // element of the channel `touch`
+  /** Element of the channel `touch`. */
+  taxel: number | null;
+  /** Of a mesh: three numbers for each vertex, in metres. */
   vertices?: number[];
+  /** Of a mesh: three vertices for each face. */
   faces?: number[];
 }
 
+/** A moment of an exploration. */
 export interface Frame {
   exploration: number;
-  frame: number; // index
+  /** Its index. */
+  frame: number;
+  /** Of the exploration; null while a body explores it. */
   frames: number | null;
-  time: number; // seconds
-  last: boolean; // of the exploration
-  channels: Record<string, number[]>; // sound: the last stretch, at most 512 samples
-  poses: number[]; // 7 a body: x, y, z, w, qx, qy, qz; [] without a scene
-  // What goes through the system, by module: at most 4096 numbers, row-major in `shape`; what has
-  // more is summed over its leading axes, and says so.
-  modules: Record<string, { shape: number[]; values: number[]; folded: boolean }>;
-  maps: Record<string, { winner: number; activity: number[] }>; // activity 0 to 1
+  /** In seconds. */
+  time: number;
+  /** Whether it is the last of the exploration. */
+  last: boolean;
+  /**
+   * The latest values by the name of the channel; for fast channels with one element the latest
+   * 512.
+   */
+  channels: Record<string, NumberOrNull[]>;
+  /** 7 for each body: x, y, z in metres, and the quaternion w, x, y, z; [] without a scene. */
+  poses: NumberOrNull[];
+  /** The outputs by the name of the module. */
+  modules: Record<string, ModuleOutput>;
+  /** By the name of the module. */
+  maps: Record<string, MapActivity>;
   reading: Reading | null;
 }
 
-/** What the channels told over an exploration: at each moment, or at evenly chosen ones. */
-export interface Strips {
-  exploration: number;
-  frames: number | null; // of the exploration; null while it is not over
-  frame: number[]; // index of each moment, as its frame has it
-  time: number[]; // of each moment, seconds
-  // For each moment what its frame tells; without channels of which frames tell a stretch.
-  channels: Record<string, number[][]>;
+/** The output of a module: at most 4096 numbers, row-major in `shape`. */
+export interface ModuleOutput {
+  shape: number[];
+  values: NumberOrNull[];
+  /** Whether a larger output was summed over its leading axes. */
+  folded: boolean;
 }
 
-/** What the system would say if this frame were the last. */
+/** The response of a map. */
+export interface MapActivity {
+  winner: number;
+  /** Of each neuron, divided by the greatest: 0 to 1. */
+  activity: NumberOrNull[];
+}
+
+/** The prediction of the system if this frame were the last. */
 export interface Reading {
   answer: string;
-  // How much nearer its nearest neuron is than that of the next class: 0 equally near, 1 far.
-  confidence: number;
-  candidates: { name: string; distance: number }[]; // by distance, the nearest first
+  /** Relative distance margin to the second class: 0 for equal distances, at most 1. */
+  confidence: NumberOrNull;
+  /** By distance, the nearest first. */
+  candidates: Candidate[];
 }
 
-/** A map that is being trained before one's eyes. */
+/** A class, and the distance of its nearest neuron. */
+export interface Candidate {
+  name: string;
+  distance: NumberOrNull;
+}
+
+/** The channels over an exploration: at each moment, or at evenly chosen moments. */
+export interface Strips {
+  exploration: number;
+  /** Of the exploration; null while a body explores it. */
+  frames: number | null;
+  /** Index of each moment, as in its frame. */
+  frame: number[];
+  /** Of each moment, in seconds. */
+  time: number[];
+  /** channel[moment][element]; without channels whose frames cover an interval. */
+  channels: Record<string, NumberOrNull[][]>;
+}
+
+/** A map during training. */
 export interface Training {
   system: string;
+  /** The output map, also while modules before it learn. */
   module: string;
   step: number;
   steps: number;
+  /** Of the neighbourhood, in neurons. */
   radius: number;
   learning_rate: number;
-  winners: { sample: number; winner: number; class: string }[];
+  /** Of the first 500 samples; [] before the map learns. */
+  winners: SampleWinner[];
+  /**
+   * For each neuron the mean distance between its weights and those of its neighbours; [] before
+   * the map learns.
+   */
   u_matrix: number[];
   done: boolean;
 }
 
+/** The winner of a sample, and the class of the sample. */
+export interface SampleWinner {
+  sample: number;
+  winner: number;
+  class: string;
+}
+
+/** The class and the weights of a neuron. */
 export interface NeuronAnswer {
   map: string;
   neuron: number;
-  answer: string | null; // the class it is labelled with
-  planes: ChannelPlanes[]; // values[0] alone: of this neuron
-  nearest: { exploration: number; labels: Record<string, string>; distance: number }[];
+  /** Its class. */
+  answer: string | null;
+  /** Only values[0]: that of this neuron. */
+  planes: ChannelPlanes[];
+  /** The 10 nearest explorations among the first 2000, by distance. */
+  nearest: NearExploration[];
 }
 
+/** An exploration, and the distance of its input vector from the weights of a neuron. */
+export interface NearExploration {
+  exploration: number;
+  labels: Labels;
+  distance: number;
+}
+
+/** The weights of an element of the channel `touch`. */
 export interface TaxelAnswer {
   element: number;
   name: string;
-  maps: Record<string, number[]>; // for each neuron its weight for this element
+  /** For each map, by its module, the weight of each neuron for this element. */
+  maps: Record<string, number[]>;
 }
 
+/** A command of the page. */
 export type Command =
-  | { command: "play" }
-  | { command: "pause" }
-  | { command: "step"; frames: number } // negative: back
-  | { command: "seek"; exploration: number; frame: number }
-  | { command: "speed"; speed: number } // 0.05 to 100
-  | { command: "thing"; name: string }
-  | { command: "placement"; x: number; y: number; turn: number }
-  | { command: "explore" } // a body: once more, as chosen
-  | { command: "system"; name: string }
-  | { command: "train" }
-  | { command: "stop_training" };
+  | PlainCommand
+  | StepCommand
+  | SeekCommand
+  | SpeedCommand
+  | ThingCommand
+  | PlacementCommand
+  | SystemCommand;
+
+/** A command without fields. `explore` starts an exploration of a body with the selected thing. */
+export interface PlainCommand {
+  command: "play" | "pause" | "explore" | "train" | "stop_training";
+}
+
+/** Pauses, and moves by a number of frames. */
+export interface StepCommand {
+  command: "step";
+  /** Negative: back. */
+  frames: number;
+}
+
+/** Moves to a frame. */
+export interface SeekCommand {
+  command: "seek";
+  exploration: number;
+  frame: number;
+}
+
+/** Sets the speed. */
+export interface SpeedCommand {
+  command: "speed";
+  speed: number;
+}
+
+/** Selects what a body explores next. */
+export interface ThingCommand {
+  command: "thing";
+  name: string;
+}
+
+/** Sets the offset of the next object of a hand. */
+export interface PlacementCommand {
+  command: "placement";
+  /** In mm. */
+  x: number;
+  /** In mm. */
+  y: number;
+  /** In degrees. */
+  turn: number;
+}
+
+/** Selects the system for the reading. */
+export interface SystemCommand {
+  command: "system";
+  name: string;
+}

@@ -1,4 +1,4 @@
-// What a body is given to explore, and how it lies.
+// The object that a body explores, and its placement.
 
 import { element, fill } from "../parts/dom";
 import type { State } from "./data";
@@ -22,7 +22,7 @@ export class Exploring {
   private listed = "";
 
   constructor(private readonly model: Model) {
-    const label = { class: "exploring", role: "group", "aria-label": "What to explore" };
+    const label = { class: "exploring", role: "group", "aria-label": "Object to explore" };
     this.root = element("div", label, [labelled("Object", this.thing), ...this.fields, this.again]);
     this.thing.addEventListener(
       "change",

@@ -1,4 +1,4 @@
-// What the colours of the taxels mean, and a switch that keeps their scale as it is.
+// The legend of the taxels' colours, with a switch that keeps their scale fixed.
 
 import { sequenceColour } from "../parts/colour_maps";
 import { element, fill } from "../parts/dom";
@@ -19,7 +19,7 @@ export class ForceLegend {
   constructor(private readonly model: Model) {
     const label = element(
       "label",
-      { class: "hold", title: "Else it follows the strongest touch of the exploration" },
+      { class: "hold", title: "Otherwise the scale follows the strongest touch of the exploration" },
       [this.hold, "hold scale"],
     );
     this.root = element("div", { class: "force-legend" }, [this.place, label]);

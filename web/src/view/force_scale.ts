@@ -1,6 +1,8 @@
-// The range of the colours of the taxels: from 0 to a round number not below the largest value seen
-// of the exploration or, while it is held, to what it was when it was held. Noise is no touch: the
-// range has a least size where the unit tells.
+// The range of the taxels' colours: from 0 to a round number not below the largest value of the
+// exploration so far, or fixed while the scale is held. Noise is not touch, so the range has a
+// minimum size for known units.
+
+import type { NumberOrNull } from "../parts/data";
 
 const kLeast: Record<string, number | undefined> = { N: 1 };
 
@@ -10,12 +12,12 @@ export class ForceScale {
   held = false;
   unit = "";
 
-  /** Told of every frame that is drawn. */
-  see(exploration: number, values: readonly number[]): void {
+  /** Called for every frame that is drawn. */
+  see(exploration: number, values: readonly NumberOrNull[]): void {
     if (this.held) return;
     if (exploration !== this.exploration) this.most = 0;
     this.exploration = exploration;
-    for (const value of values) this.most = Math.max(this.most, Math.abs(value) || 0);
+    for (const value of values) this.most = Math.max(this.most, Math.abs(value ?? 0) || 0);
   }
 
   get end(): number {

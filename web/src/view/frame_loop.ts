@@ -1,6 +1,6 @@
-// Draws the newest of what has come, once for each picture of the browser, and counts what came in
-// between and was dropped. Nothing is drawn while nobody sees it, since the browser then asks for no
-// pictures.
+// Draws the newest frame once per animation frame of the browser, and counts the dropped frames in
+// between. Nothing is drawn while the page is hidden, because the browser then requests no
+// animation frames.
 
 export interface Work {
   drawn: number;
@@ -10,7 +10,7 @@ export interface Work {
   drawing: number; // ms, the middle of what drawing in three dimensions took besides
 }
 
-/** Where drawing in three dimensions adds the time it takes: it waits for the browser. */
+/** The three-dimensional drawing adds its time here: it waits for the browser. */
 export const drawingClock = { time: 0 };
 
 const remembered = 120;
@@ -61,7 +61,7 @@ export class FrameLoop {
   }
 }
 
-/** The newest of some times. */
+/** The newest of several times. */
 class Times {
   private readonly all: number[] = [];
 

@@ -7,7 +7,7 @@ const kShare = 0.06; // of the whole that may be missing,
 const kTime = 1.5; // or s
 const kUsual = 4; // or so many times the usual step, where all is known
 
-/** Tells whether nothing is known between the moments `at` and `at` + 1; `end` is the whole. */
+/** Whether there is a gap between the moments `at` and `at` + 1; `end` is the total duration. */
 export function gapsOf(history: History, end: number): (at: number) => boolean {
   const { times } = history;
   const usual = history.isWhole ? history.end / Math.max(1, times.length - 1) : 0;

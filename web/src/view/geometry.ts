@@ -30,7 +30,7 @@ export function geometryOf(geom: Geom): BufferGeometry {
   }
 }
 
-/** Edges of the hand's parts are broken a little, as on machined ones. */
+/** Edges of the hand's parts are slightly rounded, as on machined parts. */
 function box(x: number, y: number, z: number, broken: boolean): BufferGeometry {
   if (!broken) return new BoxGeometry(2 * x, 2 * y, 2 * z);
   return new RoundedBoxGeometry(2 * x, 2 * y, 2 * z, 2, Math.min(x, y, z) * 0.4);
@@ -40,7 +40,7 @@ function roundness(radius: number): [number, number] {
   return radius < 0.01 ? [16, 10] : [48, 32];
 }
 
-/** Few faces are meant to be seen as flat, many as a curve. */
+/** Few faces are shaded flat, many are shaded as a curve. */
 function mesh(vertices: number[], faces: number[]): BufferGeometry {
   const made = new BufferGeometry();
   made.setAttribute("position", new Float32BufferAttribute(vertices, 3));

@@ -1,4 +1,4 @@
-// What this browser draws three dimensions with: asked once, of a picture that nobody sees.
+// The browser's renderer for three dimensions, determined once with a hidden canvas.
 
 let asked: string | null | undefined;
 
@@ -21,6 +21,6 @@ function ask(): string | null {
   if (context === null) return null;
   const known = context.getExtension("WEBGL_debug_renderer_info");
   const name: unknown = known === null ? "" : context.getParameter(known.UNMASKED_RENDERER_WEBGL);
-  context.getExtension("WEBGL_lose_context")?.loseContext(); // there are only so many
+  context.getExtension("WEBGL_lose_context")?.loseContext(); // their number is limited
   return String(name);
 }

@@ -1,21 +1,21 @@
-// The body, mostly a hand: in three dimensions, or unfolded; its taxels coloured by how strongly they
-// are touched.
+// The body, usually a hand: in three dimensions, or unfolded; its taxels are coloured by their
+// readings.
 
 import { segments } from "../parts/controls";
 import { element } from "../parts/dom";
+import { digits, withUnit } from "../parts/numbers";
 import type { Frame, State } from "./data";
 import { Exploring } from "./exploring";
 import { ForceLegend } from "./force_legend";
 import type { Model } from "./model";
-import { withUnit } from "./numbers";
 import { Panel } from "./panel";
 import { makeRenderer, SceneView } from "./scene_view";
 import { themeColour } from "./theme_colours";
 import { UnfoldedHand } from "./unfolded_hand";
 
 const kLabel =
-  "The body in three dimensions. Arrow keys turn it, with Shift they move it, plus and minus bring it nearer, 0 shows it as at first.";
-const kNoWebGl = "This browser cannot draw in three dimensions (WebGL), so the hand is shown unfolded.";
+  "The body in three dimensions. Arrow keys rotate the view, with Shift they move it, plus and minus zoom, 0 resets it.";
+const kNoWebGl = "This browser does not support WebGL, so the hand is shown unfolded.";
 
 export class HandPanel {
   readonly panel = new Panel(1, "hand", "Body");
@@ -34,7 +34,7 @@ export class HandPanel {
   private readonly choice: HTMLElement;
   private readonly reset = element(
     "button",
-    { type: "button", class: "quiet", title: "As at first (0 in the picture)" },
+    { type: "button", class: "quiet", title: "Reset the view (0 in the picture)" },
     ["Reset view"],
   );
   private wantsUnfolded = false;
@@ -111,8 +111,8 @@ export class HandPanel {
       return nothingYet(state);
     if (this.model.shownScene.value === null)
       return hasTouch(state)
-        ? "Nobody said which body made this recording; its touch sensors are shown unfolded."
-        : "Nobody said which body made this recording, and none of its channels is called touch: what it told stands in the strips.";
+        ? "The body of this recording is unknown; its touch sensors are shown unfolded."
+        : "The body of this recording is unknown, and it has no channel named touch; its channels are shown in the strips.";
     return this.view === null ? kNoWebGl : "";
   }
 
@@ -128,7 +128,9 @@ export class HandPanel {
       this.pointed === null ? undefined : this.model.frame.value?.channels["touch"]?.[this.pointed];
     const name = this.pointed === null ? undefined : channel?.elements[this.pointed];
     this.readout.textContent =
-      name === undefined || value === undefined ? "" : `${name}: ${withUnit(value, channel?.unit ?? "")}`;
+      name === undefined || value === undefined
+        ? ""
+        : `${name}: ${withUnit(digits(value), channel?.unit ?? "")}`;
   }
 
   private draw(frame: Frame | null): void {
@@ -148,8 +150,8 @@ function hasTouch(state: State | null): boolean {
 }
 
 function nothingYet(state: State): string {
-  if (state.source === "recording") return "There are no explorations in this recording.";
-  return "Nothing has been explored yet: choose an object below and press Explore again.";
+  if (state.source === "recording") return "This recording has no explorations.";
+  return "There is no exploration yet: select an object below and press Explore again.";
 }
 
 function surroundings(): { table: string; line: string } {

@@ -1,4 +1,4 @@
-// What plays, which system listens, and the page's own settings.
+// The source, the selected system, and the settings of the page.
 
 import { element, fill } from "../parts/dom";
 import { themeButton } from "../parts/theme";

@@ -1,6 +1,7 @@
-// What has been told over one exploration, moment by moment, for the strips over time: what the program
-// knew when it was asked, and the frames that were seen since.
+// The values over one exploration, moment by moment, for the strips over time: the history from the
+// program, and the frames received since.
 
+import type { NumberOrNull } from "../parts/data";
 import type { Frame, Strips } from "./data";
 
 export type Moment = Pick<Frame, "frame" | "time" | "channels">;
@@ -9,11 +10,11 @@ export class History {
   private exploration = -1;
   private frames: number | null = null; // of the exploration
   private moments: Moment[] = [];
-  /** Whether the program still has to be asked what came before anybody looked. */
+  /** Whether the earlier history must still be requested from the program. */
   isLacking = true;
-  /** Whether all of the exploration is in it, and not only what was seen. */
+  /** Whether the whole exploration is included, and not only the received frames. */
   isWhole = false;
-  /** Another whenever what is in it has changed. */
+  /** A number that changes with the content. */
   version = 0;
 
   get times(): number[] {
@@ -24,21 +25,20 @@ export class History {
     return this.moments.at(-1)?.time ?? 0;
   }
 
-  /** Of each moment the values of a channel; [] where it has none. */
-  rows(channel: string): readonly (readonly number[])[] {
+  /** The values of a channel at each moment; [] if it has none. */
+  rows(channel: string): readonly (readonly NumberOrNull[])[] {
     return this.moments.map(({ channels }) => channels[channel] ?? []);
   }
 
   add({ exploration, frames, frame, time, channels }: Frame): void {
-    // A body never goes back: it has begun anew.
-    const begunAnew = frames === null && frame < (this.moments.at(-1)?.frame ?? 0);
+    const begunAnew = frames === null && this.differs({ frame, time, channels });
     if (exploration !== this.exploration || frames !== this.frames || begunAnew) this.clear();
     this.exploration = exploration;
     this.frames = frames;
     if (!this.isWhole) this.insert({ frame, time, channels });
   }
 
-  /** What the program knows; false where that is another exploration. */
+  /** Adds the history from the program; false if it belongs to another exploration. */
   take(strips: Strips): boolean {
     if (strips.exploration !== this.exploration || strips.frames !== this.frames) return false;
     const seen = this.moments;
@@ -50,7 +50,7 @@ export class History {
     return true;
   }
 
-  /** Whatever the program knows, what is seen has to do. */
+  /** Uses only the received frames, without the program's history. */
   doWithout(): void {
     this.isLacking = false;
   }
@@ -62,15 +62,25 @@ export class History {
     this.version += 1;
   }
 
+  /** Whether an earlier frame was another one: the body explores anew under the same number. */
+  private differs({ frame, time, channels }: Moment): boolean {
+    if (frame >= (this.moments.at(-1)?.frame ?? 0)) return false;
+    const known = this.moments[this.place(frame)];
+    if (known?.frame !== frame) return false;
+    const differ = ([name, values]: [string, readonly NumberOrNull[]]) =>
+      String(values) !== String(channels[name]);
+    return known.time !== time || Object.entries(known.channels).some(differ);
+  }
+
   private insert(moment: Moment): void {
     const place = this.place(moment.frame);
-    // Between grasps the last frame is told again, with what is not recorded.
+    // Between grasps the last frame is sent again, with values that are not recorded.
     if (this.moments[place]?.frame === moment.frame) return;
     this.moments.splice(place, 0, moment);
     this.version += 1;
   }
 
-  /** Where the frame stands or would stand; nearly always at the end. */
+  /** The position of the frame in the history, nearly always the end. */
   private place(frame: number): number {
     let place = this.moments.length;
     while (place > 0 && (this.moments[place - 1]?.frame ?? -1) >= frame) place -= 1;

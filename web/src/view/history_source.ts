@@ -1,4 +1,4 @@
-// Asks the program, once an exploration, what was told before anybody looked.
+// Requests the earlier history from the program, once per exploration.
 
 import type { History } from "./history";
 import type { Server } from "./server";
@@ -12,7 +12,7 @@ export class HistorySource {
     private readonly taken: () => void,
   ) {}
 
-  /** With each frame. An answer about another exploration is no answer: its frame is on its way. */
+  /** Called for each frame. A reply for another exploration is ignored: its frame is on its way. */
   async look(): Promise<void> {
     if (this.asking || !this.history.isLacking) return;
     this.asking = true;

@@ -1,4 +1,4 @@
-// Small drawn signs for buttons, 16 x 16. They say nothing to a screen reader: the button has words.
+// Icons for buttons, 16 x 16. They are hidden from screen readers, because the button has a label.
 
 import { shape } from "../parts/svg";
 

@@ -1,4 +1,4 @@
-// The keys of the page, wherever one is, except where a control has its own use for them.
+// The keyboard shortcuts of the page, except where a control uses the key itself.
 
 import type { Panel } from "./panel";
 import type { Transport } from "./transport";
@@ -13,13 +13,13 @@ export const kKeys: [string, string][] = [
   ["Space", "play, pause"],
   ["← →", "one frame back, forward"],
   ["Shift ← →", "ten frames"],
-  ["Home  End", "first, last frame"],
+  ["Home  End", "first frame, last frame"],
   ["↑ ↓", "faster, slower"],
-  ["[  ]", "exploration before, after"],
-  ["1 … 6", "go to a panel; again: fold it"],
+  ["[  ]", "previous, next exploration"],
+  ["1 … 6", "go to a panel; press again to collapse it"],
   ["?", "this help"],
-  ["in the 3D picture", "arrows turn, Shift moves, + − nearer and farther, 0 as at first"],
-  ["on a map", "arrows choose a neuron, Enter asks what it stands for"],
+  ["in the 3D picture", "arrows rotate, Shift moves, + − zoom, 0 resets the view"],
+  ["on a map", "arrows select a neuron, Enter shows its details"],
   ["Esc", "closes"],
 ];
 
@@ -58,7 +58,7 @@ function visitOf(panels: Panel[], key: string): (() => void) | undefined {
   return panel && (() => panel.visit());
 }
 
-/** Whether what has the focus uses the key itself. */
+/** Whether the focused control uses the key. */
 function takesKey(event: KeyboardEvent): boolean {
   const at = event.target;
   if (!(at instanceof Element)) return false;

@@ -1,7 +1,7 @@
-// An exploration in a few words.
+// A short name of an exploration.
 
 /**
- * "boule, trial 2": by what the system tells, else by the object, else by whatever comes first.
+ * "boule, trial 2": the label of the system, otherwise the object, otherwise the first label.
  */
 export function describe(labels: Record<string, string>, told: string | null = null): string {
   const { object, trial } = labels;

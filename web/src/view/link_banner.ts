@@ -1,4 +1,4 @@
-// Says that the connection is lost, when it is tried again, and lets one try now.
+// Reports a lost connection and the time of the next attempt, with a button to try now.
 
 import { element } from "../parts/dom";
 import type { Link } from "./connection";
@@ -6,9 +6,9 @@ import type { Model } from "./model";
 import { Speaker } from "./speaker";
 
 const kLost = "The program has ended or the connection is lost";
-const kFull = "As many pages look on as the program allows";
+const kFull = "Too many viewers are connected";
 const kRefused =
-  "The program does not know this page: its token is missing or of an earlier run. Open the address that somato view printed.";
+  "Access refused: the token of this page is missing or belongs to an earlier run. Open the address printed by somato view.";
 
 export class LinkBanner {
   readonly root: HTMLElement;

@@ -1,5 +1,5 @@
-// How things in the three-dimensional picture look: lamps, table, materials. A machine that draws
-// without a graphics processor gets simpler materials and no shadows.
+// The appearance of the three-dimensional picture: lights, table, materials. Without a graphics
+// processor, simpler materials and no shadows are used.
 
 import {
   Color,
@@ -14,6 +14,7 @@ import {
 } from "three";
 
 import { sequenceColour } from "../parts/colour_maps";
+import { ramp } from "../parts/painter";
 import type { Geom } from "./data";
 
 const kObjectOpacity = 0.72; // that the contacts behind it are seen
@@ -35,12 +36,8 @@ export function materialOf(geom: Geom, simple: boolean): Material {
   return new MeshStandardMaterial({ ...look, roughness: 0.55, metalness: 0.05 });
 }
 
-/** Colours of 0 to 1 in 255 steps; those of the legend, whatever the lamps do. */
-const kForceColours = Array.from({ length: 256 }, (_, i) => new Color(sequenceColour(i / 255)));
-
-export function forceColour(share: number): Color {
-  return kForceColours[Math.round(share * 255)] ?? kForceColours[0]!;
-}
+/** Colours of 0 to 1 in 255 steps, those of the legend regardless of the lighting. */
+export const forceColour = ramp((share) => new Color(sequenceColour(share)), 255);
 
 export function lamps(simple: boolean): Group {
   const group = new Group();
@@ -63,7 +60,7 @@ function castShadows(sun: DirectionalLight): void {
   view.updateProjectionMatrix();
 }
 
-/** Lines every 5 cm on the table, to measure by eye. */
+/** Lines every 5 cm on the table as a scale. */
 export function tableLines(): GridHelper {
   const lines = new GridHelper(16 * kGrid, 16, "white", "white"); // times the material's colour
   lines.rotateX(Math.PI / 2);

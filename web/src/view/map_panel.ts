@@ -1,11 +1,10 @@
-// A map as it answers now, or as it learns.
+// The activity of a map, or its training.
 
 import { sequenceColour } from "../parts/colour_maps";
 import { element, fill } from "../parts/dom";
 import { choice, segments } from "../parts/controls";
-import { markerLegend } from "../parts/legend";
+import { classLegend } from "../parts/legend";
 import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
-import { svg } from "../parts/svg";
 import type { Frame, State } from "./data";
 import type { Model } from "./model";
 import { Panel } from "./panel";
@@ -44,7 +43,7 @@ export class MapPanel {
     this.followTraining();
   }
 
-  /** Learning is shown when it begins. */
+  /** Training is shown when it begins. */
   private followTraining(): void {
     let before = false;
     this.model.shownState.watch((state) => {
@@ -76,7 +75,7 @@ export class MapPanel {
     this.build();
   }
 
-  /** Anew only when the map is another: what is pointed at stays. */
+  /** Rebuilt only for another map, so that the pointed cell is kept. */
   private build(): void {
     const state = this.model.shownState.value;
     this.map = state?.maps.find(({ module }) => module === this.model.map.value) ?? null;
@@ -118,14 +117,9 @@ export class MapPanel {
   }
 }
 
-function classLegend(names: readonly string[]): SVGSVGElement {
-  const { group, height } = markerLegend(380, names);
-  return svg(380, height, `Classes: ${names.join(", ")}`, [group]);
-}
-
 function whyNoMap(state: State | null): string {
   if (state === null) return "Waiting for the program.";
-  if (state.system === null) return "No system is chosen.";
+  if (state.system === null) return "No system is selected.";
   if (state.graph !== null && state.maps.length === 0) return "None of its maps can be drawn.";
-  return "This system has not learned yet: press Learn, and watch its map unfold.";
+  return "This system is not trained yet: press Learn to train it.";
 }

@@ -1,5 +1,5 @@
-// What the page knows, and what it asks the program. Panels watch it and tell it; they do not know
-// each other.
+// The state of the page and its requests to the program. Panels observe and change the model, and
+// are independent of each other.
 
 import type { ChannelData } from "../parts/data";
 import type { Link, Listener } from "./connection";
@@ -10,7 +10,7 @@ import { HistorySource } from "./history_source";
 import { Observable } from "./observable";
 import { Refused, type Server } from "./server";
 
-/** What was clicked, and what came of it; null until it has come. */
+/** The clicked element and its answer, which is null until it arrives. */
 export type Question =
   | { about: "neuron"; map: string; neuron: number; answer: NeuronAnswer | null }
   | { about: "taxel"; element: number; answer: TaxelAnswer | null };
@@ -38,7 +38,7 @@ export class Model implements Tell {
   }
 
   link(link: Link): void {
-    if (link.kind === "open") this.history.clear(); // it may have gone on meanwhile
+    if (link.kind === "open") this.history.clear(); // it may have continued meanwhile
     this.shownLink.set(link);
   }
 
@@ -65,7 +65,7 @@ export class Model implements Tell {
     void this.source.look();
   }
 
-  /** What there is to be seen now stands in a wider frame. */
+  /** The visible range has grown. */
   private recall(): void {
     const frame = this.frame.value;
     if (frame === null) return;
@@ -91,7 +91,7 @@ export class Model implements Tell {
     await this.ask(question, async () => ({ ...question, answer: await this.server.taxel(element) }));
   }
 
-  /** An answer that comes after the next question is not shown. */
+  /** An answer that arrives after the next request is discarded. */
   private async ask(question: Question, answer: () => Promise<Question>): Promise<void> {
     this.question.set(question);
     try {
@@ -115,14 +115,14 @@ export class Model implements Tell {
     return maps.includes(answering) ? answering : (maps[0] ?? null);
   }
 
-  /** Answers of another system say nothing about this one. */
+  /** Answers of another system are discarded. */
   private forget(): void {
     this.question.set(null);
     this.training.set(null);
   }
 }
 
-/** A channel nothing has come from yet may not know how many elements it has. */
+/** The number of elements of a channel may be unknown before its first frame. */
 function named(channel: ChannelData): ChannelData {
   if (channel.elements.length > 0) return channel;
   const count = Math.max(
@@ -132,7 +132,7 @@ function named(channel: ChannelData): ChannelData {
   return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
 }
 
-/** A memory, where there is one: it shows most. */
+/** A memory module if there is one, because it is the most informative. */
 function preferredModule(state: State): string | null {
   const modules = state.graph?.modules ?? [];
   const memory = modules.find((module) => module.type === "accumulate");
@@ -141,5 +141,5 @@ function preferredModule(state: State): string | null {
 
 function sentenceOf(problem: unknown): string {
   if (problem instanceof Refused) return problem.message;
-  return "The program did not answer; the command was not carried out";
+  return "The program did not respond; the command was not executed";
 }

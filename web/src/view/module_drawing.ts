@@ -1,21 +1,27 @@
 // Draws the values of a module on a canvas.
 
 import { divergingColour, sequenceColour } from "../parts/colour_maps";
-import { pixelColours, type Pixels } from "./pixels";
+import type { NumberOrNull } from "../parts/data";
+import { paintPixels, pixelRamp } from "../parts/painter";
 import { themeColour } from "./theme_colours";
 
-const sequence = pixelColours(sequenceColour);
-const diverging = pixelColours(divergingColour);
+const sequence = pixelRamp(sequenceColour);
+const diverging = pixelRamp(divergingColour);
 
-export function drawBars(context: CanvasRenderingContext2D, values: readonly number[], ratio: number): void {
+export function drawBars(
+  context: CanvasRenderingContext2D,
+  values: readonly NumberOrNull[],
+  ratio: number,
+): void {
   const { width, height } = context.canvas;
-  const low = Math.min(0, ...values);
-  const high = Math.max(0, ...values, low + 1e-9);
+  const drawn = values.map((value) => value ?? 0);
+  const low = Math.min(0, ...drawn);
+  const high = Math.max(0, ...drawn, low + 1e-9);
   const y = (value: number) => ((high - value) / (high - low)) * (height - 2) + 1;
   const step = width / Math.max(1, values.length);
   const bar = Math.max(1, Math.min(step - ratio, 26 * ratio));
   context.fillStyle = themeColour("accent");
-  values.forEach((value, i) =>
+  drawn.forEach((value, i) =>
     context.fillRect(i * step + (step - bar) / 2, Math.min(y(value), y(0)), bar, Math.abs(y(value) - y(0))),
   );
   context.fillStyle = themeColour("line-strong");
@@ -24,17 +30,18 @@ export function drawBars(context: CanvasRenderingContext2D, values: readonly num
 
 export function drawCells(
   context: CanvasRenderingContext2D,
-  picture: Pixels,
-  values: readonly number[],
+  picture: HTMLCanvasElement,
+  values: readonly NumberOrNull[],
   shape: readonly number[],
 ): void {
   const [rows, columns] = arrangement(values.length, shape, context.canvas);
-  picture.paint(columns, rows, (pixels) => colour(pixels, values));
+  const colour = colourFor(values);
+  paintPixels(picture, columns, rows, (x, y) => colour(values[y * columns + x]));
   context.imageSmoothingEnabled = columns > context.canvas.width || rows > context.canvas.height;
-  context.drawImage(picture.canvas, 0, 0, context.canvas.width, context.canvas.height);
+  context.drawImage(picture, 0, 0, context.canvas.width, context.canvas.height);
 }
 
-/** Its own rows and columns; one long row is broken to fill the place. */
+/** The rows and columns of the module; a single long row is wrapped. */
 function arrangement(
   count: number,
   shape: readonly number[],
@@ -46,10 +53,11 @@ function arrangement(
   return [Math.ceil(count / columns), columns];
 }
 
-function colour(pixels: Uint32Array, values: readonly number[]): void {
-  const most = values.reduce((best, value) => Math.max(best, Math.abs(value) || 0), 1e-12);
-  const both = values.some((value) => value < 0);
-  values.forEach((value, i) => {
-    pixels[i] = both ? diverging(0.5 + value / most / 2) : sequence(value / most);
-  });
+function colourFor(values: readonly NumberOrNull[]): (value: NumberOrNull | undefined) => number | null {
+  const most = values.reduce<number>((best, value) => Math.max(best, Math.abs(value ?? 0) || 0), 1e-12);
+  const both = values.some((value) => (value ?? 0) < 0);
+  return (value) => {
+    if (value === undefined || value === null) return null;
+    return both ? diverging(0.5 + value / most / 2) : sequence(value / most);
+  };
 }

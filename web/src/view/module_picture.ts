@@ -1,13 +1,11 @@
-// The values of one module as they go through the system: bars where they are few, else a picture of
-// rows and columns.
+// The current output of one module: bars for few values, otherwise a picture of rows and columns.
 
 import type { ModuleData } from "../parts/data";
 import { element } from "../parts/dom";
+import { digits, fineDigits } from "../parts/numbers";
 import type { Frame } from "./data";
 import type { Model } from "./model";
 import { drawBars, drawCells } from "./module_drawing";
-import { digits } from "./numbers";
-import { Pixels } from "./pixels";
 
 const kMostBars = 64;
 
@@ -20,7 +18,7 @@ export class ModulePicture {
   private readonly numbers = element("p", { class: "number module-numbers" });
   private readonly canvas = element("canvas", { role: "img", class: "module-canvas" });
   private readonly context = this.canvas.getContext("2d");
-  private readonly pixels = new Pixels();
+  private readonly pixels = element("canvas");
 
   constructor(private readonly model: Model) {
     const head = element("div", { class: "module-head" }, [this.name, this.about]);
@@ -28,7 +26,7 @@ export class ModulePicture {
     new ResizeObserver(([entry]) => this.resize(entry!.contentRect)).observe(this.canvas);
   }
 
-  /** Told, not asked for with each frame: to ask makes the browser lay out the page at once. */
+  /** The size is passed in, because querying it for each frame forces a layout of the page. */
   private resize({ width, height }: DOMRectReadOnly): void {
     const ratio = Math.min(devicePixelRatio, 2);
     this.canvas.width = Math.round(width * ratio);
@@ -66,23 +64,19 @@ export class ModulePicture {
 
 function notHere(module: ModuleData): string {
   return module.rate === "exploration"
-    ? "Comes at the end of an exploration."
-    : "Nothing comes out of it yet.";
+    ? "The output is available at the end of an exploration."
+    : "No output yet.";
 }
 
 function wordsOf(module: ModuleData, { shape, values, folded }: Values): string {
   const size = module.shape.length === 0 ? "one number" : module.shape.join(" × ");
   const shown = folded ? `, summed to ${shape.join(" × ")}` : "";
-  const most = values.reduce((best, value) => (Math.abs(value) > Math.abs(best) ? value : best), 0);
-  const active = values.filter((value) => value !== 0).length;
+  const numbers = values.filter((value) => value !== null);
+  const most = numbers.reduce((best, value) => (Math.abs(value) > Math.abs(best) ? value : best), 0);
+  const active = numbers.filter((value) => value !== 0).length;
   const head =
     values.length === 1
-      ? `value ${digits(values[0] ?? 0)}`
-      : `most ${small(most)}, ${active} of ${values.length} not 0`;
+      ? `value ${digits(values[0])}`
+      : `most ${fineDigits(most)}, ${active} of ${values.length} not 0`;
   return `${head}; ${size}${shown}`;
-}
-
-/** Weights and normalized values are often small. */
-function small(value: number): string {
-  return value !== 0 && Math.abs(value) < 0.1 ? value.toFixed(4).replace(/^-/, "−") : digits(value);
 }

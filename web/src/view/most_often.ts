@@ -1,6 +1,6 @@
 import type { Training } from "./data";
 
-/** For each neuron the class, by its place in `names`, that it won most of; null where it won none. */
+/** For each neuron the most frequent class of its samples, as an index in `names`; null for none. */
 export function mostOften(
   winners: Training["winners"],
   names: readonly string[],

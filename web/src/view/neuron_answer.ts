@@ -1,10 +1,10 @@
-// What a neuron stands for: its class, its weights back on the hand, and the explorations nearest.
+// The class of a neuron, its weights projected onto the hand, and the nearest explorations.
 
 import type { ChannelPlanes } from "../parts/data";
 import { element } from "../parts/dom";
 import { placeOf } from "../parts/grid";
 import { handMap } from "../parts/hand_map";
-import { readable } from "../parts/numbers";
+import { readable, withUnit } from "../parts/numbers";
 import type { NeuronAnswer, State } from "./data";
 import { describe } from "./labels";
 import type { Model } from "./model";
@@ -17,7 +17,7 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
   const where = map === undefined ? `neuron ${answer.neuron + 1}` : placeOf(map.grid, answer.neuron);
   const head = element("h3", {}, [`Neuron in ${where}`]);
   const says =
-    answer.answer === null ? "It stands for none of the classes." : `It stands for ${answer.answer}.`;
+    answer.answer === null ? "Class: none" : `Class: ${answer.answer}`;
   const planes = [...answer.planes]
     .sort((one, other) => rank(one) - rank(other))
     .map(plane)
@@ -40,7 +40,7 @@ function nearest({ nearest: near }: NeuronAnswer, told: string | null, model: Mo
   return [element("h4", {}, ["Nearest explorations"]), element("ol", { class: "nearest" }, items)];
 }
 
-/** Touch first, then what has most elements. */
+/** Touch first, then the channel with most elements. */
 function rank({ channel }: ChannelPlanes): number {
   return channel.name.startsWith("touch") ? Number.NEGATIVE_INFINITY : -channel.elements.length;
 }
@@ -49,8 +49,8 @@ function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {
   const own = values[0];
   if (own === undefined || own.length === 0) return null;
   if (own.length === 1)
-    return element("p", { class: "small" }, [`${channel.name}: ${readable(own[0])} ${unit}`.trim()]);
-  const label = `What it expects of ${channel.name}`;
+    return element("p", { class: "small" }, [`${channel.name}: ${withUnit(readable(own[0]), unit)}`]);
+  const label = `Weights for ${channel.name}`;
   const picture = handMap(channel, { label, unit, size: kWidth });
   picture.setValues(own);
   return element("div", { class: "plane" }, [element("h4", {}, [channel.name]), picture.element]);

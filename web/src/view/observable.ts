@@ -1,4 +1,4 @@
-/** A value that tells those who watch when it is set. */
+/** A value that notifies its observers when it is set. */
 export class Observable<T> {
   private readonly watchers: ((value: T) => void)[] = [];
 
@@ -13,7 +13,7 @@ export class Observable<T> {
     for (const watcher of this.watchers) watcher(value);
   }
 
-  /** Told now, and whenever it is set. */
+  /** The observer is called now, and whenever the value is set. */
   watch(watcher: (value: T) => void): void {
     this.watchers.push(watcher);
     watcher(this.current);

@@ -1,4 +1,4 @@
-// Moves a camera around what it looks at, by mouse, touch and keys. z is up.
+// Moves a camera around its target by mouse, touch and keys. z is up.
 
 import { MathUtils, type PerspectiveCamera, Spherical, Vector3 } from "three";
 
@@ -31,7 +31,7 @@ export class Orbit {
     host.addEventListener("keydown", (event) => this.key(event));
   }
 
-  /** Where the camera stands at first. */
+  /** The initial position of the camera. */
   begin(camera: Scene["camera"]): void {
     const moved = this.start === null || this.start.position.join() !== camera.position.join();
     this.start = camera;
@@ -87,7 +87,7 @@ export class Orbit {
     else this.turn(x * kTurn, y * kTurn);
   }
 
-  /** Where the page scrolls, the wheel is for that until one has come into the picture. */
+  /** On a scrolling page, the wheel scrolls until the pointer has entered the picture. */
   private wheel(event: WheelEvent): void {
     const scrolls = document.documentElement.scrollHeight > window.innerHeight;
     if (scrolls && document.activeElement !== this.host) return;

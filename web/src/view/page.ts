@@ -1,4 +1,4 @@
-// Puts the parts of the page together.
+// Assembles the parts of the page.
 
 import { element, fill } from "../parts/dom";
 import { CloserPanel } from "./closer_panel";
@@ -50,7 +50,7 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
   return { status, hand };
 }
 
-/** At the left what is felt, in the middle what is made of it, at the right what it is made with. */
+/** Sensor readings are on the left, the reading of the system in the middle, its modules on the right. */
 function arrange(columns: Panel[][]): HTMLElement {
   const made = columns.map((panels) =>
     element(

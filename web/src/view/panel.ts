@@ -1,4 +1,4 @@
-// A part of the page with a heading; can be folded. What is folded is not drawn.
+// A collapsible part of the page with a heading. Collapsed panels are not drawn.
 
 import { append, type Child, element, uniqueId } from "../parts/dom";
 import { icon } from "./icons";
@@ -34,7 +34,7 @@ export class Panel {
     append(this.tools, children);
   }
 
-  /** Runs `draw` at once when open, and whenever it is opened after. */
+  /** Runs `draw` immediately if open, and whenever the panel is opened. */
   whenOpen(draw: () => void): void {
     this.isOpen.watch((open) => open && draw());
   }
@@ -47,7 +47,7 @@ export class Panel {
     this.isOpen.set(open);
   }
 
-  /** Goes there; from there, folds it. */
+  /** Moves the focus to the panel, or collapses it if it already has the focus. */
   visit(): void {
     if (document.activeElement === this.button || !this.isOpen.value) this.toggle();
     this.button.focus();

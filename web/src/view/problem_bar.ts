@@ -1,4 +1,4 @@
-// What went wrong last, until it is closed.
+// The last error, until it is closed.
 
 import { element } from "../parts/dom";
 import type { Model } from "./model";

@@ -1,9 +1,9 @@
-// What the system would say now, and how near every other answer is.
+// The current reading of the system, and the distance to all other classes.
 
 import { element, fill } from "../parts/dom";
+import { digits } from "../parts/numbers";
 import type { Frame, Reading, State } from "./data";
 import { Candidates } from "./candidates";
-import { digits } from "./numbers";
 import type { Model } from "./model";
 import { Panel } from "./panel";
 import { Speaker } from "./speaker";
@@ -46,7 +46,7 @@ export class ReadingPanel {
 
   private ask(state: State): void {
     this.question.textContent =
-      state.label === null ? "It would say now" : `If this were all, the ${state.label} is`;
+      state.label === null ? "Best guess so far" : `Best guess so far (${state.label})`;
     this.draw(this.model.frame.value);
   }
 
@@ -59,7 +59,7 @@ export class ReadingPanel {
   }
 
   private show(reading: Reading): void {
-    const confidence = Math.min(1, Math.max(0, reading.confidence));
+    const confidence = Math.min(1, Math.max(0, reading.confidence ?? 0));
     this.answer.textContent = reading.answer;
     this.confidence.textContent = digits(reading.confidence);
     this.meter.setAttribute("aria-valuenow", confidence.toFixed(2));
@@ -73,10 +73,10 @@ function whyNothing(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system_problem !== null) return state.system_problem;
   if (state.systems.length === 0)
-    return "There is no system to choose: one that is to learn here needs explorations of two things or more, told apart by a label; --model brings one that has learned.";
+    return "No system is available: training here requires labelled explorations of at least two classes; --model adds a trained system.";
   if (state.system === null)
-    return "No system is chosen. Choose one above; it says what it reads from the touch.";
+    return "No system is selected. Select one above to see its reading.";
   return state.playing
-    ? "Not enough has been felt yet to say anything."
-    : "Nothing to read from yet: play, or step to a frame.";
+    ? "Not enough data for a reading yet."
+    : "No reading yet: play, or step to a frame.";
 }

@@ -1,7 +1,8 @@
-// The bodies of a scene as groups that are moved by the frames' poses, and its taxels.
+// The bodies of a scene, as groups moved by the poses of the frames, and its taxels.
 
 import { Group, Mesh, MeshBasicMaterial, type MeshStandardMaterial } from "three";
 
+import type { NumberOrNull } from "../parts/data";
 import type { Geom, Scene } from "./data";
 import { geometryOf } from "./geometry";
 import { forceColour, materialOf } from "./look";
@@ -24,7 +25,7 @@ export class SceneParts {
     for (const geom of scene.geoms) this.add(geom);
   }
 
-  move(poses: readonly number[]): void {
+  move(poses: readonly NumberOrNull[]): void {
     this.bodies.forEach((body, i) => {
       const at = (k: number) => poses[i * kPoseLength + k] ?? 0;
       if (poses.length < (i + 1) * kPoseLength) return;
@@ -33,7 +34,7 @@ export class SceneParts {
     });
   }
 
-  /** `share` tells of each element of the touch channel how strong it is, 0 to 1. */
+  /** `share` gives the strength of each element of the touch channel, 0 to 1. */
   colour(share: (element: number) => number): void {
     for (const [element, mesh] of this.taxels) {
       const strength = share(element);
@@ -70,7 +71,7 @@ export class SceneParts {
     if (geom.taxel !== null) this.addTaxel(geom.taxel, mesh);
   }
 
-  /** Most taxels face the object and are hidden from outside: their ghosts are drawn over all. */
+  /** Most taxels face the object and are hidden: translucent copies are drawn in front. */
   private addTaxel(taxel: number, mesh: Mesh): void {
     const look = { transparent: true, opacity: 0.45, depthTest: false, depthWrite: false };
     const ghost = new Mesh(mesh.geometry, new MeshBasicMaterial(look));

@@ -1,5 +1,5 @@
-// The hand in three dimensions. Draws when told: on a frame, on a turn of the camera, on a change of
-// size or theme; never on its own.
+// The hand in three dimensions. It is drawn only after a frame, a camera movement, or a change of
+// size or theme.
 
 import {
   type Mesh,
@@ -14,6 +14,7 @@ import {
   WebGLRenderer,
 } from "three";
 
+import type { NumberOrNull } from "../parts/data";
 import type { Scene } from "./data";
 import { drawingClock } from "./frame_loop";
 import { drawsAtAll, drawsInSoftware } from "./graphics";
@@ -21,7 +22,7 @@ import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
 import { SceneParts } from "./scene_parts";
 
-/** Which taxel the pointer is at, and which was clicked. */
+/** The taxel under the pointer, and the clicked one. */
 export interface Pointing {
   pointed: (taxel: number | null) => void;
   picked: (taxel: number) => void;
@@ -74,7 +75,7 @@ export class SceneView {
     void this.prepare();
   }
 
-  /** Shaders are compiled aside: the first picture would else hold up everything. */
+  /** Shaders are compiled asynchronously, because the first picture would otherwise block the page. */
   private async prepare(): Promise<void> {
     if (this.ready) return;
     if (this.renderer.extensions.has("KHR_parallel_shader_compile"))
@@ -85,7 +86,7 @@ export class SceneView {
     this.ask();
   }
 
-  /** Materials may not be given up while they are compiled. */
+  /** Materials must not be disposed of during compilation. */
   private retire(parts: SceneParts | null): void {
     if (parts !== null) this.retired.push(parts);
     if (this.ready) for (const old of this.retired.splice(0)) old.dispose();
@@ -97,8 +98,8 @@ export class SceneView {
     this.ask();
   }
 
-  /** Shows a frame, at once. */
-  draw(poses: readonly number[], share: (element: number) => number): void {
+  /** Shows a frame immediately. */
+  draw(poses: readonly NumberOrNull[], share: (element: number) => number): void {
     this.parts?.move(poses);
     this.parts?.colour(share);
     this.render();
@@ -170,7 +171,7 @@ export class SceneView {
   }
 }
 
-/** null where the browser cannot draw in three dimensions. */
+/** null if the browser does not support WebGL. */
 export function makeRenderer(): WebGLRenderer | null {
   try {
     if (!drawsAtAll()) return null;

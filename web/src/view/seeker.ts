@@ -1,4 +1,5 @@
-// Scrubbing: at most one seek is under way; of those wanted meanwhile only the newest follows.
+// Scrubbing: at most one seek is pending; of the positions requested meanwhile only the newest is
+// used.
 
 import type { Model } from "./model";
 

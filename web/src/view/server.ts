@@ -1,8 +1,8 @@
-// What the page asks of the program and tells it to do.
+// Requests and commands from the page to the program.
 
-import type { Command, NeuronAnswer, Scene, Strips, TaxelAnswer } from "./data";
+import type { Answers, Command, NeuronAnswer, Scene, Strips, TaxelAnswer } from "./data";
 
-/** What went wrong, in a sentence that may stand on the page. */
+/** An error, with a message for the page. */
 export class Refused extends Error {
   constructor(
     message: string,
@@ -19,7 +19,7 @@ export class Server {
     return new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
   }
 
-  /** How the stream of events is answered: 200, another status, or 0 where nobody answers. */
+  /** The HTTP status of the stream of events, or 0 without a response. */
   async status(): Promise<number> {
     const end = new AbortController();
     try {
@@ -32,19 +32,19 @@ export class Server {
   }
 
   scene(): Promise<Scene | null> {
-    return this.get<Scene | null>("api/scene");
+    return this.get("scene");
   }
 
   strips(): Promise<Strips | null> {
-    return this.get<Strips | null>("api/strips");
+    return this.get("strips");
   }
 
   neuron(map: string, neuron: number): Promise<NeuronAnswer> {
-    return this.get(`api/neuron?map=${encodeURIComponent(map)}&neuron=${neuron}`);
+    return this.get("neuron", `?map=${encodeURIComponent(map)}&neuron=${neuron}`);
   }
 
   taxel(element: number): Promise<TaxelAnswer> {
-    return this.get(`api/taxel?element=${element}`);
+    return this.get("taxel", `?element=${element}`);
   }
 
   async command(command: Command): Promise<void> {
@@ -53,8 +53,8 @@ export class Server {
     await answerOf(await this.fetch("api/command", { method: "POST", headers, body }));
   }
 
-  private async get<T>(path: string): Promise<T> {
-    return (await answerOf(await this.fetch(path, {}))) as T;
+  private async get<Name extends keyof Answers>(name: Name, query = ""): Promise<Answers[Name]> {
+    return (await answerOf(await this.fetch(`api/${name}${query}`, {}))) as Answers[Name];
   }
 
   private fetch(path: string, options: RequestInit): Promise<Response> {
@@ -67,10 +67,10 @@ async function answerOf(response: Response): Promise<unknown> {
   const answer: unknown = await response.json().catch(() => undefined);
   const problem = problemOf(answer);
   if (response.ok && problem === null && answer !== undefined) return answer;
-  throw new Refused(problem ?? `The program answered with ${response.status}`, response.status);
+  throw new Refused(problem ?? `The program responded with status ${response.status}`, response.status);
 }
 
 function problemOf(answer: unknown): string | null {
   if (typeof answer !== "object" || answer === null || !("error" in answer)) return null;
-  return typeof answer.error === "string" ? answer.error : "The program refused";
+  return typeof answer.error === "string" ? answer.error : "The program refused the command";
 }

@@ -1,4 +1,4 @@
-// Tells a screen reader of what changes, not more often than it can be listened to.
+// Announces changes to screen readers at a limited rate.
 
 import { element } from "../parts/dom";
 
@@ -6,7 +6,7 @@ const kPause = 2500; // ms
 
 export class Speaker {
   readonly root: HTMLElement;
-  private said = ""; // what the last words were about
+  private said = ""; // the subject of the last announcement
   private waiting: { about: string; words: string } | null = null;
   private resting = false;
 
@@ -14,7 +14,7 @@ export class Speaker {
     this.root = element("p", { class: `hidden-text ${name}`, "aria-live": "polite" });
   }
 
-  /** Says `words` unless what they are about is what was told last. */
+  /** Announces `words` unless their subject was announced last. */
   say(about: string, words: string): void {
     this.waiting = { about, words };
     if (!this.resting) this.next();

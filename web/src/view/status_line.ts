@@ -1,6 +1,7 @@
-// What the page itself does: its connection, and how long it works on a frame.
+// The state of the page: its connection, and its time per frame.
 
 import { element } from "../parts/dom";
+import { fixed } from "../parts/numbers";
 import type { Link } from "./connection";
 import type { Work } from "./frame_loop";
 import type { Model } from "./model";
@@ -19,12 +20,12 @@ export class StatusLine {
     model.shownLink.watch((link) => this.showLink(link));
     model.shownState.watch((state) => {
       const others = state === null ? 0 : state.clients;
-      this.clients.textContent = others === 1 ? "1 page looks on" : `${others} pages look on`;
+      this.clients.textContent = others === 1 ? "1 viewer" : `${others} viewers`;
       this.clients.hidden = state === null;
     });
   }
 
-  /** Words change a few times a second; the numbers in data attributes are always the newest. */
+  /** The text changes a few times per second; the data attributes always have the newest numbers. */
   work(work: Work): void {
     const { drawn, dropped, usual, most, drawing } = work;
     Object.assign(this.root.dataset, {
@@ -38,7 +39,7 @@ export class StatusLine {
     if (now - this.told < 250) return;
     this.told = now;
     this.frames.textContent = `frames: ${drawn} drawn, ${dropped} dropped`;
-    this.time.textContent = `own work ${usual.toFixed(1)} ms a frame, at most ${most.toFixed(1)} ms; 3D drawing ${drawing.toFixed(1)} ms`;
+    this.time.textContent = `page ${fixed(usual, 1)} ms per frame, at most ${fixed(most, 1)} ms; 3D drawing ${fixed(drawing, 1)} ms`;
   }
 
   private showLink(link: Link): void {

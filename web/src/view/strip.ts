@@ -1,8 +1,8 @@
-// One channel over time: lines, a band for each element where there are many, or the wave of a sound.
+// One channel over time: lines, a band for each of many elements, or the waveform of a sound.
 
 import uPlot from "uplot";
 
-import type { ChannelData } from "../parts/data";
+import type { ChannelData, NumberOrNull } from "../parts/data";
 import { element, fill } from "../parts/dom";
 import type { Model } from "./model";
 import { timeEnd } from "./strip_axes";
@@ -11,15 +11,9 @@ import { linePlot } from "./strip_lines";
 import { wavePlot } from "./strip_wave";
 import { StripValues } from "./strip_values";
 
-/** How a kind of strip is made and what it is given. */
-export interface Plot {
-  options: Partial<uPlot.Options>;
-  data: () => uPlot.AlignedData;
-}
-
 type Kind = "lines" | "bands" | "wave";
 
-/** Its types leave this out: changes made inside are drawn at its end, not later. */
+/** Missing in its types: changes made inside are drawn at its end, not later. */
 interface Batching extends uPlot {
   batch(run: (plot: uPlot) => void): void;
 }
@@ -66,7 +60,7 @@ export class Strip {
     this.plot?.batch((plot: uPlot) => this.bring(plot));
   }
 
-  /** What has not changed is not worked out again. Inside a batch, so that it is drawn now. */
+  /** Unchanged data are not computed again. Inside a batch, so that it is drawn immediately. */
   private bring(plot: uPlot): void {
     const { version, isWhole } = this.model.history;
     const wanted = [version, timeEnd(this.model)].join();
@@ -81,7 +75,7 @@ export class Strip {
     this.plot?.destroy();
   }
 
-  private kindOf(values: readonly number[] | null): Kind {
+  private kindOf(values: readonly NumberOrNull[] | null): Kind {
     if (values === null) return this.kind ?? "lines";
     if (values.length > this.channel.elements.length) return "wave";
     return this.channel.elements.length > kMostLines ? "bands" : "lines";
@@ -105,7 +99,7 @@ export class Strip {
     this.seekOnClick(kind);
   }
 
-  /** A click goes to that moment. */
+  /** A click seeks to that moment. */
   private seekOnClick(kind: Kind): void {
     const plot = this.plot;
     if (plot === null || kind === "wave") return;

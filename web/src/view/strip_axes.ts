@@ -1,10 +1,17 @@
-// What the strips over time have in common: the axes, and the line at the moment that is shown. What is
-// still to come, where it is known, is pale.
+// Common parts of the strips over time: the axes, and the line at the current moment. Later moments
+// of a recording are pale.
 
 import type uPlot from "uplot";
 
+import { significant } from "../parts/numbers";
 import type { Model } from "./model";
 import { themeColour } from "./theme_colours";
+
+/** How a kind of strip is made and what it is given. */
+export interface Plot {
+  options: Partial<uPlot.Options>;
+  data: () => uPlot.AlignedData;
+}
 
 const kVeil = 0.6;
 const kLeast = 5; // s, shown when little has come yet
@@ -17,7 +24,7 @@ export function timeScale(model: Model): uPlot.Scale {
   };
 }
 
-/** The time that the strips end at. */
+/** The end time of the strips. */
 export function timeEnd(model: Model): number {
   const known = model.shownState.value?.duration ?? null;
   return Math.max(known ?? kLeast, model.history.end, 0.1);
@@ -68,7 +75,7 @@ export const kCursor: uPlot.Cursor = {
   sync: { key: "strips" },
 };
 
-/** Numbers at an axis: short. */
+/** Short numbers for an axis. */
 export function tickWords(_: uPlot, values: number[]): string[] {
-  return values.map((value) => String(Number(value.toPrecision(6))).replace("-", "−"));
+  return values.map((value) => significant(value, 6));
 }

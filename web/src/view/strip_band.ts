@@ -1,19 +1,18 @@
-// A band for each of many elements, its colour telling the value: drawn as one small picture that is
-// stretched over the plot.
+// A band for each of many elements, coloured by its value: drawn as one small picture that is
+// scaled to the plot.
 
 import type uPlot from "uplot";
 
 import { sequenceColour } from "../parts/colour_maps";
-import type { ChannelData } from "../parts/data";
+import type { ChannelData, NumberOrNull } from "../parts/data";
+import { paintPixels, pixelRamp, type PixelAt } from "../parts/painter";
 import { gapsOf } from "./gaps";
 import type { History } from "./history";
 import type { Model } from "./model";
-import { pixelColours, Pixels } from "./pixels";
-import type { Plot } from "./strip";
-import { axes, drawMoment, kCursor, timeScale } from "./strip_axes";
+import { axes, drawMoment, kCursor, timeScale, type Plot } from "./strip_axes";
 
 const kLast = 0.01; // share of the whole that the last frame takes
-const colour = pixelColours(sequenceColour);
+const colour = pixelRamp(sequenceColour);
 
 export function bandPlot(channel: ChannelData, model: Model): Plot {
   const count = channel.elements.length;
@@ -41,7 +40,7 @@ function nothingAt(times: number[]): uPlot.AlignedData {
 }
 
 class Bands {
-  private readonly pixels = new Pixels();
+  private readonly picture = document.createElement("canvas");
   private painted = "";
 
   constructor(
@@ -55,21 +54,21 @@ class Bands {
     const down = Math.max(1, Math.round(height / devicePixelRatio));
     this.paint(across, Math.min(down, this.channel.elements.length), plot.scales["x"]?.max ?? 1);
     plot.ctx.imageSmoothingEnabled = false;
-    plot.ctx.drawImage(this.pixels.canvas, left, top, width, height);
+    plot.ctx.drawImage(this.picture, left, top, width, height);
   }
 
-  /** Only where something else is to be seen. */
+  /** Redraws only if the picture has changed. */
   private paint(width: number, height: number, end: number): void {
     const wanted = [this.model.history.version, width, height, end].join();
     if (wanted === this.painted) return;
     this.painted = wanted;
     const columns = columnsOf(this.model.history, this.channel.name, width, end);
-    this.pixels.paint(width, height, paintedWith(columns, height, this.channel.elements.length));
+    paintPixels(this.picture, width, height, pixelsOf(columns, height, this.channel.elements.length));
   }
 }
 
-/** What was told at the moments that share a column of pixels; [] where nobody knows. */
-type Column = readonly (readonly number[])[];
+/** The values at the moments that share a column of pixels; [] if unknown. */
+type Column = readonly (readonly NumberOrNull[])[];
 
 function columnsOf(history: History, channel: string, width: number, end: number): Column[] {
   const { times } = history;
@@ -88,14 +87,13 @@ function columnsOf(history: History, channel: string, width: number, end: number
 }
 
 /** Where several elements or moments share a pixel it has the colour of the strongest. */
-function paintedWith(columns: Column[], height: number, elements: number): (pixels: Uint32Array) => void {
+function pixelsOf(columns: Column[], height: number, elements: number): PixelAt {
   const most = Math.max(1e-9, ...columns.map((rows) => strongest(rows, 0, elements)));
   const first = (y: number) => Math.ceil((y * elements) / height);
-  return (pixels) =>
-    columns.forEach((rows, x) => {
-      for (let y = 0; rows.length > 0 && y < height; y += 1)
-        pixels[y * columns.length + x] = colour(strongest(rows, first(y), first(y + 1)) / most);
-    });
+  return (x, y) => {
+    const rows = columns[x] ?? [];
+    return rows.length === 0 ? null : colour(strongest(rows, first(y), first(y + 1)) / most);
+  };
 }
 
 function strongest(rows: Column, first: number, end: number): number {

@@ -1,4 +1,4 @@
-// A line for each element. Colour and dashes tell them apart.
+// A line for each element, distinguished by colour and dashes.
 
 import type uPlot from "uplot";
 
@@ -6,8 +6,7 @@ import type { ChannelData } from "../parts/data";
 import { kClassColours } from "../parts/colour_maps";
 import { gapsOf } from "./gaps";
 import type { Model } from "./model";
-import type { Plot } from "./strip";
-import { axes, drawMoment, kCursor, tickWords, timeEnd, timeScale } from "./strip_axes";
+import { axes, drawMoment, kCursor, tickWords, timeEnd, timeScale, type Plot } from "./strip_axes";
 import { themeColour } from "./theme_colours";
 
 const kDashes = [[], [5, 2], [2, 2], [6, 2, 1, 2]];
@@ -33,19 +32,19 @@ export function linePlot(channel: ChannelData, model: Model): Plot {
   return { options, data: () => columns(channel, model) };
 }
 
-/** A little air above and below; never a range of nothing. */
+/** A margin above and below; the range is never empty. */
 function comfortable(_: uPlot, low: number | null, high: number | null): [number, number] {
   if (low === null || high === null || !Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
   const air = high > low ? (high - low) * 0.08 : Math.max(1, Math.abs(high) * 0.1);
   return [low - air, high + air];
 }
 
-/** Where few frames have been seen, each is a dot. */
+/** If there are few frames, each is a dot. */
 function fewPoints(_: uPlot, __: number, first: number, last: number): boolean {
   return last - first < 16;
 }
 
-/** With nothing in the middle of a gap, so that no line is drawn over it. */
+/** With a missing value in the middle of a gap, so that no line is drawn across it. */
 function columns(channel: ChannelData, model: Model): uPlot.AlignedData {
   const { times } = model.history;
   const rows = model.history.rows(channel.name);

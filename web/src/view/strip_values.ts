@@ -1,9 +1,9 @@
-// The numbers of a channel at the moment shown: of few elements each, of many the greatest.
+// The values of a channel at the current moment: all of few elements, the maximum of many.
 
-import type { ChannelData } from "../parts/data";
+import type { ChannelData, NumberOrNull } from "../parts/data";
 import { element, fill } from "../parts/dom";
+import { digits } from "../parts/numbers";
 import { shape } from "../parts/svg";
-import { digits } from "./numbers";
 import { lineLook } from "./strip_lines";
 
 const kMost = 12;
@@ -22,7 +22,7 @@ export class StripValues {
     fill(this.root, items);
   }
 
-  show(values: readonly number[] | null): void {
+  show(values: readonly NumberOrNull[] | null): void {
     if (values === null) return;
     if (!this.few) this.root.textContent = greatest(this.channel, values);
     else if (values.length > this.cells.length) this.root.textContent = `last ${values.length} samples`;
@@ -51,8 +51,8 @@ export class StripValues {
   }
 }
 
-function greatest(channel: ChannelData, values: readonly number[]): string {
+function greatest(channel: ChannelData, values: readonly NumberOrNull[]): string {
   const size = (i: number) => Math.abs(values[i] ?? 0) || 0;
-  const at = values.reduce((best, _, i) => (size(i) > size(best) ? i : best), 0);
+  const at = values.reduce<number>((best, _, i) => (size(i) > size(best) ? i : best), 0);
   return `most ${digits(values[at] ?? 0)} at ${channel.elements[at] ?? at + 1}`;
 }

@@ -1,11 +1,10 @@
-// The last stretch of a sound, sample by sample.
+// The last part of a sound, sample by sample.
 
 import type uPlot from "uplot";
 
 import type { ChannelData } from "../parts/data";
 import type { Model } from "./model";
-import type { Plot } from "./strip";
-import { axes, tickWords } from "./strip_axes";
+import { axes, tickWords, type Plot } from "./strip_axes";
 import { themeColour } from "./theme_colours";
 
 export function wavePlot(channel: ChannelData, model: Model): Plot {
@@ -24,7 +23,7 @@ export function wavePlot(channel: ChannelData, model: Model): Plot {
   return { options, data: () => samples(channel, model) };
 }
 
-/** As far below nothing as above it, where there is something below. */
+/** A range symmetric about 0 if there are negative values. */
 function even(_: uPlot, low: number | null, high: number | null): [number, number] {
   const most = Math.max(Math.abs(low ?? 0), Math.abs(high ?? 0), 1e-9) * 1.1;
   return (low ?? 0) < 0 ? [-most, most] : [0, most];

@@ -1,4 +1,4 @@
-// What was felt, over time: a strip for each channel that is chosen.
+// The sensor readings over time: a strip for each selected channel.
 
 import type { ChannelData } from "../parts/data";
 import { element, fill } from "../parts/dom";
@@ -58,7 +58,7 @@ export class StripsPanel {
       channels.map((channel) => this.button(channel)),
     );
     const empty = element("p", { class: "empty" }, [
-      channels.length === 0 ? "Nothing has been felt yet." : "No channel is chosen.",
+      channels.length === 0 ? "No sensor readings yet." : "No channel is selected.",
     ]);
     fill(this.place, this.strips.length === 0 ? [empty] : this.strips.map(({ root }) => root));
     this.place.dataset["count"] = String(this.strips.length);
@@ -76,7 +76,7 @@ export class StripsPanel {
     return button;
   }
 
-  /** Draws now if the last time is long enough ago, else soon; what has to be made waits for its turn. */
+  /** Draws now if the last drawing is old enough, otherwise soon; new strips are created one by one. */
   private ask(): void {
     window.clearTimeout(this.timer);
     const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();

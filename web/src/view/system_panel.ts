@@ -1,4 +1,4 @@
-// What goes through the system: the graph of its modules, and the values of the one that is chosen.
+// The state of the system: the graph of its modules, and the values of the selected one.
 
 import { element, fill } from "../parts/dom";
 import { graphPicture, type GraphPicture } from "../parts/graph_picture";
@@ -34,7 +34,7 @@ export class SystemPanel {
     const graph = state?.graph ?? null;
     this.graphPlace.hidden = this.module.root.hidden = graph === null;
     this.nothing.hidden = graph !== null;
-    this.nothing.textContent = state === null ? "Waiting for the program." : "No system is chosen.";
+    this.nothing.textContent = state === null ? "Waiting for the program." : "No system is selected.";
     const text = JSON.stringify(graph);
     if (text === this.built) return;
     this.built = text;
@@ -49,7 +49,7 @@ export class SystemPanel {
     this.draw(this.model.frame.value);
   }
 
-  /** The graph is often wider than its place. */
+  /** The graph is often wider than its element. */
   private reveal(): void {
     const box = this.graphPlace.querySelector(".module.chosen")?.getBoundingClientRect();
     const place = this.graphPlace.getBoundingClientRect();

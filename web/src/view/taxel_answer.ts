@@ -1,4 +1,4 @@
-// Where on each map a touch sensor matters: the neurons' weights for it.
+// The weights of a touch sensor in each neuron of each map.
 
 import { element, fill } from "../parts/dom";
 import { valuesPicture } from "../parts/map_picture";
@@ -14,22 +14,22 @@ export function taxelAnswer(answer: TaxelAnswer, state: State, model: Model): HT
     const weights = answer.maps[module];
     if (weights === undefined || weights.length === 0) return [];
     const onChoose = (neuron: number) => void model.askNeuron(module, neuron);
-    const label = `Where on ${module} ${answer.name} matters`;
+    const label = `Weight of ${answer.name} in ${module}`;
     const picture = valuesPicture(grid, { label, size: kWidth, onChoose });
     picture.setValues(weights);
     picture.setMarks(neuron_classes, classes);
     return [
       element("p", { class: "small muted" }, [
-        `Its weight for each neuron of ${module}: light where it matters.`,
+        `Its weight in each neuron of ${module}: light colours are large weights.`,
       ]),
       picture.element,
     ];
   });
-  const none = element("p", { class: "empty" }, ["No map listens to it."]);
+  const none = element("p", { class: "empty" }, ["It is not an input of any map."]);
   return maps.length === 0 ? [head, none] : [head, ...maps];
 }
 
-/** For those who cannot click on the hand. */
+/** An alternative to clicking on the hand. */
 export function taxelChoice(model: Model): HTMLElement {
   const list = element("select", { "aria-label": "Touch sensor", class: "taxel-choice" });
   let listed = "";

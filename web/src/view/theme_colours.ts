@@ -1,9 +1,9 @@
-// The colours of style.css for canvases, which know nothing of style sheets.
+// The colours of style.css for canvases, to which style sheets do not apply.
 
 const probe = document.createElement("span");
 probe.hidden = true;
 
-/** themeColour("ink"): as "rgb(...)", of the theme that holds now. */
+/** themeColour("ink"): as "rgb(...)", of the current theme. */
 export function themeColour(name: string): string {
   if (!probe.isConnected) document.body.append(probe);
   probe.style.color = `var(--${name})`;

@@ -1,5 +1,5 @@
-// The token stands in the start address. It is kept for this tab and taken out of the address bar,
-// so that it gets neither into a bookmark nor over a shoulder.
+// The token is part of the start address. It is stored for this tab and removed from the address
+// bar, so that it is neither bookmarked nor visible.
 
 const key = "somato-token";
 
@@ -17,7 +17,7 @@ function stored(): string {
   try {
     return window.sessionStorage.getItem(key) ?? "";
   } catch {
-    return ""; // storage may be forbidden
+    return ""; // storage may be disabled
   }
 }
 
@@ -25,6 +25,6 @@ function keep(token: string): void {
   try {
     window.sessionStorage.setItem(key, token);
   } catch {
-    // Then reloading the page asks for the start address again.
+    // Reloading the page then requires the start address.
   }
 }

@@ -1,13 +1,12 @@
-// A map that is learning: how far it is, its U-matrix, and who wins where.
+// The training of a map: its progress, its U-matrix, and the winners of the samples.
 
 import { element, fill } from "../parts/dom";
-import { markerLegend } from "../parts/legend";
+import { classLegend } from "../parts/legend";
 import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
-import { svg } from "../parts/svg";
+import { digits, fixed } from "../parts/numbers";
 import type { State, Training } from "./data";
 import { mostOften } from "./most_often";
 import type { Model } from "./model";
-import { digits } from "./numbers";
 
 export class TrainingView {
   readonly root = element("div", { class: "training" });
@@ -37,13 +36,13 @@ export class TrainingView {
     this.button.textContent = running ? "Stop learning" : "Learn";
     const system = state?.systems.find(({ name }) => name === state.system);
     this.button.disabled = system?.learns !== true;
-    this.button.title = system?.learns === false ? "It was given to the program as it has learned" : "";
+    this.button.title = system?.learns === false ? "This system was loaded already trained" : "";
   }
 
   private draw(training: Training | null): void {
     this.progress.hidden = training === null;
     this.words.textContent =
-      training === null ? "Nothing has learned here yet: press Learn." : wordsOf(training);
+      training === null ? "No map has been trained yet: press Learn." : wordsOf(training);
     if (training === null) return this.clear();
     this.progress.max = Math.max(1, training.steps);
     this.progress.value = training.step;
@@ -72,7 +71,7 @@ export class TrainingView {
 
   private mark(training: Training): void {
     const names = [...new Set([...this.classes(training), ...training.winners.map((won) => won.class)])];
-    if (names.join("\n") !== this.names.join("\n")) fill(this.legend, [legendOf(names)]);
+    if (names.join("\n") !== this.names.join("\n")) fill(this.legend, [classLegend(names)]);
     this.names = names;
     const neurons = training.u_matrix.length;
     this.picture?.setMarks(mostOften(training.winners, names, neurons), names);
@@ -86,10 +85,5 @@ export class TrainingView {
 function wordsOf({ module, step, steps, radius, learning_rate, u_matrix, done }: Training): string {
   const head = `${module || "The system"} ${done ? "has learned" : "learns"}: step ${step} of ${steps}`;
   if (u_matrix.length === 0) return head; // what comes before the map
-  return `${head}, radius ${digits(radius)}, learning rate ${learning_rate.toFixed(3)}`;
-}
-
-function legendOf(names: readonly string[]): SVGSVGElement {
-  const { group, height } = markerLegend(380, names);
-  return svg(380, height, `Classes: ${names.join(", ")}`, [group]);
+  return `${head}, radius ${digits(radius)}, learning rate ${fixed(learning_rate, 3)}`;
 }

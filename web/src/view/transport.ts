@@ -1,11 +1,11 @@
-// Play, pause, step, speed, scrub, and which exploration.
+// Play, pause, step, speed, scrub, and the choice of the exploration.
 
 import { element, fill } from "../parts/dom";
+import { seconds } from "../parts/numbers";
 import type { Frame, State } from "./data";
 import { icon } from "./icons";
 import { describe } from "./labels";
 import type { Model } from "./model";
-import { seconds } from "./numbers";
 import { Seeker } from "./seeker";
 
 export const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
@@ -27,6 +27,7 @@ export class Transport {
   private readonly before = this.moveButton(-1);
   private readonly after = this.moveButton(1);
   private listed = "";
+  private farthest = 0; // frame that was seen of what a body still explores
 
   constructor(private readonly model: Model) {
     this.seeker = new Seeker(model);
@@ -78,9 +79,11 @@ export class Transport {
     if (exploration !== null) this.seeker.seek(exploration, frame);
   }
 
-  /** The one that is chosen: a state may still be on its way when its first frame is here. */
+  /** The selected exploration: its first frame may arrive before the state. */
   private exploration(): number | null {
-    return this.choice.value === "" ? null : Number(this.choice.value);
+    if (this.choice.value !== "") return Number(this.choice.value);
+    const state = this.model.shownState.value;
+    return state?.live ? state.exploration : null;
   }
 
   private watchControls(): void {
@@ -101,6 +104,7 @@ export class Transport {
     this.play.setAttribute("aria-label", state.playing ? "Pause" : "Play");
     showSpeed(this.speed, state.speed);
     this.showExplorations(state);
+    if (!state.live) this.farthest = 0;
     this.showLength(state.frames);
   }
 
@@ -116,7 +120,7 @@ export class Transport {
     this.after.disabled = place + 1 >= state.explorations.length;
   }
 
-  /** What is explored now is not in the list yet. */
+  /** The current exploration of a body is not in the list yet. */
   private choose(exploration: number | null): void {
     this.choice.value = String(exploration ?? "");
     if (this.choice.selectedIndex < 0) this.choice.value = "";
@@ -134,7 +138,8 @@ export class Transport {
   }
 
   private showLength(frames: number | null): void {
-    const last = frames === null ? (this.model.frame.value?.frame ?? 0) : frames - 1;
+    if (frames === null) this.farthest = Math.max(this.farthest, this.model.frame.value?.frame ?? 0);
+    const last = frames === null ? this.farthest : frames - 1;
     this.scrub.max = String(Math.max(0, last));
     this.scrub.disabled = last <= 0;
   }
@@ -149,14 +154,14 @@ export class Transport {
 
   private moveButton(by: -1 | 1): HTMLButtonElement {
     const [name, words] =
-      by < 0 ? (["previous", "Exploration before"] as const) : (["next", "Next exploration"] as const);
+      by < 0 ? (["previous", "Previous exploration"] as const) : (["next", "Next exploration"] as const);
     const button = iconButton(name, words, `${words} (${by < 0 ? "[" : "]"})`);
     button.addEventListener("click", () => this.move(by));
     return button;
   }
 }
 
-/** Which of the explorations plays; -1: none. */
+/** The index of the current exploration; -1: none. */
 function placeOf(state: State): number {
   return state.explorations.findIndex(({ index }) => index === state.exploration);
 }

@@ -1,8 +1,8 @@
-// The touch sensors side by side, as if the hand were laid open.
+// The touch sensors of the unfolded hand.
 
 import { element, fill } from "../parts/dom";
 import { handMap, type HandPicture } from "../parts/hand_map";
-import type { ChannelData } from "../parts/data";
+import type { ChannelData, NumberOrNull } from "../parts/data";
 import type { Model } from "./model";
 
 export class UnfoldedHand {
@@ -17,7 +17,7 @@ export class UnfoldedHand {
     );
   }
 
-  draw(values: readonly number[]): void {
+  draw(values: readonly NumberOrNull[]): void {
     this.picture?.setValues(values, [0, this.model.scale.end]);
   }
 

@@ -2,7 +2,6 @@ import { expect, test } from "vitest";
 
 import { csv } from "../../src/parts/csv";
 import { fileName } from "../../src/parts/figure";
-import { percent, rangeOf, readable } from "../../src/parts/numbers";
 
 test("fields are quoted where they must be", () => {
   const rows = [
@@ -25,17 +24,4 @@ test("names of files are such as every system takes", () => {
   expect(fileName('a/b: "c" <d>')).toBe("a-b-c-d");
   expect(fileName("../..")).toBe("figure");
   expect([...fileName("é".repeat(200))].length).toBe(80);
-});
-
-test("numbers are read as people read them", () => {
-  expect(readable(0.123456)).toBe("0.123");
-  expect(readable(-2)).toBe("−2");
-  expect(readable(123456)).toBe("123456");
-  expect(readable(1e-9)).toBe("1.00e−9");
-  expect(readable(null)).toBe("–");
-  expect(percent(0.999)).toBe("> 99 %");
-  expect(percent(1)).toBe("100 %");
-  expect(percent(0.001)).toBe("< 1 %");
-  expect(rangeOf([null, 3, -1])).toEqual([-1, 3]);
-  expect(rangeOf([null])).toBeNull();
 });

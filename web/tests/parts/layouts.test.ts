@@ -58,7 +58,7 @@ describe("the layout of a graph", () => {
   });
 
   test("ends on loops without a delay, on itself and on inputs that are not there", () => {
-    const odd = [module("a", ["b"]), module("b", ["a"]), module("c", ["c", "nobody"])];
+    const odd = [module("a", ["b"]), module("b", ["a"]), module("c", ["c", "absent"])];
     expect(graphLayout(odd).links.filter((link) => link.isBack).length).toBe(2);
     expect(graphLayout([]).rowCount).toBe(1);
   });

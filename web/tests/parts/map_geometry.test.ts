@@ -6,7 +6,9 @@ import {
   borders,
   centreOf,
   heightOf,
+  neuronAtPixel,
   neuronCount,
+  pixelColumns,
   squaredDistance,
   stepFrom,
   widthOf,
@@ -67,4 +69,22 @@ describe("areas", () => {
   test("are none without samples", () => {
     expect(areasOf(line, [], [])).toEqual([null, null, null, null, null]);
   });
+});
+
+test("each neuron has two pixels side by side, in odd rows of a hexagonal map shifted by one", () => {
+  const rowsOf = (lattice: GridData["lattice"], rows: number) => {
+    const grid: GridData = { rows, columns: 2, lattice, topology: "plane" };
+    return Array.from({ length: rows }, (_, row) =>
+      Array.from({ length: pixelColumns(grid) }, (_, x) => neuronAtPixel(grid, x, row)),
+    );
+  };
+  expect(rowsOf("rectangular", 2)).toEqual([
+    [0, 0, 1, 1],
+    [2, 2, 3, 3],
+  ]);
+  expect(rowsOf("hexagonal", 2)).toEqual([
+    [0, 0, 1, 1, null],
+    [null, 2, 2, 3, 3],
+  ]);
+  expect(rowsOf("hexagonal", 1)).toEqual([[0, 0, 1, 1]]);
 });

@@ -9,7 +9,6 @@ import { geometryOf } from "../../src/view/geometry";
 import { History } from "../../src/view/history";
 import { describe as describeLabels } from "../../src/view/labels";
 import { mostOften } from "../../src/view/most_often";
-import { digits, withUnit } from "../../src/view/numbers";
 import { fakeFrame, kFrames } from "../fake_frames";
 import { fakePoses, fakeScene, kThings } from "../fake_hand";
 
@@ -43,7 +42,7 @@ describe("the scale of touch", () => {
 
   test("follows the exploration, unless it is held", () => {
     const scale = new ForceScale();
-    scale.see(0, [3, Number.NaN, -4]);
+    scale.see(0, [3, Number.NaN, null, -4]);
     expect([scale.end, scale.share(2.5), scale.share(-9), scale.share(Number.NaN)]).toEqual([5, 0.5, 1, 0]);
     scale.see(1, [0.2]);
     expect(scale.end).toBe(0.2);
@@ -99,8 +98,10 @@ describe("what was told over an exploration", () => {
     history.take(strips(null, [0, 1, 2, 3]));
     history.add(live(5));
     expect(history.times).toEqual([0, 0.1, 0.2, 0.3, 0.4, 0.5]);
-    history.add(live(0));
-    expect([history.times, history.isLacking]).toEqual([[0], true]);
+    history.add(live(2)); // it was gone back to
+    expect(history.times.length).toBe(6);
+    history.add({ ...live(4), channels: frame(1, 4).channels });
+    expect([history.times, history.isLacking]).toEqual([[0.4], true]);
   });
 
   test("makes a gap where there was a jump, for a dropped frame none", () => {
@@ -122,18 +123,6 @@ test("a neuron's class is the one that it won most of", () => {
   const won = (winner: number, name: string) => ({ sample: 0, winner, class: name });
   const winners = [won(1, "ball"), won(1, "cup"), won(1, "cup"), won(3, "ball")];
   expect(mostOften(winners, ["ball", "cup"], 4)).toEqual([null, 1, null, 0]);
-});
-
-test("numbers that change keep their decimals", () => {
-  expect([0, 1.234, -12.34, 99.96, 9.996, Number.NaN].map(digits)).toEqual([
-    "0.00",
-    "1.23",
-    "−12.3",
-    "100",
-    "10.0",
-    "–",
-  ]);
-  expect(withUnit(1, "N")).toBe("1.00 N");
 });
 
 test("an exploration is called by its object and trial", () => {

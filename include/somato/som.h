@@ -1,0 +1,14 @@
+#pragma once
+
+// Self-organizing maps and T-MPSOMs: training, winners, quality, labels, pictures and files of
+// samples.
+
+#include "somato/drawing/map_picture.h"
+#include "somato/files/csv.h"
+#include "somato/files/npy.h"
+#include "somato/maps/labels.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_learner.h"
+#include "somato/maps/som_quality.h"
+#include "somato/maps/som_training.h"
+#include "somato/maps/t_mpsom.h"

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "somato/bodies/body.h"
+#include "somato/recording/recording.h"
+
+namespace somato {
+
+/// Collects the readings of a body during selected steps.
+class FrameLog {
+ public:
+  explicit FrameLog(const BodyDescription& description);
+
+  /// Adds the frames of the last step. Errors (kData) name a sensor whose readings do not fit its
+  /// description or the previous ones.
+  Result<void> append(const BodyState& state);
+
+  /// A channel for each sensor, with the time of each frame in seconds of the body's clock: an
+  /// omitted step leaves a gap, so that the times are not determined by a sensor's rate.
+  std::vector<Channel> channels() &&;
+
+ private:
+  struct Sensor {
+    Channel channel;
+    double rate = 0.0;
+    bool times_known = true;
+  };
+
+  static Result<void> append(Sensor& sensor, const Matrix<float>& frames, double end);
+
+  std::vector<Sensor> sensors_;
+};
+
+}  // namespace somato

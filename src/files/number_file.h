@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "files/whole_file.h"
+#include "somato/core/result.h"
+#include "somato/files/csv.h"
+
+namespace somato {
+
+/// The table in the file at `path`: NPY when it begins as NPY does, otherwise CSV.
+/// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column or a decimal
+/// comma of an NPY file; kData for more than `limit` bytes.
+Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {},
+                                 std::size_t limit = kLargestFile);
+
+}  // namespace somato

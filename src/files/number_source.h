@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "files/table_columns.h"
+#include "somato/core/result.h"
+#include "somato/core/samples.h"
+#include "somato/files/csv.h"
+
+namespace somato {
+
+class FileSystem;
+
+/// Some rows of a file of numbers.
+struct NumberPart {
+  Samples samples;
+  std::vector<std::string> labels;  ///< One a row; empty when there is no label column.
+};
+
+/// The rows of a file of numbers, read in parts in every pass, for a file that is larger than
+/// memory. The numbers and errors are those of read_numbers(), except that of several errors the
+/// first in the file is reported.
+///
+/// The file must not change: a different length or date is an error (kData).
+class NumberSource : public SampleSource {
+ public:
+  /// The roles of the file's columns.
+  virtual const TableColumns& columns() const = 0;
+
+  std::size_t size() const final { return columns().features.size(); }
+
+  /// The bytes that gathering all samples in a list that grows, and changing them once, takes at
+  /// most.
+  virtual double memory_of_all() const = 0;
+
+  /// Share of the file that was read since rewind(), 0 to 1.
+  virtual double share_read() const = 0;
+
+  /// The next part, with labels; nothing at the end.
+  virtual Result<std::shared_ptr<const NumberPart>> next_part() = 0;
+
+  Result<SamplePart> next() final;
+};
+
+/// Opens the file at `path`, which must be regular, as NPY if it begins like NPY, otherwise as CSV;
+/// the samples of a part take at most `part_bytes`, but a row is not divided. Errors: see
+/// read_numbers(); kSystem for a file that is not regular.
+Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes);
+
+/// The same for a file that was read into `bytes`, from the source `where`: all rows are one part.
+Result<std::unique_ptr<NumberSource>> numbers_in(const std::string& bytes, const std::string& where,
+                                                 const CsvOptions& options);
+
+namespace detail {
+
+/// The same on the given file system, for tests.
+Result<std::unique_ptr<NumberSource>> open_numbers(FileSystem& files, const std::string& path,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes);
+
+}  // namespace detail
+
+}  // namespace somato

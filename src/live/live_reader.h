@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "live/system_reading.h"
+#include "live/view_source.h"
+#include "live/viewed_system.h"
+
+namespace somato::live {
+
+/// Evaluates a growing exploration with the selected system; used by one thread.
+class LiveReader {
+ public:
+  /// Chooses a system, or none with nullptr; it then goes to the start.
+  void choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout);
+
+  /// Goes to the start of an exploration.
+  void start();
+
+  /// Follows the exploration until the channels have given so many frames each.
+  void follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
+
+  /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of
+  /// a second ago, or ten times as long as it took to say, unless it is wanted `now`.
+  const Reading* read(bool now);
+
+  const SystemModel* model() const { return reading_ ? &reading_->model() : nullptr; }
+  const SystemPicture& picture() const { return picture_; }
+
+  /// Why there is nothing to say, a sentence; empty without a reason.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void keep(const Error& error);
+
+  SystemPicture picture_;
+  std::string problem_;
+  std::unique_ptr<SystemReading> reading_;
+  std::optional<Reading> latest_;
+  Clock::time_point said_at_;
+  Clock::duration took_{};
+};
+
+}  // namespace somato::live

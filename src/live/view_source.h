@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/bodies/explorer.h"
+#include "somato/bodies/exploring.h"
+#include "somato/bodies/scene.h"
+#include "somato/graph/system_description.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/recording.h"
+
+namespace somato {
+
+/// A system that may be chosen: trained already, or to be trained on what is viewed.
+struct ViewSystem {
+  std::string name;
+  std::string text;                            ///< One line.
+  SystemDescription description = {};          ///< Of one that is still to be trained.
+  std::string label = {};                      ///< The label to be predicted, such as "object".
+  std::string map = {};                        ///< The module that answers; empty: its last map.
+  std::shared_ptr<const SystemModel> trained;  ///< Or nullptr.
+};
+
+/// What is viewed: a recording, or a body that explores, simulated or real.
+struct ViewSource {
+  std::string name;          ///< The file's name, or the body's.
+  Recording recording = {};  ///< Valid; of a body what was explored before, if any.
+  std::unique_ptr<const Explorer> explorer = {};  ///< With the body; or nullptr.
+  std::size_t thing = 0;                          ///< That the body explores first.
+  std::uint64_t seed = 1;                         ///< Of what is trained.
+  ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
+  SceneFinder scenes = {};    ///< For recordings; may be empty.
+  std::vector<ViewSystem> systems = {};
+  std::optional<std::size_t> system = {};  ///< That is chosen first.
+};
+
+/// How it is viewed.
+struct ViewSettings {
+  bool wait_for_viewer = true;  ///< Begins to play with the first viewer; else at once.
+  double speed = 1.0;           ///< 0.05 to 100; 1: as fast as it was.
+  /// Seconds between two of the hundred snapshots of a map in training: at full speed they could
+  /// not be followed.
+  double training_pause = 0.06;
+};
+
+}  // namespace somato

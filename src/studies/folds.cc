@@ -1,0 +1,84 @@
+#include "studies/folds.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+
+namespace somato {
+namespace {
+
+std::vector<std::size_t> range(std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> numbers(end - begin);
+  std::iota(numbers.begin(), numbers.end(), begin);
+  return numbers;
+}
+
+// A fold for each part: `parts[i]` is the part in which sample i is tested.
+std::vector<Fold> folds_of_parts(const std::vector<std::size_t>& parts) {
+  const std::set<std::size_t> distinct(parts.begin(), parts.end());
+  std::vector<Fold> folds;
+  folds.reserve(distinct.size());
+  for (const std::size_t part : distinct) {
+    Fold fold;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      (parts[i] == part ? fold.test : fold.training).push_back(i);
+    }
+    folds.push_back(std::move(fold));
+  }
+  return folds;
+}
+
+// Class by class, each in random order, the samples are dealt to the parts in turn.
+std::vector<std::size_t> deal(const FoldSamples& samples) {
+  Random random(samples.seed, Stream::kGroupings);
+  std::vector<std::size_t> shuffled = range(0, samples.samples);
+  for (std::size_t i = shuffled.size(); i > 1; --i) {
+    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // class, place among the shuffled
+  order.reserve(shuffled.size());
+  for (std::size_t i = 0; i < shuffled.size(); ++i) {
+    order.emplace_back(samples.classes[shuffled[i]], i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> parts(samples.samples);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    parts[shuffled[order[i].second]] = i % samples.folds;
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
+  const bool divides = protocol != Protocol::kTrainIsTest && protocol != Protocol::kTestData;
+  require(samples.samples >= (divides ? 2U : 1U), "a protocol needs training samples");
+  const std::vector<std::size_t> all = range(0, samples.samples);
+  switch (protocol) {
+    case Protocol::kTrainIsTest:
+      return {{all, all}};
+    case Protocol::kTestData:
+      require(samples.test_samples > 0, "test_data needs test samples");
+      return {{all, range(samples.samples, samples.samples + samples.test_samples)}};
+    case Protocol::kLeaveOneOut:
+      return folds_of_parts(all);
+    case Protocol::kLeaveGroupOut: {
+      require(samples.groups.size() == samples.samples,
+              "leave_group_out needs a group for each sample");
+      std::vector<Fold> groups = folds_of_parts(samples.groups);
+      require(groups.size() >= 2, "leave_group_out needs at least two groups");
+      return groups;
+    }
+    case Protocol::kFolds:
+      break;
+  }
+  require(samples.classes.size() == samples.samples, "k_folds needs a class for each sample");
+  require(samples.folds >= 2 && samples.folds <= samples.samples,
+          "k_folds needs at least one sample per fold");
+  return folds_of_parts(deal(samples));
+}
+
+}  // namespace somato

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "somato/studies/study_parameters.h"
+
+namespace somato {
+
+/// One training with its test: numbers of samples, ascending.
+struct Fold {
+  std::vector<std::size_t> training;
+  std::vector<std::size_t> test;
+
+  bool operator==(const Fold&) const = default;
+};
+
+/// The samples to be divided.
+struct FoldSamples {
+  std::size_t samples = 0;                ///< Numbered from 0.
+  std::size_t test_samples = 0;           ///< Of a separate recording, numbered after the others.
+  std::vector<std::size_t> groups = {};   ///< One per sample, for leave_group_out.
+  std::vector<std::size_t> classes = {};  ///< One per sample, for folds.
+  std::size_t folds = 10;                 ///< For folds.
+  std::uint64_t seed = 1;                 ///< Of the assignment to folds.
+};
+
+/// The folds of a protocol; every test sample is tested in exactly one. Throws InvalidArgument if
+/// there are too few samples: 1 for train_is_test and test_data, otherwise 2; 2 groups for
+/// leave_group_out; as many samples as folds; a test sample for test_data.
+std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples);
+
+}  // namespace somato

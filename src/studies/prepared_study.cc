@@ -1,0 +1,289 @@
+#include "studies/prepared_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "somato/graph/system_model.h"
+#include "studies/exploration_samples.h"
+#include "studies/most_similar.h"
+#include "studies/numbered_individuals.h"
+
+namespace somato {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+// Each exploration on its own.
+Numbers each_separate(std::size_t explorations) {
+  Numbers numbers(explorations);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+std::size_t count_different(const Numbers& numbers) {
+  return std::set<std::size_t>(numbers.begin(), numbers.end()).size();
+}
+
+// Individuals are dealt to classes as wholes, so each must belong to one; where every class is a
+// single individual, there would be nothing to deal.
+Result<Numbers> individuals_of(const Classes& classes, const Numbers& individuals,
+                               const std::string& label, const std::string& individual) {
+  std::map<std::size_t, std::size_t> class_of;
+  for (std::size_t i = 0; i < individuals.size(); ++i) {
+    const std::size_t its_class = classes.of_sample[i];
+    if (class_of.emplace(individuals[i], its_class).first->second == its_class) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("explorations with the same '{}' differ in '{}'", individual, label),
+                {}, "use another label as 'individual', or leave it empty");
+  }
+  return class_of.size() == classes.names.size() ? each_separate(individuals.size()) : individuals;
+}
+
+Result<StudiedLabel> ask(const Recording& recording, const std::string& label,
+                         const StudyParameters& study, const Numbers& individuals) {
+  SOMATO_TRY(const auto names, labels_of(recording, label));
+  StudiedLabel studied{label, Classes::from_names(names), {}};
+  SOMATO_TRY(auto dealt, individuals_of(studied.classes, individuals, label, study.individual));
+  studied.individuals = std::move(dealt);
+  return studied;
+}
+
+Result<void> ask_labels(const StudyParameters& study, const Numbers& individuals,
+                        PreparedStudy& prepared) {
+  std::vector<std::string> names{study.label};
+  names.insert(names.end(), study.labels.begin(), study.labels.end());
+  for (const std::string& name : names) {
+    SOMATO_TRY(auto studied, ask(prepared.recording, name, study, individuals));
+    prepared.labels.push_back(std::move(studied));
+  }
+  return {};
+}
+
+// Sizes within their groups are treated like a label: small and large ones of each. Sizes are
+// defined by the training individuals; others are large if they are not below a large one of these.
+StudiedLabel ask_size_groups(const AskedOrder& order, const std::vector<std::string>& group_names,
+                             std::size_t learned) {
+  const auto last = order.individuals.begin() + static_cast<std::ptrdiff_t>(learned);
+  const std::size_t known = *std::max_element(order.individuals.begin(), last) + 1;
+  std::vector<SizedThing> things;
+  things.reserve(known);
+  for (std::size_t i = 0; i < known; ++i) things.push_back({order.numbers[i], order.groups[i]});
+  const std::vector<bool> large = is_large(things);
+  const auto is_as_large = [&](std::size_t individual) {
+    for (std::size_t i = 0; i < known; ++i) {
+      if (large[i] && things[i].group == order.groups[individual] &&
+          things[i].number <= order.numbers[individual]) {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<std::string> names;
+  names.reserve(order.individuals.size());
+  for (const std::size_t individual : order.individuals) {
+    names.push_back((is_as_large(individual) ? "large " : "small ") +
+                    group_names[order.groups[individual]]);
+  }
+  return {"size_group", Classes::from_names(names), order.individuals};
+}
+
+Result<void> ask_order(const StudyParameters& study, const Numbers& individuals,
+                       std::size_t learned, PreparedStudy& prepared) {
+  if (study.order.empty()) return {};
+  SOMATO_TRY(const auto members,
+             numbered_individuals(prepared.recording, {study.individual, study.order, study.within},
+                                  individuals));
+  if (!has_an_order(members)) return fail(no_order(study.order));
+  AskedOrder order{individuals, {}, {}};
+  std::vector<std::string> names;
+  for (const NumberedIndividual& member : members) {
+    order.numbers.push_back(member.number);
+    names.push_back(member.group);
+  }
+  const Classes groups = Classes::from_names(names);
+  order.groups = groups.of_sample;
+  prepared.labels.push_back(ask_size_groups(order, groups.names, learned));
+  prepared.order = std::move(order);
+  return {};
+}
+
+// Without the explorations that are not included.
+Result<void> keep_only(const StudyParameters& study, Recording& recording) {
+  if (study.only.empty()) return {};
+  SOMATO_TRY(const auto labels, labels_of(recording, study.label));
+  for (const std::string& name : study.only) {
+    if (std::find(labels.begin(), labels.end(), name) != labels.end()) continue;
+    return fail(unknown_name("value of the label '" + study.label + "'", name, "only",
+                             Classes::from_names(labels).names));
+  }
+  Recording kept;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (std::find(study.only.begin(), study.only.end(), labels[i]) == study.only.end()) continue;
+    kept.explorations.push_back(std::move(recording.explorations[i]));
+  }
+  recording = std::move(kept);
+  return {};
+}
+
+// The two must be alike, and not only each in itself.
+Result<Recording> join(Recording recording, const Recording* test) {
+  SOMATO_TRY_VOID(validate(recording));
+  if (!test) return recording;
+  SOMATO_TRY_VOID(validate(*test));
+  recording.explorations.insert(recording.explorations.end(), test->explorations.begin(),
+                                test->explorations.end());
+  SOMATO_TRY_VOID(validate(recording));
+  return recording;
+}
+
+// The training part must contain at least two classes.
+Result<void> check_classes(const PreparedStudy& prepared, const std::string& label,
+                           std::size_t learned) {
+  const auto& classes = prepared.classes().of_sample;
+  const auto begin = classes.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(learned);
+  if (learned < 2) {
+    return fail(ErrorKind::kData, "the recording has only one exploration", {},
+                "a study needs at least two");
+  }
+  if (std::any_of(begin, end, [&](std::size_t its_class) { return its_class != *begin; }))
+    return {};
+  return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
+              "there are no classes to distinguish; use another label");
+}
+
+Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedStudy& prepared) {
+  const std::size_t all = prepared.recording.explorations.size();
+  prepared.samples.samples = learned;
+  prepared.samples.test_samples = all - learned;
+  prepared.samples.folds = study.folds;
+  prepared.samples.seed = study.first_seed;
+  prepared.samples.classes = prepared.classes().of_sample;
+  prepared.samples.classes.resize(learned);
+  for (const std::string& label : study.groups) {
+    auto groups = numbers_of(prepared.recording, label);
+    if (!groups) return fail(std::move(groups.error()));
+    groups->resize(learned);
+    if (count_different(*groups) < 2) {
+      return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
+                  "there are no groups to leave out; use another label in 'groups'");
+    }
+    prepared.groups[label] = std::move(*groups);
+  }
+  for (const Protocol protocol : study.protocols) {
+    if (protocol == Protocol::kFolds && study.folds > learned) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},
+          "use a smaller number of 'folds' in [study]");
+    }
+  }
+  return {};
+}
+
+bool answers(const System& system, std::size_t module) {
+  if (!som_of(system, module)) return false;
+  const auto& modules = system.modules();
+  return std::none_of(modules.begin(), modules.end(), [&](const SystemModule& listener) {
+    return std::find(listener.inputs.begin(), listener.inputs.end(), module) !=
+           listener.inputs.end();
+  });
+}
+
+Result<void> find_modules(const System& system, const StudyDescription& description,
+                          PreparedStudy& prepared) {
+  const auto map = find_map(system, description.study.map, description.where);
+  if (!map) return fail(map.error());
+  prepared.map = *map;
+  prepared.vectors = system.modules()[*map].inputs.front();
+  const SystemModule& input = system.modules()[prepared.vectors];
+  if (input.output.rate == Rate::kFrame) {
+    return fail(system.at_module(
+        {ErrorKind::kUsage,
+         "a study requires one input per exploration, but this map receives one per frame",
+         {},
+         "combine the frames first, for example with 'last'"},
+        *map));
+  }
+  if (input.type->name == "standardization") prepared.vectors = input.inputs.front();
+  prepared.grid = grid_of(system, *map);
+  return {};
+}
+
+// Modules that every training would otherwise create again.
+void keep_fixed(const System& system, PreparedStudy& prepared) {
+  const std::size_t input = system.modules()[prepared.map].inputs.front();
+  if (system.is_fixed(prepared.vectors)) {
+    prepared.fixed_vectors = prepared.fixed.values_of(prepared.vectors);
+  }
+  if (system.is_fixed(input)) prepared.fixed_inputs = prepared.fixed.values_of(input);
+}
+
+}  // namespace
+
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where) {
+  std::vector<std::string> candidates;
+  for (std::size_t module = 0; module < system.modules().size(); ++module) {
+    if (name.empty() ? answers(system, module) : som_of(system, module) != nullptr) {
+      candidates.push_back(system.modules()[module].name);
+    }
+  }
+  if (!name.empty()) {
+    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) {
+      return system.find(name);
+    }
+    return fail(unknown_name("module of type som", name, where, candidates));
+  }
+  if (candidates.size() == 1) return system.find(candidates.front());
+  return fail(
+      ErrorKind::kUsage,
+      candidates.empty() ? "the system has no output map" : "more than one map could answer", where,
+      candidates.empty()
+          ? "add a module of type som, or select one with 'map' in [study]"
+          : fmt::format("select one of {} with 'map' in [study]", fmt::join(candidates, ", ")));
+}
+
+FoldSamples PreparedStudy::divided_by(const std::string& group) const {
+  FoldSamples divided = samples;
+  if (!group.empty()) divided.groups = groups.at(group);
+  return divided;
+}
+
+Result<System> PreparedStudy::system(const StudyDescription& description) const {
+  return System::build(description.system, layout);
+}
+
+Result<PreparedStudy> prepare_study(const StudyDescription& description, const Recording& whole,
+                                    const Recording* test, std::size_t threads) {
+  PreparedStudy prepared;
+  Recording recording = whole;
+  SOMATO_TRY_VOID(keep_only(description.study, recording));
+  const std::size_t learned = recording.explorations.size();
+  SOMATO_TRY(auto all, join(std::move(recording), test));
+  prepared.recording = std::move(all);
+  prepared.layout = layout_of(prepared.recording);
+  SOMATO_TRY(auto system, prepared.system(description));
+  const StudyParameters& study = description.study;
+  SOMATO_TRY(const auto individuals, numbers_of(prepared.recording, study.individual));
+  Result<void> ready =
+      ask_labels(study, individuals, prepared)
+          .and_then([&] { return check_classes(prepared, study.label, learned); })
+          .and_then([&] { return ask_order(study, individuals, learned, prepared); })
+          .and_then([&] { return divide(study, learned, prepared); })
+          .and_then([&] { return find_modules(system, description, prepared); });
+  if (!ready) return fail(std::move(ready.error()));
+  auto fixed = evaluate_fixed(system, prepared.recording, {prepared.vectors}, threads);
+  if (!fixed) return fail(std::move(fixed.error()));
+  prepared.fixed = std::move(*fixed);
+  keep_fixed(system, prepared);
+  return prepared;
+}
+
+}  // namespace somato

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/core/result.h"
+#include "somato/graph/evaluation.h"
+#include "somato/graph/system.h"
+#include "somato/maps/grid.h"
+#include "somato/maps/labels.h"
+#include "somato/recording/recording.h"
+#include "somato/studies/study_parameters.h"
+#include "studies/exploration_samples.h"
+#include "studies/folds.h"
+
+namespace somato {
+
+/// A studied label, and the units that are reassigned to its classes in wrong groupings.
+struct StudiedLabel {
+  std::string name;
+  Classes classes;  ///< Of all explorations.
+  std::vector<std::size_t> individuals;
+};
+
+/// Individuals with a number each, such as objects with their girth, and their groups.
+struct AskedOrder {
+  std::vector<std::size_t> individuals;  ///< Of each exploration.
+  std::vector<double> numbers;           ///< Of each individual.
+  std::vector<std::size_t> groups;       ///< Of each individual.
+};
+
+/// The content of a study: explorations, their classes, and the individuals behind them; and the
+/// outputs of its system that do not depend on learning, computed once.
+struct PreparedStudy {
+  Recording recording;  ///< The explorations to be divided, followed by those of `--test-data`.
+  FoldSamples samples;  ///< The division.
+  std::vector<StudiedLabel> labels;                        ///< The study's own first.
+  std::map<std::string, std::vector<std::size_t>> groups;  ///< For leave_group_out, by label.
+  std::optional<AskedOrder> order;
+  RecordingLayout layout;
+  std::size_t map = 0;      ///< The module that answers.
+  std::size_t vectors = 0;  ///< The module whose output the baseline compares: the input of the
+                            ///< map, or of a standardization directly before the map.
+  Grid grid;                ///< Of the map.
+  Activations fixed;
+  std::optional<ExplorationValues>
+      fixed_inputs;  ///< Inputs of the map, if nothing before it learns.
+  std::optional<ExplorationValues> fixed_vectors;  ///< The same, for the baseline.
+
+  const Classes& classes() const { return labels.front().classes; }
+  /// The division with the groups of a label; empty: the default.
+  FoldSamples divided_by(const std::string& group) const;
+
+  /// A separate system for one training.
+  Result<System> system(const StudyDescription& description) const;
+};
+
+/// The output map: the one with that name, or if that is empty, the only one whose output no other
+/// module uses. Errors (kUsage, at `where`): there is none, or more than one.
+Result<std::size_t> find_map(const System& system, const std::string& name,
+                             const std::string& where);
+
+/// Errors: see run_study(). `test` may be nullptr.
+Result<PreparedStudy> prepare_study(const StudyDescription& description, const Recording& recording,
+                                    const Recording* test, std::size_t threads);
+
+}  // namespace somato
