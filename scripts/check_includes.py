@@ -20,10 +20,13 @@ DIRECT = {
     "graph": ["codes", "maps", "recording"],
     "bodies": ["recording"],
     "simulation": ["bodies"],
+    "wire": ["core"],
+    "devices": ["bodies", "wire"],
+    "emulation": ["bodies", "wire"],
     "studies": ["graph", "drawing"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["report", "live", "simulation"],
+    "program": ["report", "live", "simulation", "devices", "emulation"],
 }
 
 # The entrance headers, by the room whose table applies to them. What they do not include, directly or

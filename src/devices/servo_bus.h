@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "somato/core/result.h"
+#include "wire/exchange.h"
+
+namespace somato::devices {
+
+/// What a servo last reported about itself. A value that the bus cannot measure is NaN.
+struct ServoReport {
+  double position = std::numeric_limits<double>::quiet_NaN();  ///< In units of the bus.
+  double current = std::numeric_limits<double>::quiet_NaN();   ///< mA, signed.
+  std::uint8_t error = 0;  ///< Hardware error bits of the protocol; 0: none.
+  double time = -std::numeric_limits<double>::infinity();  ///< Of its arrival, by the lines' clock.
+};
+
+/// The servos at one serial line, in the order of the device file, with positions in units of the
+/// bus: microseconds of a pulse (SSC-32), or steps of an encoder. It encodes and decodes bytes;
+/// only start() and restart() use the line themselves. It knows nothing of limits in degrees and
+/// speeds, which the safety layer above keeps; positions that the protocol cannot express are
+/// never sent.
+class ServoBus {
+ public:
+  ServoBus(const ServoBus&) = delete;
+  ServoBus(ServoBus&&) = delete;
+  ServoBus& operator=(const ServoBus&) = delete;
+  ServoBus& operator=(ServoBus&&) = delete;
+  virtual ~ServoBus() = default;
+
+  /// Checks that the controller and every servo answer, prepares them, and reads positions and
+  /// errors into reports(). Moves nothing. Errors (kSystem): no answer, with the servo and what to
+  /// check; (kData): another kind of board or servo than declared.
+  virtual Result<void> start(wire::Exchange& exchange) = 0;
+
+  /// The bytes of one tick: the positions, one for each servo, that are to be reached after
+  /// `seconds`, and a request for the servos' states. A servo with NaN is left as it is. Allocates
+  /// nothing; valid until the next call.
+  virtual std::span<const std::uint8_t> tick(std::span<const double> positions, double seconds) = 0;
+
+  /// Bytes that arrived at `now`; updates reports(). Allocates nothing.
+  virtual void receive(std::span<const std::uint8_t> bytes, double now) = 0;
+
+  /// The bytes that switch all servos off. Constant after start(), so that they can be sent at any
+  /// moment, even by a signal handler.
+  virtual std::span<const std::uint8_t> relax_bytes() const = 0;
+
+  /// One for each servo.
+  std::span<const ServoReport> reports() const { return reports_; }
+
+  /// Whether tick() requests states which receive() must have got: then a bus that says nothing is
+  /// a fault.
+  virtual bool reports_states() const = 0;
+
+  /// The number of bytes of the longest tick() and of the answer to it, for checking that the line
+  /// can carry them.
+  virtual std::size_t bytes_per_tick() const = 0;
+
+ protected:
+  explicit ServoBus(std::size_t servos) : reports_(servos) {}
+
+  std::vector<ServoReport> reports_;
+};
+
+}  // namespace somato::devices

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "somato/core/result.h"
+#include "wire/lines.h"
+
+namespace somato::wire {
+
+/// Requests and answers on one line, with time-outs: for starting and calibrating a device, not for
+/// its ticks.
+class Exchange {
+ public:
+  /// Takes bytes that arrived; returns whether the answer is complete.
+  using Take = std::function<bool(std::span<const std::uint8_t> bytes)>;
+
+  Exchange(Lines& lines, std::size_t line) : lines_(lines), line_(line) {}
+
+  double now() const { return lines_.now(); }
+
+  /// Discards what has arrived so far.
+  Result<void> clear();
+
+  /// Sends all of `bytes`, for at most `timeout` seconds. Errors (kSystem): the line does not
+  /// accept them in this time, or has hung up.
+  Result<void> send(std::span<const std::uint8_t> bytes, double timeout = 1.0);
+
+  /// Gives `take` everything that arrives until it returns true, for at most `timeout` seconds;
+  /// returns whether it did. Errors (kSystem): the line has hung up.
+  Result<bool> receive(double timeout, const Take& take);
+
+  /// clear(), send() and receive(), at most `attempts` times; whether an answer was complete.
+  Result<bool> request(std::span<const std::uint8_t> bytes, double timeout, std::size_t attempts,
+                       const Take& take);
+
+  /// Waits without reading.
+  void pause(double seconds);
+
+ private:
+  Lines& lines_;
+  std::size_t line_;
+};
+
+}  // namespace somato::wire

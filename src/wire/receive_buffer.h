@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace somato::wire {
+
+/// Bytes received and not yet decoded, in order of arrival, in memory of a fixed size: a decoder
+/// never allocates. When it is full, the oldest bytes are discarded.
+template <std::size_t kCapacity>
+class ReceiveBuffer {
+ public:
+  /// Appends `bytes`; returns the number of bytes that had to be discarded.
+  std::size_t put(std::span<const std::uint8_t> bytes) {
+    std::size_t lost = 0;
+    if (bytes.size() > kCapacity) {
+      lost = bytes.size() - kCapacity;
+      bytes = bytes.last(kCapacity);
+    }
+    const std::size_t excess =
+        size_ + bytes.size() > kCapacity ? size_ + bytes.size() - kCapacity : 0;
+    drop(excess);
+    std::copy(bytes.begin(), bytes.end(), bytes_.begin() + size_);
+    size_ += bytes.size();
+    return lost + excess;
+  }
+
+  /// Removes the oldest `count` bytes, at most all.
+  void drop(std::size_t count) {
+    count = std::min(count, size_);
+    std::memmove(bytes_.data(), bytes_.data() + count, size_ - count);
+    size_ -= count;
+  }
+
+  void clear() { size_ = 0; }
+
+  /// Valid until the buffer changes.
+  std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
+
+ private:
+  std::array<std::uint8_t, kCapacity> bytes_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace somato::wire
