@@ -22,7 +22,7 @@ DIRECT = {
     "simulation": ["bodies"],
     "wire": ["core"],
     "devices": ["bodies", "wire"],
-    "emulation": ["bodies", "wire"],
+    "emulation": ["devices"],
     "studies": ["graph", "drawing"],
     "report": ["studies"],
     "live": ["graph", "bodies"],

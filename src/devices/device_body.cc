@@ -1,0 +1,271 @@
+#include "devices/device_body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "devices/device_io.h"
+#include "devices/safe_motion.h"
+#include "devices/sensor_reader.h"
+#include "somato/core/check.h"
+
+namespace somato::devices {
+namespace {
+
+constexpr double kFirstFrame = 2.0;   // s; boards that restart when a port opens need a second
+constexpr double kSwitchOn = 0.2;     // s between two servos, so that the supply does not collapse
+constexpr double kLateSamples = 0.5;  // s for which samples may be late
+constexpr double kBacklog = 0.25;     // s of samples that may wait
+
+std::vector<std::string> names_of(const DeviceFile& file) {
+  std::vector<std::string> names;
+  for (const ServoSettings& servo : file.servos) names.push_back(servo.name);
+  return names;
+}
+
+}  // namespace
+
+class DeviceBody::Impl {
+ public:
+  Impl(const DeviceFile& file, wire::Lines& lines)
+      : file_(file),
+        description_(describe(file_)),
+        io_(file_, lines),
+        motion_(file_.servos),
+        reader_(file_),
+        log_(names_of(file_)) {}
+
+  const BodyDescription& description() const { return description_; }
+  const BodyState& state() const { return state_; }
+  const StateLog& log() const { return log_; }
+  SafeMotion& motion() { return motion_; }
+  const DeviceFile& file() const { return file_; }
+
+  Result<void> start() {
+    SOMATO_TRY_VOID(io_.start());
+    is_on_ = true;
+    SOMATO_TRY_VOID(begin_motion());
+    SOMATO_TRY_VOID(wait_for_frame());
+    start_ = io_.now();
+    next_tick_ = start_;
+    state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
+    reader_.prepare(state_.readings);
+    read();
+    return switch_on();
+  }
+
+  // Advances until the state's time is `seconds` later; `goes_on` is checked every period.
+  template <typename GoesOn>
+  Result<void> pass(double seconds, const GoesOn& goes_on) {
+    require(is_on_, "the device was stopped; start it again");
+    const double until = start_ + state_.time + seconds;
+    const std::size_t due = samples_due(state_.time + seconds);
+    while (io_.now() < until || is_waiting_for_samples(due, until)) {
+      auto ticked = goes_on().and_then([&] { return tick(until); });
+      if (!ticked) return stop(std::move(ticked.error()));
+    }
+    if (samples_missing(due)) return stop(no_samples());
+    state_.time += seconds;
+    state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
+    read();
+    take_samples(due);
+    return {};
+  }
+
+  void relax() noexcept {
+    if (std::exchange(is_on_, false)) io_.relax();
+  }
+
+ private:
+  Result<void> begin_motion() {
+    std::vector<double> positions(file_.servos.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const ServoSettings& servo = file_.servos[i];
+      positions[i] = servo.from_bus(io_.reports()[i].position);
+      SOMATO_TRY_VOID(check_start(servo, positions[i]));
+    }
+    motion_.begin(positions);
+    return io_.check_errors();
+  }
+
+  // A servo that starts far outside of its limits would jump into them.
+  static Result<void> check_start(const ServoSettings& servo, double position) {
+    const double slack = 0.02 * (servo.most - servo.least);
+    if (std::isnan(position)) return {};
+    if (position >= servo.least - slack && position <= servo.most + slack) return {};
+    return fail(ErrorKind::kData,
+                fmt::format("the servo is at {:.1f} {}, outside its limits, {:g} to {:g}", position,
+                            servo.unit, servo.least, servo.most),
+                servo.name,
+                "move it into its limits by hand with the power off, or correct zero and scale "
+                "('somato device calibrate FILE')");
+  }
+
+  Result<void> wait_for_frame() {
+    const double until = io_.now() + kFirstFrame;
+    while (io_.stream() != nullptr && io_.stream()->frames() == 0) {
+      if (io_.now() >= until) {
+        return fail(ErrorKind::kSystem,
+                    fmt::format("no valid sensor frame arrived within {:g} s", kFirstFrame),
+                    file_.frame_line->port,
+                    "check the cable, and 'format', 'elements' and 'baud' of [frames]");
+      }
+      io_.wait(until);
+      SOMATO_TRY_VOID(io_.receive());
+    }
+    io_.begin(io_.now());
+    return {};
+  }
+
+  // Servos of unknown position jump, one after the other.
+  Result<void> switch_on() {
+    const auto always = [] { return Result<void>(); };
+    for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+      if (!std::isnan(io_.reports()[i].position)) continue;
+      motion_.switch_on(i);
+      SOMATO_TRY_VOID(pass(kSwitchOn, always));
+    }
+    return {};
+  }
+
+  // One period, or what of it fits before `until`.
+  Result<void> tick(double until) {
+    const double now = io_.now();
+    if (now < next_tick_) {
+      io_.wait(std::min(next_tick_, std::max(until, now)));
+      return io_.receive();
+    }
+    SOMATO_TRY_VOID(io_.receive());
+    SOMATO_TRY_VOID(check(now));
+    // A late period moves no further than a period: the servos' speed is limited, not their delay.
+    const double period = file_.settings.period;
+    next_tick_ = std::max(next_tick_ + period, now);
+    const std::span<const double> on_bus = motion_.advance(period);
+    log_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
+    return io_.send(on_bus, period);
+  }
+
+  double frame_age(double now) const {
+    return io_.stream() != nullptr ? now - io_.stream()->time()
+                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  Result<void> check(double now) {
+    SOMATO_TRY_VOID(io_.check_fresh(now));
+    SOMATO_TRY_VOID(io_.check_errors());
+    if (!file_.safety.limit) return {};
+    const double most = reader_.greatest(file_.safety.sensor, io_, motion_.positions());
+    if (most <= *file_.safety.limit) return {};
+    return fail(
+        ErrorKind::kData,
+        fmt::format("the sensor gave {:g}, above the limit of {:g}", most, *file_.safety.limit),
+        file_.safety.sensor, "reduce the speed or the threshold of the grasp, or raise 'limit'");
+  }
+
+  void read() { reader_.read(io_, motion_.positions(), state_.readings); }
+
+  std::size_t samples_due(double time) const {
+    if (!file_.microphone) return 0;
+    return static_cast<std::size_t>(std::llround(time * file_.microphone->rate)) - samples_taken_;
+  }
+
+  bool samples_missing(std::size_t due) {
+    return io_.samples() != nullptr && io_.samples()->size() < due;
+  }
+
+  bool is_waiting_for_samples(std::size_t due, double until) {
+    return samples_missing(due) && io_.now() < until + kLateSamples;
+  }
+
+  Error no_samples() const {
+    return {ErrorKind::kSystem, "the microphone gave fewer samples than its rate",
+            file_.microphone->source, "check the sound device and 'rate'"};
+  }
+
+  void take_samples(std::size_t due) {
+    if (io_.samples() == nullptr) return;
+    samples_taken_ += due;
+    reader_.take_samples(*io_.samples(), due, state_.readings);
+    io_.samples()->keep(static_cast<std::size_t>(kBacklog * file_.microphone->rate));
+  }
+
+  // Holds for the declared time unless it was interrupted, then switches off.
+  tl::unexpected<Error> stop(Error error) {
+    motion_.hold();
+    const bool hold = error.kind != ErrorKind::kInterrupted;
+    const double until = io_.now() + (hold ? file_.safety.hold : 0.0);
+    const double period = file_.settings.period;
+    while (io_.now() < until && io_.receive() && io_.send(motion_.advance(period), period)) {
+      io_.wait(std::min(until, io_.now() + period));
+    }
+    relax();
+    if (error.where.empty()) error.where = file_.settings.name;
+    return fail(std::move(error));
+  }
+
+  const DeviceFile file_;
+  BodyDescription description_;
+  DeviceIo io_;
+  SafeMotion motion_;
+  SensorReader reader_;
+  StateLog log_;
+  BodyState state_;
+  double start_ = 0.0;
+  double next_tick_ = 0.0;
+  std::size_t samples_taken_ = 0;
+  bool is_on_ = false;
+};
+
+DeviceBody::DeviceBody(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+DeviceBody::~DeviceBody() {
+  relax();
+}
+
+Result<std::unique_ptr<DeviceBody>> DeviceBody::start(const DeviceFile& file, wire::Lines& lines) {
+  std::unique_ptr<DeviceBody> body(new DeviceBody(std::make_unique<Impl>(file, lines)));
+  SOMATO_TRY_VOID(body->impl_->start());
+  return body;
+}
+
+const BodyDescription& DeviceBody::description() const {
+  return impl_->description();
+}
+
+const BodyState& DeviceBody::state() const {
+  return impl_->state();
+}
+
+const StateLog& DeviceBody::log() const {
+  return impl_->log();
+}
+
+void DeviceBody::relax() noexcept {
+  impl_->relax();
+}
+
+Result<void> DeviceBody::drive_to(std::span<const double> targets) {
+  impl_->motion().set_targets(targets);
+  return {};
+}
+
+Result<void> DeviceBody::pass(double seconds) {
+  return impl_->pass(seconds, [this] { return check_stop(); });
+}
+
+Result<void> DeviceBody::go_to_rest() {
+  std::vector<double> rest;
+  double longest = impl_->file().settings.period;
+  for (std::size_t i = 0; i < impl_->file().servos.size(); ++i) {
+    const ServoSettings& servo = impl_->file().servos[i];
+    rest.push_back(servo.resting());
+    longest = std::max(longest, std::abs(state().positions[i] - rest[i]) / servo.fastest);
+  }
+  SOMATO_TRY_VOID(command(rest));
+  return step(longest + impl_->file().settings.period);
+}
+
+}  // namespace somato::devices

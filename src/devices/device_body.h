@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/device_file.h"
+#include "devices/state_log.h"
+#include "somato/bodies/body.h"
+#include "wire/lines.h"
+
+namespace somato::devices {
+
+/// A body of real servos and sensors (or emulated ones) at serial lines. Its time is the time of
+/// the lines' clock since it was started.
+///
+/// Every period it reads the lines, checks what arrived, moves each servo towards its target within
+/// its limits (SafeMotion), and sends the positions. It stops if a line hangs up, if no valid
+/// answer or frame arrived for the permitted number of periods, if a servo reports an error, or if
+/// the sensor of [safety] exceeds its limit: the servos hold their positions for the declared time
+/// and are then switched off, and step() returns the error. They are also switched off when it is
+/// interrupted, and when the body is destroyed. A period allocates nothing.
+class DeviceBody : public Body {
+ public:
+  /// Starts the servos and waits for the first frame; `lines`, those of lines_of(), must outlive
+  /// the body. A servo whose position is unknown (SSC-32 after power-up) jumps to its resting
+  /// position, one servo after the other. Errors (kSystem): a board that does not answer or sends
+  /// nothing; (kData): a servo outside of its limits or with an error; a line too slow for the
+  /// period.
+  static Result<std::unique_ptr<DeviceBody>> start(const DeviceFile& file, wire::Lines& lines);
+
+  DeviceBody(const DeviceBody&) = delete;
+  DeviceBody(DeviceBody&&) = delete;
+  DeviceBody& operator=(const DeviceBody&) = delete;
+  DeviceBody& operator=(DeviceBody&&) = delete;
+  ~DeviceBody() override;
+
+  const BodyDescription& description() const override;
+  const BodyState& state() const override;
+
+  /// The last states and commands.
+  const StateLog& log() const;
+
+  /// Moves all servos to their resting positions at their own speeds. Errors: those of step().
+  Result<void> go_to_rest();
+
+  /// Switches all servos off, now; nothing moves afterwards.
+  void relax() noexcept;
+
+  class Impl;
+
+ protected:
+  Result<void> drive_to(std::span<const double> targets) override;
+  Result<void> pass(double seconds) override;
+
+ private:
+  explicit DeviceBody(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace somato::devices

@@ -1,0 +1,139 @@
+#include "devices/device_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace somato::devices {
+namespace {
+
+constexpr double kBitsPerByte = 10.0;  // a start bit, 8 bits, a stop bit
+
+tl::unexpected<Error> silent(const std::string& port, std::size_t missed, const char* what,
+                             const char* advice) {
+  return fail(ErrorKind::kSystem, fmt::format("{} for {} periods", what, missed), port, advice);
+}
+
+}  // namespace
+
+DeviceIo::DeviceIo(const DeviceFile& file, wire::Lines& lines)
+    : file_(file), lines_(lines), numbers_(file), bus_(make_bus(file)) {
+  if (file.frame_line) stream_ = make_stream(*file.frame_line);
+  constexpr double kSeconds = 4.0;
+  if (file.microphone) samples_.emplace(static_cast<std::size_t>(kSeconds * file.microphone->rate));
+  unsent_.reserve(4096);
+}
+
+Result<void> DeviceIo::check_capacity() const {
+  const double needed = static_cast<double>(bus_->bytes_per_tick()) / file_.settings.period;
+  const double carried = static_cast<double>(file_.servo_line->baud) / kBitsPerByte;
+  if (needed <= carried) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("the line carries {:.0f} bytes per second, but a command every {:g} s "
+                          "requires {:.0f}",
+                          carried, file_.settings.period, needed),
+              file_.servo_line->port, "raise 'baud' on the device and in its file, or 'period'");
+}
+
+Result<void> DeviceIo::start() {
+  SOMATO_TRY_VOID(check_capacity());
+  wire::Exchange exchange(lines_, *numbers_.servos);
+  auto started = bus_->start(exchange);
+  if (!started && started.error().where.empty()) started.error().where = file_.servo_line->port;
+  begin(now());
+  return started;
+}
+
+Result<void> DeviceIo::receive() {
+  const auto read_all = [&](std::size_t line, const auto& decode) -> Result<void> {
+    for (;;) {
+      SOMATO_TRY(const auto count, lines_.read(line, received_));
+      if (count == 0) return {};
+      decode(std::span<const std::uint8_t>(received_).first(count));
+    }
+  };
+  SOMATO_TRY_VOID(
+      read_all(*numbers_.servos, [&](auto bytes) { bus_->receive(bytes, lines_.now()); }));
+  if (stream_) {
+    SOMATO_TRY_VOID(
+        read_all(*numbers_.frames, [&](auto bytes) { stream_->receive(bytes, lines_.now()); }));
+  }
+  if (!samples_) return {};
+  return read_all(*numbers_.microphone, [&](auto bytes) { samples_->receive(bytes); });
+}
+
+Result<void> DeviceIo::flush() {
+  SOMATO_TRY(const auto count, lines_.write(*numbers_.servos, unsent_));
+  unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(count));
+  return {};
+}
+
+Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
+  SOMATO_TRY_VOID(flush());
+  if (unsent_.empty()) {
+    delayed_ = 0;
+    const std::span<const std::uint8_t> bytes = bus_->tick(on_bus, seconds);
+    unsent_.assign(bytes.begin(), bytes.end());
+    return flush();
+  }
+  if (++delayed_ < file_.safety.missed) return {};
+  return silent(file_.servo_line->port, delayed_, "the line did not accept a command",
+                "check the cable and 'baud', or raise 'period'");
+}
+
+void DeviceIo::relax() noexcept {
+  constexpr double kPatience = 0.2;
+  try {
+    const double until = now() + kPatience;
+    std::span<const std::uint8_t> bytes = bus_->relax_bytes();
+    // A command cut short must end before the next one begins.
+    while (!unsent_.empty() && now() < until && flush()) {
+      if (!unsent_.empty()) wait(std::min(until, now() + 0.001));
+    }
+    while (!bytes.empty() && now() < until) {
+      const auto count = lines_.write(*numbers_.servos, bytes);
+      if (!count) return;
+      bytes = bytes.subspan(*count);
+      if (!bytes.empty()) wait(std::min(until, now() + 0.001));
+    }
+  } catch (...) {  // NOLINT(bugprone-empty-catch): there is nobody left to report it to
+  }
+}
+
+Result<void> DeviceIo::check_fresh(double now) const {
+  const auto is_late = [&](double time, double period) {
+    return now - std::max(time, begun_) > static_cast<double>(file_.safety.missed) * period;
+  };
+  const double period = file_.settings.period;
+  if (bus_->reports_states()) {
+    for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+      if (!is_late(bus_->reports()[i].time, period)) continue;
+      auto late = silent(file_.servo_line->port, file_.safety.missed, "no answer",
+                         "check the cable, the power and the id of the servo");
+      late.value().what = fmt::format("the servo '{}' gave no answer for {} periods",
+                                      file_.servos[i].name, file_.safety.missed);
+      return late;
+    }
+  }
+  if (!stream_ || !is_late(stream_->time(), std::max(period, 1.0 / file_.frame_line->rate))) {
+    return {};
+  }
+  return silent(file_.frame_line->port, file_.safety.missed, "no valid sensor frame arrived",
+                "check the cable and the power of the sensor board, its format and 'baud'");
+}
+
+Result<void> DeviceIo::check_errors() const {
+  for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+    const unsigned error = bus_->reports()[i].error;
+    if (error == 0) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("the servo '{}' reports the hardware error {:#04x} (overload, heat or "
+                            "voltage)",
+                            file_.servos[i].name, error),
+                file_.servo_line->port,
+                "remove the load, let the servo cool, and run 'somato device check FILE --reboot'");
+  }
+  return {};
+}
+
+}  // namespace somato::devices

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "devices/device_file.h"
+#include "devices/device_lines.h"
+#include "devices/sample_queue.h"
+#include "devices/sensor_stream.h"
+#include "devices/servo_bus.h"
+#include "wire/lines.h"
+
+namespace somato::devices {
+
+/// The bus of a device's servos.
+std::unique_ptr<ServoBus> make_bus(const DeviceFile& file);
+
+/// The decoder of a device's sensor line.
+std::unique_ptr<SensorStream> make_stream(const FrameLine& line);
+
+/// What travels on the lines of a device: decoded where it arrives, sent as far as the line accepts
+/// it. Nothing allocates after start().
+class DeviceIo {
+ public:
+  DeviceIo(const DeviceFile& file, wire::Lines& lines);
+
+  /// Starts the bus. Errors: those of ServoBus::start(); kData: the line cannot carry a command
+  /// each period.
+  Result<void> start();
+
+  /// Decodes everything that has arrived. Errors (kSystem): a line has hung up.
+  Result<void> receive();
+
+  /// Sends the positions on the bus that are to be reached after `seconds`, unless the line is
+  /// still sending the ones before. Errors (kSystem): the line has hung up, or is too slow.
+  Result<void> send(std::span<const double> on_bus, double seconds);
+
+  /// Switches all servos off.
+  void relax() noexcept;
+
+  /// Fails (kSystem) if a line was silent for too long at the time `now`.
+  Result<void> check_fresh(double now) const;
+
+  /// Fails (kData) if a servo reports an error.
+  Result<void> check_errors() const;
+
+  std::span<const ServoReport> reports() const { return bus_->reports(); }
+  const SensorStream* stream() const { return stream_.get(); }
+  SampleQueue* samples() { return samples_ ? &*samples_ : nullptr; }
+  double now() const { return lines_.now(); }
+  void wait(double until) { lines_.wait(until); }
+
+  /// Forgets how old the last answers are, for the moment after a pause.
+  void begin(double now) { begun_ = now; }
+
+ private:
+  Result<void> check_capacity() const;
+  Result<void> flush();
+
+  const DeviceFile& file_;
+  wire::Lines& lines_;
+  DeviceLines numbers_;
+  std::unique_ptr<ServoBus> bus_;
+  std::unique_ptr<SensorStream> stream_;
+  std::optional<SampleQueue> samples_;
+  std::array<std::uint8_t, 4096> received_{};
+  std::vector<std::uint8_t> unsent_;
+  std::size_t delayed_ = 0;  // Periods in which the line was still sending.
+  double begun_ = 0.0;
+};
+
+}  // namespace somato::devices
