@@ -41,6 +41,7 @@ class DeviceBody::Impl {
   const BodyDescription& description() const { return description_; }
   const BodyState& state() const { return state_; }
   const StateLog& log() const { return log_; }
+  bool is_on() const { return is_on_; }
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
@@ -49,12 +50,21 @@ class DeviceBody::Impl {
     is_on_ = true;
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
-    start_ = io_.now();
-    next_tick_ = start_;
-    state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
     reader_.prepare(state_.readings);
+    return begin().and_then([&] { return switch_on(); }).and_then([&] { return begin(); });
+  }
+
+  Result<void> begin() {
+    SOMATO_TRY_VOID(io_.receive());
+    start_ = io_.now();
+    io_.begin(start_);
+    next_tick_ = start_;
+    samples_taken_ = 0;
+    if (io_.samples() != nullptr) io_.samples()->keep(0);
+    state_.time = 0.0;
+    state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
     read();
-    return switch_on();
+    return {};
   }
 
   // Advances until the state's time is `seconds` later; `goes_on` is checked every period.
@@ -241,6 +251,14 @@ const BodyState& DeviceBody::state() const {
 
 const StateLog& DeviceBody::log() const {
   return impl_->log();
+}
+
+Result<void> DeviceBody::begin() {
+  return impl_->begin();
+}
+
+bool DeviceBody::is_on() const {
+  return impl_->is_on();
 }
 
 void DeviceBody::relax() noexcept {

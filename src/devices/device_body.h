@@ -12,7 +12,7 @@
 namespace somato::devices {
 
 /// A body of real servos and sensors (or emulated ones) at serial lines. Its time is the time of
-/// the lines' clock since it was started.
+/// the lines' clock since it began.
 ///
 /// Every period it reads the lines, checks what arrived, moves each servo towards its target within
 /// its limits (SafeMotion), and sends the positions. It stops if a line hangs up, if no valid
@@ -41,8 +41,15 @@ class DeviceBody : public Body {
   /// The last states and commands.
   const StateLog& log() const;
 
+  /// Begins another exploration: what has arrived in the meantime is discarded, and time is 0
+  /// again. Errors (kSystem): a line has hung up.
+  Result<void> begin();
+
   /// Moves all servos to their resting positions at their own speeds. Errors: those of step().
   Result<void> go_to_rest();
+
+  /// Whether its servos are on: until it stops, or relax().
+  bool is_on() const;
 
   /// Switches all servos off, now; nothing moves afterwards.
   void relax() noexcept;

@@ -198,8 +198,9 @@ class Reader {
   Result<void> check() const {
     for (const ServoSettings& servo : device_.servos) SOMATO_TRY_VOID(check_servo(servo));
     for (const SensorSettings& sensor : device_.sensors) SOMATO_TRY_VOID(check_sensor(sensor));
-    if (device_.servos.empty()) {
-      return refuse("the device has no servos", file_.where, "add tables such as [servo.wrist]");
+    if (device_.servos.empty() && device_.settings.explore != ExploringMethod::kHolding) {
+      return refuse("the device has no servos", file_.where,
+                    "add tables such as [servo.wrist], or write explore = \"holding\"");
     }
     if (device_.sensors.empty()) {
       return refuse("the device has no sensors", file_.where, "add tables such as [sensor.touch]");

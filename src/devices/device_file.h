@@ -34,8 +34,14 @@ enum class SensorOrigin {
   kMicrophone,  ///< Samples of the microphone.
 };
 
-/// How the body explores: explore_by_grasping() and so on.
-enum class ExploringMethod { kGrasping, kClosing, kStroking, kPressing };
+/// How the body explores.
+enum class ExploringMethod {
+  kGrasping,  ///< explore_by_grasping().
+  kClosing,   ///< explore_by_closing().
+  kStroking,  ///< explore_by_stroking().
+  kPressing,  ///< explore_by_pressing().
+  kHolding,  ///< It stays at rest and records for a given time: others move the object or the skin.
+};
 
 /// The table [servos]: the line of the servos.
 struct ServoLine {
@@ -116,6 +122,9 @@ struct DeviceSettings {
   std::string body;
   ExploringMethod explore = ExploringMethod::kClosing;
   double period = 0.02;
+  double duration = 5.0;
+  std::string placing;
+  double clock = 1.0;
 
   static const Declarations<DeviceSettings>& declarations();
 };

@@ -36,6 +36,8 @@ Result<void> DeviceIo::check_capacity() const {
 }
 
 Result<void> DeviceIo::start() {
+  begin(now());
+  if (!bus_) return {};
   SOMATO_TRY_VOID(check_capacity());
   wire::Exchange exchange(lines_, *numbers_.servos);
   auto started = bus_->start(exchange);
@@ -52,8 +54,10 @@ Result<void> DeviceIo::receive() {
       decode(std::span<const std::uint8_t>(received_).first(count));
     }
   };
-  SOMATO_TRY_VOID(
-      read_all(*numbers_.servos, [&](auto bytes) { bus_->receive(bytes, lines_.now()); }));
+  if (bus_) {
+    SOMATO_TRY_VOID(
+        read_all(*numbers_.servos, [&](auto bytes) { bus_->receive(bytes, lines_.now()); }));
+  }
   if (stream_) {
     SOMATO_TRY_VOID(
         read_all(*numbers_.frames, [&](auto bytes) { stream_->receive(bytes, lines_.now()); }));
@@ -69,6 +73,7 @@ Result<void> DeviceIo::flush() {
 }
 
 Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
+  if (!bus_) return {};
   SOMATO_TRY_VOID(flush());
   if (unsent_.empty()) {
     delayed_ = 0;
@@ -83,6 +88,7 @@ Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
 
 void DeviceIo::relax() noexcept {
   constexpr double kPatience = 0.2;
+  if (!bus_) return;
   try {
     const double until = now() + kPatience;
     std::span<const std::uint8_t> bytes = bus_->relax_bytes();
@@ -105,7 +111,7 @@ Result<void> DeviceIo::check_fresh(double now) const {
     return now - std::max(time, begun_) > static_cast<double>(file_.safety.missed) * period;
   };
   const double period = file_.settings.period;
-  if (bus_->reports_states()) {
+  if (bus_ && bus_->reports_states()) {
     for (std::size_t i = 0; i < file_.servos.size(); ++i) {
       if (!is_late(bus_->reports()[i].time, period)) continue;
       auto late = silent(file_.servo_line->port, file_.safety.missed, "no answer",
@@ -124,7 +130,7 @@ Result<void> DeviceIo::check_fresh(double now) const {
 
 Result<void> DeviceIo::check_errors() const {
   for (std::size_t i = 0; i < file_.servos.size(); ++i) {
-    const unsigned error = bus_->reports()[i].error;
+    const unsigned error = reports()[i].error;
     if (error == 0) continue;
     return fail(ErrorKind::kData,
                 fmt::format("the servo '{}' reports the hardware error {:#04x} (overload, heat or "

@@ -16,7 +16,7 @@
 
 namespace somato::devices {
 
-/// The bus of a device's servos.
+/// The bus of a device's servos; nullptr without servos.
 std::unique_ptr<ServoBus> make_bus(const DeviceFile& file);
 
 /// The decoder of a device's sensor line.
@@ -48,7 +48,10 @@ class DeviceIo {
   /// Fails (kData) if a servo reports an error.
   Result<void> check_errors() const;
 
-  std::span<const ServoReport> reports() const { return bus_->reports(); }
+  /// One for each servo.
+  std::span<const ServoReport> reports() const {
+    return bus_ ? bus_->reports() : std::span<const ServoReport>();
+  }
   const SensorStream* stream() const { return stream_.get(); }
   SampleQueue* samples() { return samples_ ? &*samples_ : nullptr; }
   double now() const { return lines_.now(); }

@@ -38,7 +38,8 @@ const std::vector<std::pair<ExploringMethod, std::string>>& Choices<ExploringMet
       {ExploringMethod::kGrasping, "grasping"},
       {ExploringMethod::kClosing, "closing"},
       {ExploringMethod::kStroking, "stroking"},
-      {ExploringMethod::kPressing, "pressing"}};
+      {ExploringMethod::kPressing, "pressing"},
+      {ExploringMethod::kHolding, "holding"}};
   return kAll;
 }
 
@@ -56,9 +57,17 @@ const Declarations<DeviceSettings>& DeviceSettings::declarations() {
                "servos and sensors are then checked. Empty: another body.")
           .add("explore", &P::explore, "", Range::any(),
                "How it explores: a hand by grasping from several poses or by closing once, a probe "
-               "by stroking or pressing.")
+               "by stroking or pressing; holding: it rests and records for a given time. Required.")
           .add("period", &P::period, "s", Range::between(0.001, 1.0),
-               "Time between two commands to the servos.");
+               "Time between two commands to the servos, and between two frames of holding.")
+          .add("duration", &P::duration, "s", Range::between(0.01, 3600.0),
+               "Duration of an exploration by holding.")
+          .add(
+              "placing", &P::placing, "", Range::any(),
+              "Port at which an emulator places the objects, as 'somato emulate' writes it. Empty: "
+              "a person does.")
+          .add("clock", &P::clock, "", Range::between(0.01, 1000.0),
+               "Seconds of the device per second; 1 except for an emulator.");
   return declared;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "somato/bodies/placement.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "somato/simulation/simulation_parameters.h"
 
@@ -21,6 +22,9 @@ struct ExplorerSetup {
 
   /// The seed of these draws in one exploration; far apart from all others.
   std::uint64_t seed_of(std::size_t thing, std::size_t trial, Draws draws) const;
+
+  /// The placement of an object before a hand, drawn with that seed.
+  Placement placement_of(std::size_t thing, std::size_t trial) const;
 };
 
 }  // namespace somato::detail

@@ -9,7 +9,6 @@
 #include "simulation/hand_picture.h"
 #include "simulation/hand_poses.h"
 #include "somato/bodies/explore_by.h"
-#include "somato/core/random.h"
 
 namespace somato::detail {
 namespace {
@@ -36,7 +35,7 @@ class HandExplorer : public Explorer {
                                     const ExploreOptions& options) const override {
     const HandScene& scene = scenes_[thing];
     auto hand =
-        SimulatedHand::create(scene, options.placement.value_or(draw_placement_of(thing, trial)),
+        SimulatedHand::create(scene, options.placement.value_or(setup_.placement_of(thing, trial)),
                               setup_.seed_of(thing, trial, Draws::kHand));
     if (!hand) return fail(std::move(hand.error()));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
@@ -53,11 +52,6 @@ class HandExplorer : public Explorer {
   }
 
  private:
-  Placement draw_placement_of(std::size_t thing, std::size_t trial) const {
-    Random random(setup_.seed_of(thing, trial, Draws::kPlacement));
-    return draw_placement(setup_.parameters.simulation, random);
-  }
-
   Result<Exploration> explore_with(Body& hand, const AfterGrasp& after_grasp) const {
     const ExploringParameters& parameters = setup_.parameters;
     if (hand_ == Hand::kLucs2) {

@@ -1,0 +1,112 @@
+#include "devices/device_explorer.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bodies/frame_log.h"
+
+namespace somato::devices {
+namespace {
+
+std::vector<Label> labels_of_thing(const ExploredThing& thing, std::size_t trial) {
+  return thing.object ? labels_of(*thing.object, trial) : labels_of(thing.material, trial);
+}
+
+Result<Exploration> explore_by_holding(Body& body, const DeviceSettings& settings) {
+  FrameLog log(body.description());
+  while (body.state().time < settings.duration) {
+    SOMATO_TRY_VOID(body.step(settings.period, Readings::kRecorded));
+    SOMATO_TRY_VOID(log.append(body.state()));
+  }
+  return Exploration{{}, {}, std::move(log).channels()};
+}
+
+}  // namespace
+
+DeviceExplorer::DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things,
+                               DeviceExploring exploring, DeviceSurroundings surroundings)
+    : Explorer(std::move(things), fmt::format("device {}", file.settings.name)),
+      file_(std::move(file)),
+      exploring_(std::move(exploring)),
+      surroundings_(std::move(surroundings)) {}
+
+Result<std::unique_ptr<Explorer>> DeviceExplorer::create(DeviceFile file,
+                                                         std::vector<ExploredThing> things,
+                                                         DeviceExploring exploring,
+                                                         DeviceSurroundings surroundings) {
+  if (things.empty()) {
+    return fail(ErrorKind::kUsage, "there is nothing to explore", {}, "give a table of objects");
+  }
+  return std::unique_ptr<Explorer>(new DeviceExplorer(
+      std::move(file), std::move(things), std::move(exploring), std::move(surroundings)));
+}
+
+Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
+  switch (file_.settings.explore) {
+    case ExploringMethod::kGrasping:
+      return explore_by_grasping(body, exploring_.plan, exploring_.grasp);
+    case ExploringMethod::kClosing:
+      return explore_by_closing(body, exploring_.closing);
+    case ExploringMethod::kStroking:
+      return explore_by_stroking(body, exploring_.stroke);
+    case ExploringMethod::kPressing:
+      return explore_by_pressing(body, exploring_.press);
+    case ExploringMethod::kHolding:
+      break;
+  }
+  return explore_by_holding(body, file_.settings);
+}
+
+Result<DeviceBody*> DeviceExplorer::body() const {
+  if (!body_) {
+    lines_.reset();
+    SOMATO_TRY(lines_, surroundings_.open_lines());
+    SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
+  }
+  return body_.get();
+}
+
+Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body,
+                                               const ExploreOptions& options) const {
+  const auto scene = [&] { return surroundings_.scene ? surroundings_.scene() : Scene{}; };
+  const auto poses = [&] {
+    return surroundings_.poses ? surroundings_.poses(body.description(), body.state())
+                               : std::vector<ScenePose>();
+  };
+  auto explored = body.begin()
+                      .and_then([&] { return prepare_body(body, options, scene, poses); })
+                      .and_then([&] { return explore_with(body); });
+  // Only the way back is left, unless the device stopped.
+  body.keep_to({});
+  body.observe({});
+  if (body.is_on()) SOMATO_TRY_VOID(body.go_to_rest());
+  return explored;
+}
+
+Error DeviceExplorer::stopped(Error error) const {
+  const bool is_fault = error.kind == ErrorKind::kSystem || error.kind == ErrorKind::kData;
+  if (!is_fault || !surroundings_.keep_log) return error;
+  const std::string path = surroundings_.keep_log(body_->log());
+  if (path.empty()) return error;
+  error.advice += fmt::format("{}the last states and commands are in {}",
+                              error.advice.empty() ? "" : "; ", path);
+  return error;
+}
+
+Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t trial,
+                                                  const ExploreOptions& options) const {
+  SOMATO_TRY(DeviceBody* const started, body());
+  if (surroundings_.place) SOMATO_TRY_VOID(surroundings_.place(things()[thing], trial));
+  auto explored = explore_on(*started, options);
+  if (explored) {
+    explored->labels = labels_of_thing(things()[thing], trial);
+    return explored;
+  }
+  if (started->is_on()) return explored;  // It has only not found what it was looking for.
+  Error error = stopped(std::move(explored.error()));
+  body_.reset();
+  return fail(std::move(error));
+}
+
+}  // namespace somato::devices

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/device_body.h"
+#include "devices/device_file.h"
+#include "devices/state_log.h"
+#include "somato/bodies/explore_by.h"
+#include "somato/bodies/explorer.h"
+#include "wire/lines.h"
+
+namespace somato::devices {
+
+/// How a device explores.
+struct DeviceExploring {
+  ExplorationPlan plan;
+  GuardedGrasp grasp;
+  Closing closing;
+  StrokeParameters stroke;
+  PressParameters press;
+};
+
+/// What a device needs from outside.
+struct DeviceSurroundings {
+  /// Opens the lines of the device, before it is started.
+  std::function<Result<std::unique_ptr<wire::Lines>>()> open_lines;
+
+  /// Has a thing placed before the body, which waits, before it is explored for the given trial.
+  std::function<Result<void>(const ExploredThing& thing, std::size_t trial)> place;
+
+  /// Receives the last states of a device that was stopped by an error; returns where they were
+  /// saved, for the message.
+  std::function<std::string(const StateLog& log)> keep_log;
+
+  /// The scene of the body, and its poses in a state; without a picture both are empty.
+  std::function<Scene()> scene;
+  std::function<std::vector<ScenePose>(const BodyDescription& body, const BodyState& state)> poses;
+};
+
+/// Explores with a device; used by one thread. The first exploration starts the device. Each has
+/// its thing placed, explores, and returns to the resting position, where the servos hold until the
+/// next one. After an error the servos are off, and the next exploration starts the device again.
+class DeviceExplorer : public Explorer {
+ public:
+  /// `source` names the device in recordings. Errors (kUsage): no things.
+  static Result<std::unique_ptr<Explorer>> create(DeviceFile file,
+                                                  std::vector<ExploredThing> things,
+                                                  DeviceExploring exploring,
+                                                  DeviceSurroundings surroundings);
+
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) const override;
+
+ private:
+  DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things, DeviceExploring exploring,
+                 DeviceSurroundings surroundings);
+
+  Result<DeviceBody*> body() const;
+  Result<Exploration> explore_with(Body& body) const;
+  Result<Exploration> explore_on(DeviceBody& body, const ExploreOptions& options) const;
+  Error stopped(Error error) const;
+
+  DeviceFile file_;
+  DeviceExploring exploring_;
+  DeviceSurroundings surroundings_;
+  mutable std::unique_ptr<wire::Lines> lines_;
+  mutable std::unique_ptr<DeviceBody> body_;  // As long as it works; ends before its lines.
+};
+
+}  // namespace somato::devices

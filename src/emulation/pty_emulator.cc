@@ -1,0 +1,113 @@
+#include "emulation/pty_emulator.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <tuple>
+#include <utility>
+
+namespace somato::emulation {
+namespace {
+
+constexpr int kPollMs = 1;
+constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
+
+// Writes what the port accepts of what waits for it. Without a host everything is lost, as on a
+// line that nobody reads.
+void write_waiting(const wire::PseudoTerminal& terminal, std::vector<std::uint8_t>& waiting) {
+  const auto count = wire::write_available(terminal.device.number(), waiting, terminal.port);
+  if (!count) {
+    waiting.clear();
+    return;
+  }
+  waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(*count));
+  if (waiting.size() > kMostWaiting) {
+    waiting.erase(waiting.begin(), waiting.end() - static_cast<std::ptrdiff_t>(kMostWaiting));
+  }
+}
+
+}  // namespace
+
+PtyEmulator::PtyEmulator(devices::DeviceFile file, double clock, MakeBody make_body)
+    : file_(std::move(file)), clock_(clock), make_body_(std::move(make_body)) {}
+
+Result<std::unique_ptr<PtyEmulator>> PtyEmulator::create(devices::DeviceFile file, double clock,
+                                                         const std::string& first,
+                                                         MakeBody make_body) {
+  std::unique_ptr<PtyEmulator> emulator(
+      new PtyEmulator(std::move(file), clock, std::move(make_body)));
+  SOMATO_TRY(auto body, emulator->make_body_(first, 0));
+  emulator->body_ = std::make_unique<EmulatedBody>(emulator->file_, std::move(body));
+  SOMATO_TRY_VOID(emulator->open_ports());
+  return emulator;
+}
+
+Result<void> PtyEmulator::open_ports() {
+  for (std::size_t i = 0; i < body_->wires().size(); ++i) {
+    SOMATO_TRY(auto terminal, wire::open_pseudo_terminal());
+    ports_.push_back(terminal.port);
+    terminals_.push_back(std::move(terminal));
+  }
+  waiting_.resize(terminals_.size());
+  SOMATO_TRY(placing_, wire::open_pseudo_terminal());
+  return {};
+}
+
+double PtyEmulator::now() const {
+  return clock_ * std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void PtyEmulator::pass_on() {
+  std::array<std::uint8_t, 4096> bytes{};
+  const std::vector<EmulatedWire*> wires = body_->wires();
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    const auto received =
+        wire::read_available(terminals_[i].device.number(), bytes, terminals_[i].port);
+    if (received) wires[i]->send(std::span(bytes).first(*received), now());
+    while (const std::size_t count = wires[i]->receive(bytes)) {
+      waiting_[i].insert(waiting_[i].end(), bytes.begin(),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    write_waiting(terminals_[i], waiting_[i]);
+  }
+}
+
+std::string PtyEmulator::place(const std::string& line) {
+  constexpr std::string_view kPlace = "place ";
+  const std::size_t space = line.find(' ', kPlace.size());
+  if (!line.starts_with(kPlace) || space == std::string::npos) return "error unknown command";
+  const std::size_t trial = std::strtoull(line.c_str() + kPlace.size(), nullptr, 10);
+  auto body = make_body_(line.substr(space + 1), trial);
+  if (!body) return "error " + to_string(body.error());
+  body_->replace(std::move(*body));
+  return "placed";
+}
+
+void PtyEmulator::handle_placing() {
+  std::array<std::uint8_t, 256> bytes{};
+  const auto count = wire::read_available(placing_.device.number(), bytes, placing_.port);
+  if (!count) return;
+  placing_text_.append(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(*count));
+  const std::size_t end = placing_text_.find('\n');
+  if (end == std::string::npos) return;
+  const std::string answer = place(placing_text_.substr(0, end)) + "\n";
+  placing_text_.erase(0, end + 1);
+  const std::vector<std::uint8_t> text(answer.begin(), answer.end());
+  std::ignore = wire::write_available(placing_.device.number(), text, placing_.port);
+}
+
+Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
+  start_ = std::chrono::steady_clock::now();
+  while (goes_on()) {
+    handle_placing();
+    SOMATO_TRY_VOID(body_->advance(now()));
+    pass_on();
+    poll(nullptr, 0, kPollMs);
+  }
+  return {};
+}
+
+}  // namespace somato::emulation

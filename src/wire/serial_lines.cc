@@ -1,0 +1,67 @@
+#include "wire/serial_lines.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "somato/core/check.h"
+
+namespace somato::wire {
+namespace {
+
+constexpr std::size_t kMostLines = 8;
+
+tl::unexpected<Error> hung_up(const std::string& port) {
+  return fail(ErrorKind::kSystem, "the line has hung up", port,
+              "check the cable and the power of the device");
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports) {
+  require(ports.size() <= kMostLines, "SerialLines: too many ports");
+  std::unique_ptr<SerialLines> lines(new SerialLines(std::move(ports)));
+  for (std::size_t i = 0; i < lines->ports_.size(); ++i) {
+    SOMATO_TRY_VOID(lines->reopen(i));
+  }
+  return lines;
+}
+
+double SerialLines::now() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+Result<std::size_t> SerialLines::read(std::size_t line, std::span<std::uint8_t> bytes) {
+  if (hung_up_.at(line) != 0) return hung_up(ports_[line].path);
+  return read_available(open_[line].number(), bytes, ports_[line].path);
+}
+
+Result<std::size_t> SerialLines::write(std::size_t line, std::span<const std::uint8_t> bytes) {
+  return write_available(open_.at(line).number(), bytes, ports_[line].path);
+}
+
+void SerialLines::wait(double until) {
+  std::array<pollfd, kMostLines> polled{};
+  for (std::size_t i = 0; i < open_.size(); ++i) polled[i] = {open_[i].number(), POLLIN, 0};
+  const double left = std::max(0.0, until - now());
+  const double whole = std::floor(left);
+  const timespec timeout{static_cast<time_t>(whole), static_cast<long>((left - whole) * 1e9)};
+  if (ppoll(polled.data(), open_.size(), &timeout, nullptr) <= 0) return;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if ((polled[i].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) hung_up_[i] = 1;
+  }
+}
+
+Result<void> SerialLines::reopen(std::size_t line) {
+  open_.at(line) = Descriptor();
+  hung_up_[line] = 1;
+  SOMATO_TRY(auto opened, open_serial_port(ports_[line].path, ports_[line].baud));
+  open_[line] = std::move(opened);
+  hung_up_[line] = 0;
+  return {};
+}
+
+}  // namespace somato::wire

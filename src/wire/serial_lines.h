@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wire/lines.h"
+#include "wire/serial_port.h"
+
+namespace somato::wire {
+
+/// Serial ports, driven by the steady clock of the system.
+class SerialLines : public Lines {
+ public:
+  struct Port {
+    std::string path;
+    std::size_t baud = 115200;
+  };
+
+  /// Opens all ports. Errors: those of open_serial_port().
+  static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports);
+
+  double now() const override;
+  Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override;
+  Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override;
+  void wait(double until) override;
+  Result<void> reopen(std::size_t line) override;
+
+  /// The descriptor of a line, for a signal handler that switches the servos off; -1 if it is
+  /// closed.
+  int descriptor(std::size_t line) const { return open_.at(line).number(); }
+
+ private:
+  explicit SerialLines(std::vector<Port> ports)
+      : ports_(std::move(ports)), open_(ports_.size()), hung_up_(ports_.size(), 0) {}
+
+  std::vector<Port> ports_;
+  std::vector<Descriptor> open_;
+  std::vector<char> hung_up_;  // Noticed while waiting: reading would only give nothing.
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace somato::wire
