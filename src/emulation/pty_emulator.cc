@@ -13,6 +13,7 @@ namespace somato::emulation {
 namespace {
 
 constexpr int kPollMs = 1;
+constexpr double kLongestStep = 0.02;        // s of the emulation
 constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
 
 // Writes what the port accepts of what waits for it. Without a host everything is lost, as on a
@@ -56,8 +57,12 @@ Result<void> PtyEmulator::open_ports() {
   return {};
 }
 
-double PtyEmulator::now() const {
-  return clock_ * std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+// A simulation that is slower than the clock slows its time down: it never jumps.
+void PtyEmulator::pass_time() {
+  const auto now = std::chrono::steady_clock::now();
+  const double passed = clock_ * std::chrono::duration<double>(now - last_).count();
+  last_ = now;
+  now_ += std::min(passed, kLongestStep);
 }
 
 void PtyEmulator::pass_on() {
@@ -66,7 +71,7 @@ void PtyEmulator::pass_on() {
   for (std::size_t i = 0; i < wires.size(); ++i) {
     const auto received =
         wire::read_available(terminals_[i].device.number(), bytes, terminals_[i].port);
-    if (received) wires[i]->send(std::span(bytes).first(*received), now());
+    if (received) wires[i]->send(std::span(bytes).first(*received), now_);
     while (const std::size_t count = wires[i]->receive(bytes)) {
       waiting_[i].insert(waiting_[i].end(), bytes.begin(),
                          bytes.begin() + static_cast<std::ptrdiff_t>(count));
@@ -100,10 +105,11 @@ void PtyEmulator::handle_placing() {
 }
 
 Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
-  start_ = std::chrono::steady_clock::now();
+  last_ = std::chrono::steady_clock::now();
   while (goes_on()) {
     handle_placing();
-    SOMATO_TRY_VOID(body_->advance(now()));
+    pass_time();
+    SOMATO_TRY_VOID(body_->advance(now_));
     pass_on();
     poll(nullptr, 0, kPollMs);
   }

@@ -43,7 +43,7 @@ class PtyEmulator {
   void pass_on();
   void handle_placing();
   std::string place(const std::string& line);
-  double now() const;
+  void pass_time();
 
   devices::DeviceFile file_;
   double clock_;
@@ -54,7 +54,8 @@ class PtyEmulator {
   wire::PseudoTerminal placing_;
   std::string placing_text_;
   std::vector<std::string> ports_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  double now_ = 0.0;
 };
 
 }  // namespace somato::emulation

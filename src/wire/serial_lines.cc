@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "somato/core/check.h"
+#include "wire/sound_source.h"
 
 namespace somato::wire {
 namespace {
@@ -21,9 +22,9 @@ tl::unexpected<Error> hung_up(const std::string& port) {
 
 }  // namespace
 
-Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports) {
+Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports, double clock) {
   require(ports.size() <= kMostLines, "SerialLines: too many ports");
-  std::unique_ptr<SerialLines> lines(new SerialLines(std::move(ports)));
+  std::unique_ptr<SerialLines> lines(new SerialLines(std::move(ports), clock));
   for (std::size_t i = 0; i < lines->ports_.size(); ++i) {
     SOMATO_TRY_VOID(lines->reopen(i));
   }
@@ -31,7 +32,7 @@ Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports) 
 }
 
 double SerialLines::now() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  return clock_ * std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 Result<std::size_t> SerialLines::read(std::size_t line, std::span<std::uint8_t> bytes) {
@@ -46,7 +47,7 @@ Result<std::size_t> SerialLines::write(std::size_t line, std::span<const std::ui
 void SerialLines::wait(double until) {
   std::array<pollfd, kMostLines> polled{};
   for (std::size_t i = 0; i < open_.size(); ++i) polled[i] = {open_[i].number(), POLLIN, 0};
-  const double left = std::max(0.0, until - now());
+  const double left = std::max(0.0, until - now()) / clock_;
   const double whole = std::floor(left);
   const timespec timeout{static_cast<time_t>(whole), static_cast<long>((left - whole) * 1e9)};
   if (ppoll(polled.data(), open_.size(), &timeout, nullptr) <= 0) return;
@@ -58,7 +59,9 @@ void SerialLines::wait(double until) {
 Result<void> SerialLines::reopen(std::size_t line) {
   open_.at(line) = Descriptor();
   hung_up_[line] = 1;
-  SOMATO_TRY(auto opened, open_serial_port(ports_[line].path, ports_[line].baud));
+  const Port& port = ports_[line];
+  SOMATO_TRY(auto opened, port.baud > 0 ? open_serial_port(port.path, port.baud)
+                                        : open_sound(port.path, port.rate));
   open_[line] = std::move(opened);
   hung_up_[line] = 0;
   return {};

@@ -11,16 +11,18 @@
 
 namespace somato::wire {
 
-/// Serial ports, driven by the steady clock of the system.
+/// Serial ports and sound sources, driven by the steady clock of the system.
 class SerialLines : public Lines {
  public:
   struct Port {
-    std::string path;
-    std::size_t baud = 115200;
+    std::string path;           ///< Of a serial port, or a source; see open_sound().
+    std::size_t baud = 115200;  ///< 0: a source of sound.
+    double rate = 0.0;          ///< Samples per second of a source of sound.
   };
 
-  /// Opens all ports. Errors: those of open_serial_port().
-  static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports);
+  /// Opens all ports. `clock` is the number of seconds of now() per second, 1 except for emulated
+  /// devices. Errors: those of open_serial_port() and open_sound().
+  static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports, double clock = 1.0);
 
   double now() const override;
   Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override;
@@ -33,10 +35,11 @@ class SerialLines : public Lines {
   int descriptor(std::size_t line) const { return open_.at(line).number(); }
 
  private:
-  explicit SerialLines(std::vector<Port> ports)
-      : ports_(std::move(ports)), open_(ports_.size()), hung_up_(ports_.size(), 0) {}
+  SerialLines(std::vector<Port> ports, double clock)
+      : ports_(std::move(ports)), clock_(clock), open_(ports_.size()), hung_up_(ports_.size(), 0) {}
 
   std::vector<Port> ports_;
+  double clock_;
   std::vector<Descriptor> open_;
   std::vector<char> hung_up_;  // Noticed while waiting: reading would only give nothing.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
