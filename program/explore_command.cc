@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "data.h"
+#include "device.h"
 #include "explore_table.h"
 #include "files/toml_file.h"
 #include "output.h"
@@ -77,7 +78,35 @@ struct Request {
   std::size_t longest = 600;  // s of the body's time
 };
 
+// Flags of simulated bodies that a device would ignore.
+Result<void> check_device_flags(const Arguments& arguments) {
+  const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
+  std::vector<std::string> given;
+  for (const Table::Entry& entry : flags.entries) given.push_back(entry.where);
+  for (const char* flag : {"body", "seed", "images", "threads"}) {
+    if (arguments.has(flag)) given.push_back(fmt::format("--{}", flag));
+  }
+  if (given.empty()) return {};
+  return fail(ErrorKind::kUsage, "has no effect with --device", given.front(), "omit it");
+}
+
+Result<Request> read_device_request(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_device_flags(arguments));
+  SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
+  SOMATO_TRY(auto longest, arguments.number("longest", 1));
+  SOMATO_TRY(auto explorer, device_explorer(arguments, arguments.text("output")));
+  const std::size_t count = explorer->things().size();
+  return Request{
+      nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
+      {},      longest.value_or(600)};
+}
+
 Result<Request> read_request(const Arguments& arguments) {
+  if (arguments.has("device")) return read_device_request(arguments);
+  if (!arguments.has("body")) {
+    return fail(ErrorKind::kUsage, "a body or a device that explores is required", "explore",
+                "add --body lucs2, or --device FILE");
+  }
   SOMATO_TRY(auto body, read_body(arguments));
   auto things = read_things(arguments, body);
   if (!things) return fail(std::move(things.error()));
@@ -198,12 +227,13 @@ Result<void> run_explore(const Arguments& arguments) {
 Command explore_command() {
   return {
       "explore",
-      "Explore objects or materials with a simulated hand or probe, and record the sensors",
+      "Explore objects or materials with a hand or probe, simulated or real, and record the "
+      "sensors",
       {},
       {{"--body",
         "Body that explores: lucs2, lucs3, texture, hardness, probes (both probes), or all_senses "
-        "(Hand III with taxels, then both probes)",
-        true},
+        "(Hand III with taxels, then both probes)"},
+       device_flag(),
        input_flag(
            "--objects",
            "TOML file with the objects and materials to explore. Default: the body's own table"),

@@ -22,20 +22,6 @@ Result<void> check_present(const Table& table, std::string_view key, std::string
   return refuse(fmt::format("'{}' is missing", key), table.where, std::move(advice));
 }
 
-// The positions that a bus can express.
-std::pair<double, double> reach(BusKind bus) {
-  switch (bus) {
-    case BusKind::kSsc32:
-      return {500.0, 2500.0};
-    case BusKind::kScs:
-      return {0.0, 1023.0};
-    case BusKind::kDynamixel:
-    case BusKind::kSts:
-      break;
-  }
-  return {0.0, 4095.0};
-}
-
 std::size_t channels(BusKind bus) {
   return bus == BusKind::kSsc32 ? 32 : 253;
 }
@@ -316,6 +302,19 @@ ChannelDescription describe(const SensorSettings& sensor, const DeviceFile& file
 }
 
 }  // namespace
+
+std::pair<double, double> reach(BusKind bus) {
+  switch (bus) {
+    case BusKind::kSsc32:
+      return {500.0, 2500.0};
+    case BusKind::kScs:
+      return {0.0, 1023.0};
+    case BusKind::kDynamixel:
+    case BusKind::kSts:
+      break;
+  }
+  return {0.0, 4095.0};
+}
 
 Result<DeviceFile> parse_device_file(std::string_view text, std::string_view where) {
   return parse_toml(text, where).and_then([](const Table& file) { return Reader(file).read(); });

@@ -152,6 +152,9 @@ Result<DeviceFile> read_device_file(const std::string& path);
 /// The built-in device file with that name, such as "lucs2": a file of `devices/`.
 Result<DeviceFile> own_device_file(std::string_view name);
 
+/// The positions that a bus can express, lowest and highest.
+std::pair<double, double> reach(BusKind bus);
+
 /// The body that it makes.
 BodyDescription describe(const DeviceFile& file);
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "command_line.h"
+#include "devices/device_file.h"
+#include "somato/bodies/explorer.h"
+#include "somato/simulation/simulated_explorer.h"
+#include "wire/lines.h"
+
+namespace somato::program {
+
+/// The flag `--device`.
+Flag device_flag();
+
+/// The servos and sensors of a simulated body. Errors: several bodies.
+Result<BodyDescription> describe_body(ExploringBody body);
+
+/// The device file at `path`, checked against the body that it stands for. Errors: kUsage.
+Result<devices::DeviceFile> read_checked_device(const std::string& path);
+
+/// The lines of a device, open. Errors: kSystem.
+Result<std::unique_ptr<wire::Lines>> open_lines(const devices::DeviceFile& file);
+
+/// An explorer of the device `file` at `path`, for the objects or materials of --objects, or of the
+/// body that it stands for; the parameters of --settings. Nothing moves before it explores. A
+/// person is requested to place each thing, unless an emulator does. `output` names the file
+/// beside which the last states of a stopped device are saved. Errors (kUsage): no table of
+/// objects; things without the shape that a hand requires.
+Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
+                                                  const std::string& output);
+
+}  // namespace somato::program

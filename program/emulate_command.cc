@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "commands.h"
+#include "device.h"
+#include "devices/device_text.h"
+#include "emulation/pty_emulator.h"
+#include "explore_table.h"
+#include "files/embedded.h"
+#include "files/whole_file.h"
+#include "simulation/simulated_body.h"
+#include "somato/bodies/object_table.h"
+#include "terminal.h"
+
+namespace somato::program {
+namespace {
+
+using devices::BusKind;
+using devices::DeviceFile;
+using emulation::PtyEmulator;
+
+struct EmulationRequest {
+  ExploringBody body = ExploringBody::kLucs2;
+  std::string text;  // Of the device file.
+  DeviceFile file;
+  ObjectTable things;
+  std::uint64_t seed = 1;
+  double clock = 1.0;
+  std::string first;
+};
+
+std::vector<std::string> names_of_things(ExploringBody body, const ObjectTable& things) {
+  std::vector<std::string> names;
+  const bool is_hand = body == ExploringBody::kLucs2 || body == ExploringBody::kLucs3;
+  if (is_hand) {
+    for (const Object& object : things.objects) names.push_back(object.name);
+  } else {
+    for (const Material& material : things.materials) names.push_back(material.name);
+  }
+  return names;
+}
+
+// A device file of the user, or the one that comes with the program.
+Result<std::string> device_text(const Arguments& arguments, ExploringBody body) {
+  if (arguments.has("device")) return read_whole(arguments.text("device"));
+  const std::string path = "devices/" + choice_name(body) + ".toml";
+  for (const detail::EmbeddedFile& file : detail::embedded_files()) {
+    if (file.path == path) return std::string(file.text);
+  }
+  return fail(ErrorKind::kUsage, "only one body can be emulated at a time", choice_name(body),
+              "use lucs2, lucs3, texture or hardness");
+}
+
+Result<double> read_clock(const Arguments& arguments) {
+  if (!arguments.has("clock")) return 1.0;
+  devices::DeviceSettings settings;
+  const Value value = value_from_text(devices::DeviceSettings::declarations().find("clock")->info,
+                                      arguments.text("clock"));
+  SOMATO_TRY_VOID(devices::DeviceSettings::declarations().find("clock")->assign(settings, value));
+  return settings.clock;
+}
+
+Result<EmulationRequest> read_emulation(const Arguments& arguments) {
+  EmulationRequest request;
+  SOMATO_TRY(request.body, read_body(arguments));
+  SOMATO_TRY(request.text, device_text(arguments, request.body));
+  const std::string where = arguments.has("device") ? arguments.text("device") : "devices";
+  if (arguments.has("bus")) {
+    SOMATO_TRY(const auto bus, choice_named<BusKind>("bus", arguments.text("bus"), "--bus"));
+    SOMATO_TRY(request.text, devices::with_bus(request.text, where, bus));
+  }
+  SOMATO_TRY(request.file, devices::parse_device_file(request.text, where));
+  SOMATO_TRY(const auto description, describe_body(request.body));
+  SOMATO_TRY_VOID(devices::check_against(request.file, description, {}, where));
+  SOMATO_TRY(request.things, arguments.has("objects") ? read_object_table(arguments.text("objects"),
+                                                                          declared_materials())
+                                                      : default_things(request.body));
+  SOMATO_TRY(const auto seed, arguments.number("seed", 0));
+  request.seed = seed.value_or(1);
+  SOMATO_TRY(request.clock, read_clock(arguments));
+  const std::vector<std::string> names = names_of_things(request.body, request.things);
+  if (names.empty()) {
+    return fail(ErrorKind::kUsage, "the table has nothing for this body", arguments.text("objects"),
+                "add tables such as [object.cup] or [material.cork]");
+  }
+  request.first = names.front();
+  return request;
+}
+
+PtyEmulator::MakeBody make_bodies(const EmulationRequest& request) {
+  return [request](const std::string& thing, std::size_t trial) -> Result<std::unique_ptr<Body>> {
+    const std::vector<std::string> names = names_of_things(request.body, request.things);
+    const auto found = std::find(names.begin(), names.end(), thing);
+    if (found == names.end()) return fail(unknown_name("thing", thing, {}, names));
+    return simulated_body(request.body, request.things, {}, request.seed,
+                          static_cast<std::size_t>(found - names.begin()), trial);
+  };
+}
+
+// The device file with the ports of the emulator.
+std::string with_ports(const EmulationRequest& request, const PtyEmulator& emulator) {
+  const auto quoted = [](const std::string& text) { return fmt::format("\"{}\"", text); };
+  const devices::DeviceLines lines(request.file);
+  std::string text = request.text;
+  text = devices::with_key(text, "", "placing", quoted(emulator.placing_port()));
+  text = devices::with_key(text, "", "clock", fmt::format("{:g}", request.clock));
+  const auto& ports = emulator.ports();
+  if (lines.servos) text = devices::with_key(text, "servos", "port", quoted(ports[*lines.servos]));
+  if (lines.frames) text = devices::with_key(text, "frames", "port", quoted(ports[*lines.frames]));
+  if (lines.microphone) {
+    text =
+        devices::with_key(text, "microphone", "source", quoted("raw:" + ports[*lines.microphone]));
+  }
+  return text;
+}
+
+Result<void> run_emulate(const Arguments& arguments) {
+  SOMATO_TRY(const auto request, read_emulation(arguments));
+  SOMATO_TRY(const auto emulator,
+             PtyEmulator::create(request.file, request.clock, request.first, make_bodies(request)));
+  const std::string path = arguments.text("output");
+  SOMATO_TRY_VOID(save_whole(path, with_ports(request, *emulator)));
+  catch_stop_requests();
+  fmt::print(
+      "The emulated device is described by {0}. For example, in another terminal:\n"
+      "somato device check {0}\n"
+      "somato explore --device {0} -o recording.mcap\n",
+      path);
+  std::fflush(stdout);
+  std::fputs("Press Ctrl-C to end the emulation.\n", stderr);
+  return emulator->run([] { return !stop_requested(); });
+}
+
+}  // namespace
+
+Command emulate_command() {
+  return {
+      "emulate",
+      "Emulate the servo controller and the sensor board of a hand or probe, at serial ports of "
+      "this "
+      "machine",
+      {},
+      {{"--body", "Simulated body that the boards move: lucs2, lucs3, texture or hardness", true},
+       {"--bus", "Kind of servos: ssc32, dynamixel, sts or scs. Default: that of the device file"},
+       input_flag("--device",
+                  "Device file whose lines and calibration are emulated. Default: the body's own"),
+       input_flag(
+           "--objects",
+           "TOML file with the objects and materials that can be placed. Default: the body's "
+           "own table"),
+       {"--seed", "Seed of placement and noise. Default: 1"},
+       {"--clock", "Seconds of the emulation per second. Default: 1"},
+       output_flag("-o,--output", "Device file that is written, with the ports of the emulator",
+                   true)},
+      {},
+      run_emulate};
+}
+
+}  // namespace somato::program
