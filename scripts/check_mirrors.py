@@ -22,6 +22,8 @@ SOURCES_WITHOUT_HEADER = {
     "bodies/explore_by_pressing.cc": "bodies/explore_by.h: one way to explore",
     "bodies/explore_by_stroking.cc": "bodies/explore_by.h: one way to explore",
     "codes/spectrum_parameters.cc": "codes/spectrum.h: its parameters",
+    "devices/body_check.cc": "devices/device_file.h: checking it against a body",
+    "devices/device_file_settings.cc": "devices/device_file.h: its parameters",
     "graph/module_types.cc": "graph/module.h: the list of all types",
     "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
     "graph/modules/features.cc": "graph/modules/support.h: types of modules",

@@ -36,11 +36,11 @@ class DeviceBody::Impl {
         io_(file_, lines),
         motion_(file_.servos),
         reader_(file_),
-        log_(names_of(file_)) {}
+        history_(names_of(file_)) {}
 
   const BodyDescription& description() const { return description_; }
   const BodyState& state() const { return state_; }
-  const StateLog& log() const { return log_; }
+  const StateLog& history() const { return history_; }
   bool is_on() const { return is_on_; }
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
@@ -154,7 +154,7 @@ class DeviceBody::Impl {
     const double period = file_.settings.period;
     next_tick_ = std::max(next_tick_ + period, now);
     const std::span<const double> on_bus = motion_.advance(period);
-    log_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
+    history_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
     return io_.send(on_bus, period);
   }
 
@@ -221,7 +221,7 @@ class DeviceBody::Impl {
   DeviceIo io_;
   SafeMotion motion_;
   SensorReader reader_;
-  StateLog log_;
+  StateLog history_;
   BodyState state_;
   double start_ = 0.0;
   double next_tick_ = 0.0;
@@ -249,8 +249,8 @@ const BodyState& DeviceBody::state() const {
   return impl_->state();
 }
 
-const StateLog& DeviceBody::log() const {
-  return impl_->log();
+const StateLog& DeviceBody::history() const {
+  return impl_->history();
 }
 
 Result<void> DeviceBody::begin() {

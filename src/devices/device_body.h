@@ -39,7 +39,7 @@ class DeviceBody : public Body {
   const BodyState& state() const override;
 
   /// The last states and commands.
-  const StateLog& log() const;
+  const StateLog& history() const;
 
   /// Begins another exploration: what has arrived in the meantime is discarded, and time is 0
   /// again. Errors (kSystem): a line has hung up.

@@ -14,12 +14,12 @@ std::vector<Label> labels_of_thing(const ExploredThing& thing, std::size_t trial
 }
 
 Result<Exploration> explore_by_holding(Body& body, const DeviceSettings& settings) {
-  FrameLog log(body.description());
+  FrameLog frames(body.description());
   while (body.state().time < settings.duration) {
     SOMATO_TRY_VOID(body.step(settings.period, Readings::kRecorded));
-    SOMATO_TRY_VOID(log.append(body.state()));
+    SOMATO_TRY_VOID(frames.append(body.state()));
   }
-  return Exploration{{}, {}, std::move(log).channels()};
+  return Exploration{{}, {}, std::move(frames).channels()};
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body,
 Error DeviceExplorer::stopped(Error error) const {
   const bool is_fault = error.kind == ErrorKind::kSystem || error.kind == ErrorKind::kData;
   if (!is_fault || !surroundings_.keep_log) return error;
-  const std::string path = surroundings_.keep_log(body_->log());
+  const std::string path = surroundings_.keep_log(body_->history());
   if (path.empty()) return error;
   error.advice += fmt::format("{}the last states and commands are in {}",
                               error.advice.empty() ? "" : "; ", path);

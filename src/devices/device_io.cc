@@ -102,7 +102,7 @@ void DeviceIo::relax() noexcept {
       bytes = bytes.subspan(*count);
       if (!bytes.empty()) wait(std::min(until, now() + 0.001));
     }
-  } catch (...) {  // NOLINT(bugprone-empty-catch): there is nobody left to report it to
+  } catch (...) {  // NOLINT(bugprone-empty-catch): a destructor reports nothing
   }
 }
 

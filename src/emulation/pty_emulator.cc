@@ -17,7 +17,7 @@ constexpr double kLongestStep = 0.02;        // s of the emulation
 constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
 
 // Writes what the port accepts of what waits for it. Without a host everything is lost, as on a
-// line that nobody reads.
+// line without a reader.
 void write_waiting(const wire::PseudoTerminal& terminal, std::vector<std::uint8_t>& waiting) {
   const auto count = wire::write_available(terminal.device.number(), waiting, terminal.port);
   if (!count) {

@@ -126,7 +126,7 @@ Result<Descriptor> open_wav(const std::string& path, double rate) {
   return ours;
 }
 
-// ALSA's recorder writes to a pipe; it ends when nobody reads from it any more.
+// ALSA's recorder writes to a pipe; it ends when its reader does.
 Result<Descriptor> open_alsa(const std::string& device, double rate) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return system_error("cannot record sound", device);
