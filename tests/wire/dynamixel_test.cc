@@ -175,6 +175,17 @@ TEST(Dynamixel, MemoryThatIsTooSmallIsRefused) {
   EXPECT_TRUE(writer.written().empty());
 }
 
+TEST(Dynamixel, APacketLongerThanTheLongestIsRefused) {
+  DynamixelDecoder decoder;
+  Bytes bytes = dynamixel_bytes([](auto& to) { to.status(1, 0, Bytes(1500)); });
+  bytes.insert(bytes.end(), kDynamixelDone.begin(), kDynamixelDone.end());
+  EXPECT_EQ(dynamixel_statuses(decoder, bytes).size(), 1u);
+  EXPECT_EQ(dynamixel_statuses(decoder,
+                               dynamixel_bytes([](auto& to) { to.status(1, 0, Bytes(1024 - 11)); }))
+                .size(),
+            1u);
+}
+
 // Bit by bit, as the e-Manual describes the CRC.
 unsigned slow_crc(const Bytes& bytes) {
   unsigned crc = 0;

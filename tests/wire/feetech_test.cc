@@ -128,6 +128,18 @@ TEST(Feetech, AnEchoIsSkippedThoughTheOneBeforeWasLost) {
   EXPECT_TRUE(contents(decoder, kFeetechRead).empty());
 }
 
+TEST(Feetech, DataOfAnEchoAreNoAnswer) {
+  FeetechDecoder decoder(10);  // made for answers that are shorter than the echo
+  const Bytes sent = feetech_packets([](auto& to) {
+    to.begin_sync_write(0, 8);
+    to.put8(1);
+    to.put(kFeetechReadStatus);
+    to.end();
+  });
+  decoder.expect_echo(sent);
+  EXPECT_TRUE(contents(decoder, sent).empty());
+}
+
 TEST(Feetech, ACutOrImpossiblePacketDoesNotHideTheNext) {
   const std::vector<Bytes> starts{
       Bytes(kFeetechReadStatus.begin(), kFeetechReadStatus.end() - 2),
