@@ -63,6 +63,7 @@ DynamixelServos::DynamixelServos(std::vector<EmulatedDynamixel> servos, bool ech
     store(i, dynamixel_x::kId, 1, servos_[i].made.id);
     store(i, dynamixel_x::kReturnDelay, 1, servos_[i].made.return_delay);
     store(i, dynamixel_x::kOperatingMode, 1, 3);
+    store(i, dynamixel_x::kVelocityLimit, 4, 350);
     store(i, dynamixel_x::kMaxPosition, 4, 4095);
     store(i, dynamixel_x::kShutdown, 1, 52);
     set_measured(i, servos_[i].made.position, 0.0);

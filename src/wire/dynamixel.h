@@ -46,6 +46,7 @@ inline constexpr std::uint16_t kId = 7;                  // 1
 inline constexpr std::uint16_t kReturnDelay = 9;         // 1, unit 2 us
 inline constexpr std::uint16_t kDriveMode = 10;          // 1
 inline constexpr std::uint16_t kOperatingMode = 11;      // 1
+inline constexpr std::uint16_t kVelocityLimit = 44;      // 4
 inline constexpr std::uint16_t kMaxPosition = 48;        // 4
 inline constexpr std::uint16_t kMinPosition = 52;        // 4
 inline constexpr std::uint16_t kShutdown = 63;           // 1; the last of the EEPROM
