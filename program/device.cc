@@ -14,6 +14,7 @@
 #include "devices/placing.h"
 #include "files/toml_file.h"
 #include "files/whole_file.h"
+#include "servo_switch.h"
 #include "simulation/simulated_body.h"
 #include "somato/bodies/object_table.h"
 #include "terminal.h"
@@ -158,6 +159,11 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
     return place(file, thing, trial);
   };
+  surroundings.on_switch = [](wire::Lines& lines, std::span<const std::uint8_t> relax_bytes) {
+    const auto& serial = dynamic_cast<const wire::SerialLines&>(lines);
+    switch_off_at_the_end(serial.descriptor(0), relax_bytes);
+  };
+  surroundings.watch = watch_stop_key;
   surroundings.keep_log = [output](const devices::StateLog& log) { return keep_log(output, log); };
   return devices::DeviceExplorer::create(file, std::move(things), std::move(exploring),
                                          std::move(surroundings));

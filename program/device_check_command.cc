@@ -37,10 +37,22 @@ double newest(const DeviceIo& io) {
   return newest;
 }
 
+Heard counted_so_far(const DeviceIo& io) {
+  Heard heard;
+  if (io.stream() == nullptr) return heard;
+  heard.frames = io.stream()->frames();
+  heard.lost = io.stream()->lost();
+  heard.rejected = io.stream()->rejected();
+  return heard;
+}
+
 // Polls the servos without moving them.
 Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
   const std::vector<double> nowhere(file.servos.size(), NAN);
   Heard heard;
+  SOMATO_TRY_VOID(io.receive());  // What waited is older.
+  if (io.samples() != nullptr) io.samples()->keep(0);
+  const Heard before = counted_so_far(io);
   const double start = io.now();
   while (io.now() < start + kListening && !stop_requested()) {
     const double sent = io.now();
@@ -57,11 +69,10 @@ Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
     }
   }
   heard.seconds = io.now() - start;
-  if (io.stream() != nullptr) {
-    heard.frames = io.stream()->frames();
-    heard.lost = io.stream()->lost();
-    heard.rejected = io.stream()->rejected();
-  }
+  const Heard after = counted_so_far(io);
+  heard.frames = after.frames - before.frames;
+  heard.lost = after.lost - before.lost;
+  heard.rejected = after.rejected - before.rejected;
   return heard;
 }
 
@@ -74,7 +85,11 @@ std::string servo_line(const devices::ServoSettings& servo, const ServoReport& r
   line += fmt::format(", at {:.1f} {} ({:g} on the bus)", position, servo.unit, report.position);
   if (std::isfinite(report.current)) line += fmt::format(", {:.0f} mA", report.current);
   if (report.error != 0) line += fmt::format(", hardware error {:#04x}", report.error);
-  if (position < servo.least || position > servo.most) line += ", outside of its limits";
+  // A servo at its limit is measured a little to either side of it.
+  const double slack = 0.02 * (servo.most - servo.least);
+  if (position < servo.least - slack || position > servo.most + slack) {
+    line += ", outside of its limits";
+  }
   return line + "\n";
 }
 

@@ -18,10 +18,11 @@ namespace {
 // Lock-free, so that a signal may set it.
 std::atomic<int> interrupted = 0;
 std::atomic<bool> quiet = false;
+std::atomic<void (*)(int)> last_handler = SIG_DFL;
 
 void on_interrupt(int signal) {
   interrupted = signal;
-  std::signal(signal, SIG_DFL);
+  std::signal(signal, last_handler);
   constexpr std::string_view kSaid = "\nsomato: stopping; press Ctrl-C again to end immediately\n";
   if (isatty(STDERR_FILENO) == 1 && !quiet) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
@@ -104,6 +105,13 @@ void report_file_size_limits() {
 void catch_stop_requests() {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
+}
+
+void on_last_signal(void (*handler)(int)) {
+  last_handler = handler != nullptr ? handler : SIG_DFL;
+  for (const int signal : {SIGHUP, SIGQUIT, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) {
+    std::signal(signal, last_handler);
+  }
 }
 
 bool stop_requested() {

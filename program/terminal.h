@@ -20,6 +20,10 @@ void report_file_size_limits();
 /// message on a terminal; the second ends the program immediately.
 void catch_stop_requests();
 
+/// Makes `handler` handle the second signal instead, and all signals that end the program after a
+/// fault; nullptr: as before. It must end the program.
+void on_last_signal(void (*handler)(int));
+
 /// Whether Ctrl-C has been pressed since catch_stop_requests().
 bool stop_requested();
 

@@ -42,6 +42,7 @@ class DeviceBody::Impl {
   const BodyState& state() const { return state_; }
   const StateLog& history() const { return history_; }
   bool is_on() const { return is_on_; }
+  std::span<const std::uint8_t> relax_bytes() const { return io_.relax_bytes(); }
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
@@ -154,7 +155,8 @@ class DeviceBody::Impl {
     const double period = file_.settings.period;
     next_tick_ = std::max(next_tick_ + period, now);
     const std::span<const double> on_bus = motion_.advance(period);
-    history_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
+    history_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(),
+                 frame_age(now));
     return io_.send(on_bus, period);
   }
 
@@ -259,6 +261,10 @@ Result<void> DeviceBody::begin() {
 
 bool DeviceBody::is_on() const {
   return impl_->is_on();
+}
+
+std::span<const std::uint8_t> DeviceBody::relax_bytes() const {
+  return impl_->relax_bytes();
 }
 
 void DeviceBody::relax() noexcept {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,10 @@ class DeviceBody : public Body {
 
   /// Switches all servos off, now; nothing moves afterwards.
   void relax() noexcept;
+
+  /// The bytes that switch all servos off, for the first of lines_of(): a signal handler can send
+  /// them at any moment. Valid as long as the body; empty without servos.
+  std::span<const std::uint8_t> relax_bytes() const;
 
   class Impl;
 

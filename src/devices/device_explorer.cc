@@ -63,8 +63,16 @@ Result<DeviceBody*> DeviceExplorer::body() const {
     lines_.reset();
     SOMATO_TRY(lines_, surroundings_.open_lines());
     SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
+    if (surroundings_.on_switch) surroundings_.on_switch(*lines_, body_->relax_bytes());
   }
   return body_.get();
+}
+
+void DeviceExplorer::end_body() const {
+  if (!body_) return;
+  body_->relax();
+  if (surroundings_.on_switch) surroundings_.on_switch(*lines_, {});
+  body_.reset();
 }
 
 Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body,
@@ -98,6 +106,7 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
                                                   const ExploreOptions& options) const {
   SOMATO_TRY(DeviceBody* const started, body());
   if (surroundings_.place) SOMATO_TRY_VOID(surroundings_.place(things()[thing], trial));
+  const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   auto explored = explore_on(*started, options);
   if (explored) {
     explored->labels = labels_of_thing(things()[thing], trial);
@@ -105,7 +114,7 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   }
   if (started->is_on()) return explored;  // It has only not found what it was looking for.
   Error error = stopped(std::move(explored.error()));
-  body_.reset();
+  end_body();
   return fail(std::move(error));
 }
 

@@ -31,6 +31,13 @@ struct DeviceSurroundings {
   /// Has a thing placed before the body, which waits, before it is explored for the given trial.
   std::function<Result<void>(const ExploredThing& thing, std::size_t trial)> place;
 
+  /// Called when the servos are on: the bytes that switch them off, for the first of lines_of(), so
+  /// that a signal handler can send them. They are valid until the next call, which has none.
+  std::function<void(wire::Lines& lines, std::span<const std::uint8_t> relax_bytes)> on_switch;
+
+  /// Called before each exploration; what it returns is kept until the exploration ends.
+  std::function<std::shared_ptr<void>()> watch;
+
   /// Receives the last states of a device that was stopped by an error; returns where they were
   /// saved, for the message.
   std::function<std::string(const StateLog& log)> keep_log;
@@ -51,11 +58,18 @@ class DeviceExplorer : public Explorer {
                                                   DeviceExploring exploring,
                                                   DeviceSurroundings surroundings);
 
+  DeviceExplorer(const DeviceExplorer&) = delete;
+  DeviceExplorer(DeviceExplorer&&) = delete;
+  DeviceExplorer& operator=(const DeviceExplorer&) = delete;
+  DeviceExplorer& operator=(DeviceExplorer&&) = delete;
+  ~DeviceExplorer() override { end_body(); }
+
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
                                     const ExploreOptions& options) const override;
 
  private:
+  void end_body() const;
   DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things, DeviceExploring exploring,
                  DeviceSurroundings surroundings);
 

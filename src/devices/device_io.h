@@ -42,6 +42,11 @@ class DeviceIo {
   /// Switches all servos off.
   void relax() noexcept;
 
+  /// The bytes that do it; empty without servos.
+  std::span<const std::uint8_t> relax_bytes() const {
+    return bus_ ? bus_->relax_bytes() : std::span<const std::uint8_t>();
+  }
+
   /// Fails (kSystem) if a line was silent for too long at the time `now`.
   Result<void> check_fresh(double now) const;
 

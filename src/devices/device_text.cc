@@ -95,12 +95,12 @@ namespace {
 
 // Steps per turn of a bus, and the calibration of a servo that has the middle of its limits in the
 // middle of the bus.
-struct Calibration {
+struct BusCalibration {
   double zero = 0.0;
   double scale = 0.0;
 };
 
-Calibration calibration_of(const ServoSettings& servo, BusKind bus) {
+BusCalibration calibration_of(const ServoSettings& servo, BusKind bus) {
   const bool is_coarse = bus == BusKind::kScs;
   const bool is_pulse = bus == BusKind::kSsc32;
   const double middle = is_pulse ? 1500.0 : is_coarse ? 511.0 : 2047.0;
@@ -118,7 +118,7 @@ Result<std::string> with_bus(std::string_view text, std::string_view where, BusK
   std::string changed = with_key(text, "servos", "bus", fmt::format("\"{}\"", choice_name(bus)));
   changed = with_key(changed, "servos", "baud", bus == BusKind::kSsc32 ? "115200" : "1000000");
   for (std::size_t i = 0; i < file.servos.size(); ++i) {
-    const Calibration calibration = calibration_of(file.servos[i], bus);
+    const BusCalibration calibration = calibration_of(file.servos[i], bus);
     const std::string table = "servo." + file.servos[i].name;
     // Ids of servos begin with 1: 0 is rarely used.
     const std::size_t channel = bus == BusKind::kSsc32 ? i : i + 1;

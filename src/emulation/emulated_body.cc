@@ -71,16 +71,22 @@ Result<void> EmulatedBody::drive() {
   return body_->command(targets_);
 }
 
+// The frames of the last step of a sensor; without rows before the first one.
+const Matrix<float>& EmulatedBody::readings_of(std::size_t sensor) const {
+  static const Matrix<float> none;
+  const auto& readings = body_->state().readings;
+  return sensor < readings.size() ? readings[sensor] : none;
+}
+
 double EmulatedBody::current(std::size_t servo) const {
   const auto touch = find_sensor(body_->description(), "touch");
   if (!touch) return 0.0;
   const std::string name = file_.servos[servo].name + "_";
   const std::vector<std::string>& elements = body_->description().sensors[*touch].element_names;
+  const Matrix<float>& forces = readings_of(*touch);
   double force = 0.0;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (elements[i].starts_with(name)) {
-      force += static_cast<double>(body_->state().readings[*touch](0, i));
-    }
+  for (std::size_t i = 0; i < elements.size() && forces.rows() > 0; ++i) {
+    if (elements[i].starts_with(name)) force += static_cast<double>(forces(0, i));
   }
   return kMilliamperes * force;
 }
@@ -97,7 +103,7 @@ void EmulatedBody::sense() {
   for (const devices::SensorSettings& sensor : file_.sensors) {
     const auto found = find_sensor(body_->description(), sensor.name);
     if (!found) continue;
-    const Matrix<float>& readings = body_->state().readings[*found];
+    const Matrix<float>& readings = readings_of(*found);
     if (readings.rows() == 0) continue;
     const auto raw = [&](float value) {
       return static_cast<float>((static_cast<double>(value) - sensor.offset) / sensor.gain);

@@ -42,6 +42,7 @@ class EmulatedBody {
   Result<void> drive();
   void sense();
   void measure();
+  const Matrix<float>& readings_of(std::size_t sensor) const;
   double current(std::size_t servo) const;
   double target(std::size_t servo) const;
 

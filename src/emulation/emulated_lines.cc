@@ -5,7 +5,7 @@
 namespace somato::emulation {
 namespace {
 
-constexpr double kStep = 0.001;
+constexpr double kMillisecond = 0.001;
 
 tl::unexpected<Error> hung_up() {
   return fail(ErrorKind::kSystem, "the line has hung up", {},
@@ -32,7 +32,7 @@ bool EmulatedLines::has_news() const {
 
 void EmulatedLines::wait(double until) {
   while (now_ < until) {
-    now_ = std::min(until, now_ + kStep);
+    now_ = std::min(until, now_ + kMillisecond);
     if (world_) world_(now_);
     for (EmulatedWire* wire : wires_) wire->advance(now_);
     if (has_news()) return;

@@ -108,7 +108,7 @@ TEST(DeviceFile, RefusesMistakesWithTheirLine) {
   EXPECT_EQ(error_of(with("scale = -10", "scale = 0")),
             "d.toml:6: 'scale' must not be 0; give the change on the bus per unit");
   EXPECT_EQ(error_of(with("name = \"my hand\"\n", "")),
-            "d.toml: 'name' is missing; write for example name = \"my hand\"");
+            "d.toml:1: 'name' is missing; write for example name = \"my hand\"");
 }
 
 TEST(DeviceFile, RefusesKeysThatHaveNoEffect) {
