@@ -81,7 +81,8 @@ void switch_off_at_the_end(int descriptor, std::span<const std::uint8_t> relax_b
 }
 
 std::shared_ptr<void> watch_stop_key() {
-  if (isatty(STDIN_FILENO) != 1) return nullptr;
+  // A program in the background must not touch the terminal.
+  if (isatty(STDIN_FILENO) != 1 || tcgetpgrp(STDIN_FILENO) != getpgrp()) return nullptr;
   return std::make_shared<StopKey>();
 }
 
