@@ -46,6 +46,11 @@ class ServoBus {
   /// Bytes that arrived at `now`; updates reports(). Allocates nothing.
   virtual void receive(std::span<const std::uint8_t> bytes, double now) = 0;
 
+  /// Bytes to be sent after receive(), mostly none: the next request of this tick, for a protocol
+  /// that allows one at a time, once the answer to the last has arrived. Allocates nothing; valid
+  /// until the next call. A bus works without it, but then reports are older.
+  virtual std::span<const std::uint8_t> follow_up() { return {}; }
+
   /// The bytes that switch all servos off. Constant after start(), so that they can be sent at any
   /// moment, even by a signal handler.
   virtual std::span<const std::uint8_t> relax_bytes() const = 0;

@@ -49,11 +49,18 @@ inline constexpr double kCurrentUnit = 6.5;           // mA
 inline constexpr std::uint16_t kNegative = 0x8000;    // sign of positions and currents
 }  // namespace feetech
 
-/// The order of the bytes of a number with two bytes.
-enum class ByteOrder {
-  kLowFirst,   ///< STS, SMS: servos with a magnetic encoder.
-  kHighFirst,  ///< SCS: servos with a potentiometer.
+/// The series differ in some addresses, and in the order of bytes.
+enum class FeetechSeries {
+  kSts,  ///< And SMS: with a magnetic encoder of 4096 steps in a turn.
+  kScs,  ///< With a potentiometer of 1024 steps.
 };
+
+/// The order of the bytes of a number with two bytes.
+enum class ByteOrder { kLowFirst, kHighFirst };
+
+constexpr ByteOrder feetech_order(FeetechSeries series) {
+  return series == FeetechSeries::kSts ? ByteOrder::kLowFirst : ByteOrder::kHighFirst;
+}
 
 /// Two bytes as a number, and back.
 std::uint16_t feetech_word(std::span<const std::uint8_t> bytes, ByteOrder order);

@@ -91,6 +91,17 @@ TEST(DynamixelBus, StartWorksWithAnEchoAndWithServosThatAnswerOnlyPings) {
   EXPECT_EQ(hand.servos.stored(0, dynamixel_x::kStatusReturn, 1), 2u);
 }
 
+TEST(DynamixelBus, StartIsNotMisledByALateAnswerOfAnotherServo) {
+  DynamixelHand hand(2);
+  hand.servos.store(1, dynamixel_x::kReturnDelay, 1, 250);
+  Bytes memory(32);
+  wire::DynamixelWriter writer(memory);
+  writer.read(2, dynamixel_x::kPresentPosition, 3);  // as long as the answer to a ping
+  ASSERT_TRUE(hand.exchange.send(writer.written()));
+  const auto started = hand.bus.start(hand.exchange);
+  EXPECT_TRUE(started) << to_string(started.error());
+}
+
 TEST(DynamixelBus, StartWarnsOfSettingsThatItDoesNotChange) {
   DynamixelHand hand(2);
   hand.servos.store(1, dynamixel_x::kReturnDelay, 1, 250);
@@ -261,13 +272,15 @@ TEST(DynamixelBus, AnErrorThatCannotBeReadDoesNotHideTheStates) {
   EXPECT_EQ(hand.bus.reports()[0].time, hand.line.now());
 }
 
-// What a simple servo reads last: it trusts each length, and drops a packet with a wrong CRC whole.
+// What a simple servo reads last: it trusts each length that its memory can hold, and drops a
+// packet with a wrong CRC whole.
 Bytes last_packet_of_simple_servo(const Bytes& bytes) {
   Bytes last;
   for (std::size_t at = 0; at + 7 <= bytes.size();) {
     const Bytes header(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                        bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4);
-    const std::size_t size = header == Bytes{0xFF, 0xFF, 0xFD, 0} ? 7u + bytes[at + 5] : 1u;
+    const bool possible = header == Bytes{0xFF, 0xFF, 0xFD, 0} && bytes[at + 6] == 0;
+    const std::size_t size = possible ? 7u + bytes[at + 5] : 1u;
     if (at + size > bytes.size()) break;
     const Bytes packet(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                        bytes.begin() + static_cast<std::ptrdiff_t>(at + size));

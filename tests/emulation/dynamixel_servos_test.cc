@@ -96,6 +96,18 @@ TEST(DynamixelServos, AGoalDrivesOnlyWithTorque) {
   EXPECT_FALSE(talk.chain.driven_position(0));
 }
 
+// It starts where the servo is, and not where it was driven before.
+TEST(DynamixelServos, TorqueStartsFromTheMeasuredPosition) {
+  DynamixelTalk talk({{.id = 1, .position = 1500}});
+  talk.write(1, dynamixel_x::kVelocity, {1, 0, 0, 0});
+  talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
+  talk.tell([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); }, 0.0);
+  EXPECT_EQ(talk.chain.driven_position(0), 1500.0);
+  Bytes sent;
+  talk.pass(1.0, sent);
+  EXPECT_NEAR(*talk.chain.driven_position(0), 1484.37, 0.01);
+}
+
 TEST(DynamixelServos, TheProfileVelocityRampsTheGoal) {
   DynamixelTalk talk({{.id = 1, .position = 1000}, {.id = 2, .position = 1000}});
   for (const std::uint8_t id : {std::uint8_t{1}, std::uint8_t{2}}) {
