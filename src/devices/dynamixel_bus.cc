@@ -39,11 +39,11 @@ constexpr std::array kDynamixelModels = std::to_array<DynamixelModel>({
 });
 
 constexpr std::uint8_t kNoDynamixel = 0xFF;
-constexpr std::size_t kStateSize = 10;  // current, velocity and position
-constexpr std::size_t kGoalSize = 8;    // profile velocity and goal position
-constexpr double kAnswerTime = 0.05;    // s; an adapter may collect bytes for 16 ms
-constexpr std::size_t kAttempts = 3;
-constexpr double kExtendedRange = 1'048'575.0;  // steps; the range with several turns
+constexpr std::size_t kDynamixelStateSize = 10;  // current, velocity and position
+constexpr std::size_t kDynamixelGoalSize = 8;    // profile velocity and goal position
+constexpr double kDynamixelAnswerTime = 0.05;    // s; an adapter may collect bytes for 16 ms
+constexpr std::size_t kDynamixelAttempts = 3;
+constexpr double kDynamixelExtendedRange = 1'048'575.0;  // steps; the range with several turns
 
 const DynamixelModel* find_dynamixel_model(std::string_view name) {
   const auto* found = std::find_if(kDynamixelModels.begin(), kDynamixelModels.end(),
@@ -65,11 +65,11 @@ std::int32_t low_first32(std::span<const std::uint8_t> bytes) {
   return static_cast<std::int32_t>(low_first16(bytes) | low_first16(bytes.subspan(2)) << 16);
 }
 
-std::string place_of(const DynamixelServo& servo) {
+std::string dynamixel_place(const DynamixelServo& servo) {
   return fmt::format("servo with id {}", servo.id);
 }
 
-std::string error_names(std::uint8_t bits) {
+std::string dynamixel_error_names(std::uint8_t bits) {
   constexpr std::array<std::string_view, 6> names{
       "input voltage", "bit 1", "overheating", "motor encoder", "electrical shock", "overload"};
   std::string text;
@@ -122,13 +122,13 @@ DynamixelBus::DynamixelBus(std::vector<DynamixelServo> servos) : ServoBus(servos
     servos_.push_back({.declared = std::move(servo)});
   }
   // Packets of 14 bytes and their parameters; each number may need a stuffing byte.
-  const std::size_t goals = 14 + ids_.size() * (1 + kGoalSize + 1);
+  const std::size_t goals = 14 + ids_.size() * (1 + kDynamixelGoalSize + 1);
   tick_.resize(goals + 14 + ids_.size());
   relax_ = dynamixel_relax(goals);
 }
 
 std::size_t DynamixelBus::bytes_per_tick() const {
-  const std::size_t answer = 11 + kStateSize + 3;  // with three stuffing bytes
+  const std::size_t answer = 11 + kDynamixelStateSize + 3;  // with three stuffing bytes
   return tick_.size() + ids_.size() * answer;
 }
 
@@ -148,14 +148,15 @@ Result<DynamixelBus::Bytes> DynamixelBus::ask(const Servo& servo,
     }
     return false;
   };
-  SOMATO_TRY(const bool answered, exchange.request(request, kAnswerTime, kAttempts, take));
+  SOMATO_TRY(const bool answered,
+             exchange.request(request, kDynamixelAnswerTime, kDynamixelAttempts, take));
   if (!answered) {
-    return fail(ErrorKind::kSystem, "the servo does not answer", place_of(servo.declared),
+    return fail(ErrorKind::kSystem, "the servo does not answer", dynamixel_place(servo.declared),
                 "check its power, its cable, its id and the baud rate");
   }
   if (refusal != 0) {
     return fail(ErrorKind::kData, fmt::format("the servo refuses a request (error {})", refusal),
-                place_of(servo.declared), "check that it is a servo of the X series");
+                dynamixel_place(servo.declared), "check that it is a servo of the X series");
   }
   return data;
 }
@@ -186,7 +187,7 @@ Result<void> DynamixelBus::check_model(Servo& servo, wire::Exchange& exchange) c
     return fail(ErrorKind::kData,
                 fmt::format("the servo is a model {} ({}){}", found ? found->name : "unknown",
                             number, declared ? ", not the declared one" : ""),
-                place_of(servo.declared), "correct the model or the id in the device file");
+                dynamixel_place(servo.declared), "correct the model or the id in the device file");
   }
   servo.current_unit = found->current_unit;
   return {};
@@ -203,7 +204,7 @@ Result<void> DynamixelBus::check_modes(Servo& servo, wire::Exchange& exchange) {
   const int mode = modes[2];
   if (mode != 3 && mode != 4 && mode != 5) {
     return fail(ErrorKind::kData, fmt::format("the servo does not hold positions (mode {})", mode),
-                place_of(servo.declared),
+                dynamixel_place(servo.declared),
                 "set its operating mode (address 11) to 3, 4 or 5 with the maker's program");
   }
   servo.timed = (modes[1] & dynamixel_x::kTimeBasedProfile) != 0;
@@ -211,11 +212,11 @@ Result<void> DynamixelBus::check_modes(Servo& servo, wire::Exchange& exchange) {
     warnings_.push_back(
         fmt::format("{}: it waits {} us before each answer; a return delay "
                     "(address 9) of 0 makes the bus faster",
-                    place_of(servo.declared), 2 * modes[0]));
+                    dynamixel_place(servo.declared), 2 * modes[0]));
   }
   if ((modes[1] & dynamixel_x::kTorqueOnByGoal) != 0) {
     warnings_.push_back(fmt::format("{}: each goal switches its torque on (bit 3 of address 10)",
-                                    place_of(servo.declared)));
+                                    dynamixel_place(servo.declared)));
   }
   return read_limits(servo, mode == 3, exchange);
 }
@@ -225,21 +226,22 @@ Result<void> DynamixelBus::read_limits(Servo& servo, bool one_turn,
   SOMATO_TRY(const auto limits, read(servo, dynamixel_x::kVelocityLimit, 12, exchange));
   const auto numbers = std::span<const std::uint8_t>(limits);
   servo.fastest = std::clamp(low_first32(numbers), 1, 32767);
-  servo.highest = one_turn ? low_first32(numbers.subspan(4)) : kExtendedRange;
-  servo.lowest = one_turn ? low_first32(numbers.subspan(8)) : -kExtendedRange;
+  servo.highest = one_turn ? low_first32(numbers.subspan(4)) : kDynamixelExtendedRange;
+  servo.lowest = one_turn ? low_first32(numbers.subspan(8)) : -kDynamixelExtendedRange;
   if (servo.lowest <= servo.highest) return {};
   return fail(ErrorKind::kData,
               fmt::format("the lowest position of the servo, {}, is above the highest, {}",
                           servo.lowest, servo.highest),
-              place_of(servo.declared), "correct its position limits (addresses 48 and 52)");
+              dynamixel_place(servo.declared), "correct its position limits (addresses 48 and 52)");
 }
 
 Result<void> DynamixelBus::check_error(const Servo& servo, wire::Exchange& exchange) const {
   SOMATO_TRY(const auto error, read(servo, dynamixel_x::kHardwareError, 1, exchange));
   if (error[0] == 0) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("the servo reports a hardware error ({})", error_names(error[0])),
-              place_of(servo.declared), "remove the cause, then reboot the servo");
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("the servo reports a hardware error ({})", dynamixel_error_names(error[0])),
+      dynamixel_place(servo.declared), "remove the cause, then reboot the servo");
 }
 
 Result<void> DynamixelBus::check(Servo& servo, wire::Exchange& exchange) {
@@ -251,7 +253,8 @@ Result<void> DynamixelBus::check(Servo& servo, wire::Exchange& exchange) {
 // The goal comes before the torque, so that nothing moves.
 Result<void> DynamixelBus::hold(std::size_t index, wire::Exchange& exchange) {
   Servo& servo = servos_[index];
-  SOMATO_TRY(const auto state, read(servo, dynamixel_x::kPresentCurrent, kStateSize, exchange));
+  SOMATO_TRY(const auto state,
+             read(servo, dynamixel_x::kPresentCurrent, kDynamixelStateSize, exchange));
   reports_[index].error = 0;
   take_state(index, state, exchange.now());
   servo.goal = reports_[index].position;
@@ -259,7 +262,7 @@ Result<void> DynamixelBus::hold(std::size_t index, wire::Exchange& exchange) {
     return fail(ErrorKind::kData,
                 fmt::format("the servo stands at {}, outside its limits {} to {}", servo.goal,
                             servo.lowest, servo.highest),
-                place_of(servo.declared), "move it by hand between its limits");
+                dynamixel_place(servo.declared), "move it by hand between its limits");
   }
   std::array<std::uint8_t, 12> profile{0, 0, 0, 0, 1};  // no acceleration, lowest velocity
   std::copy_n(state.begin() + 6, 4, profile.begin() + 8);
@@ -309,7 +312,7 @@ std::uint32_t DynamixelBus::profile_velocity(const Servo& servo, double goal,
 
 void DynamixelBus::write_goals(wire::DynamixelWriter& to, std::span<const double> positions,
                                double seconds) {
-  to.begin_sync_write(dynamixel_x::kVelocity, kGoalSize);
+  to.begin_sync_write(dynamixel_x::kVelocity, kDynamixelGoalSize);
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     Servo& servo = servos_[i];
     if (!std::isfinite(positions[i])) continue;
@@ -333,7 +336,7 @@ std::span<const std::uint8_t> DynamixelBus::tick(std::span<const double> positio
   if (asked_errors_) {
     to.sync_read(dynamixel_x::kHardwareError, 1, ids_);
   } else {
-    to.sync_read(dynamixel_x::kPresentCurrent, kStateSize, ids_);
+    to.sync_read(dynamixel_x::kPresentCurrent, kDynamixelStateSize, ids_);
   }
   return to.written();
 }
@@ -364,7 +367,8 @@ void DynamixelBus::receive(std::span<const std::uint8_t> bytes, double now) {
     } else if (error == 0) {
       error = kUnknownError;
     }
-    if (packet->parameters.size() == kStateSize) take_state(servo, packet->parameters, now);
+    if (packet->parameters.size() == kDynamixelStateSize)
+      take_state(servo, packet->parameters, now);
   }
 }
 

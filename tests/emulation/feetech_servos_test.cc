@@ -121,6 +121,13 @@ TEST(FeetechServos, ScsServosMoveWithinATime) {
   EXPECT_NEAR(*talk.chain.driven_position(1), 510.0, 1e-9);
 }
 
+TEST(FeetechServos, TorqueStartsFromTheMeasuredPosition) {
+  FeetechTalk talk(FeetechSeries::kScs, {{.id = 1, .position = 500}});
+  talk.write(1, feetech::kGoalPosition, {0x02, 0x58, 0, 200});  // 600 within 200 ms
+  talk.tell([](auto& to) { to.write(1, feetech::kTorqueEnable, Bytes{1}); }, 0.1);
+  EXPECT_NEAR(*talk.chain.driven_position(0), 550.0, 1e-9);
+}
+
 TEST(FeetechServos, MeasuredValuesAreReadInUnitsOfTheServo) {
   FeetechTalk talk(FeetechSeries::kSts, {{.id = 1}});
   talk.chain.set_measured(0, -3.0, -65.0);
