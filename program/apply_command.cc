@@ -16,6 +16,7 @@
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_model.h"
 #include "study_data.h"
+#include "system_fit.h"
 
 namespace somato::program {
 namespace {
@@ -35,25 +36,6 @@ Result<std::size_t> answering_map(const SystemModel& model, const std::string& p
     return refuse("the output map takes one input per frame; it needs one per exploration");
   }
   return map;
-}
-
-// The channels must be those of the training data.
-Result<void> check_layout(const System& system, const Recording& recording,
-                          const std::string& path) {
-  const auto refuse = [&](const std::string& what) {
-    return fail(ErrorKind::kData, "the recording does not fit the system: " + what, path,
-                "use recordings with the same channels");
-  };
-  const auto other = System::build(system.description(), layout_of(recording));
-  if (!other) return refuse(other.error().what);
-  for (std::size_t i = 0; i < other->modules().size(); ++i) {
-    const SystemModule& module = other->modules()[i];
-    const PortType& then = system.modules()[i].output;
-    if (module.output.shape == then.shape) continue;
-    return refuse(fmt::format("module '{}' gives {}, but gave {} in training", module.name,
-                              to_string(module.output), to_string(then)));
-  }
-  return {};
 }
 
 // The system's output for an exploration, by the names of the columns.
@@ -107,7 +89,7 @@ Result<void> apply(const Arguments& arguments) {
   SOMATO_TRY(const auto model, load_system(arguments.text("SYSTEM")));
   SOMATO_TRY(const auto map, answering_map(model, arguments.text("SYSTEM")));
   SOMATO_TRY(const auto recording, read_study_data(format, data));
-  SOMATO_TRY_VOID(check_layout(model.system, recording, data));
+  SOMATO_TRY_VOID(check_fit(model.system, recording, data));
   std::vector<std::size_t> all(recording.explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   Activations activations(model.system.modules().size(), all.size());

@@ -13,6 +13,7 @@ Command apply_command();
 Command systems_command();
 Command modules_command();
 Command view_command();
+Command live_command();
 Command explore_command();
 Command emulate_command();
 Command device_check_command();

@@ -12,7 +12,7 @@ tl::unexpected<Error> stopped_exploring() {
 }  // namespace
 
 void BodyThread::start(const Explorer& explorer, std::size_t thing, std::size_t trial,
-                       const Placement& placement) {
+                       const std::optional<Placement>& placement) {
   join();
   stopping_ = going_on_ = false;
   std::packaged_task<Result<Exploration>()> explore([this, &explorer, thing, trial, placement] {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -38,9 +39,10 @@ class BodyThread {
   BodyThread& operator=(BodyThread&&) = delete;
   ~BodyThread() { join(); }
 
-  /// Begins an exploration, which ends before the next one begins. `explorer` must outlive it.
+  /// Begins an exploration, of an object placed at random without `placement`, which ends before
+  /// the next one begins. `explorer` must outlive it.
   void start(const Explorer& explorer, std::size_t thing, std::size_t trial,
-             const Placement& placement);
+             const std::optional<Placement>& placement);
 
   /// From start() until `on_end` is called.
   bool is_exploring() const { return thread_.joinable(); }

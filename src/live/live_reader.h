@@ -26,7 +26,8 @@ class LiveReader {
   void follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
 
   /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of
-  /// a second ago, or ten times as long as it took to say, unless it is wanted `now`.
+  /// a second ago, or ten times as long as it took to say, unless it is wanted `now`. Nothing is
+  /// computed twice for the same frames.
   const Reading* read(bool now);
 
   const SystemModel* model() const { return reading_ ? &reading_->model() : nullptr; }
@@ -34,6 +35,9 @@ class LiveReader {
 
   /// Why there is nothing to say, a sentence; empty without a reason.
   const std::string& problem() const { return problem_; }
+
+  /// The error with which following an exploration ended, if any.
+  const std::optional<Error>& error() const { return error_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -43,7 +47,9 @@ class LiveReader {
   SystemPicture picture_;
   std::string problem_;
   std::unique_ptr<SystemReading> reading_;
+  std::optional<Error> error_;
   std::optional<Reading> latest_;
+  bool is_said_ = false;  // latest_ is of all that was followed
   Clock::time_point said_at_;
   Clock::duration took_{};
 };

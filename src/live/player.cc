@@ -31,7 +31,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
     : source_(std::move(source)),
       hub_(hub),
       queue_(queue),
-      replay_(hub, pace_),
+      replay_(hub, pace_, source_.readings),
       system_(source_.system),
       had_viewer_(!settings.wait_for_viewer),
       thing_(source_.thing),
@@ -70,12 +70,13 @@ void Player::guarded(const std::function<void()>& work) {
     replay_.give_up();
     body_.stop();
     publish_state();
+    replay_.tap().finish(fail(ErrorKind::kData, problem_));
   }
 }
 
 // A task at a time: tasks that keep coming must not hold up what plays.
 void Player::turn() {
-  if (wants_exploring_ && !body_.is_exploring()) explore();
+  if (wants_exploring_ && !body_.is_exploring() && !replay_.is_behind()) explore();
   closed_ =
       queue_.wait(replay_.is_behind() ? Pace::Clock::now() : due()) == TaskQueue::Woken::kClosed;
   if (closed_) return;
@@ -86,6 +87,14 @@ void Player::turn() {
     advance();
   }
   if (replay_.reader().problem() != shown_system_problem_) publish_state();
+  if (is_complete()) replay_.tap().finish({});
+}
+
+// Whether all that was to be read has been played.
+bool Player::is_complete() const {
+  if (!source_.explorer) return replay_.tap().ended() == source_.recording.explorations.size();
+  const bool has_begun = planned_ > 0 && planned_ == source_.plan.size();
+  return has_begun && !wants_exploring_ && !body_.is_exploring() && !replay_.is_behind();
 }
 
 Result<void> Player::handle(const ViewCommand& command) {
@@ -153,6 +162,10 @@ void Player::rest() {
 }
 
 Result<void> Player::play() {
+  if (!source_.plan.empty() && !std::exchange(had_viewer_, true)) {
+    wants_exploring_ = true;
+    return {};
+  }
   if (replay_.played() == nullptr && !body_.is_exploring()) return begin_exploring();
   pace_.playing = true;
   pace_.begin();
@@ -186,6 +199,9 @@ Result<void> Player::seek(const SeekCommand& seek) {
   if (growing_ && !is_played) {
     return not_now("another exploration cannot be shown while the body explores");
   }
+  if (!is_played && replay_.tap().is_open()) {
+    return not_now("another exploration cannot be shown while the readings are written");
+  }
   const auto& explorations = source_.recording.explorations;
   if (!is_played && seek.exploration >= explorations.size()) {
     return not_now(fmt::format("the recording has {} explorations", explorations.size()));
@@ -202,6 +218,7 @@ Result<void> Player::seek(const SeekCommand& seek) {
 
 Result<void> Player::choose_thing(const std::string& name) {
   if (!source_.explorer) return not_now("the object of a recording cannot be changed");
+  if (!source_.plan.empty()) return not_now("the explorations of this session are fixed");
   const auto& things = source_.explorer->things();
   const auto found = std::find_if(things.begin(), things.end(),
                                   [&](const ExploredThing& thing) { return thing.name == name; });
@@ -211,7 +228,8 @@ Result<void> Player::choose_thing(const std::string& name) {
 }
 
 Result<void> Player::place(const Placement& placement) {
-  if (!source_.explorer || !source_.explorer->things()[thing_].object) {
+  const bool is_free = source_.explorer && source_.plan.empty();
+  if (!is_free || !source_.explorer->things()[thing_].object) {
     return not_now("no object can be placed");
   }
   placement_ = placement;
@@ -221,6 +239,7 @@ Result<void> Player::place(const Placement& placement) {
 // What the body was exploring ends first.
 Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
+  if (!source_.plan.empty()) return not_now("the explorations of this session are fixed");
   if (source_.recording.explorations.size() >= kMostExplorations) {
     return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
   }
@@ -274,7 +293,7 @@ void Player::publish_state() {
   ViewState state{source_, replay_.reader().picture(), replay_.played()};
   state.frame = replay_.next();
   state.playing = pace_.playing;
-  state.speed = pace_.speed;
+  state.speed = std::min(pace_.speed, 100.0);  // the fastest that a page can choose
   state.thing = thing_;
   state.placement = placement_;
   state.system = system_;
@@ -291,7 +310,12 @@ void Player::explore() {
   replay_.end();
   pace_.playing = true;
   moments_left_ = 0;
-  body_.start(*source_.explorer, thing_, trials_++, placement_);
+  if (source_.plan.empty()) {
+    return body_.start(*source_.explorer, thing_, trials_++, placement_);
+  }
+  const PlannedExploration& next = source_.plan[planned_++];
+  thing_ = next.thing;
+  body_.start(*source_.explorer, next.thing, next.trial, {});
 }
 
 // The scene of a thing is the same each time.
@@ -316,14 +340,32 @@ void Player::show_step() {
 
 void Player::finish(std::future<Result<Exploration>> explored) {
   const std::shared_ptr<ScenePlayer> scene = growing_ ? growing_->scene() : nullptr;
+  catch_up();
   replay_.end();
   growing_.reset();
   coming_.reset();
   rest();
-  const auto kept = explored.get().and_then(
-      [&](Exploration exploration) { return keep(std::move(exploration), scene); });
-  if (!kept && kept.error().kind != ErrorKind::kInterrupted) problem_ = sentence_of(kept.error());
+  if (auto exploration = explored.get(); !exploration) {
+    fail_exploring(exploration.error());
+  } else if (const auto kept = keep(std::move(*exploration), scene); !kept) {
+    problem_ = sentence_of(kept.error());
+    replay_.tap().finish(kept);
+  }
+  wants_exploring_ = wants_exploring_ || planned_ < source_.plan.size();
   publish_state();
+}
+
+// What the system says of the last moments is passed on before they are forgotten.
+void Player::catch_up() {
+  if (!replay_.tap().is_open() || replay_.moments() == 0) return;
+  replay_.show(replay_.moments() - 1);
+  while (replay_.is_behind()) replay_.follow(kSlice);
+}
+
+void Player::fail_exploring(const Error& error) {
+  if (error.kind == ErrorKind::kInterrupted) return;
+  problem_ = sentence_of(error);
+  replay_.tap().say_failure(error);
 }
 
 // Those before are valid.

@@ -60,6 +60,7 @@ class Player {
   void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t index);
   void advance();
+  bool is_complete() const;
   void rest();
   std::optional<Pace::Clock::time_point> due() const;
 
@@ -76,6 +77,8 @@ class Player {
   void grow(const BodyDescription& body, const Scene& scene);
   void show_step();
   void finish(std::future<Result<Exploration>> explored);
+  void catch_up();
+  void fail_exploring(const Error& error);
   Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
 
   ViewSource source_;
@@ -94,6 +97,7 @@ class Player {
   Placement placement_;
   std::size_t thing_ = 0;
   std::size_t trials_ = 0;
+  std::size_t planned_ = 0;  // explorations of the plan that have begun
   bool wants_exploring_ = false;
   std::optional<GrowingExploration> growing_;
   std::optional<BodyStep> coming_;  // the step that the body has taken, until it is shown

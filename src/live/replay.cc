@@ -20,6 +20,7 @@ void Replay::begin(PlayedExploration played) {
   followed_ = 0;
   wanted_.reset();
   reader_.start();
+  tap_.begin(*played_);
   publish_scene();
 }
 
@@ -62,6 +63,7 @@ void Replay::follow(std::chrono::milliseconds patience) {
     ++followed_;
     for (std::size_t i = 0; i < come.size(); ++i) come[i] = frames(i, followed_);
     reader_.follow(*played_->exploration, come);
+    tap_.say(*played_, followed_, reader_);
   }
   tell(*std::exchange(wanted_, std::nullopt));
 }

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "live/event_hub.h"
 #include "live/live_reader.h"
 #include "live/pace.h"
 #include "live/played_exploration.h"
+#include "live/reading_tap.h"
 #include "live/view_json.h"
 
 namespace somato::live {
@@ -19,8 +21,10 @@ struct BodyStep;
 /// them. Used by one thread.
 class Replay {
  public:
-  /// `pace` says whether a moment will be followed by the next one.
-  Replay(EventHub& hub, const Pace& pace) : hub_(hub), pace_(pace) {}
+  /// `pace` says whether a moment will be followed by the next one; `readings` receives what the
+  /// system says.
+  Replay(EventHub& hub, const Pace& pace, ReadingSink readings = {})
+      : hub_(hub), pace_(pace), tap_(std::move(readings)) {}
 
   /// Begins an exploration at its first moment; it must live until another begins, or end().
   void begin(PlayedExploration played);
@@ -48,6 +52,9 @@ class Replay {
 
   const LiveReader& reader() const { return reader_; }
 
+  ReadingTap& tap() { return tap_; }
+  const ReadingTap& tap() const { return tap_; }
+
   /// What is played; nullptr without anything.
   const PlayedExploration* played() const { return played_ ? &*played_ : nullptr; }
 
@@ -69,6 +76,7 @@ class Replay {
 
   EventHub& hub_;
   const Pace& pace_;
+  ReadingTap tap_;
   LiveReader reader_;
   std::optional<PlayedExploration> played_;
   std::size_t next_ = 0;

@@ -97,7 +97,8 @@ std::vector<Candidate> SystemReading::candidates(const SignalView& input) const 
 MapReading SystemReading::read_map(std::size_t module, const SignalView& input) const {
   const Som& som = *som_of(model_->system, module);
   SomWorkspace workspace;
-  MapReading reading{som.winner(input, workspace), std::vector<float>(som.neurons())};
+  MapReading reading{som.winner(input, workspace), 0.0, std::vector<float>(som.neurons())};
+  reading.distance = som.distance(input, reading.winner, workspace);
   som.activity(input, workspace, reading.activity);
   scale_to_one(reading.activity);
   return reading;

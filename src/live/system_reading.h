@@ -18,6 +18,7 @@ namespace somato::live {
 /// A map's answer to an input.
 struct MapReading {
   std::size_t winner = 0;
+  double distance = 0.0;        ///< Of the winner.
   std::vector<float> activity;  ///< A value a neuron; the greatest is 1, unless all are 0.
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "live/reading_sink.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/scene.h"
@@ -26,23 +27,37 @@ struct ViewSystem {
   std::shared_ptr<const SystemModel> trained;  ///< Or nullptr.
 };
 
+/// An exploration of a body that begins without a command.
+struct PlannedExploration {
+  std::size_t thing = 0;
+  std::size_t trial = 0;
+};
+
 /// What is viewed: a recording, or a body that explores, simulated or real.
 struct ViewSource {
   std::string name;          ///< The file's name, or the body's.
   Recording recording = {};  ///< Valid; of a body what was explored before, if any.
   std::unique_ptr<const Explorer> explorer = {};  ///< With the body; or nullptr.
   std::size_t thing = 0;                          ///< That the body explores first.
-  std::uint64_t seed = 1;                         ///< Of what is trained.
+  /// What the body explores, one after the other, each object placed at random; it then explores
+  /// nothing else. Empty: one thing, and what commands say.
+  std::vector<PlannedExploration> plan = {};
+  std::uint64_t seed = 1;     ///< Of what is trained.
   ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
   SceneFinder scenes = {};    ///< For recordings; may be empty.
+  /// Takes what the first of the systems says, which is then the only one; may be empty.
+  live::ReadingSink readings = {};
   std::vector<ViewSystem> systems = {};
   std::optional<std::size_t> system = {};  ///< That is chosen first.
 };
 
+/// Without waiting for the next moment.
+inline constexpr double kFastest = 1e9;
+
 /// How it is viewed.
 struct ViewSettings {
   bool wait_for_viewer = true;  ///< Begins to play with the first viewer; else at once.
-  double speed = 1.0;           ///< 0.05 to 100; 1: as fast as it was.
+  double speed = 1.0;           ///< 0.05 to 100, or kFastest; 1: as fast as it was.
   /// Seconds between two of the hundred snapshots of a map in training: at full speed they could
   /// not be followed.
   double training_pause = 0.06;

@@ -1,25 +1,11 @@
 #include "live/viewed_system.h"
 
-#include <fmt/format.h>
-
 #include <utility>
+
+#include "graph/layout_fit.h"
 
 namespace somato::live {
 namespace {
-
-// The channels must be what they were when the system learned.
-Result<void> check_layout(const System& system, const RecordingLayout& layout) {
-  SOMATO_TRY(const auto other, System::build(system.description(), layout));
-  for (std::size_t i = 0; i < other.modules().size(); ++i) {
-    const SystemModule& module = other.modules()[i];
-    const PortType& then = system.modules()[i].output;
-    if (module.output.shape == then.shape) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("module '{}' gives {}, but gave {} in training", module.name,
-                            to_string(module.output), to_string(then)));
-  }
-  return {};
-}
 
 SystemPicture picture_of_trained(const SystemModel& model,
                                  const std::optional<RecordingLayout>& layout) {

@@ -138,7 +138,7 @@ class Watch {
   // After both streams were looked at once more: what it wrote before is read by then.
   void interrupt() {
     interrupted_ = true;
-    if (world_.before_interrupt) world_.before_interrupt(run_.out);
+    if (world_.before_interrupt) world_.before_interrupt(run_.out + run_.err);
     ::kill(process_, world_.interrupt_with);
   }
 

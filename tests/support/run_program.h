@@ -18,7 +18,8 @@ struct ProgramWorld {
   bool terminal = false;        ///< Standard error is a terminal.
   std::string interrupt_at;     ///< Once standard error says this, Ctrl-C is pressed.
   int interrupt_with = SIGINT;  ///< The signal that is sent then.
-  std::function<void(const std::string& out)> before_interrupt;  ///< With its output so far.
+  /// With its standard output and its standard error so far.
+  std::function<void(const std::string& said)> before_interrupt;
   std::size_t largest_file = 0;  ///< Bytes it may write to a file; 0: no limit.
   std::size_t memory = 0;        ///< Bytes of address space; 0: no limit.
   bool closes_output = false;    ///< Close the program's standard output after one byte.

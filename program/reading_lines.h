@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "live/reading_sink.h"
+#include "somato/recording/recording.h"
+
+namespace somato::program {
+
+/// What a system says after a moment, as one line of JSON (docs/live.md) with its line break.
+std::string moment_line(const live::SaidReading& said);
+
+/// What it says of the whole exploration, with the label that the exploration has.
+std::string final_line(const live::SaidReading& said, const Exploration& exploration);
+
+}  // namespace somato::program

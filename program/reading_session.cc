@@ -1,0 +1,69 @@
+#include "reading_session.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include "reading_lines.h"
+#include "system_fit.h"
+#include "terminal.h"
+#include "wording.h"
+
+namespace somato::program {
+
+live::ReadingSink ReadingSession::sink() {
+  live::ReadingSink sink;
+  sink.on_begin = [this](const Exploration& exploration) { return begin(exploration); };
+  sink.on_moment = [this](const live::SaidReading& said) {
+    return output_.write(moment_line(said));
+  };
+  sink.on_end = [this](const live::SaidReading& said, const Exploration& exploration) {
+    return output_.write(final_line(said, exploration));
+  };
+  sink.on_failure = [this](const Error& failure) { report(failure); };
+  sink.on_done = [this](const Result<void>& outcome) { end(outcome); };
+  return sink;
+}
+
+// Explorations of one body have the same channels.
+Result<void> ReadingSession::begin(const Exploration& exploration) {
+  if (std::exchange(is_checked_, true)) return {};
+  return check_body_fit(model_->system, exploration, place_);
+}
+
+void ReadingSession::report(const Error& failure) {
+  ++failures_;
+  std::fputs(fmt::format("somato: {}\n", printable(to_string(failure))).c_str(), stderr);
+}
+
+void ReadingSession::end(const Result<void>& outcome) {
+  const std::scoped_lock lock(mutex_);
+  done_ = outcome;
+  changed_.notify_all();
+}
+
+// A signal cannot wake a thread that waits.
+void ReadingSession::wait(bool stays_open) {
+  std::unique_lock lock(mutex_);
+  while (!stop_requested() && !is_over(stays_open)) {
+    changed_.wait_for(lock, std::chrono::milliseconds(50));
+  }
+}
+
+bool ReadingSession::is_over(bool stays_open) const {
+  return done_ && (!stays_open || !*done_);
+}
+
+Result<void> ReadingSession::outcome() const {
+  if (output_.is_closed()) return {};
+  if (!done_ || (!*done_ && done_->error().kind == ErrorKind::kInterrupted)) {
+    return fail(ErrorKind::kInterrupted, "stopped before all explorations were read");
+  }
+  if (!*done_ || failures_ == 0) return *done_;
+  return fail(ErrorKind::kIncomplete,
+              fmt::format("{} failed and have no reading", counted(failures_, "exploration")));
+}
+
+}  // namespace somato::program

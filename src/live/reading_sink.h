@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "live/system_reading.h"
+#include "somato/core/result.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/recording.h"
+
+namespace somato::live {
+
+/// What a system says after a moment of an exploration.
+struct SaidReading {
+  std::size_t exploration = 0;  ///< Counting from 0.
+  std::size_t moments = 0;      ///< So far, with this one.
+  double time = 0.0;            ///< Seconds since the first moment.
+  const SystemModel& model;
+  const Reading* reading = nullptr;  ///< Or nothing yet.
+};
+
+/// Receives what a system says while explorations are played, each moment once and in order. The
+/// player waits during each call. An error of a call ends the readings with that error.
+struct ReadingSink {
+  /// Before the first moment, with the channels of the exploration; those of a body have no frames
+  /// yet.
+  std::function<Result<void>(const Exploration& exploration)> on_begin;
+
+  std::function<Result<void>(const SaidReading& said)> on_moment;
+
+  /// After the last moment, with the whole exploration and its labels.
+  std::function<Result<void>(const SaidReading& said, const Exploration& exploration)> on_end;
+
+  /// A body's exploration has failed; the next one follows.
+  std::function<void(const Error& error)> on_failure;
+
+  /// Once, after which nothing is called any more; not if the session is stopped before.
+  std::function<void(const Result<void>& outcome)> on_done;
+};
+
+}  // namespace somato::live
