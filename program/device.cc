@@ -15,6 +15,7 @@
 #include "files/toml_file.h"
 #include "files/whole_file.h"
 #include "servo_switch.h"
+#include "simulation/recorded_scenes.h"
 #include "simulation/simulated_body.h"
 #include "somato/bodies/object_table.h"
 #include "terminal.h"
@@ -159,6 +160,11 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
     return place(file, thing, trial);
   };
+  std::vector<Object> objects;
+  for (const ExploredThing& thing : things) {
+    if (thing.object) objects.push_back(*thing.object);
+  }
+  surroundings.scenes = recorded_scenes(std::move(objects));
   surroundings.on_switch = [](wire::Lines& lines, std::span<const std::uint8_t> relax_bytes) {
     const auto& serial = dynamic_cast<const wire::SerialLines&>(lines);
     switch_off_at_the_end(serial.descriptor(0), relax_bytes);

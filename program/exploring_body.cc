@@ -3,7 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "device.h"
 #include "explore_table.h"
+#include "somato/simulation/simulated_explorer.h"
 
 namespace somato::program {
 namespace {
@@ -17,14 +19,34 @@ Result<ExploringBody> read_one_body(const Arguments& arguments) {
   });
 }
 
-}  // namespace
-
-Result<SimulatedSession> simulated_session(const Arguments& arguments, std::uint64_t seed) {
+Result<BodySession> simulated_session(const Arguments& arguments, std::uint64_t seed) {
   SOMATO_TRY(const auto body, read_one_body(arguments));
   SOMATO_TRY(auto things,
              arguments.has("objects") ? read_objects(arguments) : default_things(body));
   SOMATO_TRY(auto explorer, simulated_explorer(body, things, {}, seed));
-  return SimulatedSession{body, std::move(things), std::move(explorer)};
+  const std::string name = choice_name(body);
+  return BodySession{name, name, std::move(things.objects), std::move(explorer)};
+}
+
+// The last states of a device that stopped are saved beside the recording.
+Result<BodySession> device_session(const Arguments& arguments) {
+  const std::string beside = arguments.has("output") ? arguments.text("output") : "somato";
+  SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
+  SOMATO_TRY(auto explorer, device_explorer(arguments, beside));
+  BodySession session{file.settings.name, file.settings.body, {}, std::move(explorer)};
+  for (const ExploredThing& thing : session.explorer->things()) {
+    if (thing.object) session.objects.push_back(*thing.object);
+  }
+  return session;
+}
+
+}  // namespace
+
+Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed) {
+  if (arguments.has("body") && arguments.has("device")) {
+    return fail(ErrorKind::kUsage, "a body and a device are given", "--device", "omit one of them");
+  }
+  return arguments.has("device") ? device_session(arguments) : simulated_session(arguments, seed);
 }
 
 Result<std::size_t> find_thing(const Explorer& explorer, const std::string& name) {

@@ -4,24 +4,26 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "command_line.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/object_table.h"
-#include "somato/simulation/simulated_explorer.h"
 
 namespace somato::program {
 
-/// A simulated body that explores in a session, with the objects or materials that it explores.
-struct SimulatedSession {
-  ExploringBody body = ExploringBody::kLucs2;
-  ObjectTable things;
+/// A body that explores in a session, simulated or real, and its objects.
+struct BodySession {
+  std::string name;
+  std::string body;  ///< The simulated body, or the one that a device stands for; may be empty.
+  std::vector<Object> objects;
   std::unique_ptr<Explorer> explorer;
 };
 
-/// The body named by --body, which explores what --objects names. Errors: kUsage for an unknown
-/// body, and for a choice that consists of several bodies; those of the objects.
-Result<SimulatedSession> simulated_session(const Arguments& arguments, std::uint64_t seed);
+/// The body named by --body, or the device of --device, which explores what --objects names.
+/// Errors: kUsage for an unknown body, and for a choice that consists of several bodies; those of
+/// the objects and of device_explorer().
+Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed);
 
 /// The number of a thing. Errors: kUsage with the nearest name.
 Result<std::size_t> find_thing(const Explorer& explorer, const std::string& name);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "device.h"
 #include "live/system_reading.h"
 #include "live/view_session.h"
 #include "live_source.h"
@@ -37,6 +38,10 @@ Result<void> check_output_flags(const Arguments& arguments) {
 
 Result<double> read_speed(const Arguments& arguments) {
   double speed = 1.0;
+  if (arguments.has("device") && arguments.has("speed")) {
+    return fail(ErrorKind::kUsage, "a device has its own speed", "--speed", "omit it");
+  }
+  if (arguments.has("device")) return kFastest;  // Nothing waits for the pace of a picture.
   if (!arguments.has("speed")) return speed;
   const std::string text = arguments.text("speed");
   if (text == "max") return kFastest;
@@ -140,17 +145,16 @@ Command live_command() {
       {},
       {input_flag("--model", "Trained system, saved by 'somato run'", true),
        {"--body", "Simulated body that explores: lucs2, lucs3, texture or hardness"},
+       device_flag(),
        input_flag("--recording",
                   "Recording to replay instead: its file, or a folder of original files"),
        input_flag("--objects",
                   "TOML file with the objects and materials that the body explores, instead of its "
                   "own table; with --recording and --view, that were explored"),
-       {"--object",
-        "With --body: name of the only object or material to explore. Default: all of the table"},
-       {"--explorations",
-        "With --body: number of explorations of each object or material. Default: 5"},
+       {"--object", "Name of the only object or material to explore. Default: all of the table"},
+       {"--explorations", "Number of explorations of each object or material. Default: 5"},
        {"--seed", "With --body: seed of placement and noise. Default: 1"},
-       output_flag("-o,--output", "With --body: file for a recording of the explorations"),
+       output_flag("-o,--output", "File for a recording of the explorations"),
        {"--speed",
         "Factor of the original speed, 0.05 to 100, or max: without waiting. Default: 1"},
        {"--view",

@@ -23,18 +23,24 @@ tl::unexpected<Error> no_effect(const std::string& flag, const std::string& why,
 }
 
 Result<void> check_one_source(const Arguments& arguments) {
-  if (arguments.has("body") != arguments.has("recording")) return {};
-  return fail(ErrorKind::kUsage, "a body that explores or a recording is required, and not both",
-              "live", "use --body lucs2, or --recording FILE");
+  int given = 0;
+  for (const char* flag : {"body", "device", "recording"}) given += arguments.has(flag) ? 1 : 0;
+  if (given == 1) return {};
+  return fail(ErrorKind::kUsage,
+              "one of a body or a device that explores, or a recording, is required", "live",
+              "use --body lucs2, --device FILE, or --recording FILE");
 }
 
 Result<void> check_source_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_one_source(arguments));
   for (const std::string flag : {"object", "explorations", "seed", "output"}) {
-    if (!arguments.has(flag) || arguments.has("body")) continue;
+    if (!arguments.has(flag) || !arguments.has("recording")) continue;
     return no_effect(flag, "has no effect on a recording", "use it together with --body");
   }
-  const bool shows_objects = arguments.has("body") || arguments.has("view");
+  if (arguments.has("seed") && arguments.has("device")) {
+    return no_effect("seed", "has no effect on a device", "omit it");
+  }
+  const bool shows_objects = !arguments.has("recording") || arguments.has("view");
   if (!arguments.has("objects") || shows_objects) return {};
   return no_effect("objects", "only the view shows the objects of a recording", "add --view");
 }
@@ -59,12 +65,12 @@ Result<std::vector<PlannedExploration>> planned(const Arguments& arguments,
   return plan;
 }
 
-Result<ViewSource> simulated_source(const Arguments& arguments) {
+Result<ViewSource> body_source(const Arguments& arguments) {
   SOMATO_TRY(const auto seed, arguments.number("seed", 0));
-  SOMATO_TRY(auto simulated, simulated_session(arguments, seed.value_or(1)));
-  SOMATO_TRY(auto source, explorer_source(arguments, std::move(simulated.explorer)));
-  source.name = choice_name(simulated.body);
-  source.scenes = recorded_scenes(std::move(simulated.things.objects));
+  SOMATO_TRY(auto session, body_session(arguments, seed.value_or(1)));
+  SOMATO_TRY(auto source, explorer_source(arguments, std::move(session.explorer)));
+  source.name = std::move(session.name);
+  source.scenes = recorded_scenes(std::move(session.objects));
   return source;
 }
 
@@ -91,7 +97,7 @@ Result<ViewSource> explorer_source(const Arguments& arguments,
 
 Result<ViewSource> live_source(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_source_flags(arguments));
-  return arguments.has("body") ? simulated_source(arguments) : replayed_source(arguments);
+  return arguments.has("recording") ? replayed_source(arguments) : body_source(arguments);
 }
 
 }  // namespace somato::program

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "device.h"
 #include "exploring_body.h"
 #include "live/view_server.h"
 #include "live/view_session.h"
@@ -22,12 +23,12 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 Result<ViewSource> body_source(const Arguments& arguments) {
-  SOMATO_TRY(auto simulated, simulated_session(arguments, kSeed));
+  SOMATO_TRY(auto session, body_session(arguments, kSeed));
   const auto thing = arguments.has("object")
-                         ? find_thing(*simulated.explorer, arguments.text("object"))
+                         ? find_thing(*session.explorer, arguments.text("object"))
                          : Result<std::size_t>(0);
   if (!thing) return fail(thing.error());
-  auto systems = systems_for_body(choice_name(simulated.body));
+  auto systems = systems_for_body(session.body);
   if (!systems) return fail(std::move(systems.error()));
   ViewSource source;
   if (arguments.has("RECORDING")) {
@@ -35,9 +36,9 @@ Result<ViewSource> body_source(const Arguments& arguments) {
     if (!recording) return fail(std::move(recording.error()));
     source.recording = std::move(*recording);
   }
-  source.name = choice_name(simulated.body);
-  source.explorer = std::move(simulated.explorer);
-  source.scenes = recorded_scenes(simulated.things.objects);
+  source.name = std::move(session.name);
+  source.explorer = std::move(session.explorer);
+  source.scenes = recorded_scenes(std::move(session.objects));
   source.thing = *thing;
   source.systems = std::move(*systems);
   return source;
@@ -60,16 +61,17 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
 }
 
 Result<void> check_flags(const Arguments& arguments) {
-  if (!arguments.has("RECORDING") && !arguments.has("body")) {
+  const bool explores = arguments.has("body") || arguments.has("device");
+  if (!arguments.has("RECORDING") && !explores) {
     return fail(ErrorKind::kUsage, "a recording or a body that explores is required", "view",
                 "somato view FILE.mcap, or somato view --body lucs2 --object boule");
   }
   for (const auto& [flag, problem] :
        {std::pair("object", "the objects of a recording are fixed"),
         std::pair("output", "a recording cannot be recorded again")}) {
-    if (!arguments.has(flag) || arguments.has("body")) continue;
+    if (!arguments.has(flag) || explores) continue;
     return fail(ErrorKind::kUsage, problem, fmt::format("--{}", flag),
-                "use it together with --body");
+                "use it together with --body or --device");
   }
   return {};
 }
@@ -77,7 +79,8 @@ Result<void> check_flags(const Arguments& arguments) {
 // A given system is listed first, and selected.
 Result<ViewSource> read_source(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_flags(arguments));
-  auto source = arguments.has("body") ? body_source(arguments) : recording_source(arguments);
+  auto source = arguments.has("body") || arguments.has("device") ? body_source(arguments)
+                                                                 : recording_source(arguments);
   if (!source) return source;
   if (arguments.has("model")) {
     SOMATO_TRY(auto model, trained_system(arguments.text("model")));
@@ -120,19 +123,20 @@ Command view_command() {
       "view",
       "View explorations in a browser on this machine",
       {{"RECORDING",
-        "The recording to play: its file, or a folder of original files; with --body, the "
-        "recording that systems learn from",
+        "The recording to play: its file, or a folder of original files; with --body or --device, "
+        "the recording that systems learn from",
         false}},
       {{"--body",
         "Simulated body that explores, instead of a recording: lucs2, lucs3, texture or hardness"},
+       device_flag(),
        {"--object",
         "Name of the object or material to explore first. Default: the first of the table"},
        input_flag("--objects",
                   "TOML file with the objects and materials that the body explores, instead of its "
                   "own table, or that were explored in the recording"),
-       output_flag(
-           "-o,--output",
-           "With --body: file for a recording of the explorations, saved when the view ends"),
+       output_flag("-o,--output",
+                   "With --body or --device: file for a recording of the explorations, saved when "
+                   "the view ends"),
        input_flag("--model",
                   "Trained system that evaluates the explorations, saved by 'somato run'")},
       {},

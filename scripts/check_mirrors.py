@@ -24,6 +24,7 @@ SOURCES_WITHOUT_HEADER = {
     "codes/spectrum_parameters.cc": "codes/spectrum.h: its parameters",
     "devices/body_check.cc": "devices/device_file.h: checking it against a body",
     "devices/device_file_settings.cc": "devices/device_file.h: its parameters",
+    "devices/make_bus.cc": "devices/device_io.h: the kinds of servos",
     "graph/module_types.cc": "graph/module.h: the list of all types",
     "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
     "graph/modules/features.cc": "graph/modules/support.h: types of modules",

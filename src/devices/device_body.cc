@@ -72,6 +72,7 @@ class DeviceBody::Impl {
   template <typename GoesOn>
   Result<void> pass(double seconds, const GoesOn& goes_on) {
     require(is_on_, "the device was stopped; start it again");
+    skip_pause();
     const double until = start_ + state_.time + seconds;
     const std::size_t due = samples_due(state_.time + seconds);
     while (io_.now() < until || is_waiting_for_samples(due, until)) {
@@ -100,6 +101,17 @@ class DeviceBody::Impl {
     }
     motion_.begin(positions);
     return io_.check_errors();
+  }
+
+  // A host that paused between two steps, as a view does, has neither moved the servos nor
+  // requested their states: the body's time has not passed.
+  void skip_pause() {
+    const double now = io_.now();
+    if (now <= next_tick_ + file_.settings.period) return;
+    start_ = now - state_.time;
+    next_tick_ = now;
+    io_.begin(now);
+    if (io_.receive() && io_.samples() != nullptr) io_.samples()->keep(0);
   }
 
   // A servo that starts far outside of its limits would jump into them.

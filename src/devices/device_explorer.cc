@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "bodies/driving.h"
 #include "bodies/frame_log.h"
 
 namespace somato::devices {
@@ -20,6 +21,18 @@ Result<Exploration> explore_by_holding(Body& body, const DeviceSettings& setting
     SOMATO_TRY_VOID(frames.append(body.state()));
   }
   return Exploration{{}, {}, std::move(frames).channels()};
+}
+
+// The present readings as an exploration with the labels of `named`, of one frame.
+Exploration as_exploration(const Body& body, const Exploration& named) {
+  Exploration present{named.labels, {}, {}};
+  const std::vector<ChannelDescription>& sensors = body.description().sensors;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    Channel channel = detail::empty_channel(sensors[i]);
+    channel.frames = body.state().readings[i];
+    present.channels.push_back(std::move(channel));
+  }
+  return present;
 }
 
 }  // namespace
@@ -75,16 +88,17 @@ void DeviceExplorer::end_body() const {
   body_.reset();
 }
 
-Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body,
+Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Exploration& named,
                                                const ExploreOptions& options) const {
-  const auto scene = [&] { return surroundings_.scene ? surroundings_.scene() : Scene{}; };
+  SOMATO_TRY_VOID(body.begin());
+  const auto player =
+      surroundings_.scenes ? surroundings_.scenes(as_exploration(body, named)) : nullptr;
+  const auto scene = [&] { return player ? player->scene() : Scene{}; };
   const auto poses = [&] {
-    return surroundings_.poses ? surroundings_.poses(body.description(), body.state())
-                               : std::vector<ScenePose>();
+    return player ? player->poses(as_exploration(body, named), 0) : std::vector<ScenePose>();
   };
-  auto explored = body.begin()
-                      .and_then([&] { return prepare_body(body, options, scene, poses); })
-                      .and_then([&] { return explore_with(body); });
+  auto explored =
+      prepare_body(body, options, scene, poses).and_then([&] { return explore_with(body); });
   // Only the way back is left, unless the device stopped.
   body.keep_to({});
   body.observe({});
@@ -107,9 +121,10 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   SOMATO_TRY(DeviceBody* const started, body());
   if (surroundings_.place) SOMATO_TRY_VOID(surroundings_.place(things()[thing], trial));
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
-  auto explored = explore_on(*started, options);
+  const Exploration named{labels_of_thing(things()[thing], trial), {}, {}};
+  auto explored = explore_on(*started, named, options);
   if (explored) {
-    explored->labels = labels_of_thing(things()[thing], trial);
+    explored->labels = named.labels;
     return explored;
   }
   if (started->is_on()) return explored;  // It has only not found what it was looking for.

@@ -42,9 +42,8 @@ struct DeviceSurroundings {
   /// saved, for the message.
   std::function<std::string(const StateLog& log)> keep_log;
 
-  /// The scene of the body, and its poses in a state; without a picture both are empty.
-  std::function<Scene()> scene;
-  std::function<std::vector<ScenePose>(const BodyDescription& body, const BodyState& state)> poses;
+  /// Finds the scene of the body, with the thing that it explores; by default there is none.
+  SceneFinder scenes;
 };
 
 /// Explores with a device; used by one thread. The first exploration starts the device. Each has
@@ -75,7 +74,8 @@ class DeviceExplorer : public Explorer {
 
   Result<DeviceBody*> body() const;
   Result<Exploration> explore_with(Body& body) const;
-  Result<Exploration> explore_on(DeviceBody& body, const ExploreOptions& options) const;
+  Result<Exploration> explore_on(DeviceBody& body, const Exploration& named,
+                                 const ExploreOptions& options) const;
   Error stopped(Error error) const;
 
   DeviceFile file_;

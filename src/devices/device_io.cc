@@ -57,6 +57,7 @@ Result<void> DeviceIo::receive() {
   if (bus_) {
     SOMATO_TRY_VOID(
         read_all(*numbers_.servos, [&](auto bytes) { bus_->receive(bytes, lines_.now()); }));
+    SOMATO_TRY_VOID(queue(bus_->follow_up()));
   }
   if (stream_) {
     SOMATO_TRY_VOID(
@@ -72,14 +73,18 @@ Result<void> DeviceIo::flush() {
   return {};
 }
 
+Result<void> DeviceIo::queue(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return {};
+  unsent_.insert(unsent_.end(), bytes.begin(), bytes.end());
+  return flush();
+}
+
 Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
   if (!bus_) return {};
   SOMATO_TRY_VOID(flush());
   if (unsent_.empty()) {
     delayed_ = 0;
-    const std::span<const std::uint8_t> bytes = bus_->tick(on_bus, seconds);
-    unsent_.assign(bytes.begin(), bytes.end());
-    return flush();
+    return queue(bus_->tick(on_bus, seconds));
   }
   if (++delayed_ < file_.safety.missed) return {};
   return silent(file_.servo_line->port, delayed_, "the line did not accept a command",

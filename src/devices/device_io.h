@@ -67,6 +67,7 @@ class DeviceIo {
 
  private:
   Result<void> check_capacity() const;
+  Result<void> queue(std::span<const std::uint8_t> bytes);
   Result<void> flush();
 
   const DeviceFile& file_;

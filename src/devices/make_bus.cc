@@ -1,9 +1,17 @@
 #include "devices/device_io.h"
 #include "devices/dynamixel_bus.h"
-#include "somato/core/check.h"
+#include "devices/feetech_bus.h"
+#include "devices/ssc32_bus.h"
 
 namespace somato::devices {
 namespace {
+
+std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
+  std::vector<int> channels;
+  for (const ServoSettings& servo : file.servos)
+    channels.push_back(static_cast<int>(servo.channel));
+  return std::make_unique<Ssc32Bus>(std::move(channels));
+}
 
 std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
   std::vector<DynamixelServo> servos;
@@ -13,25 +21,29 @@ std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
   return std::make_unique<DynamixelBus>(std::move(servos));
 }
 
+std::unique_ptr<ServoBus> feetech_bus(const DeviceFile& file, const char* model) {
+  std::vector<FeetechServo> servos;
+  for (const ServoSettings& servo : file.servos) {
+    servos.push_back({static_cast<std::uint8_t>(servo.channel), model});
+  }
+  return std::make_unique<FeetechBus>(std::move(servos));
+}
+
 }  // namespace
 
 std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
   if (file.servos.empty()) return nullptr;
   switch (file.servo_line->bus) {
+    case BusKind::kSsc32:
+      return ssc32_bus(file);
     case BusKind::kDynamixel:
       return dynamixel_bus(file);
-    case BusKind::kSsc32:
     case BusKind::kSts:
+      return feetech_bus(file, "STS");
     case BusKind::kScs:
       break;
   }
-  require(false, "bus");
-  return nullptr;
-}
-
-std::unique_ptr<SensorStream> make_stream(const FrameLine&) {
-  require(false, "stream");
-  return nullptr;
+  return feetech_bus(file, "SCS");
 }
 
 }  // namespace somato::devices

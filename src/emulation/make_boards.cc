@@ -1,10 +1,19 @@
 #include "emulation/make_boards.h"
 
 #include "emulation/dynamixel_servos.h"
-#include "somato/core/check.h"
+#include "emulation/feetech_servos.h"
+#include "emulation/ssc32_board.h"
 
 namespace somato::emulation {
 namespace {
+
+std::unique_ptr<EmulatedServos> ssc32_board(const devices::DeviceFile& file) {
+  std::vector<int> channels;
+  for (const devices::ServoSettings& servo : file.servos) {
+    channels.push_back(static_cast<int>(servo.channel));
+  }
+  return std::make_unique<Ssc32Board>(std::move(channels));
+}
 
 std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file) {
   std::vector<EmulatedDynamixel> servos;
@@ -17,24 +26,35 @@ std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file
   return std::make_unique<DynamixelServos>(std::move(servos));
 }
 
+std::unique_ptr<EmulatedServos> feetech_servos(const devices::DeviceFile& file,
+                                               wire::FeetechSeries series, std::uint16_t model) {
+  std::vector<EmulatedFeetech> servos;
+  for (const devices::ServoSettings& servo : file.servos) {
+    EmulatedFeetech made;
+    made.id = static_cast<std::uint8_t>(servo.channel);
+    made.model = model;
+    made.position = servo.on_bus(servo.resting());
+    servos.push_back(made);
+  }
+  return std::make_unique<FeetechServos>(series, std::move(servos));
+}
+
 }  // namespace
 
 std::unique_ptr<EmulatedServos> make_servos(const devices::DeviceFile& file) {
+  constexpr std::uint16_t kSts3215 = 777;
+  constexpr std::uint16_t kScs0009 = 1284;
   switch (file.servo_line->bus) {
+    case devices::BusKind::kSsc32:
+      return ssc32_board(file);
     case devices::BusKind::kDynamixel:
       return dynamixel_servos(file);
-    case devices::BusKind::kSsc32:
     case devices::BusKind::kSts:
+      return feetech_servos(file, wire::FeetechSeries::kSts, kSts3215);
     case devices::BusKind::kScs:
       break;
   }
-  require(false, "bus");
-  return nullptr;
-}
-
-std::unique_ptr<EmulatedSensors> make_sensors(const devices::FrameLine&) {
-  require(false, "sensors");
-  return nullptr;
+  return feetech_servos(file, wire::FeetechSeries::kScs, kScs0009);
 }
 
 }  // namespace somato::emulation

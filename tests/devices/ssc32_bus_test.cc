@@ -17,7 +17,7 @@
 namespace somato::devices {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPulse = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTick = 0.02;
 
 // Answers every line with the same bytes.
@@ -103,9 +103,9 @@ TEST_F(Ssc32BusTest, ReportsWhichChannelsHaveNoPulseWhenItStarts) {
 
 TEST_F(Ssc32BusTest, MovesOnlyWhatChanged) {
   start();
-  EXPECT_EQ(tick({1500.0, 1000.4, kNaN}), "#4P1500#10P1000T20\rQP10\r");
-  EXPECT_EQ(tick({1500.4, 1000.6, kNaN}), "#10P1001T20\rQP31\r");
-  EXPECT_EQ(tick({1499.6, 1001.0, kNaN}), "QP4\r");
+  EXPECT_EQ(tick({1500.0, 1000.4, kNoPulse}), "#4P1500#10P1000T20\rQP10\r");
+  EXPECT_EQ(tick({1500.4, 1000.6, kNoPulse}), "#10P1001T20\rQP31\r");
+  EXPECT_EQ(tick({1499.6, 1001.0, kNoPulse}), "QP4\r");
   EXPECT_EQ(board_.driven_position(0), 1500.0);
   EXPECT_EQ(board_.driven_position(1), 1001.0);
   EXPECT_EQ(board_.driven_position(2), std::nullopt);
@@ -148,9 +148,9 @@ TEST_F(Ssc32BusTest, NoticesABoardThatLostItsPulses) {
   start();
   for (int i = 0; i < 6; ++i) tick({1500.0, 1500.0, 1500.0});
   board_.restart();
-  for (int i = 0; i < 6; ++i) tick({kNaN, kNaN, kNaN});
+  for (int i = 0; i < 6; ++i) tick({kNoPulse, kNoPulse, kNoPulse});
   for (const ServoReport& report : bus_.reports()) EXPECT_TRUE(std::isnan(report.position));
-  EXPECT_EQ(tick({1500.0, kNaN, kNaN}).substr(0, 10), "#4P1500T20");
+  EXPECT_EQ(tick({1500.0, kNoPulse, kNoPulse}).substr(0, 10), "#4P1500T20");
 }
 
 TEST_F(Ssc32BusTest, SendsAPositionAgainToAChannelWithoutPulse) {
@@ -181,19 +181,19 @@ TEST_F(Ssc32BusTest, ResynchronizesAfterGarbage) {
 
 TEST_F(Ssc32BusTest, ResynchronizesAfterAnAnswerThatWasNotAskedFor) {
   start();
-  tick({kNaN, kNaN, kNaN});
+  tick({kNoPulse, kNoPulse, kNoPulse});
   receive("\x64");
-  EXPECT_EQ(tick({kNaN, kNaN, kNaN}), "\x1B\r");
+  EXPECT_EQ(tick({kNoPulse, kNoPulse, kNoPulse}), "\x1B\r");
 }
 
 TEST_F(Ssc32BusTest, GivesUpALostAnswer) {
   start();
   reachable_ = false;
   std::string sent;
-  for (int i = 0; i < 7; ++i) sent += tick({kNaN, kNaN, kNaN});
+  for (int i = 0; i < 7; ++i) sent += tick({kNoPulse, kNoPulse, kNoPulse});
   EXPECT_EQ(sent, "QP10\r\x1B\r");
   reachable_ = true;
-  for (int i = 0; i < 4; ++i) sent += tick({kNaN, kNaN, kNaN});
+  for (int i = 0; i < 4; ++i) sent += tick({kNoPulse, kNoPulse, kNoPulse});
   EXPECT_EQ(bus_.answers(), 2U);
 }
 
