@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -111,6 +112,11 @@ std::string with_ports(const EmulationRequest& request, const PtyEmulator& emula
   text = devices::with_key(text, "", "placing", quoted(emulator.placing_port()));
   text = devices::with_key(text, "", "clock", fmt::format("{:g}", request.clock));
   const auto& ports = emulator.ports();
+  // Two programs on a busy machine are late now and then, more than wires are.
+  constexpr double kPatience = 0.5;  // s
+  const double periods = std::ceil(kPatience * request.clock / request.file.settings.period);
+  const auto missed = std::max(static_cast<double>(request.file.safety.missed), periods);
+  text = devices::with_key(text, "safety", "missed", fmt::format("{:.0f}", missed));
   if (lines.servos) text = devices::with_key(text, "servos", "port", quoted(ports[*lines.servos]));
   if (lines.frames) text = devices::with_key(text, "frames", "port", quoted(ports[*lines.frames]));
   if (lines.microphone) {

@@ -18,6 +18,7 @@ namespace {
 constexpr double kFirstFrame = 2.0;   // s; boards that restart when a port opens need a second
 constexpr double kSwitchOn = 0.2;     // s between two servos, so that the supply does not collapse
 constexpr double kLateSamples = 0.5;  // s for which samples may be late
+constexpr double kPause = 3.0;        // periods after which the host has paused
 constexpr double kBacklog = 0.25;     // s of samples that may wait
 
 std::vector<std::string> names_of(const DeviceFile& file) {
@@ -60,6 +61,7 @@ class DeviceBody::Impl {
     start_ = io_.now();
     io_.begin(start_);
     next_tick_ = start_;
+    moved_ = start_;
     samples_taken_ = 0;
     if (io_.samples() != nullptr) io_.samples()->keep(0);
     state_.time = 0.0;
@@ -72,15 +74,16 @@ class DeviceBody::Impl {
   template <typename GoesOn>
   Result<void> pass(double seconds, const GoesOn& goes_on) {
     require(is_on_, "the device was stopped; start it again");
-    skip_pause();
-    const double until = start_ + state_.time + seconds;
-    const std::size_t due = samples_due(state_.time + seconds);
-    while (io_.now() < until || is_waiting_for_samples(due, until)) {
-      auto ticked = goes_on().and_then([&] { return tick(until); });
+    skip_pause(kPause * file_.settings.period);
+    const double end = state_.time + seconds;
+    const std::size_t due = samples_due(end);
+    while (time() < end || is_waiting_for_samples(due, end)) {
+      auto ticked = goes_on().and_then([&] { return tick(end); });
       if (!ticked) return stop(std::move(ticked.error()));
     }
     if (samples_missing(due)) return stop(no_samples());
-    state_.time += seconds;
+    move(start_ + end);
+    state_.time = end;
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
     read();
     take_samples(due);
@@ -103,15 +106,26 @@ class DeviceBody::Impl {
     return io_.check_errors();
   }
 
-  // A host that paused between two steps, as a view does, has neither moved the servos nor
+  // Seconds of the body.
+  double time() const { return io_.now() - start_; }
+
+  // A host that paused, as a view does between two steps, has neither moved the servos nor
   // requested their states: the body's time has not passed.
-  void skip_pause() {
+  void skip_pause(double longest) {
     const double now = io_.now();
-    if (now <= next_tick_ + file_.settings.period) return;
-    start_ = now - state_.time;
+    if (now - moved_ <= longest) return;
+    start_ += now - moved_;
+    moved_ = now;
     next_tick_ = now;
     io_.begin(now);
     if (io_.receive() && io_.samples() != nullptr) io_.samples()->keep(0);
+  }
+
+  // Lets the servos go on towards their targets until `now`.
+  std::span<const double> move(double now) {
+    const double passed = std::max(0.0, now - moved_);
+    moved_ = std::max(moved_, now);
+    return motion_.advance(passed);
   }
 
   // A servo that starts far outside of its limits would jump into them.
@@ -154,22 +168,24 @@ class DeviceBody::Impl {
     return {};
   }
 
-  // One period, or what of it fits before `until`.
-  Result<void> tick(double until) {
+  // One period, or what of it fits before the body's time `end`.
+  Result<void> tick(double end) {
     const double now = io_.now();
     if (now < next_tick_) {
-      io_.wait(std::min(next_tick_, std::max(until, now)));
+      const double until = start_ + end;
+      io_.wait(until > now ? std::min(next_tick_, until) : next_tick_);
       return io_.receive();
     }
+    skip_pause(kPause * file_.settings.period);
     SOMATO_TRY_VOID(io_.receive());
     SOMATO_TRY_VOID(check(now));
-    // A late period moves no further than a period: the servos' speed is limited, not their delay.
     const double period = file_.settings.period;
     next_tick_ = std::max(next_tick_ + period, now);
-    const std::span<const double> on_bus = motion_.advance(period);
-    history_.add(now - start_, motion_.targets(), motion_.positions(), io_.reports(),
-                 frame_age(now));
-    return io_.send(on_bus, period);
+    // Late positions are reached as late, not faster.
+    const double seconds = std::max(period, now - moved_);
+    const std::span<const double> on_bus = move(now);
+    history_.add(time(), motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
+    return io_.send(on_bus, seconds);
   }
 
   double frame_age(double now) const {
@@ -200,8 +216,8 @@ class DeviceBody::Impl {
     return io_.samples() != nullptr && io_.samples()->size() < due;
   }
 
-  bool is_waiting_for_samples(std::size_t due, double until) {
-    return samples_missing(due) && io_.now() < until + kLateSamples;
+  bool is_waiting_for_samples(std::size_t due, double end) {
+    return samples_missing(due) && time() < end + kLateSamples;
   }
 
   Error no_samples() const {
@@ -239,6 +255,7 @@ class DeviceBody::Impl {
   BodyState state_;
   double start_ = 0.0;
   double next_tick_ = 0.0;
+  double moved_ = 0.0;  // Until when the servos have been moved.
   std::size_t samples_taken_ = 0;
   bool is_on_ = false;
 };

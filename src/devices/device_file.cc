@@ -121,10 +121,10 @@ class Reader {
     SOMATO_TRY_VOID(check_present(table, "elements", "write the number of values in a frame"));
     SOMATO_TRY_VOID(assign(read_parameters<FrameLine>(table), device_.frame_line.emplace()));
     if (device_.frame_line->format != FrameFormat::kAnyskin ||
-        device_.frame_line->elements % 4 == 0)
+        device_.frame_line->elements % kAnyskinAxes == 0)
       return {};
-    return refuse("frames of AnySkin have four values for each sensor",
-                  table.find("elements")->where, "use a multiple of 4");
+    return refuse("frames of AnySkin have three values for each magnetometer",
+                  table.find("elements")->where, "use a multiple of 3");
   }
 
   Result<void> read_microphone(const Table& table) {

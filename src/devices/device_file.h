@@ -19,10 +19,13 @@ enum class BusKind {
   kScs,        ///< Feetech SCS: 1024 steps in 300 degrees.
 };
 
+/// Values of each magnetometer in a frame of AnySkin: x, y and z, without its temperature.
+inline constexpr std::size_t kAnyskinAxes = 3;
+
 enum class FrameFormat {
   kFrames,   ///< docs/formats/sensor-frames.md: checked, numbered, with the time of the device.
   kLines,    ///< Lines of comma-separated numbers.
-  kAnyskin,  ///< Frames of AnySkin, ReSkin and eFlesh.
+  kAnyskin,  ///< Frames of AnySkin, ReSkin and eFlesh: x, y and z of each magnetometer.
 };
 
 /// Where the values of a sensor come from.

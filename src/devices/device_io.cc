@@ -117,12 +117,13 @@ Result<void> DeviceIo::check_fresh(double now) const {
   };
   const double period = file_.settings.period;
   if (bus_ && bus_->reports_states()) {
+    const std::size_t round = bus_->reads_one_by_one() ? file_.servos.size() : 1;
     for (std::size_t i = 0; i < file_.servos.size(); ++i) {
-      if (!is_late(bus_->reports()[i].time, period)) continue;
+      if (!is_late(bus_->reports()[i].time, static_cast<double>(round) * period)) continue;
       auto late = silent(file_.servo_line->port, file_.safety.missed, "no answer",
                          "check the cable, the power and the id of the servo");
       late.value().what = fmt::format("the servo '{}' gave no answer for {} periods",
-                                      file_.servos[i].name, file_.safety.missed);
+                                      file_.servos[i].name, round * file_.safety.missed);
       return late;
     }
   }

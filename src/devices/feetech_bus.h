@@ -59,6 +59,7 @@ class FeetechBus : public ServoBus {
   std::span<const std::uint8_t> relax_bytes() const override { return relax_; }
 
   bool reports_states() const override { return true; }
+  bool reads_one_by_one() const override { return !is_sts(); }
 
   /// With all follow-ups.
   std::size_t bytes_per_tick() const override;

@@ -1,6 +1,9 @@
+#include "devices/anyskin_stream.h"
 #include "devices/device_io.h"
 #include "devices/dynamixel_bus.h"
 #include "devices/feetech_bus.h"
+#include "devices/number_line_stream.h"
+#include "devices/sensor_frame_stream.h"
 #include "devices/ssc32_bus.h"
 
 namespace somato::devices {
@@ -44,6 +47,18 @@ std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
       break;
   }
   return feetech_bus(file, "SCS");
+}
+
+std::unique_ptr<SensorStream> make_stream(const FrameLine& line) {
+  switch (line.format) {
+    case FrameFormat::kFrames:
+      return std::make_unique<SensorFrameStream>(line.elements);
+    case FrameFormat::kLines:
+      return std::make_unique<NumberLineStream>(line.elements);
+    case FrameFormat::kAnyskin:
+      break;
+  }
+  return std::make_unique<AnySkinStream>(line.elements / kAnyskinAxes);
 }
 
 }  // namespace somato::devices

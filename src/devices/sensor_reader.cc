@@ -65,6 +65,8 @@ double SensorReader::greatest(std::string_view name, const DeviceIo& io,
     if (sensor.settings.name != name || sensor.settings.from == SensorOrigin::kMicrophone) continue;
     for (std::size_t element = 0; element < sensor.elements; ++element) {
       const double given = value(sensor, element, io, positions);
+      const bool is_reported = sensor.settings.from == SensorOrigin::kFrames || !std::isnan(given);
+      if (!is_reported) continue;  // A servo that has not reported yet; its silence is a fault.
       const double size = std::abs(sensor.settings.offset + sensor.settings.gain * given);
       if (std::isnan(size)) return std::numeric_limits<double>::infinity();
       greatest = std::max(greatest, size);

@@ -62,6 +62,10 @@ class ServoBus {
   /// a fault.
   virtual bool reports_states() const = 0;
 
+  /// Whether a tick requests the state of one servo after the other, so that a round through all of
+  /// them may take as many periods as there are servos.
+  virtual bool reads_one_by_one() const { return false; }
+
   /// The number of bytes of the longest tick() and of the answer to it, for checking that the line
   /// can carry them.
   virtual std::size_t bytes_per_tick() const = 0;

@@ -2,6 +2,7 @@
 
 #include "emulation/dynamixel_servos.h"
 #include "emulation/feetech_servos.h"
+#include "emulation/sensor_board.h"
 #include "emulation/ssc32_board.h"
 
 namespace somato::emulation {
@@ -55,6 +56,24 @@ std::unique_ptr<EmulatedServos> make_servos(const devices::DeviceFile& file) {
       break;
   }
   return feetech_servos(file, wire::FeetechSeries::kScs, kScs0009);
+}
+
+std::unique_ptr<EmulatedSensors> make_sensors(const devices::FrameLine& line) {
+  SensorBoardSettings settings;
+  settings.elements = line.elements;
+  settings.rate = line.rate;
+  switch (line.format) {
+    case devices::FrameFormat::kFrames:
+      settings.format = SensorFormat::kFloat32Frame;
+      break;
+    case devices::FrameFormat::kLines:
+      settings.format = SensorFormat::kNumberLine;
+      break;
+    case devices::FrameFormat::kAnyskin:
+      settings.format = SensorFormat::kAnySkin;
+      break;
+  }
+  return std::make_unique<SensorBoard>(settings);
 }
 
 }  // namespace somato::emulation

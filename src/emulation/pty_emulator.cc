@@ -104,6 +104,20 @@ void PtyEmulator::handle_placing() {
   std::ignore = wire::write_available(placing_.device.number(), text, placing_.port);
 }
 
+// Until a host sends something, for at most a millisecond. A port without a host would always be
+// ready.
+void PtyEmulator::wait() const {
+  std::vector<pollfd> ports{{placing_.device.number(), POLLIN, 0}};
+  for (const wire::PseudoTerminal& terminal : terminals_) {
+    ports.push_back({terminal.device.number(), POLLIN, 0});
+  }
+  poll(ports.data(), ports.size(), 0);
+  for (pollfd& port : ports) {
+    if ((port.revents & POLLHUP) != 0) port.fd = -1;
+  }
+  poll(ports.data(), ports.size(), kPollMs);
+}
+
 Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
   last_ = std::chrono::steady_clock::now();
   while (goes_on()) {
@@ -111,7 +125,7 @@ Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
     pass_time();
     SOMATO_TRY_VOID(body_->advance(now_));
     pass_on();
-    poll(nullptr, 0, kPollMs);
+    wait();
   }
   return {};
 }

@@ -44,6 +44,7 @@ class PtyEmulator {
   void handle_placing();
   std::string place(const std::string& line);
   void pass_time();
+  void wait() const;
 
   devices::DeviceFile file_;
   double clock_;

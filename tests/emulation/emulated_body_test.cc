@@ -1,0 +1,142 @@
+#include "emulation/emulated_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "devices/device_text.h"
+#include "files/embedded.h"
+#include "simulation/simulated_body.h"
+#include "somato/bodies/explore_by.h"
+#include "support/emulated_device.h"
+
+namespace somato::emulation {
+namespace {
+
+using devices::BusKind;
+using devices::DeviceBody;
+using testing::EmulatedDevice;
+
+devices::DeviceFile device(const std::string& body, BusKind bus) {
+  const std::string text(somato::detail::embedded_text("devices/" + body + ".toml"));
+  return *devices::parse_device_file(*devices::with_bus(text, body, bus), body);
+}
+
+ObjectTable things_of(ExploringBody body) {
+  return *default_things(body);
+}
+
+using Explored = std::function<Result<Exploration>(Body& body)>;
+
+// The same thing explored by the simulated body itself, and through serial lines.
+struct Pair {
+  Exploration direct;
+  Exploration emulated;
+};
+
+Pair explore_both(ExploringBody body, BusKind bus, std::size_t thing, const Explored& explore) {
+  const auto make = [&] { return *simulated_body(body, things_of(body), {}, 1, thing, 0); };
+  const auto simulated = make();
+  auto direct = explore(*simulated);
+  EmulatedDevice emulated(device(choice_name(body), bus), make());
+  auto started = DeviceBody::start(emulated.file, emulated.lines);
+  EXPECT_TRUE(started) << to_string(started.error());
+  auto through_lines = explore(**started);
+  EXPECT_TRUE(direct && through_lines) << (through_lines ? "" : to_string(through_lines.error()));
+  EXPECT_TRUE(emulated.state) << to_string(emulated.state.error());
+  return {std::move(*direct), std::move(*through_lines)};
+}
+
+std::string bus_of(const ::testing::TestParamInfo<BusKind>& info) {
+  return choice_name(info.param);
+}
+
+std::vector<float> last_frame(const Exploration& exploration, const std::string& channel) {
+  const Matrix<float>& frames = (*find_channel(exploration, channel))->frames;
+  const auto row = frames.row(frames.rows() - 1);
+  return {row.begin(), row.end()};
+}
+
+class EmulatedBodies : public ::testing::TestWithParam<BusKind> {};
+
+// Hand III closes on an object: its joints end where they end without serial lines, within four
+// standard deviations of the difference of two readings (0.2 deg each) and the servos' play.
+TEST_P(EmulatedBodies, HandThreeFeelsTheSameShape) {
+  const Pair pair = explore_both(ExploringBody::kLucs3, GetParam(), 3,
+                                 [](Body& body) { return explore_by_closing(body, {}); });
+  const std::vector<float> direct = last_frame(pair.direct, "joints");
+  const std::vector<float> emulated = last_frame(pair.emulated, "joints");
+  ASSERT_EQ(emulated.size(), 11U);
+  for (std::size_t i = 0; i < direct.size(); ++i) EXPECT_NEAR(emulated[i], direct[i], 3.0) << i;
+}
+
+// Its noise is 0.006 mm, its stroke of 10 mm has 2^18 counts; the force varies by 1 %.
+TEST_P(EmulatedBodies, TheHardnessProbeMeetsTheSameResistance) {
+  for (const std::size_t material : {0U, 2U}) {
+    const Pair pair = explore_both(ExploringBody::kHardness, GetParam(), material,
+                                   [](Body& body) { return explore_by_pressing(body); });
+    const float direct = last_frame(pair.direct, "potentiometer")[0];
+    EXPECT_NEAR(last_frame(pair.emulated, "potentiometer")[0], direct, 4.0 * 0.006 * 26214.4);
+  }
+}
+
+double power(const Exploration& exploration) {
+  double sum = 0.0;
+  for (const float value : exploration.channels.front().frames.values()) {
+    sum += static_cast<double>(value) * static_cast<double>(value);
+  }
+  return sum / static_cast<double>(exploration.channels.front().frames.rows());
+}
+
+TEST_P(EmulatedBodies, TheTextureProbeHearsTheSameMaterial) {
+  std::vector<double> ratios;
+  for (const std::size_t material : {1U, 4U}) {
+    const Pair pair = explore_both(ExploringBody::kTexture, GetParam(), material,
+                                   [](Body& body) { return explore_by_stroking(body); });
+    ASSERT_EQ(pair.emulated.channels.front().frames.rows(), 8192U);
+    EXPECT_NEAR(power(pair.emulated) / power(pair.direct), 1.0, 0.15);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Buses, EmulatedBodies,
+                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
+                                           BusKind::kScs),
+                         bus_of);
+
+// Hand II grasps from one pose: as many segments touch, and with as much force.
+TEST(EmulatedBody, HandTwoTouchesTheSameObject) {
+  ExplorationPlan plan;
+  plan.heights = {126.0};
+  plan.wrist_angles = {0.0};
+  plan.grasps = 1;
+  const Pair pair = explore_both(ExploringBody::kLucs2, BusKind::kSsc32, 1,
+                                 [&](Body& body) { return explore_by_grasping(body, plan, {}); });
+  const auto touched = [](const Exploration& exploration) {
+    std::size_t count = 0;
+    for (const float force : last_frame(exploration, "touch")) count += force > 0.3F ? 1 : 0;
+    return static_cast<double>(count);
+  };
+  EXPECT_GE(touched(pair.direct), 3.0);
+  EXPECT_NEAR(touched(pair.emulated), touched(pair.direct), 3.0);
+  const std::vector<float> direct = last_frame(pair.direct, "joints");
+  const std::vector<float> emulated = last_frame(pair.emulated, "joints");
+  for (std::size_t i = 0; i < direct.size(); ++i) EXPECT_NEAR(emulated[i], direct[i], 6.0) << i;
+}
+
+// A servo whose gear is stuck stays; the driver does not know.
+TEST(EmulatedBody, AStuckJointStays) {
+  EmulatedDevice emulated(
+      device("lucs3", BusKind::kSsc32),
+      *simulated_body(ExploringBody::kLucs3, things_of(ExploringBody::kLucs3), {}, 1, 0, 0));
+  const std::size_t index = 4;  // index_proximal
+  emulated.body.set_stuck(index, true);
+  auto body = DeviceBody::start(emulated.file, emulated.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  const auto explored = explore_by_closing(**body, {});
+  ASSERT_TRUE(explored) << to_string(explored.error());
+  EXPECT_NEAR(last_frame(*explored, "joints")[3], 0.0, 1.0);
+  EXPECT_GT(last_frame(*explored, "joints")[5], 20.0);
+}
+
+}  // namespace
+}  // namespace somato::emulation
