@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace somato::devices {
+
+/// The values that a sensor board sends on its own over one serial line. It decodes bytes; nothing
+/// allocates after its creation.
+class SensorStream {
+ public:
+  SensorStream(const SensorStream&) = delete;
+  SensorStream(SensorStream&&) = delete;
+  SensorStream& operator=(const SensorStream&) = delete;
+  SensorStream& operator=(SensorStream&&) = delete;
+  virtual ~SensorStream() = default;
+
+  /// Bytes that arrived at `now`.
+  virtual void receive(std::span<const std::uint8_t> bytes, double now) = 0;
+
+  /// Of the last whole frame; NaN before the first.
+  std::span<const float> values() const { return values_; }
+
+  /// Of the arrival of the last byte of the last whole frame, in seconds of the clock of
+  /// receive(); -infinity before the first. It grows old when the board falls silent.
+  double time() const { return time_; }
+
+  /// The board's own clock at the last whole frame, in seconds; empty before the first, and if the
+  /// format has no time. It goes back only when the board restarts.
+  std::optional<double> device_time() const { return device_time_; }
+
+  /// Whole frames so far.
+  std::size_t frames() const { return frames_; }
+
+  /// Frames that are missing in the sequence of numbers; 0 if the format has none.
+  std::size_t lost() const { return lost_; }
+
+  /// Pieces of the stream that were no valid frame.
+  virtual std::size_t rejected() const = 0;
+
+ protected:
+  explicit SensorStream(std::size_t values)
+      : values_(values, std::numeric_limits<float>::quiet_NaN()) {}
+
+  std::vector<float> values_;
+  double time_ = -std::numeric_limits<double>::infinity();
+  std::optional<double> device_time_;
+  std::size_t frames_ = 0;
+  std::size_t lost_ = 0;
+};
+
+}  // namespace somato::devices
