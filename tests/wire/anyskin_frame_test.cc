@@ -91,6 +91,18 @@ TEST(AnySkinFrame, IsNotMisledByAnEndInTheSamePlaceOfEveryFrame) {
   }
 }
 
+// All bytes 0x41 but CR LF in the second and third: read from there, every value is plausible too.
+TEST(AnySkinFrame, AcceptsNoFramesThatOverlap) {
+  Frame frame(18, 0x41);
+  frame[1] = frame[16] = '\r';
+  frame[2] = frame[17] = '\n';
+  AnySkinDecoder decoder(1);
+  const auto read =
+      decoded_anyskin(decoder, joined({{'\r', '\n'}, frame, frame, frame, frame, frame}));
+  ASSERT_EQ(read.size(), 5U);
+  for (const auto& values : read) EXPECT_EQ(values[0], std::bit_cast<float>(0x410A0D41U));
+}
+
 TEST(AnySkinFrame, RejectsImplausibleValues) {
   const std::vector<float> good{24.0F, 1.0F, 2.0F, 3.0F};
   const float infinite = std::numeric_limits<float>::infinity();

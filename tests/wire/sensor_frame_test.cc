@@ -104,6 +104,19 @@ TEST(SensorFrame, AgreesWithTheObviousWay) {
   }
 }
 
+// Blocks of 254 bytes without zero and their neighbours; 0x41424344 is 12.141422.
+TEST(SensorFrame, SplitsLongRunsWithoutZero) {
+  for (std::size_t count = 50; count < 400; ++count) {
+    const std::vector<float> values(count, 12.141422F);
+    const SensorFrame frame{0x0101, 0x01010101, SensorValueType::kFloat32, values};
+    const Bytes bytes = encoded_sensor_frame(frame);
+    ASSERT_EQ(std::count(bytes.begin(), bytes.end(), 0), 2);
+    ASSERT_EQ(unstuffed(bytes), body_by_hand(frame));
+    SensorFrameDecoder decoder(count);
+    ASSERT_EQ(decoded(decoder, bytes), 1U) << count;
+  }
+}
+
 TEST(SensorFrame, RoundsToInt16) {
   const std::array<float, 4> values{0.5F, -1.4F, 32767.4F, -32768.0F};
   SensorFrameDecoder decoder(4);
