@@ -23,6 +23,8 @@ struct KnownType {
 constexpr KnownType kTypes[] = {{"first", Kind::kPass, true},
                                 {"last", Kind::kPass, true},
                                 {"change", Kind::kPass, true},
+                                {"tare", Kind::kPass, true},
+                                {"high_pass", Kind::kPass, true},
                                 {"accumulate", Kind::kPass, false},
                                 {"leaky_accumulate", Kind::kPass, false},
                                 {"normalization", Kind::kPass, false},

@@ -28,6 +28,7 @@ RecordingLayout layout_of(const Recording& recording) {
     layout.channels.push_back(
         {channel.name, channel.unit, channel.frame_shape(), channel.element_names,
          first + 1 < frames.size() ? layout.channels[first].name : channel.name});
+    layout.rates.push_back(channel.frame_rate());
     std::size_t total = 0;
     for (const std::size_t count : frames.back()) total += count;
     layout.frames = std::max(layout.frames, total);

@@ -96,8 +96,9 @@ TEST(ChannelPlanes, AChannelReadAsItIsHasItsWeightsNamesAndUnit) {
 
 // A change of degrees is one in degrees, a sum of them over frames is not.
 TEST(ChannelPlanes, ModulesThatPassValuesOnKeepTheirUnitOrNot) {
-  const auto unit_through = [&](const std::string& type, const std::string& then) {
-    return Problem(channels({"joints"}) + module("once", type, "input = 'joints'") +
+  const auto unit_through = [&](const std::string& type, const std::string& then,
+                                const std::string& settings = {}) {
+    return Problem(channels({"joints"}) + module("once", type, "input = 'joints'" + settings) +
                    module("end", then, "input = 'once'") + map_on("end"))
         .planes()
         .front()
@@ -106,6 +107,8 @@ TEST(ChannelPlanes, ModulesThatPassValuesOnKeepTheirUnitOrNot) {
   for (const std::string type : {"first", "last", "change"}) {
     EXPECT_EQ(unit_through(type, "scale"), "deg") << type;
   }
+  EXPECT_EQ(unit_through("tare", "last"), "deg");
+  EXPECT_EQ(unit_through("high_pass", "last", "\nrate = 20"), "deg");
   EXPECT_EQ(unit_through("accumulate", "scale"), "");
   EXPECT_EQ(unit_through("last", "normalization"), "");
 }

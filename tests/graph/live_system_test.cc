@@ -112,6 +112,9 @@ TEST(LiveSystem, AnswersForOtherModulesAsIfEachFrameWereTheLast) {
         channels() + module("begin", "first", "input = 'joints'") + map_of("begin"),
         crossed() + module("leaky", "leaky_accumulate", "input = 'crossed'\nleak = 0.25") +
             map_of("leaky"),
+        channels() + module("zero", "tare", "input = 'touch'\nframes = 2") +
+            module("quick", "high_pass", "input = 'zero'\ntime_constant = 0.2\nrate = 10") +
+            module("sum", "accumulate", "input = 'quick'") + map_of("sum"),
         channels() + one_hot("height") + one_hot("wrist") +
             module("both", "concatenation", "inputs = ['height_code', 'wrist_code']") +
             module("mixed", "concatenation", "inputs = ['both', 'touch']") +
@@ -162,6 +165,11 @@ TEST(LiveSystem, AllocatesNothingOnceItsMemoryHasGrown) {
                 module("both", "concatenation", "inputs = ['height_code', 'wrist_code']") +
                 module("mixed", "concatenation", "inputs = ['both', 'touch']") +
                 module("sum", "accumulate", "input = 'mixed'") + map_of("sum")),
+            0U);
+  EXPECT_EQ(allocations_of_steps(
+                channels() + module("zero", "tare", "input = 'touch'\nframes = 2") +
+                module("quick", "high_pass", "input = 'zero'\ntime_constant = 0.2\nrate = 10") +
+                module("sum", "accumulate", "input = 'quick'") + map_of("sum")),
             0U);
 }
 

@@ -58,29 +58,14 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"channel",
-                                          "one_hot",
-                                          "tensor_product",
-                                          "concatenation",
-                                          "sum",
-                                          "normalization",
-                                          "scale",
-                                          "standardization",
-                                          "first",
-                                          "last",
-                                          "delay",
-                                          "change",
-                                          "resampling",
-                                          "onset_window",
-                                          "mean_removal",
-                                          "spectrum",
-                                          "accumulate",
-                                          "leaky_accumulate",
-                                          "number_code",
-                                          "som",
-                                          "t_mpsom",
-                                          "winner",
-                                          "window"}));
+  EXPECT_EQ(
+      names,
+      (std::set<std::string>{
+          "channel",       "one_hot",   "tensor_product",  "concatenation", "sum",
+          "normalization", "scale",     "standardization", "first",         "last",
+          "delay",         "change",    "resampling",      "onset_window",  "mean_removal",
+          "tare",          "high_pass", "spectrum",        "accumulate",    "leaky_accumulate",
+          "number_code",   "som",       "t_mpsom",         "winner",        "window"}));
 }
 
 TEST(Module, ChannelTakesFramesOrSomeOfTheirElements) {
@@ -519,6 +504,8 @@ TEST(Module, SteppedFrameByFrameIsAsAWhole) {
       module("scaled", "scale", "input = \"normal\"\nfactor = 3\noffset = -0.1") +
       module("standard", "standardization", "input = \"joints\"") +
       module("late", "delay", "input = \"standard\"") +
+      module("zero", "tare", "input = \"hot\"\nframes = 2") +
+      module("quick", "high_pass", "input = \"zero\"\ntime_constant = 0.1\nrate = 20") +
       module("stm", "accumulate", "input = \"late\"\nevery_frame = true") +
       module("leaky", "leaky_accumulate", "input = \"hot\"\nleak = 0.3\nevery_frame = true") +
       module("bits", "number_code", "input = \"joints\"\nbits = 5") +
@@ -550,7 +537,7 @@ TEST(Module, SteppedFrameByFrameIsAsAWhole) {
           << m.name;
     }
   }
-  EXPECT_EQ(stepped.size(), 14U);  // all but channel and those that need explorations as a whole
+  EXPECT_EQ(stepped.size(), 16U);  // all but channel and those that need explorations as a whole
 }
 
 // y(t) = x(t) + 0.75 y(t - 1), by three modules in a loop and by the memory that is made for it.

@@ -127,8 +127,9 @@ TEST(System, RefusesParametersOutOfRange) {
 
 TEST(System, RefusesRatesClocksAndShapesThatDoNotFit) {
   const std::string last = module("last", "last", "input = \"joints\"");  // lines 13 to 15
-  for (const char* type : {"first", "last", "delay", "change", "resampling", "onset_window",
-                           "mean_removal", "spectrum", "accumulate", "leaky_accumulate"}) {
+  for (const char* type :
+       {"first", "last", "delay", "change", "resampling", "onset_window", "mean_removal",
+        "spectrum", "accumulate", "leaky_accumulate", "tare", "high_pass"}) {
     expect_refused(last + module("m", type, "input = \"last\""),
                    "system.toml:18, module 'm', port 'input'", "it requires frames");
   }

@@ -110,7 +110,8 @@ class RandomSystem {
     const ModuleType& type = types[1 + random_.below(types.size() - 1)];
     const std::vector<std::string> closing{
         "first", "last", "change", "resampling", "accumulate", "spectrum", "leaky_accumulate"};
-    const std::vector<std::string> others{"onset_window", "mean_removal", "delay"};
+    const std::vector<std::string> others{"onset_window", "mean_removal", "delay", "tare",
+                                          "high_pass"};
     const auto is_one_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), type.name) != names.end();
     };
@@ -143,6 +144,7 @@ class RandomSystem {
     if (type == "onset_window") return "threshold = 0\nlength = 3\nbeyond = \"hold\"\n";
     if (type == "spectrum") return "segment_length = 4\nbands = 3\nhigh = 30\n";
     if (type == "standardization") return "constant_columns = \"zero\"\n";
+    if (type == "high_pass") return "rate = 20\n";
     if (type == "resampling") return "points = 3\n";
     return {};
   }

@@ -26,6 +26,8 @@ struct RecordingLayout {
   std::vector<ChannelLayout> channels;
   std::size_t explorations = 0;
   std::size_t frames = 0;  ///< Total number in all explorations, of the channel with most frames.
+  /// Frames per second of each channel in the first exploration, 0 if unknown; or empty.
+  std::vector<double> rates = {};
 };
 
 /// The layout of a recording, which must be valid.

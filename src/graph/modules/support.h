@@ -84,6 +84,7 @@ std::vector<ModuleType> source_types();
 std::vector<ModuleType> code_types();
 std::vector<ModuleType> frame_types();
 std::vector<ModuleType> feature_types();
+std::vector<ModuleType> drift_types();
 std::vector<ModuleType> memory_types();
 std::vector<ModuleType> scaling_types();
 std::vector<ModuleType> som_types();
