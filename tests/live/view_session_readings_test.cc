@@ -184,6 +184,41 @@ TEST(SessionReadingsThread, OfABodyAreThoseOfItsRecording) {
   EXPECT_EQ(explored[1], again.explore(0, 1, unobserved).value());
 }
 
+// Gives twice as many frames as were felt, as a probe whose recording has another form.
+class LongerExplorer : public testing::FakeExplorer {
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) const override {
+    auto exploration = FakeExplorer::explore_thing(thing, trial, options);
+    if (!exploration) return exploration;
+    for (Channel& channel : exploration->channels) {
+      const Matrix<float> felt = channel.frames;
+      channel.frames.append(felt);
+      channel.times.clear();
+    }
+    return exploration;
+  }
+};
+
+TEST(SessionReadingsThread, OfAnExplorationOfAnotherFormHaveItsEndOnly) {
+  ReadingListener listener;
+  ViewSession session(
+      source_with_readings(planned_source(std::make_unique<LongerExplorer>()), listener),
+      {false, kFastest});
+  session.start();
+  EXPECT_TRUE(listener.wait());
+  session.stop();
+  const std::vector<SaidMoment> expected = expected_of(session.recording().explorations);
+  ASSERT_EQ(expected.size(), 33U) << "ten frames of three explorations, and their ends";
+  ASSERT_EQ(listener.said_.size(), 18U) << "five recorded steps of each, and the ends";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SaidMoment& end = listener.said_[6 * i + 5];
+    EXPECT_EQ(end.moments, 5U);
+    EXPECT_EQ(end.answer, expected[11 * i + 10].answer) << "of the whole exploration";
+    EXPECT_EQ(end.object, expected[11 * i + 10].object);
+  }
+}
+
 // Its second trial fails after its steps.
 class FailingExplorer : public testing::FakeExplorer {
  protected:

@@ -50,9 +50,14 @@ class Live : public ProgramTest {
     output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
   }
 
-  // The same from explorations of Hand II.
+  // The same from explorations of Hand II; few of the many neurons are labelled.
   void learn_by_hand() const {
-    write_study();
+    write("study.toml",
+          "[study]\nname = 'small'\nseeds = 1\n"
+          "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+          "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+          "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 12\ncolumns = 12\n"
+          "iterations = 500\n");
     output_of({"explore", "--body", "lucs2", "--explorations", "1", "-o", "train.mcap"});
     output_of({"run", "study.toml", "--data", "train.mcap", "--out", "out"});
   }
@@ -115,7 +120,12 @@ TEST_F(Live, ABodyAndItsRecordingGiveTheSameLines) {
   EXPECT_EQ(finals.size(), 6U);
   expect_as_applied(finals, "live.mcap");
   EXPECT_EQ(output_of(live({"--recording", "live.mcap"})), body);
-  // One object, another seed.
+}
+
+TEST_F(Live, ReadsWhatIsNewLikeApply) {
+  learn_by_hand();
+  output_of({"explore", "--body", "lucs2", "--explorations", "1", "--seed", "2", "-o", "new.mcap"});
+  expect_as_applied(finals_in(output_of(live({"--recording", "new.mcap"}))), "new.mcap");
   const std::string one = output_of(
       live({"--body", "lucs2", "--object", "boule", "--explorations", "1", "--seed", "2"}));
   ASSERT_EQ(finals_in(one).size(), 1U);
