@@ -1,0 +1,206 @@
+// A chain of emulated servos and a bus of ours for the tests of foreign libraries: reads one
+// command a line, and answers each by one line. Bytes are written in hexadecimal.
+//
+// usage: peer_chain dynamixel|sts|scs SERVOS
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "devices/dynamixel_bus.h"
+#include "devices/feetech_bus.h"
+#include "emulation/dynamixel_servos.h"
+#include "emulation/feetech_servos.h"
+#include "support/board_line.h"
+
+namespace somato {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using Span = std::span<const std::uint8_t>;
+using wire::FeetechSeries;
+
+std::string hex_of(Span bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+Bytes bytes_of(const std::string& hex) {
+  Bytes bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+  }
+  return bytes;
+}
+
+// The words of a command.
+struct Words {
+  std::istringstream in;
+
+  template <typename T>
+  T next() {
+    T value{};
+    in >> value;
+    return value;
+  }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(next<int>()); }
+  template <typename T>
+  T number() {
+    return static_cast<T>(next<int>());
+  }
+  Bytes bytes() { return bytes_of(next<std::string>()); }
+};
+
+// Writes the request that the words describe by `writer`, whose addresses are of type Address.
+template <typename Address, typename Writer>
+std::string encoded(Writer writer, Words& words) {
+  const auto what = words.next<std::string>();
+  const bool everyone = what == "sync_read" || what == "sync_write";
+  const std::uint8_t id = everyone ? std::uint8_t{0} : words.byte();
+  if (what == "ping") writer.ping(id);
+  if (what == "action") writer.action(id);
+  if (what == "reboot") writer.reboot(id);
+  const auto address = words.number<Address>();
+  if (what == "write") writer.write(id, address, words.bytes());
+  if (what == "reg_write") writer.reg_write(id, address, words.bytes());
+  const auto size = words.number<Address>();
+  if (what == "read") writer.read(id, address, size);
+  if (what == "sync_read") writer.sync_read(address, size, words.bytes());
+  if (what == "sync_write") {
+    writer.begin_sync_write(address, size);
+    writer.put(words.bytes());
+    writer.end();
+  }
+  return hex_of(writer.written());
+}
+
+std::string encode(Words& words, const devices::DynamixelBus&, FeetechSeries) {
+  Bytes memory(2048);
+  return encoded<std::uint16_t>(wire::DynamixelWriter(memory), words);
+}
+
+std::string encode(Words& words, const devices::FeetechBus&, FeetechSeries series) {
+  Bytes memory(2048);
+  return encoded<std::uint8_t>(wire::FeetechWriter(memory, wire::feetech_order(series)), words);
+}
+
+std::string known_models(const devices::DynamixelBus&) {
+  std::string text;
+  for (const auto& model : devices::dynamixel_models()) {
+    text += fmt::format("{} {} {} ", model.name, model.number, model.current_unit);
+  }
+  return text;
+}
+
+std::string known_models(const devices::FeetechBus&) {
+  return {};
+}
+
+// One chain, the bus that drives it, and the commands of a test.
+template <typename Servos, typename Bus>
+struct Peer {
+  Peer(std::unique_ptr<Servos> chain, std::unique_ptr<Bus> driver, FeetechSeries kind)
+      : servos(std::move(chain)), bus(std::move(driver)), series(kind), line(*servos) {}
+
+  std::string send(const Bytes& bytes) {
+    const std::size_t before = line.sent.size();
+    if (!line.write(0, bytes)) return "failed";
+    wait(0.02);
+    return hex_of(Span(line.sent).subspan(before));
+  }
+
+  void wait(double seconds) {
+    const double until = line.now() + seconds;
+    while (line.now() < until) line.wait(until);
+  }
+
+  std::string start() {
+    const std::size_t before = line.written.size();
+    wire::Exchange exchange(line, 0);
+    const auto started = bus->start(exchange);
+    return started ? hex_of(Span(line.written).subspan(before)) : to_string(started.error());
+  }
+
+  std::string tick(Words& words) {
+    const auto seconds = words.next<double>();
+    std::vector<double> positions(bus->reports().size());
+    for (double& position : positions) position = std::stod(words.next<std::string>());  // or nan
+    return hex_of(bus->tick(positions, seconds));
+  }
+
+  std::string driven(std::size_t servo) const {
+    const auto position = servos->driven_position(servo);
+    return position ? fmt::format("{}", *position) : "off";
+  }
+
+  std::string obey(Words words) {
+    const auto what = words.next<std::string>();
+    if (what == "send") return send(words.bytes());
+    if (what == "wait") return wait(words.next<double>()), "";
+    if (what == "encode") return encode(words, *bus, series);
+    if (what == "start") return start();
+    if (what == "tick") return tick(words);
+    if (what == "relax") return hex_of(bus->relax_bytes());
+    if (what == "models") return known_models(*bus);
+    const auto servo = words.next<std::size_t>();
+    if (what == "driven") return driven(servo);
+    if (what == "overload") return servos->overload(servo), "";
+    const auto position = words.next<double>();
+    if (what == "measure") return servos->set_measured(servo, position, words.next<double>()), "";
+    return "unknown command";
+  }
+
+  std::unique_ptr<Servos> servos;
+  std::unique_ptr<Bus> bus;
+  FeetechSeries series;
+  testing::BoardLine line;
+};
+
+template <typename Servos, typename Bus>
+void serve(Peer<Servos, Bus> peer) {
+  for (std::string command; std::getline(std::cin, command);) {
+    std::cout << peer.obey({std::istringstream(command)}) << std::endl;
+  }
+}
+
+void serve_dynamixel(std::uint8_t count) {
+  std::vector<emulation::EmulatedDynamixel> made;
+  std::vector<devices::DynamixelServo> declared;
+  for (std::uint8_t id = 1; id <= count; ++id) {
+    made.push_back({.id = id});
+    declared.push_back({id, "XC330-M288"});
+  }
+  serve(Peer(std::make_unique<emulation::DynamixelServos>(made),
+             std::make_unique<devices::DynamixelBus>(declared), FeetechSeries::kSts));
+}
+
+void serve_feetech(FeetechSeries series, std::uint8_t count) {
+  const bool sts = series == FeetechSeries::kSts;
+  std::vector<emulation::EmulatedFeetech> made;
+  std::vector<devices::FeetechServo> declared;
+  for (std::uint8_t id = 1; id <= count; ++id) {
+    made.push_back({.id = id, .model = static_cast<std::uint16_t>(sts ? 777 : 1284)});
+    declared.push_back({id, sts ? "STS3215" : "SCS0009"});
+  }
+  serve(Peer(std::make_unique<emulation::FeetechServos>(series, made),
+             std::make_unique<devices::FeetechBus>(declared), series));
+}
+
+}  // namespace
+}  // namespace somato
+
+int main(int count, char** arguments) {
+  if (count != 3) return 2;
+  const std::string kind = arguments[1];
+  const auto servos = static_cast<std::uint8_t>(std::stoi(arguments[2]));
+  if (kind == "dynamixel") somato::serve_dynamixel(servos);
+  if (kind == "sts") somato::serve_feetech(somato::FeetechSeries::kSts, servos);
+  if (kind == "scs") somato::serve_feetech(somato::FeetechSeries::kScs, servos);
+  return 0;
+}

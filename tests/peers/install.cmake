@@ -1,0 +1,22 @@
+# Makes a Python environment with the packages of requirements.txt in the folder TO; costs nothing
+# when it is there. -DPYTHON=PROGRAM -DFROM=FOLDER -DTO=FOLDER
+set(stamp ${TO}/installed)
+file(READ ${FROM}/requirements.txt wanted)
+if(EXISTS ${stamp})
+  file(READ ${stamp} installed)
+endif()
+if("${wanted}" STREQUAL "${installed}")
+  return()
+endif()
+file(REMOVE_RECURSE ${TO})
+execute_process(COMMAND ${PYTHON} -m venv ${TO} RESULT_VARIABLE status)
+if(status EQUAL 0)
+  execute_process(COMMAND ${TO}/bin/python -m pip install --quiet --disable-pip-version-check
+                          --no-deps -r ${FROM}/requirements.txt
+                  RESULT_VARIABLE status)
+endif()
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the makers' libraries cannot be installed (${status}); is python3-venv "
+                      "installed, and the package index within reach? 'pip config list' tells which it is")
+endif()
+file(WRITE ${stamp} "${wanted}")
