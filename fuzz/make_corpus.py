@@ -237,6 +237,36 @@ def view_requests():
     write("view_request", "speed", '{"command":"speed","speed":1e309}')
 
 
+def stuffed(body):
+    """The body without zeros: blocks after their lengths plus 1."""
+    blocks = body.split(b"\0")
+    return b"\0" + b"".join(bytes([len(block) + 1]) + block for block in blocks) + b"\0"
+
+
+def sensor_frame(kind, sequence, values):
+    body = struct.pack(f"<BHI3{kind}", 1 if kind == "h" else 2, sequence, 20000, *values)
+    return stuffed(body + struct.pack("<I", zlib.crc32(body)))
+
+
+def wire_decoders():
+    frames = sensor_frame("h", 0, (1, 0, -32768)) + sensor_frame("f", 1, (0.5, -1e30, 0))
+    write("wire_decoders", "sensor_frames", b"\0" + frames)
+    write("wire_decoders", "not_finite", b"\0" + sensor_frame("f", 1, (0.5, float("inf"), 0)))
+    write("wire_decoders", "cut_frame", b"\0" + frames[:9] + frames)
+    skin = struct.pack("<4f", 24.5, 100, -2.5, 0) + b"\r\n"
+    write("wire_decoders", "anyskin", b"\1" + 3 * skin + skin[1:] + skin)
+    overlapping = b"A\r\n" + 13 * b"A" + b"\r\n"
+    write("wire_decoders", "anyskin_overlap", b"\1\r\n" + 3 * overlapping)
+    lines = b"\n1,2,3\r\n -1e-3,\t.5 ,1e38\n\n1,2\n1,nan,2\n0,0,0\n"
+    write("wire_decoders", "number_lines", b"\2" + lines)
+    write("wire_decoders", "version", b"\3SSC32-V2.50\rQ\xff")
+    commands = b"GOBOOT", b"R4=1", b"#1P1500S5#2P600T20", b"VA VB", b"#1P0 PO-5"
+    for index, line in enumerate(commands):
+        write("wire_decoders", f"line_{index}", b"\4" + line)
+    moves = b"#0P1500#1 p900\r#0P9999S1T40\rQ\rQP 0\r#0PO100\r\x1bVER\r#1L\rSTOP0\r"
+    write("wire_decoders", "board", b"\5" + moves)
+
+
 archives()
 npys()
 csvs()
@@ -244,3 +274,4 @@ tomls()
 recordings()
 results()
 view_requests()
+wire_decoders()

@@ -14,7 +14,7 @@
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "support/damaged_stream.h"
+#include "support/damaged_sensor_stream.h"
 #include "support/no_malloc.h"
 
 namespace somato::wire {
@@ -168,8 +168,8 @@ std::vector<std::vector<float>> naively_decoded(std::span<const std::uint8_t> by
   return frames;
 }
 
-testing::DamagedStream damaged_anyskin() {
-  testing::DamagedStream stream(7);
+testing::DamagedSensorStream damaged_anyskin() {
+  testing::DamagedSensorStream stream(7);
   Random random(8);
   for (int i = 0; i < 20'000; ++i) {
     const std::vector<float> values = random_reading(random, 5);
@@ -183,8 +183,8 @@ testing::DamagedStream damaged_anyskin() {
 // within a value that stays plausible, and loses 410, most of them because garbage stood directly
 // before them.
 TEST(AnySkinFrame, AcceptsFewerDamagedFramesThanANaiveParser) {
-  testing::DamagedStream ours = damaged_anyskin();
-  testing::DamagedStream naive = ours;
+  testing::DamagedSensorStream ours = damaged_anyskin();
+  testing::DamagedSensorStream naive = ours;
   AnySkinDecoder decoder(5);
   for (const auto& values : decoded_anyskin(decoder, ours.bytes())) ours.accept(values);
   for (const auto& values : naively_decoded(naive.bytes(), 82)) naive.accept(values);

@@ -14,7 +14,7 @@
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "support/damaged_stream.h"
+#include "support/damaged_sensor_stream.h"
 #include "support/no_malloc.h"
 
 namespace somato::wire {
@@ -97,7 +97,7 @@ TEST(NumberLine, ReadsBackEveryFloat) {
 // The format has no checksum: of about 1,070 changed bytes, 478 give another number that is
 // accepted. Garbage before a line costs the line: 403 of 20,000.
 TEST(NumberLine, AcceptsWrongDigitsOnly) {
-  testing::DamagedStream stream(3);
+  testing::DamagedSensorStream stream(3);
   Random random(4);
   std::vector<float> values(16);
   for (int i = 0; i < 20'000; ++i) {

@@ -14,7 +14,7 @@
 #include "files/checksum.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
-#include "support/damaged_stream.h"
+#include "support/damaged_sensor_stream.h"
 #include "support/no_malloc.h"
 
 namespace somato::wire {
@@ -186,7 +186,7 @@ TEST(SensorFrame, SkipsZerosBetweenFrames) {
 }
 
 TEST(SensorFrame, AcceptsNoDamagedFrameAndLosesNoWholeOne) {
-  testing::DamagedStream stream(5);
+  testing::DamagedSensorStream stream(5);
   Random random(6);
   std::vector<float> values(56);
   for (int i = 0; i < 20'000; ++i) {

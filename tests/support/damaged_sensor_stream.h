@@ -13,9 +13,9 @@ namespace somato::testing {
 
 /// A stream of frames as a bad line delivers it: one byte in 1,000 changed or dropped, and before
 /// one frame in 50 up to 40 random bytes.
-class DamagedStream {
+class DamagedSensorStream {
  public:
-  explicit DamagedStream(std::uint64_t seed) : random_(seed) {}
+  explicit DamagedSensorStream(std::uint64_t seed) : random_(seed) {}
 
   void add(std::span<const std::uint8_t> frame, std::span<const float> values) {
     if (random_.below(50) == 0) add_garbage();
