@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../../examples/arduino/touch_hand/sensor_frame_writer.h"  // Outside of the namespace.
 #include "wire/sensor_frame.h"
 
 namespace sketch {
