@@ -61,6 +61,7 @@ Result<std::vector<PlannedExploration>> planned(const Arguments& arguments,
                 "--explorations", "run several sessions");
   }
   std::vector<PlannedExploration> plan;
+  plan.reserve(things * each);
   for (std::size_t i = 0; i < things * each; ++i) plan.push_back({first + i / each, i % each});
   return plan;
 }

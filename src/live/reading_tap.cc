@@ -39,7 +39,7 @@ void ReadingTap::end(const SaidReading& said, const PlayedExploration& played) {
   check(sink_.on_end(said, *played.exploration));
 }
 
-void ReadingTap::say_failure(const Error& error) {
+void ReadingTap::say_failure(const Error& error) const {
   if (is_open()) sink_.on_failure(error);
 }
 

@@ -28,8 +28,8 @@ class ReadingTap {
   /// have other moments then: only its end is passed on.
   void say(const PlayedExploration& played, std::size_t moments, LiveReader& reader);
 
-  /// An exploration that failed, of a thing of that name; others follow.
-  void say_failure(const Error& error);
+  /// An exploration has failed; others may follow.
+  void say_failure(const Error& error) const;
 
   /// All has been said, or an error ends it.
   void finish(const Result<void>& outcome);
