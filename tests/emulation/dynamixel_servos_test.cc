@@ -16,7 +16,7 @@ namespace dynamixel_error = wire::dynamixel_error;
 
 // A chain of servos and a host that talks to them.
 struct DynamixelTalk {
-  explicit DynamixelTalk(std::vector<EmulatedDynamixel> servos, bool echo = false)
+  DynamixelTalk(std::vector<EmulatedDynamixel> servos, bool echo)
       : chain(std::move(servos), echo) {}
 
   template <typename Fill>
@@ -64,7 +64,7 @@ std::vector<DynamixelAnswer> dynamixel_answers(const Bytes& bytes) {
 using DynamixelAnswers = std::vector<DynamixelAnswer>;
 
 TEST(DynamixelServos, APingIsAnsweredAsInTheManual) {
-  DynamixelTalk talk({{.id = 1, .model = 1030}, {.id = 2, .model = 1030}});
+  DynamixelTalk talk({{.id = 1, .model = 1030}, {.id = 2, .model = 1030}}, false);
   talk.chain.store(0, dynamixel_x::kFirmware, 1, 38);
   talk.chain.store(1, dynamixel_x::kFirmware, 1, 38);
   const Bytes one{0xFF, 0xFF, 0xFD, 0, 1, 7, 0, 0x55, 0, 6, 4, 0x26, 0x65, 0x5D};
@@ -77,7 +77,7 @@ TEST(DynamixelServos, APingIsAnsweredAsInTheManual) {
 }
 
 TEST(DynamixelServos, ReadAndSyncReadAreAnsweredAsInTheManual) {
-  DynamixelTalk talk({{.id = 1, .position = 166}, {.id = 2, .position = 2079}});
+  DynamixelTalk talk({{.id = 1, .position = 166}, {.id = 2, .position = 2079}}, false);
   const Bytes one{0xFF, 0xFF, 0xFD, 0, 1, 8, 0, 0x55, 0, 0xA6, 0, 0, 0, 0x8C, 0xC0};
   const Bytes two{0xFF, 0xFF, 0xFD, 0, 2, 8, 0, 0x55, 0, 0x1F, 8, 0, 0, 0xBA, 0xBE};
   EXPECT_EQ(talk.tell([](auto& to) { to.read(1, 132, 4); }), one);
@@ -87,7 +87,7 @@ TEST(DynamixelServos, ReadAndSyncReadAreAnsweredAsInTheManual) {
 }
 
 TEST(DynamixelServos, AGoalDrivesOnlyWithTorque) {
-  DynamixelTalk talk({{.id = 1}});
+  DynamixelTalk talk({{.id = 1}}, false);
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   EXPECT_FALSE(talk.chain.driven_position(0));
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
@@ -98,7 +98,7 @@ TEST(DynamixelServos, AGoalDrivesOnlyWithTorque) {
 
 // It starts where the servo is, and not where it was driven before.
 TEST(DynamixelServos, TorqueStartsFromTheMeasuredPosition) {
-  DynamixelTalk talk({{.id = 1, .position = 1500}});
+  DynamixelTalk talk({{.id = 1, .position = 1500}}, false);
   talk.write(1, dynamixel_x::kVelocity, {1, 0, 0, 0});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   talk.tell([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); }, 0.0);
@@ -109,7 +109,7 @@ TEST(DynamixelServos, TorqueStartsFromTheMeasuredPosition) {
 }
 
 TEST(DynamixelServos, TheProfileVelocityRampsTheGoal) {
-  DynamixelTalk talk({{.id = 1, .position = 1000}, {.id = 2, .position = 1000}});
+  DynamixelTalk talk({{.id = 1, .position = 1000}, {.id = 2, .position = 1000}}, false);
   for (const std::uint8_t id : {std::uint8_t{1}, std::uint8_t{2}}) {
     talk.write(id, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
     talk.write(id, dynamixel_x::kTorqueEnable, {1});
@@ -131,7 +131,7 @@ TEST(DynamixelServos, TheProfileVelocityRampsTheGoal) {
 }
 
 TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
-  DynamixelTalk talk({{.id = 1, .position = 1000}});
+  DynamixelTalk talk({{.id = 1, .position = 1000}}, false);
   talk.write(1, dynamixel_x::kDriveMode, {dynamixel_x::kTimeBasedProfile});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
@@ -146,7 +146,7 @@ TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
 }
 
 TEST(DynamixelServos, MeasuredValuesAreReadInUnitsOfTheServo) {
-  DynamixelTalk talk({{.id = 1, .current_unit = 2.69}});
+  DynamixelTalk talk({{.id = 1, .current_unit = 2.69}}, false);
   talk.chain.set_measured(0, -3.4, -269.0);
   const auto all =
       dynamixel_answers(talk.tell([](auto& to) { to.read(1, dynamixel_x::kPresentCurrent, 10); }));
@@ -154,7 +154,7 @@ TEST(DynamixelServos, MeasuredValuesAreReadInUnitsOfTheServo) {
 }
 
 TEST(DynamixelServos, AnOverloadEndsOnlyWithAReboot) {
-  DynamixelTalk talk({{.id = 1}});
+  DynamixelTalk talk({{.id = 1}}, false);
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
   talk.chain.overload(0);
   EXPECT_FALSE(talk.chain.driven_position(0));
@@ -173,7 +173,7 @@ TEST(DynamixelServos, AnOverloadEndsOnlyWithAReboot) {
 }
 
 TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
-  DynamixelTalk talk({{.id = 1}});
+  DynamixelTalk talk({{.id = 1}}, false);
   const auto refusal = [&](std::uint16_t address, const Bytes& data) {
     const auto all = dynamixel_answers(talk.tell([&](auto& to) { to.write(1, address, data); }));
     return all.size() == 1 ? all[0].error : -1;
@@ -194,7 +194,7 @@ TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
 }
 
 TEST(DynamixelServos, ARegisteredWriteWaitsForTheAction) {
-  DynamixelTalk talk({{.id = 1}});
+  DynamixelTalk talk({{.id = 1}}, false);
   talk.tell([](auto& to) { to.reg_write(1, dynamixel_x::kTorqueEnable, Bytes{1}); });
   EXPECT_FALSE(talk.chain.driven_position(0));
   talk.tell([](auto& to) { to.action(wire::kDynamixelEveryone); });
@@ -202,7 +202,7 @@ TEST(DynamixelServos, ARegisteredWriteWaitsForTheAction) {
 }
 
 TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {
-  DynamixelTalk talk({{.id = 1}});
+  DynamixelTalk talk({{.id = 1}}, false);
   std::vector<std::size_t> counts;
   for (const std::uint32_t level : {0U, 1U, 2U}) {
     talk.chain.store(0, dynamixel_x::kStatusReturn, 1, level);
@@ -217,7 +217,7 @@ TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {
 }
 
 TEST(DynamixelServos, AnswersWaitForTheReturnDelay) {
-  DynamixelTalk talk({{.id = 1, .return_delay = 250}, {.id = 2, .return_delay = 100}});
+  DynamixelTalk talk({{.id = 1, .return_delay = 250}, {.id = 2, .return_delay = 100}}, false);
   const auto request = [](auto& to) { to.sync_read(132, 4, Bytes{1, 2}); };
   EXPECT_TRUE(talk.tell(request, 0.000499).empty());
   Bytes sent;
@@ -239,7 +239,7 @@ TEST(DynamixelServos, AnEchoComesBeforeTheAnswer) {
 }
 
 TEST(DynamixelServos, ASilentServoAndARestartedChainDoNotAnswer) {
-  DynamixelTalk talk({{.id = 1}, {.id = 2}});
+  DynamixelTalk talk({{.id = 1}, {.id = 2}}, false);
   talk.chain.set_silent(0, true);
   EXPECT_EQ(
       dynamixel_answers(talk.tell([](auto& to) { to.sync_read(132, 4, Bytes{1, 2}); })).size(), 1u);
