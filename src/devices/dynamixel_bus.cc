@@ -70,13 +70,13 @@ std::string dynamixel_place(const DynamixelServo& servo) {
 }
 
 std::string dynamixel_error_names(std::uint8_t bits) {
-  constexpr std::array<std::string_view, 6> names{
+  constexpr std::array<std::string_view, 6> kNames{
       "input voltage", "bit 1", "overheating", "motor encoder", "electrical shock", "overload"};
   std::string text;
-  for (std::size_t bit = 0; bit < names.size(); ++bit) {
+  for (std::size_t bit = 0; bit < kNames.size(); ++bit) {
     if ((bits >> bit & 1) == 0) continue;
     text += text.empty() ? "" : ", ";
-    text += names[bit];
+    text += kNames[bit];
   }
   return text;
 }
@@ -280,7 +280,7 @@ Result<void> DynamixelBus::start(wire::Exchange& exchange) {
   decoder_.clear();
   asked_errors_ = false;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
-  const auto held = hold_all(exchange);
+  auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
   return held;
 }

@@ -46,13 +46,13 @@ std::string feetech_place(const FeetechServo& servo) {
 }
 
 std::string feetech_error_names(std::uint8_t bits) {
-  constexpr std::array<std::string_view, 6> names{"voltage", "position sensor", "overheating",
-                                                  "current", "bit 4",           "overload"};
+  constexpr std::array<std::string_view, 6> kNames{"voltage", "position sensor", "overheating",
+                                                   "current", "bit 4",           "overload"};
   std::string text;
-  for (std::size_t bit = 0; bit < names.size(); ++bit) {
+  for (std::size_t bit = 0; bit < kNames.size(); ++bit) {
     if ((bits >> bit & 1) == 0) continue;
     text += text.empty() ? "" : ", ";
-    text += names[bit];
+    text += kNames[bit];
   }
   return text;
 }
@@ -225,7 +225,7 @@ Result<void> FeetechBus::start(wire::Exchange& exchange) {
   asked_ = servos_.size() - 1;  // the first tick asks the first servo
   to_ask_ = 0;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
-  const auto held = hold_all(exchange);
+  auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
   return held;
 }

@@ -55,7 +55,8 @@ std::uint8_t answering_level(wire::DynamixelInstruction instruction) {
 
 }  // namespace
 
-DynamixelServos::DynamixelServos(std::vector<EmulatedDynamixel> servos, bool echo) : echo_(echo) {
+DynamixelServos::DynamixelServos(const std::vector<EmulatedDynamixel>& servos, bool echo)
+    : echo_(echo) {
   for (const EmulatedDynamixel& made : servos) servos_.emplace_back().made = made;
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     store(i, dynamixel_x::kModelNumber, 2, servos_[i].made.model);
@@ -66,7 +67,7 @@ DynamixelServos::DynamixelServos(std::vector<EmulatedDynamixel> servos, bool ech
     store(i, dynamixel_x::kVelocityLimit, 4, 350);
     store(i, dynamixel_x::kMaxPosition, 4, 4095);
     store(i, dynamixel_x::kShutdown, 1, 52);
-    set_measured(i, servos_[i].made.position, 0.0);
+    DynamixelServos::set_measured(i, servos_[i].made.position, 0.0);
     boot(servos_[i]);
   }
 }

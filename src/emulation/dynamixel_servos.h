@@ -29,7 +29,7 @@ class DynamixelServos : public EmulatedServos {
  public:
   /// With `echo`, the line returns everything that it receives, as adapters with one wire for both
   /// directions do.
-  explicit DynamixelServos(std::vector<EmulatedDynamixel> servos, bool echo = false);
+  explicit DynamixelServos(const std::vector<EmulatedDynamixel>& servos, bool echo = false);
 
   void receive(std::span<const std::uint8_t> bytes) override;
   void advance(double now, std::vector<std::uint8_t>& sent) override;

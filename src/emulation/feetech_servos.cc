@@ -17,7 +17,7 @@ constexpr std::size_t kFeetechMeasured = 15;  // bytes from the present position
 
 }  // namespace
 
-FeetechServos::FeetechServos(wire::FeetechSeries series, std::vector<EmulatedFeetech> servos,
+FeetechServos::FeetechServos(wire::FeetechSeries series, const std::vector<EmulatedFeetech>& servos,
                              bool echo)
     : series_(series), echo_(echo) {
   for (const EmulatedFeetech& made : servos) servos_.emplace_back().made = made;
@@ -28,7 +28,7 @@ FeetechServos::FeetechServos(wire::FeetechSeries series, std::vector<EmulatedFee
     store(i, feetech::kReturnDelay, 1, made.return_delay);
     store(i, feetech::kResponseLevel, 1, 1);
     store(i, feetech::kMaxPosition, 2, is_sts() ? 4095 : 1023);
-    set_measured(i, made.position, 0.0);
+    FeetechServos::set_measured(i, made.position, 0.0);
     servos_[i].kept = servos_[i].memory;
     boot(servos_[i]);
   }

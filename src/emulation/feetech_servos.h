@@ -28,7 +28,8 @@ class FeetechServos : public EmulatedServos {
  public:
   /// With `echo`, the line returns everything that it receives, as adapters with one wire for both
   /// directions do.
-  FeetechServos(wire::FeetechSeries series, std::vector<EmulatedFeetech> servos, bool echo = false);
+  FeetechServos(wire::FeetechSeries series, const std::vector<EmulatedFeetech>& servos,
+                bool echo = false);
 
   void receive(std::span<const std::uint8_t> bytes) override;
   void advance(double now, std::vector<std::uint8_t>& sent) override;

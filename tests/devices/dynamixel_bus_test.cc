@@ -366,6 +366,21 @@ TEST(DynamixelBus, DamagedAnswersNeverGiveAWrongReport) {
   EXPECT_LT(missing, 1200u);
 }
 
+TEST(DynamixelBus, NoiseIsNoReport) {
+  Random random(6);
+  DynamixelHand hand(2);
+  ASSERT_TRUE(hand.bus.start(hand.exchange));
+  const double before = hand.line.now();
+  for (int i = 0; i < 20'000; ++i) {
+    Bytes noise;
+    testing::append_noise(noise, random);
+    hand.bus.receive(noise, before + 1.0);
+  }
+  for (const ServoReport& report : hand.bus.reports()) EXPECT_LE(report.time, before);
+  hand.tick({kLeft, kLeft});
+  EXPECT_GT(hand.bus.reports()[1].time, before);
+}
+
 TEST(DynamixelBus, ATickAllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP();
   DynamixelHand hand(16);

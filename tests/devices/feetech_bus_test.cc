@@ -364,6 +364,21 @@ TEST(FeetechBus, DamagedAnswersOfStsServosRarelyGiveAWrongReport) {
   EXPECT_LE(wrong, 2u);
 }
 
+TEST(FeetechBus, NoiseIsNoReport) {
+  Random random(6);
+  FeetechHand hand(FeetechSeries::kSts, 2);
+  ASSERT_TRUE(hand.bus.start(hand.exchange));
+  const double before = hand.line.now();
+  for (int i = 0; i < 20'000; ++i) {
+    Bytes noise;
+    testing::append_noise(noise, random);
+    hand.bus.receive(noise, before + 1.0);
+  }
+  for (const ServoReport& report : hand.bus.reports()) EXPECT_LE(report.time, before);
+  hand.tick({kAsItIs, kAsItIs});
+  EXPECT_GT(hand.bus.reports()[1].time, before);
+}
+
 TEST(FeetechBus, ATickAllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP();
   for (const FeetechSeries series : kBothSeries) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "somato/core/random.h"
 #include "support/damaged_streams.h"
 #include "wire/dynamixel.h"
 
@@ -16,8 +17,7 @@ namespace dynamixel_error = wire::dynamixel_error;
 
 // A chain of servos and a host that talks to them.
 struct DynamixelTalk {
-  DynamixelTalk(std::vector<EmulatedDynamixel> servos, bool echo)
-      : chain(std::move(servos), echo) {}
+  DynamixelTalk(const std::vector<EmulatedDynamixel>& servos, bool echo) : chain(servos, echo) {}
 
   template <typename Fill>
   Bytes tell(const Fill& fill, double seconds = 0.01) {
@@ -250,6 +250,38 @@ TEST(DynamixelServos, ASilentServoAndARestartedChainDoNotAnswer) {
   Bytes sent;
   talk.pass(1.0, sent);
   EXPECT_EQ(dynamixel_answers(talk.tell([](auto& to) { to.ping(2); })).size(), 1u);
+}
+
+// Packets with any instruction and parameters, and noise between them.
+TEST(DynamixelServos, NoPacketDoesHarm) {
+  Random random(5);
+  DynamixelTalk talk({{.id = 1}, {.id = 2}}, true);
+  std::size_t answered = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Bytes sent = talk.tell([&](auto& to) {
+      const std::uint8_t ids[] = {1, 2, 3, wire::kDynamixelEveryone};
+      const std::uint8_t common[] = {1, 2, 3, 4, 5, 8, 0x82, 0x83, 0x10};
+      const auto instruction = static_cast<wire::DynamixelInstruction>(common[random.below(9)]);
+      to.begin(ids[random.below(4)], instruction);
+      for (std::uint64_t left = random.below(20); left > 0; --left) {
+        to.put8(random.below(3) == 0 ? testing::random_byte(random)
+                                     : static_cast<std::uint8_t>(random.below(5)));
+      }
+      to.end();
+    });
+    Bytes noise;
+    testing::append_noise(noise, random);
+    talk.chain.receive(noise);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto driven = talk.chain.driven_position(k);
+      ASSERT_TRUE(!driven || (*driven >= 0.0 && *driven <= 4095.0));
+    }
+    answered += dynamixel_answers(sent).size();
+    if (random.below(50) == 0) talk.chain.restart();
+    Bytes later;
+    if (random.below(3) == 0) talk.pass(0.5, later);
+  }
+  EXPECT_GT(answered, 500u);
 }
 
 }  // namespace

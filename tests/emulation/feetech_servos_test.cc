@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "somato/core/random.h"
 #include "support/damaged_streams.h"
 #include "wire/feetech.h"
 
@@ -17,8 +19,8 @@ namespace feetech = wire::feetech;
 
 // A chain of servos and a host that talks to them.
 struct FeetechTalk {
-  FeetechTalk(FeetechSeries kind, std::vector<EmulatedFeetech> servos, bool echo = false)
-      : series(kind), chain(kind, std::move(servos), echo) {}
+  FeetechTalk(FeetechSeries kind, const std::vector<EmulatedFeetech>& servos, bool echo = false)
+      : series(kind), chain(kind, servos, echo) {}
 
   template <typename Fill>
   Bytes tell(const Fill& fill, double seconds = 0.01) {
@@ -204,6 +206,39 @@ TEST(FeetechServos, ASilentServoDoesNotAnswer) {
   FeetechTalk talk(FeetechSeries::kSts, {{.id = 1}, {.id = 2}});
   talk.chain.set_silent(0, true);
   EXPECT_EQ(talk.tell([](auto& to) { to.sync_read(56, 2, Bytes{1, 2}); }).size(), 8u);
+}
+
+// Packets with any instruction and parameters, and noise between them.
+TEST(FeetechServos, NoPacketDoesHarm) {
+  for (const FeetechSeries series : {FeetechSeries::kSts, FeetechSeries::kScs}) {
+    Random random(5);
+    FeetechTalk talk(series, {{.id = 1}, {.id = 2}}, true);
+    std::size_t answered = 0;
+    for (int i = 0; i < 5000; ++i) {
+      const Bytes sent = talk.tell([&](auto& to) {
+        const std::uint8_t ids[] = {1, 2, 3, wire::kFeetechEveryone};
+        const std::uint8_t common[] = {1, 2, 3, 4, 5, 8, 0x82, 0x83, 0x10};
+        to.begin(ids[random.below(4)], common[random.below(9)]);
+        for (std::uint64_t left = random.below(20); left > 0; --left) {
+          to.put8(random.below(3) == 0 ? testing::random_byte(random)
+                                       : static_cast<std::uint8_t>(random.below(5)));
+        }
+        to.end();
+      });
+      answered += sent.size() > 30 ? 1 : 0;
+      Bytes noise;
+      testing::append_noise(noise, random);
+      talk.chain.receive(noise);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto driven = talk.chain.driven_position(k);
+        ASSERT_TRUE(!driven || std::abs(*driven) <= 65535.0);
+      }
+      if (random.below(50) == 0) talk.chain.restart();
+      Bytes later;
+      if (random.below(3) == 0) talk.pass(1.0, later);
+    }
+    EXPECT_GT(answered, 300u);
+  }
 }
 
 }  // namespace
