@@ -32,7 +32,8 @@ std::vector<int> checked_channels(std::vector<int> channels) {
 // Empty: the protocol cannot express the position.
 std::optional<int> pulse_of(double position) {
   const double rounded = std::round(position);
-  if (!(rounded >= wire::kSsc32LeastPulse && rounded <= wire::kSsc32MostPulse)) return {};
+  const bool fits = rounded >= wire::kSsc32LeastPulse && rounded <= wire::kSsc32MostPulse;
+  if (!fits) return {};  // NaN does not.
   return static_cast<int>(rounded);
 }
 
@@ -194,6 +195,7 @@ void Ssc32Bus::take_pulse(int pulse, double now) {
 std::size_t Ssc32Bus::bytes_per_tick() const {
   wire::Ssc32Commands longest;
   std::vector<wire::Ssc32Move> moves;
+  moves.reserve(channels_.size());
   for (const int channel : channels_) moves.push_back({channel, wire::kSsc32MostPulse, 0});
   SOMATO_ASSERT(longest.move(moves, kMostMilliseconds).has_value());
   return longest.bytes().size() + std::size_t{5} + 1;  // "QP31", CR and its answer

@@ -67,7 +67,7 @@ bool NumberLineDecoder::read() {
   for (std::size_t i = 0; i < candidate_.size(); ++i) {
     const bool last = i + 1 == candidate_.size();
     const std::size_t comma = rest.find(',');
-    if (last != (comma == rest.npos)) return false;
+    if (last != (comma == std::string_view::npos)) return false;
     if (!read_number(rest.substr(0, comma), candidate_[i])) return false;
     if (!last) rest.remove_prefix(comma + 1);
   }

@@ -89,7 +89,7 @@ Ssc32Text text_of(const Ssc32Move& move) {
 }
 
 bool silences_or_wears(std::string_view name) {
-  return name.find("GOBOOT") != name.npos || name.starts_with("EE") ||
+  return name.find("GOBOOT") != std::string_view::npos || name.starts_with("EE") ||
          (name.starts_with("R") && name.size() > 1);
 }
 
