@@ -1,13 +1,28 @@
 #include "study_data.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "files/toml_file.h"
 #include "files/whole_file.h"
+#include "somato/core/value.h"
 #include "somato/studies/own_systems.h"
 
 namespace somato::program {
+namespace {
+
+// What cannot be opened may be the misspelt name of a built-in file.
+Error with_nearest_own_file(Error error, const std::string& name) {
+  const std::string nearest =
+      nearest_name(std::filesystem::path(name).stem().string(), own_file_names());
+  if (!nearest.empty()) error.advice += fmt::format(", or use the built-in '{}'", nearest);
+  return error;
+}
+
+}  // namespace
 
 Error with_place(Error error, const std::string& path) {
   if (error.kind == ErrorKind::kData && error.where.empty()) error.where = path;
@@ -27,10 +42,11 @@ Result<NamedFile> read_file_or_own(const std::string& name) {
   const bool is_file =
       std::filesystem::exists(name, unknown) && !std::filesystem::is_directory(name, unknown);
   const std::string where(own && !is_file ? own->path : name);
-  SOMATO_TRY(const auto text, own && !is_file ? Result<std::string>(std::string(own->text))
-                                              : read_whole(name, kLargestToml));
-  return parse_toml(text, where).map([&](Table content) {
-    return NamedFile{name, std::move(content), text};
+  const auto text = own && !is_file ? Result<std::string>(std::string(own->text))
+                                    : read_whole(name, kLargestToml);
+  if (!text) return fail(with_nearest_own_file(text.error(), name));
+  return parse_toml(*text, where).map([&](Table content) {
+    return NamedFile{name, std::move(content), *text};
   });
 }
 

@@ -152,9 +152,11 @@ TEST_F(BadStudy, PathsThatAreNoStudies) {
   const auto run_of = [](const std::string& study) {
     return Words{"run", study, "--data", kTrials, "--out", "out"};
   };
-  expect_refused(1, {{run_of("missing"), {"missing: cannot open", "No such file"}},
-                     {run_of("."), {".: cannot read", "not a folder"}},
-                     {run_of("loop"), {"loop: cannot open", "symbolic links"}}});
+  expect_refused(1,
+                 {{run_of("missing"), {"missing: cannot open", "No such file"}},
+                  {run_of("tensor_chan"), {"check the path, or use the built-in 'tensor_chain'"}},
+                  {run_of("."), {".: cannot read", "not a folder"}},
+                  {run_of("loop"), {"loop: cannot open", "symbolic links"}}});
 }
 
 TEST_F(BadStudy, RecordingsThatCannotBeUsed) {
