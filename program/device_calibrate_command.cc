@@ -93,7 +93,7 @@ class Session {
   // Moves there before the next line is read.
   Result<bool> moved_by(double way) {
     const double target = body_.state().positions.front() + way;
-    if (!(target >= moved_.least && target <= moved_.most)) return false;
+    if (target < moved_.least || target > moved_.most) return false;
     SOMATO_TRY_VOID(body_.command(std::span(&target, 1)));
     SOMATO_TRY_VOID(body_.step(std::abs(way) / moved_.fastest + 0.1));
     return true;

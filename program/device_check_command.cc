@@ -146,6 +146,7 @@ Result<void> run_check(const Arguments& arguments) {
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(file));
   DeviceIo io(file, *lines);
+  if (arguments.has("reboot")) SOMATO_TRY_VOID(io.reboot());
   SOMATO_TRY_VOID(io.start());
   auto heard = listen(file, io);
   io.relax();
@@ -163,7 +164,7 @@ Command device_check_command() {
   return {"device check",
           "Check a device without moving it: ports, servos, sensors, latency",
           {{"FILE", "The device file", true}},
-          {},
+          {{"--reboot", "Restart all servos first, which ends an overload", false, false}},
           {},
           run_check};
 }

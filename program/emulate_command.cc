@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "device.h"
+#include "devices/device_lines.h"
 #include "devices/device_text.h"
 #include "emulation/pty_emulator.h"
 #include "explore_table.h"

@@ -82,6 +82,7 @@ struct Request {
 Result<void> check_device_flags(const Arguments& arguments) {
   const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
   std::vector<std::string> given;
+  given.reserve(flags.entries.size());
   for (const Table::Entry& entry : flags.entries) given.push_back(entry.where);
   for (const char* flag : {"body", "seed", "images", "threads"}) {
     if (arguments.has(flag)) given.push_back(fmt::format("--{}", flag));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "devices/device_file.h"
 
@@ -12,7 +13,7 @@ namespace somato::devices {
 /// about them.
 class Calibration {
  public:
-  explicit Calibration(const ServoSettings& servo) : servo_(servo) {}
+  explicit Calibration(ServoSettings servo) : servo_(std::move(servo)) {}
 
   /// The position on the bus is position 0.
   void set_zero(double on_bus);

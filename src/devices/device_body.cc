@@ -23,6 +23,7 @@ constexpr double kBacklog = 0.25;     // s of samples that may wait
 
 std::vector<std::string> names_of(const DeviceFile& file) {
   std::vector<std::string> names;
+  names.reserve(file.servos.size());
   for (const ServoSettings& servo : file.servos) names.push_back(servo.name);
   return names;
 }
@@ -31,8 +32,8 @@ std::vector<std::string> names_of(const DeviceFile& file) {
 
 class DeviceBody::Impl {
  public:
-  Impl(const DeviceFile& file, wire::Lines& lines)
-      : file_(file),
+  Impl(DeviceFile file, wire::Lines& lines)
+      : file_(std::move(file)),
         description_(describe(file_)),
         io_(file_, lines),
         motion_(file_.servos),
@@ -238,8 +239,10 @@ class DeviceBody::Impl {
     const bool hold = error.kind != ErrorKind::kInterrupted;
     const double until = io_.now() + (hold ? file_.safety.hold : 0.0);
     const double period = file_.settings.period;
-    while (io_.now() < until && io_.receive() && io_.send(motion_.advance(period), period)) {
+    // A line that hung up may be another one than that of the servos.
+    while (io_.now() < until && io_.send(motion_.advance(period), period)) {
       io_.wait(std::min(until, io_.now() + period));
+      static_cast<void>(io_.receive());
     }
     relax();
     if (error.where.empty()) error.where = file_.settings.name;

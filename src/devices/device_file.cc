@@ -200,7 +200,7 @@ class Reader {
       return refuse("there is no line for the servos", where, "add a table [servos]");
     if (servo.unit != "deg" && servo.unit != "mm")
       return refuse(fmt::format("{} is no unit of a servo", shown(servo.unit)), where,
-                    "use \"deg\" or \"mm\"");
+                    R"(use "deg" or "mm")");
     if (!(servo.least < servo.most))
       return refuse("'least' must be below 'most'", where,
                     "give the range in which the servo may move");
@@ -256,6 +256,7 @@ class Reader {
 
   Result<void> check_known(const std::string& servo, const std::string& where) const {
     std::vector<std::string> known;
+    known.reserve(device_.servos.size());
     for (const ServoSettings& one : device_.servos) known.push_back(one.name);
     if (std::find(known.begin(), known.end(), servo) != known.end()) return {};
     return fail(unknown_name("servo", servo, where, known));
@@ -278,6 +279,7 @@ class Reader {
       return refuse("a limit requires a sensor, and a sensor a limit", where,
                     "write for example sensor = \"touch\" and limit = 20");
     std::vector<std::string> known;
+    known.reserve(device_.sensors.size());
     for (const SensorSettings& sensor : device_.sensors) known.push_back(sensor.name);
     if (safety.sensor.empty() ||
         std::find(known.begin(), known.end(), safety.sensor) != known.end())

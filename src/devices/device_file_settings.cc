@@ -88,7 +88,7 @@ const Declarations<ServoSettings>& ServoSettings::declarations() {
       Declarations<P>()
           .add("channel", &P::channel, "", Range::between(0, 253),
                "Channel of the controller, or id of the servo.")
-          .add("unit", &P::unit, "", Range::any(), "Unit of its positions: \"deg\" or \"mm\".")
+          .add("unit", &P::unit, "", Range::any(), R"(Unit of its positions: "deg" or "mm".)")
           .add("zero", &P::zero, "", Range::between(-1e6, 1e6),
                "Position on the bus at position 0: a pulse in us, or a number of steps.")
           .add("scale", &P::scale, "", Range::between(-1e6, 1e6),

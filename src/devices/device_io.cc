@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace somato::devices {
 namespace {
@@ -40,10 +41,29 @@ Result<void> DeviceIo::start() {
   if (!bus_) return {};
   SOMATO_TRY_VOID(check_capacity());
   wire::Exchange exchange(lines_, *numbers_.servos);
-  auto started = bus_->start(exchange);
-  if (!started && started.error().where.empty()) started.error().where = file_.servo_line->port;
+  auto started = at_port(bus_->start(exchange));
   begin(now());
   return started;
+}
+
+Result<void> DeviceIo::reboot() {
+  if (!bus_) {
+    return fail(ErrorKind::kUsage, "the device has no servos that could be restarted", {},
+                "omit '--reboot'");
+  }
+  wire::Exchange exchange(lines_, *numbers_.servos);
+  for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+    auto rebooted = at_port(bus_->reboot(i, exchange));
+    if (rebooted) continue;
+    relax();
+    return rebooted;
+  }
+  return {};
+}
+
+Result<void> DeviceIo::at_port(Result<void> done) const {
+  if (!done && done.error().where.empty()) done.error().where = file_.servo_line->port;
+  return done;
 }
 
 Result<void> DeviceIo::receive() {
@@ -112,22 +132,24 @@ void DeviceIo::relax() noexcept {
 }
 
 Result<void> DeviceIo::check_fresh(double now) const {
-  const auto is_late = [&](double time, double period) {
-    return now - std::max(time, begun_) > static_cast<double>(file_.safety.missed) * period;
+  const auto is_late = [&](double time, double periods, double period) {
+    return now - std::max(time, begun_) > periods * period;
   };
   const double period = file_.settings.period;
+  const auto missed = static_cast<double>(file_.safety.missed);
   if (bus_ && bus_->reports_states()) {
-    const std::size_t round = bus_->reads_one_by_one() ? file_.servos.size() : 1;
+    const auto round = static_cast<double>(bus_->reads_one_by_one() ? file_.servos.size() : 1);
+    const double periods = std::max(round * missed, std::ceil(bus_->recovery() / period));
     for (std::size_t i = 0; i < file_.servos.size(); ++i) {
-      if (!is_late(bus_->reports()[i].time, static_cast<double>(round) * period)) continue;
-      auto late = silent(file_.servo_line->port, file_.safety.missed, "no answer",
-                         "check the cable, the power and the id of the servo");
-      late.value().what = fmt::format("the servo '{}' gave no answer for {} periods",
-                                      file_.servos[i].name, round * file_.safety.missed);
-      return late;
+      if (!is_late(bus_->reports()[i].time, periods, period)) continue;
+      return fail(ErrorKind::kSystem,
+                  fmt::format("the servo '{}' gave no answer for {:.0f} periods",
+                              file_.servos[i].name, periods),
+                  file_.servo_line->port, "check the cable, the power and the id of the servo");
     }
   }
-  if (!stream_ || !is_late(stream_->time(), std::max(period, 1.0 / file_.frame_line->rate))) {
+  if (!stream_ ||
+      !is_late(stream_->time(), missed, std::max(period, 1.0 / file_.frame_line->rate))) {
     return {};
   }
   return silent(file_.frame_line->port, file_.safety.missed, "no valid sensor frame arrived",
@@ -136,14 +158,12 @@ Result<void> DeviceIo::check_fresh(double now) const {
 
 Result<void> DeviceIo::check_errors() const {
   for (std::size_t i = 0; i < file_.servos.size(); ++i) {
-    const unsigned error = reports()[i].error;
+    const std::uint8_t error = reports()[i].error;
     if (error == 0) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("the servo '{}' reports the hardware error {:#04x} (overload, heat or "
-                            "voltage)",
-                            file_.servos[i].name, error),
-                file_.servo_line->port,
-                "remove the load, let the servo cool, and run 'somato device check FILE --reboot'");
+    Error explained = bus_->explain(error);
+    explained.what = fmt::format("the servo '{}' {}", file_.servos[i].name, explained.what);
+    explained.where = file_.servo_line->port;
+    return fail(std::move(explained));
   }
   return {};
 }

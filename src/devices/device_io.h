@@ -32,6 +32,10 @@ class DeviceIo {
   /// each period.
   Result<void> start();
 
+  /// Restarts all servos, which ends an overload, before start(). Errors: those of
+  /// ServoBus::reboot(), and then all servos are off; kUsage: there are no servos.
+  Result<void> reboot();
+
   /// Decodes everything that has arrived. Errors (kSystem): a line has hung up.
   Result<void> receive();
 
@@ -67,6 +71,7 @@ class DeviceIo {
 
  private:
   Result<void> check_capacity() const;
+  Result<void> at_port(Result<void> done) const;
   Result<void> queue(std::span<const std::uint8_t> bytes);
   Result<void> flush();
 

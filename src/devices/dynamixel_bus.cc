@@ -241,7 +241,8 @@ Result<void> DynamixelBus::check_error(const Servo& servo, wire::Exchange& excha
   return fail(
       ErrorKind::kSystem,
       fmt::format("the servo reports a hardware error ({})", dynamixel_error_names(error[0])),
-      dynamixel_place(servo.declared), "remove the cause, then reboot the servo");
+      dynamixel_place(servo.declared),
+      "remove the cause, then run 'somato device check FILE --reboot'");
 }
 
 Result<void> DynamixelBus::check(Servo& servo, wire::Exchange& exchange) {

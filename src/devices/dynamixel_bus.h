@@ -62,9 +62,7 @@ class DynamixelBus : public ServoBus {
   bool reports_states() const override { return true; }
   std::size_t bytes_per_tick() const override;
 
-  /// Restarts a servo, which is the only way to end an overload, and prepares it as start() does:
-  /// it then holds the position where it is. Its errors are those of start().
-  Result<void> reboot(std::size_t servo, wire::Exchange& exchange);
+  Result<void> reboot(std::size_t servo, wire::Exchange& exchange) override;
 
   /// What start() found that does not prevent the use of the servos.
   const std::vector<std::string>& warnings() const { return warnings_; }

@@ -197,7 +197,8 @@ Result<void> FeetechBus::hold(std::size_t index, wire::Exchange& exchange) {
   if (state.error != 0) {
     return fail(ErrorKind::kSystem,
                 fmt::format("the servo reports an error ({})", feetech_error_names(state.error)),
-                feetech_place(servo.declared), "remove the cause, then reboot the servo");
+                feetech_place(servo.declared),
+                "remove the cause, then run 'somato device check FILE --reboot'");
   }
   servo.goal = reports_[index].position;
   if (servo.goal < servo.lowest || servo.goal > servo.highest) {

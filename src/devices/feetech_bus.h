@@ -64,10 +64,8 @@ class FeetechBus : public ServoBus {
   /// With all follow-ups.
   std::size_t bytes_per_tick() const override;
 
-  /// Restarts a servo after an overload, and prepares it as start() does: it then holds the
-  /// position where it is. Its errors are those of start(). Servos that do not know the instruction
-  /// must be switched off and on.
-  Result<void> reboot(std::size_t servo, wire::Exchange& exchange);
+  /// Servos that do not know the instruction must be switched off and on.
+  Result<void> reboot(std::size_t servo, wire::Exchange& exchange) override;
 
   /// What start() found that does not prevent the use of the servos.
   const std::vector<std::string>& warnings() const { return warnings_; }

@@ -11,6 +11,7 @@ namespace {
 
 std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
   std::vector<int> channels;
+  channels.reserve(file.servos.size());
   for (const ServoSettings& servo : file.servos)
     channels.push_back(static_cast<int>(servo.channel));
   return std::make_unique<Ssc32Bus>(std::move(channels));
@@ -18,6 +19,7 @@ std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
 
 std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
   std::vector<DynamixelServo> servos;
+  servos.reserve(file.servos.size());
   for (const ServoSettings& servo : file.servos) {
     servos.push_back({static_cast<std::uint8_t>(servo.channel), {}});
   }
@@ -26,6 +28,7 @@ std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
 
 std::unique_ptr<ServoBus> feetech_bus(const DeviceFile& file, const char* model) {
   std::vector<FeetechServo> servos;
+  servos.reserve(file.servos.size());
   for (const ServoSettings& servo : file.servos) {
     servos.push_back({static_cast<std::uint8_t>(servo.channel), model});
   }

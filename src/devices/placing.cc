@@ -19,7 +19,8 @@ Result<void> place_by_emulator(const std::string& port, const std::string& thing
     return answer.ends_with('\n');
   };
   constexpr double kPoll = 0.1;
-  for (double waited = 0.0; waited < timeout; waited += kPoll) {
+  const double end = lines->now() + timeout;
+  while (lines->now() < end) {
     if (!goes_on()) return fail(ErrorKind::kInterrupted, "exploring was interrupted");
     SOMATO_TRY(const auto complete, exchange.receive(kPoll, take));
     if (!complete) continue;

@@ -38,6 +38,13 @@ class ServoBus {
   /// check; (kData): another kind of board or servo than declared.
   virtual Result<void> start(wire::Exchange& exchange) = 0;
 
+  /// Restarts a servo, which ends an overload, and prepares it as start() does: it then holds its
+  /// position. Errors: those of start(); (kUsage): the bus has no such command.
+  virtual Result<void> reboot(std::size_t /*servo*/, wire::Exchange& /*exchange*/) {
+    return fail(ErrorKind::kUsage, "the servos of this bus cannot be restarted by a command", {},
+                "switch their supply off and on");
+  }
+
   /// The bytes of one tick: the positions, one for each servo, that are to be reached after
   /// `seconds`, and a request for the servos' states. A servo with NaN is left as it is. Allocates
   /// nothing; valid until the next call.
@@ -65,6 +72,13 @@ class ServoBus {
   /// Whether a tick requests the state of one servo after the other, so that a round through all of
   /// them may take as many periods as there are servos.
   virtual bool reads_one_by_one() const { return false; }
+
+  /// Seconds without an answer in which a bus that was disturbed recovers: shorter silence is no
+  /// fault.
+  virtual double recovery() const { return 0.0; }
+
+  /// What a report with that error says of its servo, as the end of a sentence, and what to do.
+  virtual Error explain(std::uint8_t error) const;
 
   /// The number of bytes of the longest tick() and of the answer to it, for checking that the line
   /// can carry them.

@@ -82,6 +82,7 @@ Result<void> Ssc32Bus::start(wire::Exchange& exchange) {
   state_ = State::kIdle;
   answers_ = 0;
   resynchronizations_ = 0;
+  unmoved_ = 0.0;
   std::fill(sent_.begin(), sent_.end(), std::nullopt);
   SOMATO_TRY_VOID(check_version(exchange));
   return read_pulses(exchange);
@@ -125,6 +126,7 @@ Result<void> Ssc32Bus::read_pulses(wire::Exchange& exchange) {
   for (std::size_t servo = 0; servo < channels_.size(); ++servo) {
     SOMATO_TRY(const int pulse, read_pulse(exchange, channels_[servo]));
     reports_[servo].position = position_of(pulse);
+    reports_[servo].error = 0;
   }
   for (ServoReport& report : reports_) report.time = exchange.now();
   return {};
@@ -135,11 +137,14 @@ std::span<const std::uint8_t> Ssc32Bus::tick(std::span<const double> positions, 
   require(seconds > 0.0, "a tick has a positive duration");
   commands_.clear();
   waited_ += seconds;
+  unmoved_ += seconds;
+  if (state_ == State::kAnswered) take_answer();
   if (state_ == State::kAsked && waited_ > kPatience) state_ = State::kFailed;
   if (state_ == State::kQuiet && waited_ > kQuiet) state_ = State::kIdle;
   if (state_ == State::kFailed) resynchronize();
-  add_moves(positions, seconds);
-  if (state_ == State::kIdle) ask();
+  if (state_ != State::kIdle) return commands_.bytes();
+  ask();  // before the moves, so that the answer shows a board that restarted
+  if (!has_restarted()) add_moves(positions, std::exchange(unmoved_, 0.0));
   return commands_.bytes();
 }
 
@@ -177,19 +182,35 @@ void Ssc32Bus::take(std::uint8_t byte, double now) {
   if (state_ == State::kQuiet) return;
   const std::optional<int> pulse = wire::ssc32_pulse(byte);
   if (state_ == State::kAsked && pulse) {
-    take_pulse(*pulse, now);
+    answer_ = *pulse;
+    answer_time_ = now;
+    state_ = State::kAnswered;
   } else {
     state_ = State::kFailed;
   }
 }
 
-// A channel without pulse gets its position again with the next tick, unless that is NaN.
-void Ssc32Bus::take_pulse(int pulse, double now) {
+bool Ssc32Bus::has_restarted() const {
+  return std::any_of(reports_.begin(), reports_.end(),
+                     [](const ServoReport& report) { return report.error != 0; });
+}
+
+void Ssc32Bus::take_answer() {
   state_ = State::kIdle;
   ++answers_;
-  reports_[asked_].position = position_of(pulse);
-  if (pulse == 0) sent_[asked_].reset();
-  for (ServoReport& report : reports_) report.time = now;
+  ServoReport& report = reports_[asked_];
+  if (answer_ == 0 && !std::isnan(report.position)) report.error = kRestarted;
+  report.position = position_of(answer_);
+  if (answer_ == 0) sent_[asked_].reset();
+  for (ServoReport& each : reports_) each.time = answer_time_;
+}
+
+Error Ssc32Bus::explain(std::uint8_t /*error*/) const {
+  return {ErrorKind::kSystem,
+          "has lost its pulse: the controller has restarted",
+          {},
+          "check the supply of the controller and of the servos: its voltage drops if they draw "
+          "too much current"};
 }
 
 std::size_t Ssc32Bus::bytes_per_tick() const {

@@ -21,17 +21,24 @@ namespace somato::devices {
 ///   the commands even if the servo is blocked or unplugged.
 /// - `time` is the arrival of the last valid answer of the board to any question, the same for all
 ///   servos: a board that is switched off, silenced or unplugged lets it grow old.
-/// - `current` is NaN and `error` 0.
+/// - `current` is NaN, and `error` is 0, or kRestarted if a channel that had a pulse has none.
 ///
-/// Each tick asks for the pulse of one channel, in turn, as soon as the question before is answered
-/// or given up. This also shows a board that restarted: its channels have no pulse then. After an
-/// answer that does not come within kPatience, or bytes that are no answer, the next tick begins
-/// with ESC and CR and sends every position again; for kQuiet no tick asks, and bytes that arrive
-/// are discarded, so that a late answer is not mistaken for that of another channel.
+/// Each tick asks for the pulse of one channel, in turn, and then moves the servos. A board that
+/// restarted has forgotten its pulses, and a servo that has sagged would jump; therefore a tick
+/// moves nothing before the question of the last one is answered, and the first answer of a board
+/// that restarted shows it. An answer is a single byte: bytes that follow it, such as those of an
+/// echo, make it invalid. After an answer that does not come within kPatience, or bytes that are no
+/// answer, the next tick consists of ESC and CR, and for kQuiet no tick sends anything, and
+/// bytes that arrive are discarded, so that a late answer is not mistaken for that of another
+/// channel; then every position is sent again. Moves that waited take as much longer.
+///
+/// The protocol has no checksum: a byte that is damaged on the line may send a servo to any pulse,
+/// until the next tick.
 class Ssc32Bus : public ServoBus {
  public:
   static constexpr double kPatience = 0.1;  ///< Seconds until an answer is given up.
-  static constexpr double kQuiet = 0.05;    ///< Seconds without questions after that.
+  static constexpr double kQuiet = 0.05;    ///< Seconds without commands after that.
+  static constexpr std::uint8_t kRestarted = 1;
 
   /// The servos' channels on the board, each of 0 to 31, none twice.
   explicit Ssc32Bus(std::vector<int> channels);
@@ -54,6 +61,8 @@ class Ssc32Bus : public ServoBus {
   bool reports_states() const override { return true; }
 
   std::size_t bytes_per_tick() const override;
+  double recovery() const override { return kPatience + 2.0 * kQuiet; }
+  Error explain(std::uint8_t error) const override;
 
   /// Valid answers since the start.
   std::size_t answers() const { return answers_; }
@@ -63,10 +72,11 @@ class Ssc32Bus : public ServoBus {
 
  private:
   enum class State {
-    kIdle,    ///< The next tick asks.
-    kAsked,   ///< An answer is to come.
-    kFailed,  ///< The next tick resynchronizes.
-    kQuiet,   ///< Bytes are discarded.
+    kIdle,      ///< The next tick asks.
+    kAsked,     ///< An answer is to come.
+    kAnswered,  ///< The next tick takes the answer, unless other bytes follow it.
+    kFailed,    ///< The next tick resynchronizes.
+    kQuiet,     ///< Nothing is sent, and bytes are discarded.
   };
 
   Result<void> check_version(wire::Exchange& exchange);
@@ -76,7 +86,8 @@ class Ssc32Bus : public ServoBus {
   void ask();
   void resynchronize();
   void take(std::uint8_t byte, double now);
-  void take_pulse(int pulse, double now);
+  void take_answer();
+  bool has_restarted() const;
 
   std::vector<int> channels_;
   std::vector<std::optional<int>> sent_;  // Pulses, as far as the board is known to have them.
@@ -85,6 +96,9 @@ class Ssc32Bus : public ServoBus {
   wire::Ssc32Commands relax_;
   State state_ = State::kIdle;
   std::size_t asked_ = 0;
+  int answer_ = 0;
+  double answer_time_ = 0.0;
+  double unmoved_ = 0.0;  // s since the last moves.
   double waited_ = 0.0;
   std::size_t answers_ = 0;
   std::size_t resynchronizations_ = 0;

@@ -16,8 +16,8 @@ constexpr double kMilliamperes = 100.0;  // per newton on a servo's own taxels
 
 }  // namespace
 
-EmulatedBody::EmulatedBody(const devices::DeviceFile& file, std::unique_ptr<Body> body)
-    : file_(file),
+EmulatedBody::EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body)
+    : file_(std::move(file)),
       body_(std::move(body)),
       servos_(make_servos(file_)),
       stuck_(file_.servos.size(), 0) {
@@ -43,6 +43,7 @@ EmulatedBody::EmulatedBody(const devices::DeviceFile& file, std::unique_ptr<Body
 
 std::vector<EmulatedWire*> EmulatedBody::wires() {
   std::vector<EmulatedWire*> wires;
+  wires.reserve(wires_.size());
   for (const auto& wire : wires_) wires.push_back(wire.get());
   return wires;
 }

@@ -18,7 +18,7 @@ namespace somato::emulation {
 class EmulatedBody {
  public:
   /// `body` has the servos and sensors of the device file; see devices::check_against().
-  EmulatedBody(const devices::DeviceFile& file, std::unique_ptr<Body> body);
+  EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body);
 
   /// Another body in its place, such as the same hand before another object.
   void replace(std::unique_ptr<Body> body);

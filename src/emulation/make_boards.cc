@@ -10,6 +10,7 @@ namespace {
 
 std::unique_ptr<EmulatedServos> ssc32_board(const devices::DeviceFile& file) {
   std::vector<int> channels;
+  channels.reserve(file.servos.size());
   for (const devices::ServoSettings& servo : file.servos) {
     channels.push_back(static_cast<int>(servo.channel));
   }
@@ -18,6 +19,7 @@ std::unique_ptr<EmulatedServos> ssc32_board(const devices::DeviceFile& file) {
 
 std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file) {
   std::vector<EmulatedDynamixel> servos;
+  servos.reserve(file.servos.size());
   for (const devices::ServoSettings& servo : file.servos) {
     EmulatedDynamixel made;
     made.id = static_cast<std::uint8_t>(servo.channel);
@@ -30,6 +32,7 @@ std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file
 std::unique_ptr<EmulatedServos> feetech_servos(const devices::DeviceFile& file,
                                                wire::FeetechSeries series, std::uint16_t model) {
   std::vector<EmulatedFeetech> servos;
+  servos.reserve(file.servos.size());
   for (const devices::ServoSettings& servo : file.servos) {
     EmulatedFeetech made;
     made.id = static_cast<std::uint8_t>(servo.channel);

@@ -11,18 +11,18 @@ namespace somato::wire {
 
 /// Bytes received and not yet decoded, in order of arrival, in memory of a fixed size: a decoder
 /// never allocates. When it is full, the oldest bytes are discarded.
-template <std::size_t kCapacity>
+template <std::size_t Capacity>
 class ReceiveBuffer {
  public:
   /// Appends `bytes`; returns the number of bytes that had to be discarded.
   std::size_t put(std::span<const std::uint8_t> bytes) {
     std::size_t lost = 0;
-    if (bytes.size() > kCapacity) {
-      lost = bytes.size() - kCapacity;
-      bytes = bytes.last(kCapacity);
+    if (bytes.size() > Capacity) {
+      lost = bytes.size() - Capacity;
+      bytes = bytes.last(Capacity);
     }
     const std::size_t excess =
-        size_ + bytes.size() > kCapacity ? size_ + bytes.size() - kCapacity : 0;
+        size_ + bytes.size() > Capacity ? size_ + bytes.size() - Capacity : 0;
     drop(excess);
     std::copy(bytes.begin(), bytes.end(), bytes_.begin() + size_);
     size_ += bytes.size();
@@ -42,7 +42,7 @@ class ReceiveBuffer {
   std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
 
  private:
-  std::array<std::uint8_t, kCapacity> bytes_{};
+  std::array<std::uint8_t, Capacity> bytes_{};
   std::size_t size_ = 0;
 };
 

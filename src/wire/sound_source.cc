@@ -137,6 +137,7 @@ Result<Descriptor> open_alsa(const std::string& device, double rate) {
                                     "-t",      "raw", "-f", "S16_LE",
                                     "-c",      "1",   "-r", fmt::format("{:.0f}", rate)};
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions{};

@@ -103,8 +103,8 @@ TEST_F(Ssc32BusTest, ReportsWhichChannelsHaveNoPulseWhenItStarts) {
 
 TEST_F(Ssc32BusTest, MovesOnlyWhatChanged) {
   start();
-  EXPECT_EQ(tick({1500.0, 1000.4, kNoPulse}), "#4P1500#10P1000T20\rQP10\r");
-  EXPECT_EQ(tick({1500.4, 1000.6, kNoPulse}), "#10P1001T20\rQP31\r");
+  EXPECT_EQ(tick({1500.0, 1000.4, kNoPulse}), "QP10\r#4P1500#10P1000T20\r");
+  EXPECT_EQ(tick({1500.4, 1000.6, kNoPulse}), "QP31\r#10P1001T20\r");
   EXPECT_EQ(tick({1499.6, 1001.0, kNoPulse}), "QP4\r");
   EXPECT_EQ(board_.driven_position(0), 1500.0);
   EXPECT_EQ(board_.driven_position(1), 1001.0);
@@ -114,7 +114,7 @@ TEST_F(Ssc32BusTest, MovesOnlyWhatChanged) {
 TEST_F(Ssc32BusTest, NeverSendsWhatTheProtocolDoesNotExpress) {
   start();
   EXPECT_EQ(tick({499.4, 2500.6, 1e300}), "QP10\r");
-  EXPECT_EQ(tick({499.6, 2500.4, -1500.0}), "#4P500#10P2500T20\rQP31\r");
+  EXPECT_EQ(tick({499.6, 2500.4, -1500.0}), "QP31\r#4P500#10P2500T20\r");
 }
 
 TEST_F(Ssc32BusTest, ReachesPositionsWithTheTicks) {
@@ -123,7 +123,7 @@ TEST_F(Ssc32BusTest, ReachesPositionsWithTheTicks) {
   for (int i = 0; i < 50; ++i) tick({position += 10.0, 1500.0, 2000.0});
   pass_tick();
   EXPECT_EQ(board_.driven_position(0), 1500.0);
-  EXPECT_EQ(bus_.answers(), 50U);
+  EXPECT_EQ(bus_.answers(), 49U);
   EXPECT_EQ(bus_.resynchronizations(), 0U);
   EXPECT_NEAR(bus_.reports()[0].position, 1500.0, 40.0);  // asked up to three ticks before
   EXPECT_EQ(bus_.reports()[2].position, 2000.0);
@@ -132,16 +132,16 @@ TEST_F(Ssc32BusTest, ReachesPositionsWithTheTicks) {
 TEST_F(Ssc32BusTest, LetsTheTimeOfReportsGrowOldWhenTheBoardIsDead) {
   start();
   tick({1500.0, 1500.0, 1500.0});
+  send("GOBOOT\r");
+  tick({1500.0, 1500.0, 1500.0});
   const double alive = bus_.reports()[0].time;
   EXPECT_GT(alive, 0.0);
-  send("GOBOOT\r");
   for (int i = 0; i < 50; ++i) tick({1500.0, 1500.0, 1500.0});
   for (const ServoReport& report : bus_.reports()) EXPECT_EQ(report.time, alive);
   EXPECT_GT(bus_.resynchronizations(), 3U);
   board_.restart();
   for (int i = 0; i < 20; ++i) tick({1500.0, 1500.0, 1500.0});
   EXPECT_GT(bus_.reports()[0].time, alive + 1.0);
-  EXPECT_EQ(board_.driven_position(0), 1500.0);
 }
 
 TEST_F(Ssc32BusTest, NoticesABoardThatLostItsPulses) {
@@ -149,33 +149,62 @@ TEST_F(Ssc32BusTest, NoticesABoardThatLostItsPulses) {
   for (int i = 0; i < 6; ++i) tick({1500.0, 1500.0, 1500.0});
   board_.restart();
   for (int i = 0; i < 6; ++i) tick({kNoPulse, kNoPulse, kNoPulse});
-  for (const ServoReport& report : bus_.reports()) EXPECT_TRUE(std::isnan(report.position));
-  EXPECT_EQ(tick({1500.0, kNoPulse, kNoPulse}).substr(0, 10), "#4P1500T20");
+  for (const ServoReport& report : bus_.reports()) {
+    EXPECT_TRUE(std::isnan(report.position));
+    EXPECT_EQ(report.error, Ssc32Bus::kRestarted);
+  }
+  EXPECT_NE(bus_.explain(Ssc32Bus::kRestarted).advice.find("check the supply"), std::string::npos);
+  EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "QP10\r");  // no servo jumps
 }
 
-TEST_F(Ssc32BusTest, SendsAPositionAgainToAChannelWithoutPulse) {
+// Also while all its servos move, and after a time without answers.
+TEST_F(Ssc32BusTest, NoticesARestartWithTheFirstAnswer) {
+  for (const int ticks_without_board : {0, 1, 3, 9, 30}) {
+    start();
+    double position = 1000.0;
+    for (int i = 0; i < 6; ++i) tick({position += 10.0, position, position});
+    reachable_ = ticks_without_board == 0;
+    line_.is_connected = reachable_;
+    for (int i = 0; i < ticks_without_board; ++i) tick({position += 10.0, position, position});
+    board_.restart();
+    reachable_ = line_.is_connected = true;
+    std::size_t moves = 0;
+    for (int i = 0; i < 12; ++i) {
+      const std::string sent = tick({position += 10.0, position, position});
+      moves += sent.find('#') != std::string::npos ? 1 : 0;
+    }
+    std::size_t restarted = 0;
+    for (const ServoReport& report : bus_.reports()) restarted += report.error;
+    EXPECT_GE(restarted, 1U) << ticks_without_board;
+    EXPECT_LE(moves, 1U) << ticks_without_board;
+  }
+}
+
+TEST_F(Ssc32BusTest, MovesNothingBeforeTheLastQuestionIsAnswered) {
   start();
   for (int i = 0; i < 6; ++i) tick({1500.0, 1500.0, 1500.0});
-  board_.restart();
-  for (int i = 0; i < 6; ++i) tick({1500.0, 1500.0, 1500.0});
-  for (std::size_t servo = 0; servo < 3; ++servo) {
-    EXPECT_EQ(board_.driven_position(servo), 1500.0);
-  }
+  reachable_ = false;
+  EXPECT_EQ(tick({1510.0, 1500.0, 1500.0}), "QP10\r#4P1510T20\r");
+  EXPECT_EQ(tick({1520.0, 1500.0, 1500.0}), "");
+  EXPECT_EQ(tick({1530.0, 1500.0, 1500.0}), "");
+  reachable_ = true;
+  receive("\x96");
+  EXPECT_EQ(tick({1540.0, 1500.0, 1500.0}), "QP31\r#4P1540T60\r");  // as much slower
 }
 
 TEST_F(Ssc32BusTest, ResynchronizesAfterGarbage) {
   start();
-  tick({1500.0, 1500.0, 1500.0});
+  for (int i = 0; i < 4; ++i) tick({1500.0, 1500.0, 1500.0});
   receive("\x07");
-  EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "\x1B\r#4P1500#10P1500#31P1500T20\r");
-  const ServoReport before = bus_.reports()[1];
+  EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "\x1B\r");
+  const ServoReport before = bus_.reports()[2];
   receive("\x64");  // A late answer.
-  EXPECT_EQ(bus_.reports()[1].position, before.position);
-  EXPECT_EQ(bus_.reports()[1].time, before.time);
+  EXPECT_EQ(bus_.reports()[2].position, before.position);
+  EXPECT_EQ(bus_.reports()[2].time, before.time);
   EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "");
-  tick({1500.0, 1500.0, 1500.0});
-  tick({1500.0, 1500.0, 1500.0});
-  EXPECT_EQ(bus_.answers(), 2U);
+  EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "");
+  EXPECT_EQ(tick({1500.0, 1500.0, 1500.0}), "QP31\r#4P1500#10P1500#31P1500T80\r");
+  EXPECT_EQ(bus_.answers(), 3U);
   EXPECT_EQ(bus_.resynchronizations(), 1U);
 }
 
@@ -193,7 +222,7 @@ TEST_F(Ssc32BusTest, GivesUpALostAnswer) {
   for (int i = 0; i < 7; ++i) sent += tick({kNoPulse, kNoPulse, kNoPulse});
   EXPECT_EQ(sent, "QP10\r\x1B\r");
   reachable_ = true;
-  for (int i = 0; i < 4; ++i) sent += tick({kNoPulse, kNoPulse, kNoPulse});
+  for (int i = 0; i < 5; ++i) sent += tick({kNoPulse, kNoPulse, kNoPulse});
   EXPECT_EQ(bus_.answers(), 2U);
 }
 

@@ -28,7 +28,7 @@ class EmulatedLine : public wire::Lines {
 
   Result<std::size_t> write(std::size_t /*line*/, std::span<const std::uint8_t> bytes) override {
     written_.insert(written_.end(), bytes.begin(), bytes.end());
-    board_.receive(bytes);
+    if (is_connected) board_.receive(bytes);
     return bytes.size();
   }
 
@@ -41,6 +41,9 @@ class EmulatedLine : public wire::Lines {
   }
 
   Result<void> reopen(std::size_t /*line*/) override { return {}; }
+
+  /// Whether the board receives what is written.
+  bool is_connected = true;
 
   /// All bytes written so far.
   std::span<const std::uint8_t> written() const { return written_; }

@@ -1,0 +1,366 @@
+// What can go wrong with a device while it moves, on each bus: when the body stops, what it says,
+// and what its servos did until then.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "devices/device_io.h"
+#include "devices/device_text.h"
+#include "emulation/dynamixel_servos.h"
+#include "emulation/feetech_servos.h"
+#include "emulation/sensor_board.h"
+#include "support/emulated_device.h"
+#include "support/fake_hand.h"
+
+namespace somato::devices {
+namespace {
+
+using testing::EmulatedDevice;
+
+constexpr const char* kFaultyDevice = R"(name = "two fingers"
+explore = "closing"
+[servos]
+bus = "ssc32"
+port = "servo port"
+[servo.thumb]
+channel = 0
+zero = 1200
+scale = 10
+least = 0
+most = 60
+fastest = 60
+[servo.index]
+channel = 1
+zero = 1900
+scale = -10
+least = 0
+most = 90
+fastest = 90
+[frames]
+format = "frames"
+port = "sensor port"
+elements = 2
+rate = 50
+[sensor.touch]
+unit = "N"
+from = "frames"
+elements = ["thumb_1", "index_1"]
+[safety]
+sensor = "touch"
+limit = 8
+hold = 0.5
+)";
+
+DeviceFile device_file(BusKind bus, FrameFormat format = FrameFormat::kFrames) {
+  std::string text = *with_bus(kFaultyDevice, "d.toml", bus);
+  if (format == FrameFormat::kAnyskin) {
+    text = with_key(text, "frames", "elements", "3");
+    text = with_key(text, "sensor.touch", "elements", R"(["thumb_1", "index_1", "index_2"])");
+  }
+  text = with_key(text, "frames", "format", fmt::format("\"{}\"", choice_name(format)));
+  return *parse_device_file(text, "d.toml");
+}
+
+std::unique_ptr<Body> two_fingers(const DeviceFile& file) {
+  auto hand = std::make_unique<FakeHand>("two fingers");
+  hand->add_servo({"thumb", "deg", 0.0, 60.0, 600.0}, 0.0);
+  hand->add_servo({"index", "deg", 0.0, 90.0, 900.0}, 0.0);
+  ChannelDescription touch;
+  touch.name = "touch";
+  touch.element_names = file.sensors.front().elements;
+  hand->add_sensor(touch, [count = touch.element_names.size()](const auto& positions) {
+    std::vector<float> forces(count, 0.5F);
+    forces[0] = static_cast<float>(positions[0] / 60.0);
+    forces[1] = static_cast<float>(positions[1] / 90.0);
+    return forces;
+  });
+  return hand;
+}
+
+// The fingers, and how far a servo was ever driven beyond its limits, in its unit.
+class FaultyFingers {
+ public:
+  explicit FaultyFingers(DeviceFile file) : device(file, two_fingers(file)) {
+    device.at = [this](double now) {
+      beyond_ = std::max(beyond_, beyond_now());
+      if (then_ && now >= moment_) std::exchange(then_, nullptr)();
+    };
+  }
+
+  EmulatedDevice device;
+
+  emulation::WireFaults& servo_line() { return device.body.wires()[0]->faults; }
+  emulation::WireFaults& sensor_line() { return device.body.wires()[1]->faults; }
+  emulation::EmulatedServos& servos() { return device.body.servos(); }
+  emulation::SensorBoard& sensors() {
+    return dynamic_cast<emulation::SensorBoard&>(*device.body.sensors());
+  }
+  double beyond() const { return beyond_; }
+
+  bool are_off() {
+    device.lines.wait(device.lines.now() + 0.05);
+    device.lines.wait(device.lines.now() + 0.05);
+    return !servos().driven_position(0) && !servos().driven_position(1);
+  }
+
+  void overload(std::size_t servo) {
+    if (auto* chain = dynamic_cast<emulation::DynamixelServos*>(&servos())) {
+      chain->overload(servo);
+    } else {
+      dynamic_cast<emulation::FeetechServos&>(servos()).overload(servo);
+    }
+  }
+
+  void at(double moment, std::function<void()> then) {
+    moment_ = moment;
+    then_ = std::move(then);
+  }
+
+ private:
+  double beyond_now() {
+    double beyond = 0.0;
+    for (std::size_t i = 0; i < device.file.servos.size(); ++i) {
+      const ServoSettings& servo = device.file.servos[i];
+      const auto driven = servos().driven_position(i);
+      if (!driven) continue;
+      const double position = servo.from_bus(*driven);
+      beyond = std::max({beyond, position - servo.most, servo.least - position});
+    }
+    return beyond;
+  }
+
+  double beyond_ = 0.0;
+  double moment_ = 0.0;
+  std::function<void()> then_;
+};
+
+// A step on the coarsest bus is 0.3 deg.
+constexpr double kResolution = 0.3;
+
+// When the body stops after a fault in the middle of a movement, and with what error.
+struct Outcome {
+  bool stopped = false;
+  double after = 0.0;  // s
+  Error error;
+};
+
+Outcome outcome_of(FaultyFingers& fingers, const std::function<void()>& fault) {
+  const auto body = DeviceBody::start(fingers.device.file, fingers.device.lines);
+  EXPECT_TRUE(body) << to_string(body.error());
+  EXPECT_TRUE((*body)->command(std::array{60.0, 90.0}));
+  EXPECT_TRUE((*body)->step(0.3));
+  const double moment = fingers.device.lines.now() + 0.1;
+  fingers.at(moment, fault);
+  const auto stepped = (*body)->step(5.0);
+  EXPECT_LE(fingers.beyond(), kResolution);
+  if (stepped) return {};
+  EXPECT_FALSE((*body)->is_on());
+  EXPECT_FALSE(stepped.error().advice.empty());
+  return {true, fingers.device.lines.now() - moment, stepped.error()};
+}
+
+// The body moves to and fro for some seconds and goes on.
+void expect_goes_on(FaultyFingers& fingers, const std::function<void()>& fault) {
+  const auto body = DeviceBody::start(fingers.device.file, fingers.device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  for (int i = 0; i < 10; ++i) {
+    const double target = i % 2 == 0 ? 60.0 : 0.0;
+    ASSERT_TRUE((*body)->command(std::array{target, target}));
+    fault();
+    const auto stepped = (*body)->step(0.5);
+    ASSERT_TRUE(stepped) << to_string(stepped.error());
+  }
+}
+
+std::string bus_name(const ::testing::TestParamInfo<BusKind>& info) {
+  return choice_name(info.param);
+}
+
+class DeviceFaults : public ::testing::TestWithParam<BusKind> {
+ protected:
+  // Seconds until silence is a fault: three periods; a bus that reads one servo after the other
+  // asks each in that time, and an SSC-32 is given time to resynchronize.
+  static double patience() {
+    if (GetParam() == BusKind::kSsc32) return 0.2;
+    return GetParam() == BusKind::kScs ? 0.12 : 0.06;
+  }
+
+  FaultyFingers fingers_{device_file(GetParam())};
+};
+
+INSTANTIATE_TEST_SUITE_P(Buses, DeviceFaults,
+                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
+                                           BusKind::kScs),
+                         bus_name);
+
+TEST_P(DeviceFaults, AHangUpInAMovementIsNoticedWithin100Milliseconds) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servo_line().hung_up = true; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.kind, ErrorKind::kSystem);
+  EXPECT_EQ(outcome.error.what, "the line has hung up");
+  EXPECT_NE(outcome.error.advice.find("check the cable"), std::string::npos);
+  EXPECT_LT(outcome.after, 0.1);
+}
+
+TEST_P(DeviceFaults, SilenceIsNoticedAfterThreeMissedPolls) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servo_line().silent = true; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_NE(outcome.error.what.find("gave no answer for"), std::string::npos);
+  EXPECT_NE(outcome.error.advice.find("check the cable"), std::string::npos);
+  EXPECT_EQ(outcome.error.where, "servo port");
+  EXPECT_GE(outcome.after, patience() + 0.5 - 0.04);
+  EXPECT_LE(outcome.after, patience() + 0.5 + 0.06);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(DeviceFaults, GarbageIsSkipped) {
+  expect_goes_on(fingers_, [&] {
+    fingers_.servo_line().garbage = {0xFF, 0xFF, 0xFD, 0x00, 0x01, 0xFF, 0x7F, 0x55, 'Q', '\r'};
+    fingers_.sensor_line().garbage = {0x00, 0x05, 0xFF, '1', ',', '\n', 0x00};
+  });
+  EXPECT_LE(fingers_.beyond(), kResolution);
+}
+
+// An SSC-32 has no checksum, so that it may drive a servo anywhere: what the host sends is right.
+TEST_P(DeviceFaults, OneByteInAThousandMayBeFlipped) {
+  expect_goes_on(fingers_, [&] {
+    fingers_.servo_line().flipped = 0.001;
+    fingers_.sensor_line().flipped = 0.001;
+  });
+  if (GetParam() != BusKind::kSsc32) EXPECT_LE(fingers_.beyond(), kResolution);
+}
+
+// The line of an SSC-32 has two wires and no echo: there it is as good as silence.
+TEST_P(DeviceFaults, AnEchoIsNoAnswer) {
+  if (GetParam() == BusKind::kSsc32) {
+    EXPECT_TRUE(outcome_of(fingers_, [&] { fingers_.servo_line().echo = true; }).stopped);
+    return;
+  }
+  expect_goes_on(fingers_, [&] { fingers_.servo_line().echo = true; });
+  EXPECT_LE(fingers_.beyond(), kResolution);
+}
+
+// A controller whose supply fails for a moment has forgotten where its servos are, and drives none.
+TEST_P(DeviceFaults, ABrownOutStopsTheBody) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servos().restart(); });
+  ASSERT_TRUE(outcome.stopped) << "the servos are off, and the body goes on";
+  EXPECT_LT(outcome.after, 0.5 + 0.2);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(DeviceFaults, AnOverloadStopsTheBodyUntilAReboot) {
+  if (GetParam() == BusKind::kSsc32) {
+    // It neither measures the load of its servos nor restarts them.
+    DeviceIo io(fingers_.device.file, fingers_.device.lines);
+    const auto refused = io.reboot();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().advice, "switch their supply off and on");
+    return;
+  }
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.overload(1); });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_NE(outcome.error.what.find("the servo 'index' reports the hardware error"),
+            std::string::npos);
+  EXPECT_NE(outcome.error.advice.find("--reboot"), std::string::npos);
+  EXPECT_TRUE(fingers_.are_off());
+  const auto again = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
+  ASSERT_FALSE(again);
+  EXPECT_NE(again.error().advice.find("--reboot"), std::string::npos);
+  DeviceIo io(fingers_.device.file, fingers_.device.lines);
+  const auto rebooted = io.reboot();
+  ASSERT_TRUE(rebooted) << to_string(rebooted.error());
+  const auto started = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
+  EXPECT_TRUE(started) << to_string(started.error());
+}
+
+// The recording holds what arrives.
+TEST_P(DeviceFaults, StuckAndDeadTaxelsGiveWhatTheyGive) {
+  const auto body = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->command(std::array{30.0, 45.0}));
+  ASSERT_TRUE((*body)->step(1.5));
+  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
+  fingers_.sensors().stick(0);
+  fingers_.sensors().kill(1);
+  ASSERT_TRUE((*body)->command(std::array{60.0, 90.0}));
+  ASSERT_TRUE((*body)->step(1.5));
+  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
+  EXPECT_EQ((*body)->state().readings[0](0, 1), 0.0F);
+  EXPECT_LE(fingers_.beyond(), kResolution);
+}
+
+TEST_P(DeviceFaults, AStuckJointStaysAndTheOthersMove) {
+  fingers_.device.body.set_stuck(0, true);
+  const auto body = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->command(std::array{60.0, 90.0}));
+  ASSERT_TRUE((*body)->step(2.0));
+  EXPECT_EQ((*body)->state().readings[0](0, 0), 0.0F);
+  EXPECT_NEAR((*body)->state().readings[0](0, 1), 1.0F, 0.02F);
+}
+
+TEST_P(DeviceFaults, ASlowLineStopsTheBody) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servo_line().slowness = 200.0; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.kind, ErrorKind::kSystem);
+  EXPECT_EQ(outcome.error.where, "servo port");
+  EXPECT_LT(outcome.after, 1.0);
+}
+
+TEST_P(DeviceFaults, SensorsThatHangUpStopTheBodyWhichHoldsAndRelaxes) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().hung_up = true; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.what, "the line has hung up");
+  EXPECT_GE(outcome.after, 0.5);
+  EXPECT_LT(outcome.after, 0.5 + 0.1);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+// On the sensors' side the format matters, not the bus.
+class SensorFaults : public ::testing::TestWithParam<FrameFormat> {
+ protected:
+  FaultyFingers fingers_{device_file(BusKind::kDynamixel, GetParam())};
+};
+
+INSTANTIATE_TEST_SUITE_P(Formats, SensorFaults,
+                         ::testing::Values(FrameFormat::kFrames, FrameFormat::kLines,
+                                           FrameFormat::kAnyskin),
+                         [](const auto& info) { return choice_name(info.param); });
+
+TEST_P(SensorFaults, SilenceForThreePeriodsStopsTheBody) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().silent = true; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.what, "no valid sensor frame arrived for 3 periods");
+  EXPECT_EQ(outcome.error.where, "sensor port");
+  EXPECT_NEAR(outcome.after, 0.06 + 0.5, 0.06);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(SensorFaults, NothingButGarbageStopsTheBody) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().flipped = 0.5; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(SensorFaults, ASlowLineStopsTheBody) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().slowness = 500.0; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.what, "no valid sensor frame arrived for 3 periods");
+}
+
+TEST_P(SensorFaults, ABoardThatRestartsIsReadOn) {
+  expect_goes_on(fingers_, [&] { fingers_.sensors().restart(); });
+}
+
+// Without a checksum a wrong value may arrive; one above the limit stops the body.
+TEST_P(SensorFaults, FramesAfterGarbageAreRead) {
+  expect_goes_on(fingers_, [&] {
+    fingers_.sensor_line().garbage = {0x00, 0x05, 0xFF, '1', ',', '\n', 0x00, 0x0D};
+  });
+}
+
+}  // namespace
+}  // namespace somato::devices
