@@ -141,7 +141,10 @@ Result<void> run_emulate(const Arguments& arguments) {
       path);
   std::fflush(stdout);
   std::fputs("Press Ctrl-C to end the emulation.\n", stderr);
-  return emulator->run([] { return !stop_requested(); });
+  SOMATO_TRY_VOID(emulator->run([] { return !stop_requested(); }));
+  fmt::print("At the end, {} of {} servos were on.\n", emulator->body().servos_on(),
+             request.file.servos.size());
+  return {};
 }
 
 }  // namespace

@@ -303,10 +303,10 @@ Result<void> DynamixelBus::reboot(std::size_t servo, wire::Exchange& exchange) {
 }
 
 // At least 1, because 0 stands for no profile.
-std::uint32_t DynamixelBus::profile_velocity(const Servo& servo, double goal,
-                                             double seconds) const {
+std::uint32_t DynamixelBus::profile_velocity(std::size_t index, double goal, double seconds) {
+  Servo& servo = servos_[index];
   if (servo.timed) return static_cast<std::uint32_t>(std::clamp(seconds * 1000.0, 1.0, 32737.0));
-  const double steps = std::abs(goal - servo.goal) / std::max(seconds, 1e-3);
+  const double steps = servo.speed.next(goal, servo.goal, reports_[index].position, seconds);
   const double velocity = std::ceil(steps / dynamixel_x::kVelocityUnit);
   return static_cast<std::uint32_t>(std::clamp(velocity, 1.0, servo.fastest));
 }
@@ -319,7 +319,7 @@ void DynamixelBus::write_goals(wire::DynamixelWriter& to, std::span<const double
     if (!std::isfinite(positions[i])) continue;
     const double goal = std::round(std::clamp(positions[i], servo.lowest, servo.highest));
     to.put8(servo.declared.id);
-    to.put32(profile_velocity(servo, goal, seconds));
+    to.put32(profile_velocity(i, goal, seconds));
     to.put32(static_cast<std::uint32_t>(static_cast<std::int32_t>(goal)));
     servo.goal = goal;
   }

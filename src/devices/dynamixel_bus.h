@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "devices/goal_speed.h"
 #include "devices/servo_bus.h"
 #include "wire/dynamixel.h"
 
@@ -73,6 +74,7 @@ class DynamixelBus : public ServoBus {
     DynamixelServo declared;
     double current_unit = 0.0;
     double goal = 0.0;  // the last that was sent
+    GoalSpeed speed{};
     double lowest = 0.0;
     double highest = 0.0;
     double fastest = 0.0;  // limit of the profile velocity
@@ -92,7 +94,7 @@ class DynamixelBus : public ServoBus {
   Result<void> read_limits(Servo& servo, bool one_turn, wire::Exchange& exchange) const;
   Result<void> hold(std::size_t servo, wire::Exchange& exchange);
   Result<void> hold_all(wire::Exchange& exchange);
-  std::uint32_t profile_velocity(const Servo& servo, double goal, double seconds) const;
+  std::uint32_t profile_velocity(std::size_t servo, double goal, double seconds);
   void write_goals(wire::DynamixelWriter& to, std::span<const double> positions, double seconds);
   void take_state(std::size_t servo, std::span<const std::uint8_t> state, double now);
   bool error_is_unknown() const;

@@ -209,7 +209,7 @@ Result<void> FeetechBus::hold(std::size_t index, wire::Exchange& exchange) {
   }
   Bytes memory(kFeetechGoalSize);
   wire::FeetechWriter goal(memory, wire::feetech_order(series_));
-  put_goal(goal, servo, servo.goal, 1.0);
+  put_goal(goal, index, servo.goal, 1.0);
   SOMATO_TRY_VOID(write(servo, feetech::kGoalPosition, memory, exchange));
   if (is_sts()) SOMATO_TRY_VOID(write(servo, feetech::kAcceleration, {0}, exchange));
   return write(servo, feetech::kTorqueEnable, {1}, exchange);
@@ -248,9 +248,9 @@ Result<void> FeetechBus::reboot(std::size_t index, wire::Exchange& exchange) {
   return hold(index, exchange);
 }
 
-void FeetechBus::put_goal(wire::FeetechWriter& to, const Servo& servo, double goal,
-                          double seconds) const {
-  const double speed = std::abs(goal - servo.goal) / std::max(seconds, 1e-3);
+void FeetechBus::put_goal(wire::FeetechWriter& to, std::size_t index, double goal, double seconds) {
+  Servo& servo = servos_[index];
+  const double speed = servo.speed.next(goal, servo.goal, reports_[index].position, seconds);
   const double units = std::clamp(std::ceil(speed / kFeetechSpeedUnit), 1.0, 655.0);
   const double time = std::clamp(std::round(seconds * 1000.0), 1.0, 9999.0);
   to.put16(wire::feetech_unsigned(static_cast<int>(goal)));
@@ -266,7 +266,7 @@ void FeetechBus::write_goals(wire::FeetechWriter& to, std::span<const double> po
     if (!std::isfinite(positions[i])) continue;
     const double goal = std::round(std::clamp(positions[i], servo.lowest, servo.highest));
     to.put8(servo.declared.id);
-    put_goal(to, servo, goal, seconds);
+    put_goal(to, i, goal, seconds);
     servo.goal = goal;
   }
   to.end();

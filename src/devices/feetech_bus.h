@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "devices/goal_speed.h"
 #include "devices/servo_bus.h"
 #include "wire/feetech.h"
 
@@ -80,6 +81,7 @@ class FeetechBus : public ServoBus {
     FeetechServo declared;
     const FeetechModel* model = nullptr;
     double goal = 0.0;  // the last that was sent
+    GoalSpeed speed{};
     double lowest = 0.0;
     double highest = 0.0;
   };
@@ -98,7 +100,7 @@ class FeetechBus : public ServoBus {
   Result<void> hold(std::size_t servo, wire::Exchange& exchange);
   Result<void> hold_all(wire::Exchange& exchange);
   void write_goals(wire::FeetechWriter& to, std::span<const double> positions, double seconds);
-  void put_goal(wire::FeetechWriter& to, const Servo& servo, double goal, double seconds) const;
+  void put_goal(wire::FeetechWriter& to, std::size_t servo, double goal, double seconds);
   std::span<const std::uint8_t> ask_one(wire::FeetechWriter& to);
   bool is_state(std::size_t servo, const wire::FeetechPacket& packet) const;
   void take_state(std::size_t servo, const wire::FeetechPacket& packet, double now);

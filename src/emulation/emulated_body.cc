@@ -48,6 +48,12 @@ std::vector<EmulatedWire*> EmulatedBody::wires() {
   return wires;
 }
 
+std::size_t EmulatedBody::servos_on() const {
+  std::size_t on = 0;
+  for (std::size_t i = 0; i < file_.servos.size(); ++i) on += servos_->driven_position(i) ? 1 : 0;
+  return on;
+}
+
 void EmulatedBody::replace(std::unique_ptr<Body> body) {
   body_ = std::move(body);
   sense();

@@ -30,6 +30,9 @@ class EmulatedBody {
   Result<void> advance(double now);
 
   EmulatedServos& servos() { return *servos_; }
+
+  /// The number of servos that the boards drive now.
+  std::size_t servos_on() const;
   EmulatedSensors* sensors() { return sensors_.get(); }
 
   /// The wires of the device, in the order of devices::lines_of().

@@ -1,5 +1,6 @@
 #include "wire/exchange.h"
 
+#include <algorithm>
 #include <array>
 
 namespace somato::wire {
@@ -14,7 +15,7 @@ Result<void> Exchange::clear() {
 
 Result<void> Exchange::send(std::span<const std::uint8_t> bytes, double timeout) {
   constexpr double kPause = 0.001;
-  const double until = now() + timeout;
+  const double until = now() + timeout * patience();
   while (!bytes.empty()) {
     SOMATO_TRY(const auto count, lines_.write(line_, bytes));
     bytes = bytes.subspan(count);
@@ -29,7 +30,7 @@ Result<void> Exchange::send(std::span<const std::uint8_t> bytes, double timeout)
 }
 
 Result<bool> Exchange::receive(double timeout, const Take& take) {
-  const double until = now() + timeout;
+  const double until = now() + timeout * patience();
   std::array<std::uint8_t, 256> bytes{};
   for (;;) {
     SOMATO_TRY(const auto count, lines_.read(line_, bytes));
@@ -46,9 +47,21 @@ Result<bool> Exchange::request(std::span<const std::uint8_t> bytes, double timeo
     SOMATO_TRY_VOID(clear());
     SOMATO_TRY_VOID(send(bytes));
     SOMATO_TRY(const auto complete, receive(timeout, take));
-    if (complete) return true;
+    if (!complete) continue;
+    // The answers to the attempts before may only be late, and must not be those to what follows.
+    if (attempt > 0) SOMATO_TRY_VOID(let_late_answers_pass(timeout));
+    return true;
   }
   return false;
+}
+
+Result<void> Exchange::let_late_answers_pass(double timeout) {
+  pause(timeout * patience());
+  return clear();
+}
+
+double Exchange::patience() const {
+  return std::max(1.0, lines_.clock());
 }
 
 void Exchange::pause(double seconds) {

@@ -10,8 +10,8 @@
 
 namespace somato::wire {
 
-/// Requests and answers on one line, with time-outs: for starting and calibrating a device, not for
-/// its ticks.
+/// Requests and answers on one line, with time-outs, which are multiplied by Lines::clock() if that
+/// is above 1: for starting and calibrating a device, not for its ticks.
 class Exchange {
  public:
   /// Takes bytes that arrived; returns whether the answer is complete.
@@ -40,6 +40,9 @@ class Exchange {
   void pause(double seconds);
 
  private:
+  Result<void> let_late_answers_pass(double timeout);
+  double patience() const;
+
   Lines& lines_;
   std::size_t line_;
 };

@@ -22,6 +22,10 @@ class Lines {
   /// Seconds of a clock that never goes back.
   virtual double now() const = 0;
 
+  /// Seconds of that clock per second, 1 except for emulated devices in other processes: those
+  /// answer no faster.
+  virtual double clock() const { return 1.0; }
+
   /// Reads what has arrived, at most `bytes.size()`, without waiting; returns the number of bytes,
   /// 0 if there are none. Errors (kSystem): the line has hung up.
   virtual Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) = 0;

@@ -25,6 +25,7 @@ class SerialLines : public Lines {
   static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports, double clock = 1.0);
 
   double now() const override;
+  double clock() const override { return clock_; }
   Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override;
   Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override;
   void wait(double until) override;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "devices/device_text.h"
 #include "files/embedded.h"
@@ -40,9 +41,10 @@ Pair explore_both(ExploringBody body, BusKind bus, std::size_t thing, const Expl
   auto direct = explore(*simulated);
   EmulatedDevice emulated(device(choice_name(body), bus), make());
   auto started = DeviceBody::start(emulated.file, emulated.lines);
-  EXPECT_TRUE(started) << to_string(started.error());
+  if (!started) throw std::runtime_error(to_string(started.error()));
   auto through_lines = explore(**started);
-  EXPECT_TRUE(direct && through_lines) << (through_lines ? "" : to_string(through_lines.error()));
+  if (!direct) throw std::runtime_error(to_string(direct.error()));
+  if (!through_lines) throw std::runtime_error(to_string(through_lines.error()));
   EXPECT_TRUE(emulated.state) << to_string(emulated.state.error());
   return {std::move(*direct), std::move(*through_lines)};
 }
@@ -72,7 +74,7 @@ TEST_P(EmulatedBodies, HandThreeFeelsTheSameShape) {
 
 // Its noise is 0.006 mm, its stroke of 10 mm has 2^18 counts; the force varies by 1 %.
 TEST_P(EmulatedBodies, TheHardnessProbeMeetsTheSameResistance) {
-  for (const std::size_t material : {0U, 2U}) {
+  for (const std::size_t material : {0U, 2U, 7U}) {
     const Pair pair = explore_both(ExploringBody::kHardness, GetParam(), material,
                                    [](Body& body) { return explore_by_pressing(body); });
     const float direct = last_frame(pair.direct, "potentiometer")[0];

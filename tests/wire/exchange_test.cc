@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <deque>
+#include <utility>
 
 #include "wire/serial_lines.h"
 
@@ -15,7 +18,7 @@ TEST(Exchange, AsksAgainUntilTheAnswerIsComplete) {
   Exchange exchange(**lines, 0);
   const std::array<std::uint8_t, 1> request{'?'};
   const auto none =
-      exchange.request(request, 0.1, 3, [](std::span<const std::uint8_t>) { return true; });
+      exchange.request(request, 0.01, 3, [](std::span<const std::uint8_t>) { return true; });
   ASSERT_TRUE(none);
   EXPECT_FALSE(*none);
   std::array<std::uint8_t, 8> received{};
@@ -36,6 +39,42 @@ TEST(Exchange, GivesEverythingThatArrivesUntilTheAnswerIsComplete) {
   ASSERT_TRUE(complete);
   EXPECT_TRUE(*complete);
   EXPECT_EQ(count, 3U);
+}
+
+// A board that echoes each byte 0.15 s later.
+class LateLine : public Lines {
+ public:
+  double now() const override { return now_; }
+  Result<std::size_t> read(std::size_t /*line*/, std::span<std::uint8_t> bytes) override {
+    if (answers_.empty() || answers_.front().first > now_) return 0;
+    bytes[0] = answers_.front().second;
+    answers_.pop_front();
+    return 1;
+  }
+  Result<std::size_t> write(std::size_t /*line*/, std::span<const std::uint8_t> bytes) override {
+    for (const std::uint8_t byte : bytes) answers_.emplace_back(now_ + 0.15, byte);
+    return bytes.size();
+  }
+  void wait(double until) override { now_ = std::min(until, now_ + 0.001); }
+  Result<void> reopen(std::size_t /*line*/) override { return {}; }
+
+ private:
+  double now_ = 0.0;
+  std::deque<std::pair<double, std::uint8_t>> answers_;
+};
+
+TEST(Exchange, TakesALateAnswerForThatOfNoOtherRequest) {
+  LateLine line;
+  Exchange exchange(line, 0);
+  for (const std::uint8_t letter : std::array<std::uint8_t, 3>{1, 2, 3}) {
+    std::uint8_t answer = 0;
+    const auto complete = exchange.request({&letter, 1}, 0.1, 3, [&](auto bytes) {
+      answer = bytes[0];
+      return true;
+    });
+    ASSERT_TRUE(complete && *complete);
+    EXPECT_EQ(answer, letter);
+  }
 }
 
 }  // namespace
