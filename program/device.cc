@@ -24,6 +24,11 @@
 namespace somato::program {
 namespace {
 
+void guard(const wire::Lines& lines, std::span<const std::uint8_t> relax_bytes) {
+  const auto& serial = dynamic_cast<const wire::SerialLines&>(lines);
+  switch_off_at_the_end(serial.descriptor(0), relax_bytes);
+}
+
 using devices::DeviceFile;
 using devices::ExploringMethod;
 
@@ -150,6 +155,14 @@ Result<DeviceFile> read_checked_device(const std::string& path) {
   return file;
 }
 
+ServoGuard::ServoGuard(const wire::Lines& lines, std::span<const std::uint8_t> relax_bytes) {
+  guard(lines, relax_bytes);
+}
+
+ServoGuard::~ServoGuard() {
+  switch_off_at_the_end(-1, {});
+}
+
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
                                                   const std::string& output) {
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
@@ -165,10 +178,7 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
     if (thing.object) objects.push_back(*thing.object);
   }
   surroundings.scenes = recorded_scenes(std::move(objects));
-  surroundings.on_switch = [](wire::Lines& lines, std::span<const std::uint8_t> relax_bytes) {
-    const auto& serial = dynamic_cast<const wire::SerialLines&>(lines);
-    switch_off_at_the_end(serial.descriptor(0), relax_bytes);
-  };
+  surroundings.on_switch = guard;
   surroundings.watch = watch_stop_key;
   surroundings.keep_log = [output](const devices::StateLog& log) { return keep_log(output, log); };
   return devices::DeviceExplorer::create(file, std::move(things), std::move(exploring),

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "command_line.h"
@@ -22,6 +24,18 @@ Result<devices::DeviceFile> read_checked_device(const std::string& path);
 
 /// The lines of a device, open. Errors: kSystem.
 Result<std::unique_ptr<wire::Lines>> open_lines(const devices::DeviceFile& file);
+
+/// While it lives, a signal that ends the program first switches the servos at the first of these
+/// lines off.
+class ServoGuard {
+ public:
+  ServoGuard(const wire::Lines& lines, std::span<const std::uint8_t> relax_bytes);
+  ServoGuard(const ServoGuard&) = delete;
+  ServoGuard(ServoGuard&&) = delete;
+  ServoGuard& operator=(const ServoGuard&) = delete;
+  ServoGuard& operator=(ServoGuard&&) = delete;
+  ~ServoGuard();
+};
 
 /// An explorer of the device `file` at `path`, for the objects or materials of --objects, or of the
 /// body that it stands for; the parameters of --settings. Nothing moves before it explores. A

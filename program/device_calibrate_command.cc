@@ -142,6 +142,7 @@ Result<void> run_calibrate(const Arguments& arguments) {
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(one));
   SOMATO_TRY(const auto body, DeviceBody::start(one, *lines));
+  const ServoGuard guard(*lines, body->relax_bytes());
   const auto servo = std::find_if(file.servos.begin(), file.servos.end(), [&](const auto& each) {
     return each.name == one.servos.front().name;
   });

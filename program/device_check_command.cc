@@ -146,6 +146,7 @@ Result<void> run_check(const Arguments& arguments) {
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(file));
   DeviceIo io(file, *lines);
+  const ServoGuard guard(*lines, io.relax_bytes());
   if (arguments.has("reboot")) SOMATO_TRY_VOID(io.reboot());
   SOMATO_TRY_VOID(io.start());
   auto heard = listen(file, io);

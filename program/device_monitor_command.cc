@@ -83,6 +83,7 @@ Result<void> run_monitor(const Arguments& arguments) {
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(file));
   DeviceIo io(file, *lines);
+  const ServoGuard guard(*lines, io.relax_bytes());
   SOMATO_TRY_VOID(io.start());
   auto watched = watch(file, io, seconds ? static_cast<double>(*seconds) : INFINITY);
   io.relax();

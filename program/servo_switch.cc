@@ -23,7 +23,10 @@ std::atomic<int> relax_descriptor = -1;
 // Only functions that a signal handler may call.
 void relax_and_end(int signal) {
   const std::size_t size = relax_size;
+  constexpr int kPatienceMs = 50;  // for a line that is still sending
   for (std::size_t sent = 0; sent < size;) {
+    pollfd line{relax_descriptor, POLLOUT, 0};
+    if (poll(&line, 1, kPatienceMs) <= 0) break;
     const ssize_t count = write(relax_descriptor, relax.data() + sent, size - sent);
     if (count <= 0) break;
     sent += static_cast<std::size_t>(count);

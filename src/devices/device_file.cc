@@ -66,9 +66,9 @@ class Reader {
         keys.entries.push_back(entry);
       }
     }
+    SOMATO_TRY(auto settings, read_parameters<DeviceSettings>(keys));
     SOMATO_TRY_VOID(check_present(keys, "name", "write for example name = \"my hand\""));
     SOMATO_TRY_VOID(check_present(keys, "explore", "write for example explore = \"closing\""));
-    SOMATO_TRY(auto settings, read_parameters<DeviceSettings>(keys));
     device_.settings = std::move(settings);
     SOMATO_TRY_VOID(check());
     return std::move(device_);
@@ -111,15 +111,15 @@ class Reader {
   }
 
   Result<void> read_line(const Table& table, std::optional<ServoLine>& line) {
+    SOMATO_TRY_VOID(assign(read_parameters<ServoLine>(table), line.emplace()));
     SOMATO_TRY_VOID(check_present(table, "bus", "write for example bus = \"ssc32\""));
-    SOMATO_TRY_VOID(check_present(table, "port", "write for example port = \"/dev/ttyUSB0\""));
-    return assign(read_parameters<ServoLine>(table), line.emplace());
+    return check_present(table, "port", "write for example port = \"/dev/ttyUSB0\"");
   }
 
   Result<void> read_frames(const Table& table) {
+    SOMATO_TRY_VOID(assign(read_parameters<FrameLine>(table), device_.frame_line.emplace()));
     SOMATO_TRY_VOID(check_present(table, "port", "write for example port = \"/dev/ttyACM0\""));
     SOMATO_TRY_VOID(check_present(table, "elements", "write the number of values in a frame"));
-    SOMATO_TRY_VOID(assign(read_parameters<FrameLine>(table), device_.frame_line.emplace()));
     if (device_.frame_line->format != FrameFormat::kAnyskin ||
         device_.frame_line->elements % kAnyskinAxes == 0)
       return {};
@@ -128,15 +128,16 @@ class Reader {
   }
 
   Result<void> read_microphone(const Table& table) {
-    SOMATO_TRY_VOID(check_present(table, "source", "write for example source = \"alsa:default\""));
-    return assign(read_parameters<MicrophoneSettings>(table), device_.microphone.emplace());
+    SOMATO_TRY_VOID(
+        assign(read_parameters<MicrophoneSettings>(table), device_.microphone.emplace()));
+    return check_present(table, "source", "write for example source = \"alsa:default\"");
   }
 
   Result<void> read_servo(const Table::Entry& entry, const Table& table) {
+    SOMATO_TRY(auto servo, read_parameters<ServoSettings>(table));
     for (const char* key : {"channel", "least", "most"}) {
       SOMATO_TRY_VOID(check_present(table, key, "a servo requires channel, least and most"));
     }
-    SOMATO_TRY(auto servo, read_parameters<ServoSettings>(table));
     servo.name = entry.name;
     where_[servo.name] = table.where;
     device_.servos.push_back(std::move(servo));
@@ -144,8 +145,8 @@ class Reader {
   }
 
   Result<void> read_sensor(const Table::Entry& entry, const Table& table) {
-    SOMATO_TRY_VOID(check_present(table, "from", "write for example from = \"frames\""));
     SOMATO_TRY(auto sensor, read_parameters<SensorSettings>(table));
+    SOMATO_TRY_VOID(check_present(table, "from", "write for example from = \"frames\""));
     std::vector<std::string> names;
     for (const std::string& name : sensor.elements) {
       SOMATO_TRY_VOID(expand(name, table.find("elements")->where, names));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kPollMs = 1;
 constexpr double kLongestStep = 0.02;        // s of the emulation
+constexpr double kLastMoment = 0.1;          // s for what hosts have sent before the end
 constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
 
 // Writes what the port accepts of what waits for it. Without a host everything is lost, as on a
@@ -120,7 +122,9 @@ void PtyEmulator::wait() const {
 
 Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
   last_ = std::chrono::steady_clock::now();
-  while (goes_on()) {
+  std::optional<double> end;
+  while (!end || now_ < *end) {
+    if (!end && !goes_on()) end = now_ + kLastMoment;
     handle_placing();
     pass_time();
     SOMATO_TRY_VOID(body_->advance(now_));

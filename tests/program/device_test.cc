@@ -1,0 +1,219 @@
+// Devices at serial lines, which the program emulates itself at pseudo-terminals.
+
+#include "program/emulation_test.h"
+#include "program/program_test.h"
+#include "somato/recording/recording_file.h"
+
+#include <future>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+namespace somato {
+namespace {
+
+class Device : public EmulationTest {
+ protected:
+  Device() {
+    write("materials.toml",
+          "[material.bark]\nhardness = \"hard\"\nstiffness = 40.0\n"
+          "[material.moss]\nhardness = \"soft\"\nstiffness = 3.0\n");
+  }
+
+  // The hardness probe before bark and moss, with d.toml.
+  ProgramRun with_probe(const std::string& bus, const std::function<void()>& work,
+                        int signal = SIGINT) const {
+    return with_emulation({"--body", "hardness", "--bus", bus, "--objects", "materials.toml"}, work,
+                          signal);
+  }
+
+  Words explore(const std::string& explorations) const {
+    return {"explore",        "--device",   "d.toml", "--objects", "materials.toml",
+            "--explorations", explorations, "-o",     "felt.mcap"};
+  }
+
+  Recording recorded() const {
+    auto recording = read_recording(path("felt.mcap"));
+    EXPECT_TRUE(recording) << to_string(recording.error());
+    return recording ? *recording : Recording();
+  }
+};
+
+TEST_F(Device, IsCheckedExploresIsTrainedOnAndRecognizes) {
+  const ProgramRun emulated = with_probe("ssc32", [&] {
+    const std::string checked = output_of({"device", "check", "d.toml"});
+    EXPECT_NE(checked.find("servo \"stick\": channel 0, off"), std::string::npos) << checked;
+    EXPECT_NE(checked.find("The device can explore.\n"), std::string::npos) << checked;
+    EXPECT_EQ(output_of(explore("2")), "felt.mcap: 4 explorations of 2 things, 1 frame each\n");
+    write("study.toml",
+          "[study]\nname = 'hardness'\nlabel = 'material'\nseeds = 1\n"
+          "[module.stick]\ntype = 'channel'\nchannel = 'potentiometer'\n"
+          "[module.end]\ntype = 'last'\ninput = 'stick'\n"
+          "[module.map]\ntype = 'som'\ninput = 'end'\nrows = 1\ncolumns = 4\n"
+          "normalize_input = false\niterations = 200\n");
+    output_of({"run", "study.toml", "--data", "felt.mcap", "--out", "out"});
+    const std::string lines =
+        output_of({"live", "--model", "out/system.somato", "--device", "d.toml", "--objects",
+                   "materials.toml", "--explorations", "1"});
+    std::vector<std::string> read;
+    for (std::size_t begin = 0; begin < lines.size();) {
+      const std::size_t end = lines.find('\n', begin);
+      const auto line = nlohmann::json::parse(lines.substr(begin, end - begin));
+      if (line.at("final") == true) read.push_back(line.at("value").get<std::string>());
+      begin = end + 1;
+    }
+    EXPECT_EQ(read, (std::vector<std::string>{"bark", "moss"}));
+  });
+  EXPECT_EQ(emulated.exit_code, 0) << emulated.err;
+  EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
+      << emulated.out << emulated.err;
+}
+
+TEST_F(Device, ExploresOnOtherBuses) {
+  for (const std::string bus : {"dynamixel", "sts", "scs"}) {
+    const ProgramRun emulated = with_probe(bus, [&] {
+      const std::string checked = output_of({"device", "check", "d.toml"});
+      EXPECT_NE(checked.find("The device can explore.\n"), std::string::npos) << checked;
+      output_of(explore("1"));
+    });
+    ASSERT_EQ(recorded().explorations.size(), 2U);
+    const auto reading = [&](std::size_t exploration) {
+      return recorded().explorations[exploration].channels[0].frames(0, 0);
+    };
+    EXPECT_LT(reading(0), 0.5F * reading(1));  // the stick reaches further into moss
+    EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
+        << emulated.out << emulated.err;
+  }
+}
+
+TEST_F(Device, StopsWhenItsLinesHangUpAndKeepsWhatWasExplored) {
+  ProgramRun done;
+  std::thread exploring;
+  with_probe(
+      "dynamixel",
+      [&] {
+        std::promise<void> has_explored;
+        std::future<void> explored = has_explored.get_future();
+        exploring = std::thread([&, has_explored = std::move(has_explored)]() mutable {
+          ProgramWorld world;
+          world.terminal = true;
+          world.interrupt_at = " left";  // after the first exploration
+          world.interrupt_with = 0;
+          world.before_interrupt = [&](const std::string&) { has_explored.set_value(); };
+          done = run(explore("100"), world);
+        });
+        explored.wait();
+      },
+      SIGKILL);
+  exploring.join();
+  EXPECT_NE(done.exit_code, 0);
+  EXPECT_NE(done.err.find("the line has hung up"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("check the cable"), std::string::npos) << done.err;
+  EXPECT_GE(recorded().explorations.size(), 1U);
+  // Between two explorations there are no states of a fault.
+  if (done.err.find("felt.mcap.fault.csv") == std::string::npos) return;
+  const std::string states = read("felt.mcap.fault.csv");
+  EXPECT_TRUE(states.starts_with("time")) << states.substr(0, 100);
+  EXPECT_GT(std::count(states.begin(), states.end(), '\n'), 10);
+}
+
+TEST_F(Device, IsSwitchedOffBySignals) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT}) {
+    ProgramRun done;
+    const ProgramRun emulated = with_probe("dynamixel", [&] {
+      ProgramWorld world;
+      world.terminal = true;
+      world.interrupt_at = " left";
+      world.interrupt_with = signal;
+      done = run(explore("100"), world);
+    });
+    if (signal == SIGINT) {
+      EXPECT_EQ(done.exit_code, 130) << done.err;
+      EXPECT_GE(recorded().explorations.size(), 1U);
+    } else {
+      EXPECT_NE(done.exit_code, 0);
+    }
+    EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
+        << "signal " << signal << "\n"
+        << emulated.out << done.err;
+  }
+}
+
+TEST_F(Device, StopsWhenTheDiskIsFull) {
+  ProgramRun done;
+  const ProgramRun emulated = with_probe("dynamixel", [&] {
+    ProgramWorld world;
+    world.largest_file = 300;
+    done = run(explore("2"), world);
+  });
+  EXPECT_NE(done.exit_code, 0);
+  EXPECT_NE(done.err.find("felt.mcap"), std::string::npos) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(path("felt.mcap")));
+  EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
+      << emulated.out << emulated.err;
+}
+
+TEST_F(Device, MonitorPrintsWhatIsMeasured) {
+  with_probe("sts", [&] {
+    const std::string shown = output_of({"device", "monitor", "d.toml", "--seconds", "2"});
+    EXPECT_NE(shown.find("stick"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("potentiometer"), std::string::npos) << shown;
+    EXPECT_EQ(shown.find('\033'), std::string::npos);
+  });
+}
+
+TEST_F(Device, CalibrateWritesTheFile) {
+  with_probe("sts", [&] {
+    const std::string before = read("d.toml");
+    write("said", "+ 2\nzero\n+ 3\nat 6\nnonsense\nquit\n");
+    ProgramWorld world;
+    world.input_from = path("said");
+    const ProgramRun unchanged = run({"device", "calibrate", "d.toml", "--servo", "stick"}, world);
+    EXPECT_EQ(unchanged.exit_code, 0) << unchanged.err;
+    EXPECT_NE(unchanged.out.find("The file is unchanged."), std::string::npos) << unchanged.out;
+    EXPECT_NE(unchanged.out.find("This is not possible here."), std::string::npos);
+    EXPECT_EQ(read("d.toml"), before);
+    write("said", "+ 2\nzero\n+ 3\nat 6\nsave\n");
+    const ProgramRun saved = run({"device", "calibrate", "d.toml", "--servo", "stick"}, world);
+    EXPECT_EQ(saved.exit_code, 0) << saved.err;
+    // It stood at 5 mm, 2047 on the bus with 360 steps per mm: 2767 at 7 mm, and what were 3 mm
+    // further are 6 mm.
+    EXPECT_NE(read("d.toml").find("scale = 180\n"), std::string::npos) << read("d.toml");
+    EXPECT_NE(read("d.toml").find("zero = 2767\n"), std::string::npos) << read("d.toml");
+  });
+}
+
+TEST_F(Device, RefusesWhatIsNoDevice) {
+  expect_refused(1, {{{"device", "check", "none.toml"}, {"none.toml: cannot open"}}});
+  write("empty.toml", "name = \"x\"\n");
+  write("typo.toml",
+        "name = \"x\"\n[servos]\nbus = \"sts\"\nport = \"/dev/none\"\n[servo.a]\nchanel = 1\n");
+  write("gone.toml",
+        "name = \"x\"\nexplore = \"holding\"\n[frames]\nformat = \"lines\"\n"
+        "port = \"/dev/none\"\nelements = 1\n[sensor.a]\nfrom = \"frames\"\nelements = [\"a\"]\n");
+  expect_refused(2, {{{"device", "check", "typo.toml"}, {"typo.toml:6", "channel"}}});
+  expect_refused(1, {{{"device", "check", "gone.toml"}, {"/dev/none", "No such file"}},
+                     {{"device", "check", "gone.toml", "--reboot"}, {"/dev/none"}}});
+  expect_refused(2, {{{"explore", "--device", "gone.toml", "--body", "lucs2", "-o", "x.mcap"},
+                      {"--body", "no effect with --device"}},
+                     {{"explore", "--device", "gone.toml", "--seed", "3", "-o", "x.mcap"},
+                      {"--seed", "no effect with --device"}},
+                     {{"emulate", "--body", "probes", "-o", "d.toml"}, {"only one body"}},
+                     {{"emulate", "--body", "lucs3", "--bus", "scc32", "-o", "d.toml"},
+                      {"--bus", "did you mean 'ssc32'"}}});
+}
+
+TEST_F(Device, NamesTheBoardThatIsNotTheDeclaredOne) {
+  with_probe("dynamixel", [&] {
+    std::string text = read("d.toml");
+    text.replace(text.find("\"dynamixel\""), 11, "\"sts\"");
+    write("d.toml", text);
+    const ProgramRun done = run({"device", "check", "d.toml"});
+    EXPECT_EQ(done.exit_code, 1);
+    EXPECT_NE(done.err.find("does not answer"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("check its power"), std::string::npos) << done.err;
+  });
+}
+
+}  // namespace
+}  // namespace somato
