@@ -19,10 +19,12 @@ constexpr double kMilliamperes = 100.0;  // per newton on a servo's own taxels
 EmulatedBody::EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body)
     : file_(std::move(file)),
       body_(std::move(body)),
-      servos_(make_servos(file_)),
       stuck_(file_.servos.size(), 0) {
-  wires_.push_back(
-      std::make_unique<EmulatedWire>(*servos_, static_cast<double>(file_.servo_line->baud), 1));
+  if (file_.servo_line) {
+    servos_ = make_servos(file_);
+    wires_.push_back(
+        std::make_unique<EmulatedWire>(*servos_, static_cast<double>(file_.servo_line->baud), 1));
+  }
   if (file_.frame_line) {
     sensors_ = make_sensors(*file_.frame_line);
     frame_.resize(file_.frame_line->elements);
@@ -46,6 +48,11 @@ std::vector<EmulatedWire*> EmulatedBody::wires() {
   wires.reserve(wires_.size());
   for (const auto& wire : wires_) wires.push_back(wire.get());
   return wires;
+}
+
+EmulatedServos& EmulatedBody::servos() {
+  require(servos_ != nullptr, "the device has no servos");
+  return *servos_;
 }
 
 std::size_t EmulatedBody::servos_on() const {

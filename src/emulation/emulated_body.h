@@ -29,7 +29,8 @@ class EmulatedBody {
   /// Advances body and boards to `now`. Errors: those of the body.
   Result<void> advance(double now);
 
-  EmulatedServos& servos() { return *servos_; }
+  /// Throws InvalidArgument if the device has none.
+  EmulatedServos& servos();
 
   /// The number of servos that the boards drive now.
   std::size_t servos_on() const;

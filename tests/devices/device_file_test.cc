@@ -118,7 +118,7 @@ TEST(DeviceFile, RefusesKeysThatHaveNoEffect) {
 }
 
 TEST(DeviceFile, OwnFilesAreValid) {
-  for (const char* name : {"lucs2", "lucs3", "texture", "hardness", "leap"}) {
+  for (const char* name : {"lucs2", "lucs3", "texture", "hardness", "leap", "anyskin"}) {
     const auto file = own_device_file(name);
     EXPECT_TRUE(file) << to_string(file.error());
   }

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "devices/device_explorer.h"
 #include "devices/device_text.h"
 #include "files/embedded.h"
 #include "simulation/simulated_body.h"
 #include "somato/bodies/explore_by.h"
 #include "support/emulated_device.h"
+#include "support/fake_hand.h"
 
 namespace somato::emulation {
 namespace {
@@ -123,6 +125,57 @@ TEST(EmulatedBody, HandTwoTouchesTheSameObject) {
   const std::vector<float> direct = last_frame(pair.direct, "joints");
   const std::vector<float> emulated = last_frame(pair.emulated, "joints");
   for (std::size_t i = 0; i < direct.size(); ++i) EXPECT_NEAR(emulated[i], direct[i], 6.0) << i;
+}
+
+// Lines that another object owns.
+class LentLines : public wire::Lines {
+ public:
+  explicit LentLines(wire::Lines& lines) : lines_(lines) {}
+
+  double now() const override { return lines_.now(); }
+  Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override {
+    return lines_.read(line, bytes);
+  }
+  Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override {
+    return lines_.write(line, bytes);
+  }
+  void wait(double until) override { lines_.wait(until); }
+  Result<void> reopen(std::size_t line) override { return lines_.reopen(line); }
+
+ private:
+  wire::Lines& lines_;
+};
+
+// A skin without servos records while others touch it.
+TEST(EmulatedBody, ASkinHolds) {
+  devices::DeviceFile file = *devices::own_device_file("anyskin");
+  file.settings.duration = 1.0;
+  auto skin = std::make_unique<FakeHand>("skin");
+  ChannelDescription field;
+  field.name = "skin";
+  field.element_names = file.sensors[0].elements;
+  float pressed = 0.0F;
+  skin->add_sensor(field, [&](const std::vector<double>&) {
+    return std::vector<float>(15, 40.0F + (pressed += 0.5F));
+  });
+  EmulatedDevice emulated(file, std::move(skin));
+  ExploredThing finger;
+  finger.name = "finger";
+  devices::DeviceSurroundings surroundings;
+  surroundings.open_lines = [&]() -> Result<std::unique_ptr<wire::Lines>> {
+    return std::make_unique<LentLines>(emulated.lines);
+  };
+  const auto explorer =
+      devices::DeviceExplorer::create(file, {finger}, {}, std::move(surroundings));
+  ASSERT_TRUE(explorer) << to_string(explorer.error());
+  const auto explored = (*explorer)->explore(0, 0, {});
+  ASSERT_TRUE(explored) << to_string(explored.error());
+  const Matrix<float>& frames = explored->channels[0].frames;
+  EXPECT_EQ(explored->channels[0].unit, "uT");
+  EXPECT_EQ(frames.columns(), 15U);
+  EXPECT_NEAR(static_cast<double>(frames.rows()), 50.0, 1.0);  // 1 s, every 20 ms
+  for (std::size_t row = 1; row < frames.rows(); ++row)
+    EXPECT_GT(frames(row, 7), frames(row - 1, 7));
 }
 
 // A servo whose gear is stuck stays; the driver does not know.
