@@ -37,6 +37,11 @@ ENTRANCES = {"som.h": "drawing", "recording.h": "recording", "system.h": "graph"
 # Headers of others that a public header may bring in, by the header that may.
 GUESTS = {"core/result.h": ["tl/expected.hpp"]}
 
+# Rooms in which servos are driven: a period takes no lock. Files that only prepare a device may.
+LOCKS = {"mutex", "shared_mutex", "condition_variable", "semaphore", "future", "thread", "latch",
+         "barrier", "pthread.h", "semaphore.h"}
+WITHOUT_LOCKS = {"wire": {"src/wire/sound_source.cc"}, "devices": set()}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -74,6 +79,12 @@ def breaks_public_rule(public_name, bracket, header):
     return f"a public header may not bring in {header}"
 
 
+def may_lock(room, where, header):
+    if header not in LOCKS or where.as_posix() in WITHOUT_LOCKS.get(room, {where.as_posix()}):
+        return None
+    return f"'{room}' takes no locks ({header})"
+
+
 def not_reached(public):
     """The public headers that no entrance includes, directly or through others; sorted."""
     missing = {path.relative_to(public).as_posix() for path in public.rglob("*.h")}
@@ -106,7 +117,7 @@ def check(tree):
             problems.append(f"{where}:1: '{room}' is not a room of the table")
             continue
         for line, bracket, header in includes(path):
-            found = [breaks_table(room, header)]
+            found = [breaks_table(room, header), may_lock(room, where, header)]
             if public in path.parents:
                 name = path.relative_to(public).as_posix()
                 found.append(breaks_public_rule(name, bracket, header))

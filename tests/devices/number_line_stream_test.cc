@@ -9,9 +9,9 @@ namespace somato::devices {
 namespace {
 
 TEST(NumberLineStream, CountsFramesAndRejectedLines) {
-  constexpr std::string_view kText = "ready\n1,2\n3\n4,5\r\n6,";
+  constexpr std::string_view kNumbers = "ready\n1,2\n3\n4,5\r\n6,";
   NumberLineStream stream(2);
-  stream.receive({reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()}, 3.0);
+  stream.receive({reinterpret_cast<const std::uint8_t*>(kNumbers.data()), kNumbers.size()}, 3.0);
   EXPECT_EQ(stream.frames(), 2U);
   EXPECT_EQ(stream.rejected(), 1U);
   EXPECT_EQ(stream.values()[1], 5.0F);

@@ -50,6 +50,12 @@ class IncludeTable(TreeTest):
         self.assertEqual(check_includes.check(self.tree), [
             "include/somato/maps/schedule.h:1: no entrance header includes it; move it to src"])
 
+    def test_refuses_locks_where_servos_are_driven(self):
+        self.write("src/devices/bus.cc", "#include <mutex>\n")
+        self.write("src/wire/sound_source.cc", "#include <thread>\n")
+        self.write("src/maps/som.cc", "#include <mutex>\n")
+        self.assertEqual(self.problems(), ["src/devices/bus.cc:1: 'devices' takes no locks (mutex)"])
+
     def test_refuses_unknown_rooms(self):
         self.write("src/attic/thing.cc")
         self.assertEqual(self.problems(), ["src/attic/thing.cc:1: 'attic' is not a room of the table"])
