@@ -54,6 +54,8 @@ Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
   if (io.samples() != nullptr) io.samples()->keep(0);
   const Heard before = counted_so_far(io);
   const double start = io.now();
+  double sent_before = start;
+  double last = start;
   while (io.now() < start + kListening && !stop_requested()) {
     const double sent = io.now();
     const double until = sent + file.settings.period;
@@ -62,7 +64,12 @@ Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
       io.wait(until);
       SOMATO_TRY_VOID(io.receive());
     }
-    if (newest(io) >= sent) heard.latencies.push_back(newest(io) - sent);
+    // A bus may take an answer with its next request only.
+    if (newest(io) > last) {
+      last = newest(io);
+      heard.latencies.push_back(last - (last >= sent ? sent : sent_before));
+    }
+    sent_before = sent;
     if (io.samples() != nullptr) {
       heard.samples += io.samples()->size();
       io.samples()->keep(0);

@@ -43,6 +43,7 @@ TEST_F(Device, IsCheckedExploresIsTrainedOnAndRecognizes) {
   const ProgramRun emulated = with_probe("ssc32", [&] {
     const std::string checked = output_of({"device", "check", "d.toml"});
     EXPECT_NE(checked.find("servo \"stick\": channel 0, off"), std::string::npos) << checked;
+    EXPECT_NE(checked.find(" within a period, median "), std::string::npos) << checked;
     EXPECT_NE(checked.find("The device can explore.\n"), std::string::npos) << checked;
     EXPECT_EQ(output_of(explore("2")), "felt.mcap: 4 explorations of 2 things, 1 frame each\n");
     write("study.toml",
