@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "commands.h"
+#include "devices/device_file.h"
 #include "explore_table.h"
 #include "man_page.h"
 #include "parameter_table.h"
@@ -109,6 +110,20 @@ void add_sweep(std::string& page) {
   add_table<UnknownParameters>(page, "`[unknown.NAME]`");
 }
 
+void add_devices(std::string& page) {
+  page +=
+      "## Device files\n\nA hand or probe at serial lines ([your hand](../your-hand.md)). These "
+      "keys stand before the tables:\n\n";
+  add_table<devices::DeviceSettings>(page, "device");
+  page += "The lines, the servos, the sensors and the safety:\n\n";
+  add_table<devices::ServoLine>(page, "`[servos]`");
+  add_table<devices::ServoSettings>(page, "`[servo.NAME]`");
+  add_table<devices::FrameLine>(page, "`[frames]`");
+  add_table<devices::SensorSettings>(page, "`[sensor.NAME]`");
+  add_table<devices::MicrophoneSettings>(page, "`[microphone]`");
+  add_table<devices::SafetySettings>(page, "`[safety]`");
+}
+
 std::string reference_page(const std::vector<Command>& commands) {
   std::string page =
       "# Reference: flags and keys\n\n"
@@ -131,6 +146,7 @@ std::string reference_page(const std::vector<Command>& commands) {
   add_reproduction(page);
   add_sweep(page);
   add_exploring(page);
+  add_devices(page);
   page +=
       "## Information in the input vectors\n\nFlags of `somato information`; they are not keys of "
       "a file. [information.md](information.md) defines the measures.\n\n";
