@@ -160,6 +160,11 @@ class Planner {
                     "use a separate phase for each");
     }
     if (!description.of || *description.of == phase.of) return {};
+    if (*description.of == Rate::kFrame) {
+      phase.of = Rate::kFrame;
+      phase.settles = true;
+      return {};
+    }
     return refuse(description,
                   "'" + name(phase.learners.front()) + "' learns " + choice_name(phase.of) +
                       ", not " + choice_name(*description.of),
@@ -167,10 +172,7 @@ class Planner {
   }
 
   Result<void> check_learners(const Phase& phase, const PhaseDescription& description) const {
-    if (phase.learners.size() == 1 && learner(phase.learners.front()).learns_at_once() &&
-        !in_loop(phase.learners.front())) {
-      return check_separate(phase, description);
-    }
+    if (learns_separately(system_, phase)) return check_separate(phase, description);
     for (const std::size_t module : phase.learners) {
       if (learner(module).learns_by_draws()) continue;
       return refuse(
@@ -192,8 +194,7 @@ class Planner {
   // not.
   Result<void> check_said_once(const Phase& phase) const {
     for (const std::size_t module : phase.learners) {
-      const bool phase_draws =
-          phase.learners.size() > 1 || in_loop(module) || !learner(module).learns_at_once();
+      const bool phase_draws = !learns_separately(system_, phase);
       for (const auto& [key, of_phase, elsewhere] :
            {std::tuple{"iterations", "draws", phase.draws.has_value()},
             std::tuple{"draws", "order", phase.order.has_value() || phase_draws}}) {
@@ -208,8 +209,6 @@ class Planner {
     return {};
   }
 
-  bool in_loop(std::size_t module) const { return system_.wiring().reaches(module, module); }
-
   Result<void> check_separate(const Phase& phase, const PhaseDescription& description) const {
     if (learner(phase.learners.front()).learns_by_draws()) return {};
     if (!description.draws && !description.order) return {};
@@ -219,16 +218,19 @@ class Planner {
         "remove 'draws' and 'order'");
   }
 
-  // Frames are computed one after the other, so that nothing in between may need them all.
+  // Frames are computed one after the other, so that no module in between may require them all.
   Result<void> check_between(const Phase& phase, const PhaseDescription& description) const {
     if (phase.of == Rate::kExploration) return {};
     for (const std::size_t module : computed_in(system_, phase)) {
       if (system_.modules()[module].module->is_stepped()) continue;
-      return refuse(description,
-                    "'" + name(module) +
-                        "' requires whole explorations, so the modules before and after it cannot "
-                        "learn from frames together",
-                    "use a separate phase for each");
+      return refuse(
+          description,
+          "'" + name(module) +
+              (phase.settles ? "' requires whole explorations, so that '" +
+                                   name(phase.learners.front()) + "' cannot learn from frames"
+                             : "' requires whole explorations, so the modules before "
+                               "and after it cannot learn from frames together"),
+          phase.settles ? "remove 'of'" : "use a separate phase for each");
     }
     return {};
   }
@@ -252,13 +254,24 @@ std::vector<std::size_t> computed_in(const System& system, const Phase& phase) {
              (after ? wiring.reaches(learner, module) : wiring.reaches(module, learner));
     });
   };
+  const auto is_value = [&](std::size_t module) {
+    return phase.settles && system.modules()[module].output.rate == Rate::kExploration;
+  };
   std::vector<std::size_t> computed;
   for (const auto& group : wiring.groups()) {
     for (const std::size_t module : group) {
-      if (is_near(module, true) && is_near(module, false)) computed.push_back(module);
+      const bool is_after = is_near(module, true) || is_value(module);
+      if (is_after && is_near(module, false)) computed.push_back(module);
     }
   }
   return computed;
+}
+
+bool learns_separately(const System& system, const Phase& phase) {
+  const std::size_t module = phase.learners.front();
+  return phase.learners.size() == 1 && !phase.settles &&
+         system.modules()[module].module->learner()->learns_at_once() &&
+         !system.wiring().reaches(module, module);
 }
 
 }  // namespace somato

@@ -118,7 +118,9 @@ const Declarations<PhaseDescription>& PhaseDescription::declarations() {
                "replacement. Not given in the paper.")
           .add("of", &P::of, "", Range::any(),
                "Unit of a draw: explorations, or frames, which are those of drawn explorations in "
-               "order; automatic: according to the inputs of the modules.");
+               "order; automatic: according to the inputs of the modules. With frames, a module "
+               "whose input is one value per exploration learns after every frame, from the "
+               "exploration so far, like neurons that integrate while the hand explores.");
   return declared;
 }
 

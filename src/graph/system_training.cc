@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/contains.h"
 #include "graph/phase_plan.h"
 #include "graph/walk.h"
 #include "graph/wiring.h"
@@ -36,13 +37,6 @@ LearningPlan learning_plan_for(const System& system, std::size_t module, const P
   plan.draws = phase.draws;
   plan.order = phase.order;
   return plan;
-}
-
-bool learns_separately(const System& system, const Phase& phase) {
-  const std::size_t module = phase.learners.front();
-  return phase.learners.size() == 1 &&
-         system.modules()[module].module->learner()->learns_at_once() &&
-         !system.wiring().reaches(module, module);
 }
 
 class Trainer {
@@ -144,9 +138,11 @@ class Trainer {
   }
 
   // Over what these modules listen to, as far as it is not frozen.
-  Walk walk_before(const std::vector<std::size_t>& listeners, Outputs outputs) const {
+  Walk walk_before(const std::vector<std::size_t>& listeners,
+                   const std::vector<std::size_t>& computed, Outputs outputs) const {
     const auto is_known = [&](std::size_t module) {
-      return activations_.find(module, explorations_.front()) != nullptr;
+      return !contains(computed, module) &&
+             activations_.find(module, explorations_.front()) != nullptr;
     };
     std::vector<std::size_t> wanted;
     for (const std::size_t listener : listeners) {
@@ -174,7 +170,7 @@ class Trainer {
     const LearningPlan plan = learning_plan_for(phase.learners.front(), phase);
     DrawSequence order(plan.order.value_or(Draws::kWithReplacement), explorations_.size(),
                        plan.seed);
-    Walk walk = walk_before(phase.learners, Outputs::kLatest);
+    Walk walk = walk_before(phase.learners, computed, Outputs::kLatest);
     auto learned = phase.of == Rate::kFrame ? learn_frames(phase, walk, draws, order)
                                             : learn_explorations(phase, walk, draws, order);
     if (!learned) return learned;
@@ -207,7 +203,7 @@ class Trainer {
     if (plan.inputs_unknown || learner(module).begins_without_inputs()) {
       return learner(module).begin(plan, {});
     }
-    Walk walk = walk_before({module}, Outputs::kAll);
+    Walk walk = walk_before({module}, computed, Outputs::kAll);
     Activations computed_now = activations_;
     TrainingInputs inputs;
     for (std::size_t number = 0; number < explorations_.size(); ++number) {
@@ -230,9 +226,11 @@ class Trainer {
                             DrawSequence& order) {
     for (std::uint64_t draw = 0; draw < draws;) {
       SOMATO_TRY_VOID(start(walk, explorations_[order.next()]));
-      SOMATO_TRY(const auto frames, frames_into(walk, phase.learners));
+      SOMATO_TRY(const auto frames,
+                 phase.settles ? walk.frames() : frames_into(walk, phase.learners));
       for (std::size_t frame = 0; frame < frames && draw < draws; ++frame, ++draw) {
         SOMATO_TRY_VOID(walk.step(frame));
+        if (phase.settles) SOMATO_TRY_VOID(walk.settle());
         SOMATO_TRY_VOID(learn(phase, walk, draw, draws));
       }
     }

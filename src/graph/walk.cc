@@ -87,15 +87,20 @@ Result<void> Walk::at_module(std::size_t module, const Work& work) {
 Result<void> Walk::run() {
   SOMATO_TRY_VOID(count_frames());
   for (std::size_t stream = 0; stream < frames_.size(); ++stream) {
-    std::size_t frames = 0;
-    for (const Part& part : plan_.parts()) {
-      if (part.group == stream) frames = std::max(frames, places_[part.modules.front()].frames);
-    }
+    const std::size_t frames = frames_in(stream);
     while (frames_[stream] < frames) {
       SOMATO_TRY_VOID(step_stream(stream, frames_[stream]));
     }
   }
   return settle();
+}
+
+std::size_t Walk::frames_in(std::size_t stream) const {
+  std::size_t frames = 0;
+  for (const Part& part : plan_.parts()) {
+    if (part.group == stream) frames = std::max(frames, places_[part.modules.front()].frames);
+  }
+  return frames;
 }
 
 Result<void> Walk::follow(std::span<const std::size_t> frames) {
@@ -320,6 +325,19 @@ std::optional<SignalView> Walk::output(std::size_t module) const {
   const bool is_there = (role.group < frames_.size() && gives_frames(module)) || is_settled_;
   if (!is_there) return {};
   return places_[module].now.view();
+}
+
+Result<std::size_t> Walk::frames() {
+  SOMATO_TRY_VOID(count_frames());
+  const std::size_t first = frames_.empty() ? 0 : frames_in(0);
+  for (std::size_t stream = 1; stream < frames_.size(); ++stream) {
+    if (frames_in(stream) == first) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("channels that learn after every frame have {} and {} frames", first,
+                            frames_in(stream)),
+                {}, "record the channels together, frame by frame, or remove 'of'");
+  }
+  return first;
 }
 
 Result<std::size_t> Walk::frames_into(std::size_t module) {

@@ -73,6 +73,10 @@ class Walk {
   /// settle(); valid until the walk continues. Empty before the first frame and for other modules.
   std::optional<SignalView> output(std::size_t module) const;
 
+  /// The number of frames of the exploration. Errors (kData): channels that are not taken together
+  /// have different numbers of frames.
+  Result<std::size_t> frames();
+
   /// The number of frames that come in at a module, walked or not. Errors (kData): its inputs have
   /// different numbers of frames.
   Result<std::size_t> frames_into(std::size_t module);
@@ -109,6 +113,7 @@ class Walk {
   Result<void> open(std::size_t module, const Exploration* exploration);
   void restart(const Part& part);
   Result<void> count_frames();
+  std::size_t frames_in(std::size_t stream) const;
   Result<std::size_t> common_frames(const Part& part) const;
   std::size_t frames_of(std::size_t module) const;
   Result<void> step_stream(std::size_t stream, std::size_t row);

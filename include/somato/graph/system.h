@@ -32,7 +32,10 @@ struct Phase {
   std::vector<std::size_t> learners;  ///< Numbers of modules, in execution order.
   std::optional<std::uint64_t> draws;
   std::optional<Draws> order;
-  Rate of = Rate::kExploration;
+  Rate of = Rate::kExploration;  ///< Unit of a draw.
+  /// Whether the inputs are values of explorations although a draw is a frame: the learners then
+  /// learn after every frame, from the exploration so far.
+  bool settles = false;
 };
 
 /// A system of connected modules with known shapes and valid phases. Learned values are stored in
