@@ -11,7 +11,7 @@ std::vector<ModuleType> all_types() {
   for (auto group : {modules::source_types(), modules::code_types(), modules::scaling_types(),
                      modules::frame_types(), modules::feature_types(), modules::drift_types(),
                      modules::memory_types(), modules::som_types(), modules::t_mpsom_types(),
-                     modules::winner_types()}) {
+                     modules::winner_types(), modules::association_types()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

@@ -65,7 +65,8 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
           "normalization", "scale",     "standardization", "first",         "last",
           "delay",         "change",    "resampling",      "onset_window",  "mean_removal",
           "tare",          "high_pass", "spectrum",        "accumulate",    "leaky_accumulate",
-          "number_code",   "som",       "t_mpsom",         "winner",        "window"}));
+          "number_code",   "som",       "t_mpsom",         "winner",        "window",
+          "association"}));
 }
 
 TEST(Module, ChannelTakesFramesOrSomeOfTheirElements) {

@@ -90,5 +90,6 @@ std::vector<ModuleType> scaling_types();
 std::vector<ModuleType> som_types();
 std::vector<ModuleType> t_mpsom_types();
 std::vector<ModuleType> winner_types();
+std::vector<ModuleType> association_types();
 
 }  // namespace somato::modules
