@@ -27,6 +27,7 @@ SOURCES_WITHOUT_HEADER = {
     "devices/make_bus.cc": "devices/device_io.h: the kinds of servos",
     "graph/module_types.cc": "graph/module.h: the list of all types",
     "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
+    "graph/modules/association.cc": "graph/modules/support.h: types of modules",
     "graph/modules/drift.cc": "graph/modules/support.h: types of modules",
     "graph/modules/features.cc": "graph/modules/support.h: types of modules",
     "graph/modules/frames.cc": "graph/modules/support.h: types of modules",
