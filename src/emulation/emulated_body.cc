@@ -17,9 +17,7 @@ constexpr double kMilliamperes = 100.0;  // per newton on a servo's own taxels
 }  // namespace
 
 EmulatedBody::EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body)
-    : file_(std::move(file)),
-      body_(std::move(body)),
-      stuck_(file_.servos.size(), 0) {
+    : file_(std::move(file)), body_(std::move(body)), stuck_(file_.servos.size(), 0) {
   if (file_.servo_line) {
     servos_ = make_servos(file_);
     wires_.push_back(

@@ -140,6 +140,22 @@ TEST_F(Device, IsSwitchedOffBySignals) {
   }
 }
 
+// The keys arrive from a terminal, again and again until the program ends.
+TEST_F(Device, IsSwitchedOffByTheStopKey) {
+  for (const std::string key : {" ", "\\033"}) {
+    ProgramRun done;
+    const ProgramRun emulated = with_probe("ssc32", [&] {
+      std::string words = program();
+      for (const std::string& word : explore("100")) words += " " + word;
+      done = run_other({"sh", "-c",
+                        "while printf '" + key + "'; do sleep 0.2; done | script -qec '" + words +
+                            "' /dev/null"});
+    });
+    EXPECT_EQ(done.exit_code, 130) << done.out << done.err;
+    EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos);
+  }
+}
+
 TEST_F(Device, StopsWhenTheDiskIsFull) {
   ProgramRun done;
   const ProgramRun emulated = with_probe("dynamixel", [&] {
