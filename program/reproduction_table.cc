@@ -53,7 +53,7 @@ std::string claim_lines(const ClaimOutcome& outcome) {
   std::string text = fmt::format(
       "  {:<25} {:>4.0f} %  {:>9}  {:>8.3f} +- {:<7.3f} {}: {} ({} {})\n",
       choice_name(outcome.verdict()), 100.0 * outcome.share(), published(outcome), values.mean(),
-      values.standard_deviation(), subject, claim.text, claim.metric, claim.bounds());
+      values.standard_deviation(), subject, claim.text, claim.measured(), claim.bounds());
   if (!outcome.reason().empty()) text += fmt::format("{:4}{}\n", "", outcome.reason());
   return text;
 }

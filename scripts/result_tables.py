@@ -73,7 +73,9 @@ def bounds(claim):
     what = f"`{claim['metric']}`"
     if "than_system" in claim:
         than = {"system": claim["than_system"], "variation": claim["than_variation"]}
-        what += f" less that of {subject(than)}"
+        than_metric = claim.get("than_metric", claim["metric"])
+        metric = "that" if than_metric == claim["metric"] else f"`{than_metric}`"
+        what += f" less {metric} of {subject(than)}"
     return f"{what} {range_text(claim)}, {protocol_text(claim)}"
 
 

@@ -62,14 +62,6 @@ Result<void> check_winners(const detail::Evidence& evidence, const Grid& grid,
   return {};
 }
 
-// What a claim compares with, in words.
-std::string other_of(const Claim& claim) {
-  if (!claim.compares()) return {};
-  const std::string& system = claim.than_system.empty() ? claim.system : claim.than_system;
-  if (claim.than_variation.empty()) return system;
-  return system == claim.system ? claim.than_variation : system + ", " + claim.than_variation;
-}
-
 Json number_or_null(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
@@ -79,7 +71,8 @@ Json claim_report(const ClaimOutcome& outcome, const std::string& file) {
   json.update(detail::claim_json(outcome.claim));
   json.erase("than_system");
   json.erase("than_variation");
-  json.update({{"than", other_of(outcome.claim)},
+  json.update({{"than", outcome.claim.other()},
+               {"than_metric", outcome.claim.compares() ? outcome.claim.other_metric() : ""},
                {"values", outcome.values},
                {"by_chance", number_or_null(outcome.by_chance)},
                {"chance_share", number_or_null(outcome.chance_share)},

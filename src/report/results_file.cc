@@ -197,6 +197,7 @@ Claim claim_of(const CheckedJson& json) {
   claim.group = json.at("group").text();
   claim.than_system = optional_text(json, "than_system");
   claim.than_variation = optional_text(json, "than_variation");
+  claim.than_metric = optional_text(json, "than_metric");
   claim.published = json.at("published").number_or_nothing();
   claim.at_least = json.at("at_least").number_or_nothing();
   claim.at_most = json.at("at_most").number_or_nothing();

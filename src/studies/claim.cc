@@ -58,6 +58,7 @@ Result<Claim> read_claim(const Table& table) {
   if (claim->text.empty()) return refuse("the claim has no text", "add text = \"...\"");
   if (claim->metric.empty()) return refuse("the claim has no metric", "add metric = \"accuracy\"");
   SOMATO_TRY_VOID(check_metric_name(claim->metric, table.where));
+  SOMATO_TRY_VOID(check_metric_name(claim->other_metric(), table.where));
   SOMATO_TRY_VOID(choice_named<Protocol>("protocol", claim->protocol, table.where));
   if (!claim->at_least && !claim->at_most) {
     return refuse("the claim has no bound", "add at_least = ... or at_most = ...");
@@ -88,6 +89,19 @@ std::string Claim::bounds() const {
                   : fmt::format("at most {:g}", at_most.value_or(0.0));
 }
 
+std::string Claim::other() const {
+  if (!compares()) return {};
+  const std::string& other_system = than_system.empty() ? system : than_system;
+  if (than_variation.empty()) return other_system;
+  return other_system == system ? than_variation : other_system + ", " + than_variation;
+}
+
+std::string Claim::measured() const {
+  if (!compares()) return metric;
+  const std::string subtracted = other_metric() == metric ? "that" : other_metric();
+  return fmt::format("{} less {} of {}", metric, subtracted, other());
+}
+
 const Declarations<Claim>& Claim::declarations() {
   using P = Claim;
   static const auto declared =
@@ -108,6 +122,9 @@ const Declarations<Claim>& Claim::declarations() {
           .add("than_variation", &P::than_variation, "", Range::any(),
                "Variation with which the metric is compared; empty with than_system: the unchanged "
                "system.")
+          .add("than_metric", &P::than_metric, "", Range::any(),
+               "Metric of the other side of the comparison; empty: the same one. Without "
+               "than_system and than_variation, it is that of the same system and variation.")
           .add("published", &P::published, "", Range::any(),
                "Published value of the metric, from the paper's single map.")
           .add("at_least", &P::at_least, "", Range::any(),

@@ -66,7 +66,7 @@ std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResu
   }
   const ProtocolResults* than = find_protocol(
       find_part(parts, claim.question, claim.than_system, claim.than_variation), claim);
-  const Metric* other = than ? than->find_metric(claim.metric) : nullptr;
+  const Metric* other = than ? than->find_metric(claim.other_metric()) : nullptr;
   if (!other || other->values.size() != metric->values.size()) return {};
   for (std::size_t i = 0; i < outcome.values.size(); ++i) outcome.values[i] -= other->values[i];
   return outcome;

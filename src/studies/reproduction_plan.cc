@@ -149,15 +149,32 @@ bool is_run(const ReproductionPlan& plan, std::size_t first, const std::string& 
   });
 }
 
+// Names both sides of a claim in the file of `system`.
+void complete(Claim& claim, const std::string& system) {
+  if (claim.system.empty()) claim.system = system;
+  if (!claim.compares()) return;
+  const bool same_map = claim.than_system.empty() && claim.than_variation.empty();
+  if (same_map) claim.than_variation = claim.variation;
+  if (claim.than_system.empty()) claim.than_system = claim.system;
+}
+
+bool compares_with_itself(const Claim& claim) {
+  return claim.compares() && claim.system == claim.than_system &&
+         claim.variation == claim.than_variation && claim.metric == claim.other_metric();
+}
+
 // Claims of a file are about the parts that it added.
 Result<void> add_claims(const Table& file, std::size_t first_part, const std::string& question,
                         ReproductionPlan& plan) {
   auto claims = read_claims(file);
   if (!claims) return fail(std::move(claims.error()));
   for (Claim& claim : *claims) {
-    if (claim.system.empty()) claim.system = plan.parts[first_part].system;
+    complete(claim, plan.parts[first_part].system);
+    if (compares_with_itself(claim)) {
+      return fail(ErrorKind::kUsage, "the claim compares a metric with itself", claim.where,
+                  "use another than_system, than_variation or than_metric");
+    }
     const bool compares = claim.compares();
-    if (compares && claim.than_system.empty()) claim.than_system = claim.system;
     const bool other_file = question.empty() && compares && claim.than_system != claim.system;
     const bool known = is_run(plan, first_part, claim.system, claim.variation) &&
                        (!compares || other_file ||

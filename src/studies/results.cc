@@ -135,6 +135,7 @@ Json detail::claim_json(const Claim& claim) {
   if (claim.compares()) {
     json["than_system"] = claim.than_system;
     json["than_variation"] = claim.than_variation;
+    json["than_metric"] = claim.other_metric();
   }
   json["published"] = optional_json(claim.published);
   json["at_least"] = optional_json(claim.at_least);

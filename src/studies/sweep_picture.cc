@@ -112,11 +112,7 @@ Strip strip_of(const SystemSweep& planned, std::size_t number, const UnknownEffe
 
 std::string bound_of(const Claim& claim) {
   std::string text =
-      claim.protocol + (claim.group.empty() ? "" : " " + claim.group) + ", " + claim.metric;
-  if (claim.compares()) {
-    text += " less that of " +
-            (claim.than_variation.empty() ? "the system" : "'" + claim.than_variation + "'");
-  }
+      claim.protocol + (claim.group.empty() ? "" : " " + claim.group) + ", " + claim.measured();
   if (claim.at_least) text += fmt::format(", at least {:g}", *claim.at_least);
   if (claim.at_most) text += fmt::format(", at most {:g}", *claim.at_most);
   return text;

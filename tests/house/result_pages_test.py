@@ -77,9 +77,13 @@ class Claims(unittest.TestCase):
         self.assertNotIn("paper", text)
 
     def test_a_comparison_names_what_it_is_compared_with(self):
-        compared = claim(than_system="hardness", than_variation="small", at_least=0, at_most=None)
+        compared = claim(than_system="hardness", than_variation="small", than_metric="classes_separated",
+                         at_least=0, at_most=None)
         self.assertEqual(result_tables.bounds(compared),
                          "`classes_separated` less that of hardness, small ≥ 0, train = test")
+        compared["than_metric"] = "classes_separated_chance"
+        self.assertEqual(result_tables.bounds(compared),
+                         "`classes_separated` less `classes_separated_chance` of hardness, small ≥ 0, train = test")
 
     def test_what_cannot_be_decided_says_why(self):
         undecided = claim(verdict="cannot be decided here", reason="Too few | pairs.")

@@ -44,7 +44,9 @@ Results made_results() {
   other_claim.metric = "classes_separated";
   other_claim.than_system.clear();
   other_claim.than_variation.clear();
-  all.claims = judge({claim, other_claim}, all.parts);
+  Claim of_two_metrics = claim;
+  of_two_metrics.than_metric = "baseline_accuracy";
+  all.claims = judge({claim, other_claim, of_two_metrics}, all.parts);
   all.not_applicable = {{"texture", "no sound"}};
   return all;
 }
@@ -111,12 +113,14 @@ TEST(ResultsFile, ReadBackAsTheyWere) {
   EXPECT_EQ(read->parts[0].model->seed, 5U);
   EXPECT_FALSE(read->parts[1].model);
   ASSERT_FALSE(all.parts[0].protocols[0].find_metric("classes_separated_chance")->of_each.empty());
-  ASSERT_EQ(read->claims.size(), 2U);
+  ASSERT_EQ(read->claims.size(), 3U);
   EXPECT_TRUE(read->claims[1].chance_share);
   EXPECT_EQ(read->claims[1].chance_share, all.claims[1].chance_share);
   EXPECT_EQ(read->claims[1].reason(), "2 pairs; 20 are needed");
   EXPECT_EQ(read->claims[0].values, all.claims[0].values);
   EXPECT_EQ(read->claims[0].claim.published, 0.25);
+  EXPECT_EQ(read->claims[0].claim.than_metric, "accuracy");
+  EXPECT_EQ(read->claims[2].claim.than_metric, "baseline_accuracy");
   EXPECT_EQ(read->not_applicable.at(0).reason, "no sound");
 }
 

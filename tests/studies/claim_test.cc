@@ -44,6 +44,7 @@ protocol = "leave_group_out"
 group = "trial"
 than_system = "hardness"
 than_variation = "narrow"
+than_metric = "shape.classes_separated_chance"
 published = 3.5
 at_least = 1
 at_most = 7.5
@@ -65,6 +66,7 @@ at_most = 0.5
   EXPECT_EQ(first.group, "trial");
   EXPECT_EQ(first.than_system, "hardness");
   EXPECT_EQ(first.than_variation, "narrow");
+  EXPECT_EQ(first.than_metric, "shape.classes_separated_chance");
   EXPECT_EQ(first.published, 3.5);
   EXPECT_EQ(first.at_least, 1.0);
   EXPECT_EQ(first.at_most, 7.5);
@@ -72,7 +74,7 @@ at_most = 0.5
   EXPECT_TRUE(first.compares());
   const Claim& second = read->at(1);
   EXPECT_EQ(second.protocol, "train_is_test");
-  EXPECT_EQ(second.where, "system.toml:18");
+  EXPECT_EQ(second.where, "system.toml:19");
   EXPECT_FALSE(second.published);
   EXPECT_FALSE(second.at_least);
   EXPECT_FALSE(second.compares());
@@ -97,9 +99,13 @@ TEST(ReadClaims, RefusesWhatCannotHoldAtItsLine) {
                  "system.toml:1: the claim has no bound; add at_least = ... or at_most = ...");
   expect_refused("[[claim]]\ntext = 't'\nmetrics = 'accuracy'\n",
                  "system.toml:3: unknown key 'metrics'; did you mean 'metric'?");
+  expect_refused(
+      "[[claim]]\ntext = 't'\nmetric = 'accuracy'\nthan_metric = 'baseline_acuracy'\nat_least = "
+      "0\n",
+      "system.toml:1: unknown metric 'baseline_acuracy'; did you mean 'baseline_accuracy'?");
 }
 
-TEST(Claim, ComparesWithAnotherSystemOrVariation) {
+TEST(Claim, ComparesWithAnotherSystemVariationOrMetric) {
   Claim claim;
   EXPECT_FALSE(claim.compares());
   claim.than_variation = "wide";
@@ -107,6 +113,33 @@ TEST(Claim, ComparesWithAnotherSystemOrVariation) {
   claim.than_variation.clear();
   claim.than_system = "hardness";
   EXPECT_TRUE(claim.compares());
+  claim.than_system.clear();
+  claim.than_metric = "baseline_accuracy";
+  EXPECT_TRUE(claim.compares());
+}
+
+TEST(Claim, SubtractsTheSameMetricUnlessAnotherIsNamed) {
+  Claim claim;
+  claim.metric = "accuracy";
+  EXPECT_EQ(claim.other_metric(), "accuracy");
+  claim.than_metric = "baseline_accuracy";
+  EXPECT_EQ(claim.other_metric(), "baseline_accuracy");
+}
+
+TEST(Claim, SaysWhatIsMeasured) {
+  Claim claim;
+  claim.system = "texture";
+  claim.metric = "accuracy";
+  EXPECT_EQ(claim.other(), "");
+  EXPECT_EQ(claim.measured(), "accuracy");
+  claim.than_variation = "small";
+  EXPECT_EQ(claim.measured(), "accuracy less that of small");
+  claim.than_system = "hardness";
+  EXPECT_EQ(claim.measured(), "accuracy less that of hardness, small");
+  claim.than_variation.clear();
+  claim.than_metric = "baseline_accuracy";
+  EXPECT_EQ(claim.other(), "hardness");
+  EXPECT_EQ(claim.measured(), "accuracy less baseline_accuracy of hardness");
 }
 
 TEST(Claim, HoldsWithinItsBounds) {

@@ -132,8 +132,14 @@ text = "d"
 than_system = "another"
 metric = "accuracy"
 at_least = 0
+[[claim]]
+text = "e"
+variation = "wide"
+metric = "accuracy"
+than_metric = "baseline_accuracy"
+at_least = 0
 )"));
-  ASSERT_EQ(plan_.claims.size(), 4U);
+  ASSERT_EQ(plan_.claims.size(), 5U);
   for (const Claim& claim : plan_.claims) {
     EXPECT_EQ(claim.system, "small");
     EXPECT_EQ(claim.question, "");
@@ -143,6 +149,9 @@ at_least = 0
   EXPECT_EQ(plan_.claims[2].than_system, "small");
   EXPECT_EQ(plan_.claims[2].than_variation, "wide");
   EXPECT_EQ(plan_.claims[3].than_system, "another");
+  EXPECT_EQ(plan_.claims[3].than_variation, "");
+  EXPECT_EQ(plan_.claims[4].than_system, "small");
+  EXPECT_EQ(plan_.claims[4].than_variation, "wide");
 }
 
 TEST_F(Plan, ClaimsOfAQuestionBelongToIt) {
@@ -179,6 +188,18 @@ TEST_F(Plan, RefusesClaimsAboutWhatIsNotRun) {
        {"system = 'large'", "than_system = 'large'", "variation = 'wide'"}) {
     expect_refused(question + about + "\n", place(4));
   }
+}
+
+TEST_F(Plan, RefusesComparisonsOfAMetricWithItself) {
+  const std::string start = system_text("small") +
+                            "[variation.wide]\n[[claim]]\ntext = 't'\nmetric = 'accuracy'\n"
+                            "at_least = 0\n";
+  const std::string refusal = "asked.toml:" + std::to_string(kLines + 2) +
+                              ": the claim compares a metric with itself; use another "
+                              "than_system, than_variation or than_metric";
+  expect_refused(start + "than_metric = 'accuracy'\n", refusal);
+  expect_refused(start + "than_system = 'small'\n", refusal);
+  expect_refused(start + "variation = 'wide'\nthan_variation = 'wide'\n", refusal);
 }
 
 TEST_F(Plan, RefusesQuestionsAboutNothing) {

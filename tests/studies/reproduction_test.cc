@@ -215,6 +215,21 @@ TEST(Judge, ComparesPairByPair) {
   EXPECT_FALSE(outcomes[1].by_chance);
 }
 
+// Accuracies of 1, 2, 101 and 102 less 20, 22, 1020 and 1022 separated classes of the other part.
+TEST(Judge, ComparesDifferentMetrics) {
+  Claim claimed = claim("small", "accuracy", -20);
+  claimed.than_system = "small";
+  claimed.than_variation = "wide";
+  claimed.than_metric = "classes_separated";
+  const PartResults other = part("", "small", "wide", 2);
+  const auto outcomes = judge({claimed}, {part("", "small", "", 1), other});
+  ASSERT_EQ(outcomes.size(), 1U);
+  EXPECT_EQ(outcomes[0].values, (Values{-19, -20, -919, -920}));
+  EXPECT_EQ(outcomes[0].share(), 0.5);
+  claimed.than_metric = "topographic_error";
+  EXPECT_TRUE(judge({claimed}, {part("", "small", "", 1), other}).empty());
+}
+
 TEST(Judge, KeepsQuestionsApart) {
   const std::vector<PartResults> parts{part("", "small", "", 1), part("why", "small", "", 2)};
   Claim asked = claim("small", "accuracy", 0);

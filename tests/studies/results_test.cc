@@ -214,6 +214,7 @@ TEST(Results, HaveTheClaimsAndWhatTheyRestOn) {
   const Json& than = json["claims"][1];
   EXPECT_EQ(than["than_system"], "small");
   EXPECT_EQ(than["than_variation"], "");
+  EXPECT_EQ(than["than_metric"], "accuracy");
   EXPECT_EQ(than["published"], 1.25);
   EXPECT_EQ(than["at_most"], 3.0);
   EXPECT_EQ(than["share"], 0.5);

@@ -34,7 +34,8 @@ describe("what it shows", () => {
     const [one, other, ...rest] = data.claims;
     const chance = "holds, but so does chance" as const;
     const undecided = { verdict: "cannot be decided here", reason: "12 pairs; 20 are needed" } as const;
-    const own = { ...other!, paper: "", ...undecided };
+    const against = { than: "small", than_metric: "baseline_accuracy" };
+    const own = { ...other!, paper: "", ...against, ...undecided };
     const claims = [own, { ...one!, verdict: chance, at_least: 4, at_most: 6 }];
     expect(rest.length).toBeGreaterThan(0);
     const { page } = await report.open({ ...data, claims });
@@ -43,6 +44,7 @@ describe("what it shows", () => {
     expect(texts.findIndex((text) => text.includes(one!.text))).toBe(1);
     expect(texts[1]).toContain("between 4 and 6");
     expect(texts[2]).toBe("Additional comparisons");
+    expect(texts[4]).toContain("minus baseline_accuracy of small");
     expect(texts[4]).toContain("cannot be decided here, 12 pairs; 20 are needed");
     expect(await page.locator("#claims .share").first().getAttribute("class")).toBe("share neutral");
     expect(await page.locator(".tiles").getAttribute("aria-label")).toBe("Of 1 claim of the papers");

@@ -133,6 +133,7 @@ export function claim(
     protocol: "train_is_test",
     group: "",
     than: "",
+    than_metric: "",
     published,
     at_least: least,
     at_most: null,

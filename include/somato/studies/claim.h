@@ -15,8 +15,8 @@ struct Metric;
 struct ProtocolResults;
 
 /// A statement of a paper in testable form: a metric of one system under one protocol is within
-/// bounds; or, if another system or variation is given as well, the difference of the metrics, pair
-/// by pair, is within bounds.
+/// bounds; or, if another system, variation or metric is given as well, the difference of the
+/// metrics, pair by pair, is within bounds.
 struct Claim {
   std::string text;
   std::string paper;
@@ -27,6 +27,7 @@ struct Claim {
   std::string group;
   std::string than_system;
   std::string than_variation;
+  std::string than_metric;
   std::optional<double> published;
   std::optional<double> at_least;
   std::optional<double> at_most;
@@ -41,7 +42,17 @@ struct Claim {
   std::string bounds() const;
 
   /// Whether it is about the difference of two metrics.
-  bool compares() const { return !than_system.empty() || !than_variation.empty(); }
+  bool compares() const {
+    return !than_system.empty() || !than_variation.empty() || !than_metric.empty();
+  }
+  /// The metric that is subtracted in a comparison: `than_metric`, by default `metric`.
+  const std::string& other_metric() const { return than_metric.empty() ? metric : than_metric; }
+  /// What it compares with, as text: the other system, the other variation, or both; empty if it
+  /// compares with nothing.
+  std::string other() const;
+  /// What is measured, as text: "accuracy", "accuracy less that of hardness, small" or "accuracy
+  /// less baseline_accuracy of small".
+  std::string measured() const;
 
   static const Declarations<Claim>& declarations();
 };

@@ -95,7 +95,8 @@ function claimRow(claim: ClaimReport): HTMLElement {
 }
 
 function bound(claim: ClaimReport): string {
-  const less = claim.than === "" ? "" : `minus that of ${claim.than} `;
+  const subtracted = claim.than_metric === claim.metric ? "that" : claim.than_metric;
+  const less = claim.than === "" ? "" : `minus ${subtracted} of ${claim.than} `;
   if (claim.at_least !== null && claim.at_most !== null) {
     return `${less}between ${readable(claim.at_least)} and ${readable(claim.at_most)}`;
   }
@@ -143,6 +144,7 @@ function claimsTable(claims: ClaimReport[]): Table {
     "protocol",
     "group",
     "than",
+    "than_metric",
     "published",
     "at_least",
     "at_most",
@@ -164,6 +166,7 @@ function claimsTable(claims: ClaimReport[]): Table {
     claim.protocol,
     claim.group,
     claim.than,
+    claim.than_metric,
     claim.published,
     claim.at_least,
     claim.at_most,

@@ -180,6 +180,8 @@ export interface ClaimReport {
   group: string;
   /** The other system or variation, or "". */
   than: string;
+  /** The metric of the other system or variation, or "". */
+  than_metric: string;
   published: number | null;
   at_least: number | null;
   at_most: number | null;
