@@ -135,13 +135,16 @@ std::string reference_page(const std::vector<Command>& commands) {
       "130 or 143 interrupted.\n\n## Commands\n\n";
   for (const Command& command : commands) add_command(page, command);
   page +=
-      "## Study files\n\nA study is a TOML file: the tables `[study]` and `[recording]`, and a "
-      "system of the tables `[module.NAME]` and, if needed, `[[phase]]`. A key that is left "
+      "## Study files\n\nA study is a TOML file: the tables `[study]`, `[recording]` and, if "
+      "needed, "
+      "`[altered.NAME]`, and a system of the tables `[module.NAME]` and, if needed, `[[phase]]`. A "
+      "key that is left "
       "out has its default; an unknown key is refused. Values are written in TOML notation; "
       "\"automatic\" is derived from the data as described for the key. A separate page lists "
       "the [types of modules](modules.md).\n\n";
   add_table<StudyParameters>(page, "`[study]`");
   add_table<RecordingParameters>(page, "`[recording]`");
+  add_table<Alteration>(page, "`[altered.NAME]`");
   add_table<PhaseDescription>(page, "`[[phase]]`");
   add_reproduction(page);
   add_sweep(page);

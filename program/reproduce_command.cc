@@ -30,6 +30,7 @@ namespace {
 
 constexpr const char* kAll = "all";
 constexpr const char* kQuestions = "questions";
+constexpr const char* kAnnounced = "announced";
 
 // The request from the command line.
 struct ReproductionRequest {
@@ -43,8 +44,9 @@ Result<NamedFile> find_file(const std::string& name, const OwnSystems& own) {
   if (name.ends_with(".toml")) {
     return read_file_or_own(name);
   }
-  std::vector<std::string> known{kAll, kQuestions};
-  for (const auto* files : {&own.systems, &own.recorded, &own.questions, &own.studies}) {
+  std::vector<std::string> known{kAll, kQuestions, kAnnounced};
+  for (const auto* files : {&own.systems, &own.recorded, &own.questions, &own.announced,
+                            &own.announced_questions, &own.studies}) {
     for (const NamedFile& file : *files) {
       if (file.name == name) return file;
       known.push_back(file.name);
@@ -62,12 +64,15 @@ Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names
                                            const OwnSystems& own, ReproductionRequest& request) {
   std::vector<NamedFile> files;
   for (const std::string& name : names) {
-    request.everything = request.everything || name == kAll || name == kQuestions;
+    request.everything =
+        request.everything || name == kAll || name == kQuestions || name == kAnnounced;
     if (name == kAll) {
       append(own.systems, files);
       if (request.pairs.given) append(own.recorded, files);
     } else if (name == kQuestions) {
       append(own.questions, files);
+    } else if (name == kAnnounced) {
+      append(own.announced_questions, files);
     } else {
       SOMATO_TRY(auto file, find_file(name, own));
       files.push_back(std::move(file));
@@ -102,8 +107,9 @@ Result<void> read_plan(const Arguments& arguments, ReproductionRequest& request)
   const auto names =
       found == arguments.lists.end() ? std::vector<std::string>{kAll} : found->second;
   SOMATO_TRY(const auto files, asked_files(names, own, request));
+  const std::vector<NamedFile> systems = questionable_systems(own);
   for (const NamedFile& file : files) {
-    SOMATO_TRY_VOID(add_to_plan(file, own.systems, request.plan));
+    SOMATO_TRY_VOID(add_to_plan(file, systems, request.plan));
   }
   return check_names(request.plan).and_then([&] { return check_exploring(request); });
 }
@@ -136,11 +142,11 @@ std::string file_name_of(const ReproductionPart& part) {
   return name;
 }
 
-// The first map of an unchanged system, and its trained system.
+// The first map of a system, and its trained system; not of the variations of a question.
 Result<void> save_first(const std::filesystem::path& out, const ReproductionPart& part,
                         const StudyDescription& description, const StudyOutcome& outcome,
                         PartResults& results) {
-  if (!part.question.empty()) return {};
+  if (!part.question.empty() && !part.variation.empty()) return {};
   const auto map = out / "maps" / (file_name_of(part) + ".svg");
   auto saved = save_whole(map.string(), winners_picture(description, outcome));
   if (!saved) return saved;
@@ -203,7 +209,8 @@ Command reproduce_command() {
       "published ones",
       {{"SYSTEM",
         "Systems and questions by name, or TOML files; 'all' selects the nine systems, with --data "
-        "also those for data sets, and 'questions' all questions about them. Default: all",
+        "also those for data sets, 'questions' all questions about them, and 'announced' all "
+        "comparisons with systems beyond the papers. Default: all",
         false, true, Role::kInput, own_file_names}},
       {{"--pairs", "Pairs of recording and seed for each system. Default: 100"},
        {"--recordings", "Number of independent recordings among the pairs. Default: 6"},

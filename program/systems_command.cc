@@ -51,11 +51,16 @@ void list(const Arguments& arguments, const OwnSystems& own) {
           text_of("\nThe same systems for public data sets, with --data:", own.recorded) +
           text_of("\nStudies of public data sets, with --data:", own.studies) +
           text_of("\nQuestions about the papers' systems, for somato reproduce:", own.questions) +
+          text_of("\nSystems beyond the papers, which their authors announced:", own.announced) +
+          text_of("\nComparisons of these with the papers' systems, for somato reproduce:",
+                  own.announced_questions) +
           "\n'somato systems NAME' prints the file of a system as a template; 'somato modules' "
           "lists the\ntypes of modules.\n",
       Table{{},
             {entry("systems", own.systems, of_file), entry("recorded", own.recorded, of_file),
-             entry("studies", own.studies, of_file), entry("questions", own.questions, of_file)}});
+             entry("studies", own.studies, of_file), entry("questions", own.questions, of_file),
+             entry("announced", own.announced, of_file),
+             entry("announced_questions", own.announced_questions, of_file)}});
 }
 
 Result<void> print_file(const Arguments& arguments) {

@@ -63,7 +63,7 @@ bool hears_only(const SystemDescription& description, const std::string& channel
 Result<std::vector<ViewSystem>> systems_that(
     const std::function<bool(const Table&, const StudyDescription&)>& fits) {
   SOMATO_TRY(auto own, own_systems());
-  std::vector<NamedFile> files = std::move(own.systems);
+  std::vector<NamedFile> files = questionable_systems(own);
   for (NamedFile& recorded : own.recorded) files.push_back(std::move(recorded));
   std::vector<ViewSystem> systems;
   for (const NamedFile& file : files) {

@@ -1,7 +1,7 @@
 #include "studies/fold_run.h"
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -34,16 +34,51 @@ Result<void> see(const PreparedStudy& prepared, const Fold& fold, Activations& a
     return {};
   }
   const std::size_t input = trained.system.modules()[prepared.map].inputs.front();
-  Numbers samples;
-  std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
-                 std::back_inserter(samples));
-  auto seen = evaluate(trained.system, prepared.recording, samples, {input, prepared.vectors}, 1,
-                       activations);
+  auto seen = evaluate(trained.system, prepared.recording, prepared.used_by(fold),
+                       {input, prepared.vectors}, 1, activations);
   if (!seen) return seen;
   trained.inputs = activations.values_of(input);
   trained.vectors = activations.values_of(prepared.vectors);
   return {};
 }
+
+// The neighbours of `test`; `narrow` contains the vectors of all explorations.
+Neighbours neighbours_of(const ExplorationValues& vectors, const Samples& narrow,
+                         const std::optional<Samples>& standardized, const Numbers& training,
+                         const Numbers& test) {
+  const Numbers places = vectors.places_of(test);
+  Neighbours nearest;
+  nearest.raw = neighbours_among(narrow, training, places, vectors.explorations);
+  nearest.standardized =
+      standardized ? neighbours_among(*standardized, training, places, vectors.explorations)
+                   : nearest.raw;
+  return nearest;
+}
+
+// Names test samples by the neurons that training samples won.
+class Naming {
+ public:
+  Naming(const TrainedFold& trained, const PreparedStudy& prepared, const Numbers& training_winners)
+      : som_(*som_of(trained.system, prepared.map)), inputs_(trained.inputs) {
+    const std::set<std::size_t> won(training_winners.begin(), training_winners.end());
+    won_.assign(won.begin(), won.end());
+  }
+
+  Numbers named_by(const Numbers& explorations) {
+    Numbers named;
+    named.reserve(explorations.size());
+    for (const std::size_t sample : inputs_.places_of(explorations)) {
+      named.push_back(som_.winner_among(won_, inputs_.samples, sample, workspace_));
+    }
+    return named;
+  }
+
+ private:
+  const Som& som_;
+  const ExplorationValues& inputs_;
+  Numbers won_;
+  SomWorkspace workspace_;
+};
 
 }  // namespace
 
@@ -53,44 +88,50 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Prepar
   if (!system) return fail(std::move(system.error()));
   TrainedFold trained{std::move(*system), {}, {}};
   Activations activations = prepared.fixed;
-  const SystemTraining training{seed, 1, progress, {}, fold.test};
+  const Numbers tested = prepared.tested_by(fold);
+  const SystemTraining training{seed, 1, progress, {}, tested};
   auto done = train_system(trained.system, prepared.recording, fold.training, training, activations)
                   .and_then([&] { return see(prepared, fold, activations, trained); });
   if (!done) return fail(std::move(done.error()));
   return trained;
 }
 
-Neighbours nearest_neighbours(const ExplorationValues& vectors, const Fold& fold) {
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const PreparedStudy& prepared, const Fold& fold) {
   const Samples& samples = vectors.samples;
   const Numbers training = vectors.places_of(fold.training);
-  const Numbers test = vectors.places_of(fold.test);
   // A column that is 0 in all training samples takes a tested one as far from each of them, and is
   // 0 once standardized.
   const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
-  Neighbours nearest;
-  nearest.raw = neighbours_among(narrow, training, test, vectors.explorations);
-  nearest.standardized = nearest.raw;
-  if (training.size() < 2) return nearest;
-  const auto standardization =
-      Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
-  if (!standardization) return nearest;
-  nearest.standardized =
-      neighbours_among(standardization->apply(narrow), training, test, vectors.explorations);
+  std::optional<Samples> standardized;
+  if (training.size() >= 2) {
+    const auto standardization =
+        Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
+    if (standardization) standardized = standardization->apply(narrow);
+  }
+  const auto of = [&](const Numbers& test) {
+    return neighbours_of(vectors, narrow, standardized, training, test);
+  };
+  std::vector<Neighbours> nearest{of(fold.test)};
+  for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
+    nearest.push_back(of(prepared.altered(fold.test, i)));
+  }
   return nearest;
 }
 
 FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,
-                      Neighbours nearest) {
+                      std::vector<Neighbours> nearest) {
   const Som& som = *som_of(trained.system, prepared.map);
   const Samples& inputs = trained.inputs.samples;
   SomWorkspace workspace;
   FoldOutcome outcome;
-  outcome.nearest = std::move(nearest);
+  nearest.resize(1 + prepared.alterations.size());
+  outcome.nearest = std::move(nearest.front());
   for (const std::size_t sample : trained.inputs.places_of(fold.training)) {
     outcome.training_winners.push_back(som.winners(inputs, sample, workspace).first);
   }
-  const std::set<std::size_t> won(outcome.training_winners.begin(), outcome.training_winners.end());
-  const Numbers named(won.begin(), won.end());
+  Naming naming(trained, prepared, outcome.training_winners);
+  outcome.named_by = naming.named_by(fold.test);
   for (const std::size_t sample : trained.inputs.places_of(fold.test)) {
     const Winners winners = som.winners(inputs, sample, workspace);
     const bool topographic_errors =
@@ -98,7 +139,10 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
     outcome.winners.push_back(winners.first);
     outcome.summed_distance += som.distance(inputs, sample, winners.first, workspace);
     outcome.topographic_errors += topographic_errors ? 1.0 : 0.0;
-    outcome.named_by.push_back(som.winner_among(named, inputs, sample, workspace));
+  }
+  for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
+    outcome.altered.push_back(
+        {naming.named_by(prepared.altered(fold.test, i)), std::move(nearest[i + 1])});
   }
   return outcome;
 }

@@ -21,15 +21,24 @@ struct Neighbours {
   bool operator==(const Neighbours&) const = default;
 };
 
+/// The results of altered test samples.
+struct AlteredOutcome {
+  std::vector<std::size_t> named_by;  ///< As in FoldOutcome.
+  Neighbours nearest;                 ///< Among the unaltered training samples.
+
+  bool operator==(const AlteredOutcome&) const = default;
+};
+
 /// The results of one training, from which all metrics are computed, for any label.
 struct FoldOutcome {
   std::vector<std::size_t> training_winners;  ///< Of the training samples.
   std::vector<std::size_t> winners;           ///< Of the test samples.
-  std::vector<std::size_t> named_by;  ///< The neurons that name the tested samples: the most
-                                      ///< similar of those that training samples won.
-  Neighbours nearest;                 ///< Of the test samples.
-  double summed_distance = 0.0;       ///< Distances of the test samples from their winners.
-  double topographic_errors = 0.0;    ///< Tested samples whose two winners do not touch.
+  std::vector<std::size_t> named_by;         ///< The neurons that name the tested samples: the most
+                                             ///< similar of those that training samples won.
+  Neighbours nearest;                        ///< Of the test samples.
+  double summed_distance = 0.0;              ///< Distances of the test samples from their winners.
+  double topographic_errors = 0.0;           ///< Tested samples whose two winners do not touch.
+  std::vector<AlteredOutcome> altered = {};  ///< One for each alteration.
 
   bool operator==(const FoldOutcome&) const = default;
 };
@@ -46,12 +55,13 @@ struct TrainedFold {
 Result<TrainedFold> train_fold(const StudyDescription& description, const PreparedStudy& prepared,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
 
-/// The neighbours of a fold's test samples among its training samples, by the vectors of all of
-/// them.
-Neighbours nearest_neighbours(const ExplorationValues& vectors, const Fold& fold);
+/// The neighbours among a fold's training samples, by the vectors of all of them: of its test
+/// samples, then of those altered by each alteration.
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const PreparedStudy& prepared, const Fold& fold);
 
-/// Tests a trained system on a fold.
+/// Tests a trained system on a fold. `nearest` are those of nearest_neighbours(), or empty.
 FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,
-                      Neighbours nearest);
+                      std::vector<Neighbours> nearest);
 
 }  // namespace somato

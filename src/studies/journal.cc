@@ -15,7 +15,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 2;
+constexpr int kJournalVersion = 3;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -24,6 +24,16 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
 
 std::string header_of(const std::string& fingerprint) {
   return checked_line({{"somato_journal", kJournalVersion}, {"study", fingerprint}});
+}
+
+SortedJson altered_json(const FoldOutcome& outcome) {
+  SortedJson altered = SortedJson::array();
+  for (const AlteredOutcome& one : outcome.altered) {
+    altered.push_back({{"named_by", one.named_by},
+                       {"nearest_raw", one.nearest.raw},
+                       {"nearest_standardized", one.nearest.standardized}});
+  }
+  return altered;
 }
 
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
@@ -35,7 +45,8 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"nearest_raw", outcome.nearest.raw},
           {"nearest_standardized", outcome.nearest.standardized},
           {"summed_distance", outcome.summed_distance},
-          {"topographic_errors", outcome.topographic_errors}};
+          {"topographic_errors", outcome.topographic_errors},
+          {"altered", altered_json(outcome)}};
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -47,6 +58,12 @@ FoldOutcome outcome_of(const SortedJson& line) {
   line.at("nearest_standardized").get_to(outcome.nearest.standardized);
   line.at("summed_distance").get_to(outcome.summed_distance);
   line.at("topographic_errors").get_to(outcome.topographic_errors);
+  for (const SortedJson& one : line.at("altered")) {
+    AlteredOutcome& altered = outcome.altered.emplace_back();
+    one.at("named_by").get_to(altered.named_by);
+    one.at("nearest_raw").get_to(altered.nearest.raw);
+    one.at("nearest_standardized").get_to(altered.nearest.standardized);
+  }
   return outcome;
 }
 

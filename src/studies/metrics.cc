@@ -39,9 +39,12 @@ class MetricsMaker {
   std::vector<Metric> make() {
     for (const StudiedLabel& label : study_.prepared.labels) {
       prefix_ = &label == &study_.prepared.labels.front() ? "" : label.name + ".";
-      if (can_be_named(label.classes)) add_accuracies(label.classes);
+      if (can_be_named(label.classes)) {
+        add_accuracies(label.classes, [](const FoldOutcome& o) -> const auto& { return o; });
+      }
       add_areas(label);
     }
+    for (std::size_t i = 0; i < study_.prepared.alterations.size(); ++i) add_altered(i);
     prefix_.clear();
     read_maps();
     add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
@@ -91,17 +94,19 @@ class MetricsMaker {
     });
   }
 
-  void add_accuracies(const Classes& classes) {
+  // Of the tested samples as they are, or as altered: FoldOutcome or AlteredOutcome.
+  template <typename Tested>
+  void add_accuracies(const Classes& classes, const Tested& tested) {
     add_share_right("accuracy", classes, [&](const Fold& fold, const FoldOutcome& outcome) {
-      return predictions(classes, fold, outcome);
+      return predictions(classes, fold, outcome, tested(outcome).named_by);
     });
     const std::size_t best = metrics_.size();
     add_share_right("baseline_accuracy_raw", classes, [&](const Fold&, const FoldOutcome& outcome) {
-      return at(classes.of_sample, outcome.nearest.raw);
+      return at(classes.of_sample, tested(outcome).nearest.raw);
     });
     add_share_right("baseline_accuracy_standardized", classes,
                     [&](const Fold&, const FoldOutcome& outcome) {
-                      return at(classes.of_sample, outcome.nearest.standardized);
+                      return at(classes.of_sample, tested(outcome).nearest.standardized);
                     });
     // The one that is better on average over the seeds: in favour of the baseline.
     const Metric& raw = metrics_[best];
@@ -109,6 +114,16 @@ class MetricsMaker {
     Metric better = raw.mean() >= standardized.mean() ? raw : standardized;
     better.name = prefix_ + "baseline_accuracy";
     metrics_.insert(metrics_.begin() + static_cast<std::ptrdiff_t>(best), std::move(better));
+  }
+
+  void add_altered(std::size_t alteration) {
+    for (const StudiedLabel& label : study_.prepared.labels) {
+      if (!can_be_named(label.classes)) continue;
+      prefix_ = "altered." + study_.prepared.alterations[alteration] + ".";
+      if (&label != &study_.prepared.labels.front()) prefix_ += label.name + ".";
+      add_accuracies(label.classes,
+                     [&](const FoldOutcome& o) -> const auto& { return o.altered[alteration]; });
+    }
   }
 
   // The winners of all samples of a fold, learned or tested, with these samples.
@@ -222,15 +237,20 @@ class MetricsMaker {
 }  // namespace
 
 std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
-                                     const FoldOutcome& outcome) {
+                                     const FoldOutcome& outcome, const Numbers& named_by) {
   const auto last =
       std::max_element(outcome.training_winners.begin(), outcome.training_winners.end());
   const NeuronLabels labels = NeuronLabels::by_majority(
       outcome.training_winners, at(classes.of_sample, fold.training), *last + 1);
   Numbers named;
-  named.reserve(outcome.named_by.size());
-  for (const std::size_t neuron : outcome.named_by) named.push_back(*labels[neuron]);
+  named.reserve(named_by.size());
+  for (const std::size_t neuron : named_by) named.push_back(*labels[neuron]);
   return named;
+}
+
+std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
+                                     const FoldOutcome& outcome) {
+  return predictions(classes, fold, outcome, outcome.named_by);
 }
 
 std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds) {

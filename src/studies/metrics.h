@@ -30,6 +30,11 @@ struct MeasuredStudy {
 std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
                                      const FoldOutcome& outcome);
 
+/// The same for samples that these neurons name.
+std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
+                                     const FoldOutcome& outcome,
+                                     const std::vector<std::size_t>& named_by);
+
 /// All metrics over the seeds, in the order of docs/reference/results.md; those that are not
 /// defined under this protocol are omitted.
 std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds);

@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 9> kOrder = {"single_tensor_product",
                                                     "combined",
                                                     "bimodal"};
 
-constexpr std::array<std::string_view, 4> kFolders = {"systems", "systems/recorded",
-                                                      "systems/questions", "studies"};
+constexpr std::array<std::string_view, 5> kFolders = {
+    "systems", "systems/recorded", "systems/questions", "systems/announced", "studies"};
 
 std::string name_of(const detail::EmbeddedFile& file) {
   return std::filesystem::path(file.path).stem().string();
@@ -59,16 +59,28 @@ std::size_t place_of(const NamedFile& file) {
 
 Result<OwnSystems> own_systems() {
   OwnSystems own;
-  std::array<std::vector<NamedFile>*, kFolders.size()> parts = {&own.systems, &own.recorded,
-                                                                &own.questions, &own.studies};
+  std::array<std::vector<NamedFile>*, kFolders.size()> parts = {
+      &own.systems, &own.recorded, &own.questions, &own.announced, &own.studies};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     SOMATO_TRY(auto files, files_in(kFolders[i]));
     *parts[i] = std::move(files);
+  }
+  std::vector<NamedFile> announced = std::move(own.announced);
+  own.announced.clear();
+  for (NamedFile& file : announced) {
+    auto& files = file.content.find("question") ? own.announced_questions : own.announced;
+    files.push_back(std::move(file));
   }
   std::sort(own.systems.begin(), own.systems.end(), [](const NamedFile& a, const NamedFile& b) {
     return std::pair(place_of(a), a.name) < std::pair(place_of(b), b.name);
   });
   return own;
+}
+
+std::vector<NamedFile> questionable_systems(const OwnSystems& own) {
+  std::vector<NamedFile> systems = own.systems;
+  systems.insert(systems.end(), own.announced.begin(), own.announced.end());
+  return systems;
 }
 
 std::optional<OwnFile> find_own_file(const std::string& name) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -216,6 +217,17 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
   return {};
 }
 
+Result<void> append_altered(const StudyDescription& description, PreparedStudy& prepared) {
+  const Recording unaltered = prepared.recording;
+  for (const Alteration& alteration : description.altered) {
+    SOMATO_TRY(auto explorations, altered(unaltered, alteration, description.study.label));
+    std::move(explorations.begin(), explorations.end(),
+              std::back_inserter(prepared.recording.explorations));
+    prepared.alterations.push_back(alteration.name);
+  }
+  return {};
+}
+
 // Modules that every training would otherwise create again.
 void keep_fixed(const System& system, PreparedStudy& prepared) {
   const std::size_t input = system.modules()[prepared.map].inputs.front();
@@ -256,6 +268,33 @@ FoldSamples PreparedStudy::divided_by(const std::string& group) const {
   return divided;
 }
 
+std::vector<std::size_t> PreparedStudy::altered(const std::vector<std::size_t>& explorations,
+                                                std::size_t alteration) const {
+  const std::size_t unaltered = samples.samples + samples.test_samples;
+  std::vector<std::size_t> numbers = explorations;
+  for (std::size_t& number : numbers) number += unaltered * (alteration + 1);
+  return numbers;
+}
+
+std::vector<std::size_t> PreparedStudy::used_by(const Fold& fold) const {
+  std::vector<std::size_t> used;
+  std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
+                 std::back_inserter(used));
+  const std::vector<std::size_t> tested = tested_by(fold);
+  used.insert(used.end(), tested.begin() + static_cast<std::ptrdiff_t>(fold.test.size()),
+              tested.end());
+  return used;
+}
+
+std::vector<std::size_t> PreparedStudy::tested_by(const Fold& fold) const {
+  std::vector<std::size_t> tested = fold.test;
+  for (std::size_t i = 0; i < alterations.size(); ++i) {
+    const std::vector<std::size_t> more = altered(fold.test, i);
+    tested.insert(tested.end(), more.begin(), more.end());
+  }
+  return tested;
+}
+
 Result<System> PreparedStudy::system(const StudyDescription& description) const {
   return System::build(description.system, layout);
 }
@@ -277,7 +316,8 @@ Result<PreparedStudy> prepare_study(const StudyDescription& description, const R
           .and_then([&] { return check_classes(prepared, study.label, learned); })
           .and_then([&] { return ask_order(study, individuals, learned, prepared); })
           .and_then([&] { return divide(study, learned, prepared); })
-          .and_then([&] { return find_modules(system, description, prepared); });
+          .and_then([&] { return find_modules(system, description, prepared); })
+          .and_then([&] { return append_altered(description, prepared); });
   if (!ready) return fail(std::move(ready.error()));
   auto fixed = evaluate_fixed(system, prepared.recording, {prepared.vectors}, threads);
   if (!fixed) return fail(std::move(fixed.error()));

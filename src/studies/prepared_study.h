@@ -35,7 +35,8 @@ struct AskedOrder {
 /// The content of a study: explorations, their classes, and the individuals behind them; and the
 /// outputs of its system that do not depend on learning, computed once.
 struct PreparedStudy {
-  Recording recording;  ///< The explorations to be divided, followed by those of `--test-data`.
+  Recording recording;  ///< The explorations to be divided, followed by those of `--test-data`,
+                        ///< and all of them again for each alteration.
   FoldSamples samples;  ///< The division.
   std::vector<StudiedLabel> labels;                        ///< The study's own first.
   std::map<std::string, std::vector<std::size_t>> groups;  ///< For leave_group_out, by label.
@@ -53,6 +54,16 @@ struct PreparedStudy {
   const Classes& classes() const { return labels.front().classes; }
   /// The division with the groups of a label; empty: the default.
   FoldSamples divided_by(const std::string& group) const;
+
+  std::vector<std::string> alterations;  ///< Their names.
+
+  /// The numbers of `explorations` as altered by alteration number `alteration`.
+  std::vector<std::size_t> altered(const std::vector<std::size_t>& explorations,
+                                   std::size_t alteration) const;
+  /// The test explorations of a fold, followed by those altered by each alteration.
+  std::vector<std::size_t> tested_by(const Fold& fold) const;
+  /// These and the training explorations, ascending.
+  std::vector<std::size_t> used_by(const Fold& fold) const;
 
   /// A separate system for one training.
   Result<System> system(const StudyDescription& description) const;

@@ -209,7 +209,7 @@ const Declarations<QuestionParameters>& QuestionParameters::declarations() {
                "Name of the question, which is used in the results. Required.")
           .add("text", &P::text, "", Range::any(), "The question, in one sentence.")
           .add("systems", &P::systems, "", Range::any(),
-               "Names of the systems that the question is about.")
+               "Names of the built-in systems that the question is about.")
           .add("pairs", &P::pairs, "", Range::between(1, 1e6),
                "Maximum number of pairs of recording and seed for each variation.");
   return declared;

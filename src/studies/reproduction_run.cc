@@ -85,11 +85,11 @@ Result<PartRun> PartRunner::run(const ReproductionPart& part, const PartEvents& 
 }
 
 Result<std::string> PartRunner::identity(const ReproductionPart& part) {
-  std::string text = parameters_to_toml(part.description.study) +
-                     parameters_to_toml(part.description.recording) +
-                     to_toml(part.description.system) + "variation = " + part.variation +
-                     "\npairs = " + std::to_string(pairs_for(part)) +
-                     "\nseed = " + std::to_string(options_.seed) + "\n";
+  std::string text =
+      parameters_to_toml(part.description.study) + parameters_to_toml(part.description.recording) +
+      to_toml(part.description.altered) + to_toml(part.description.system) +
+      "variation = " + part.variation + "\npairs = " + std::to_string(pairs_for(part)) +
+      "\nseed = " + std::to_string(options_.seed) + "\n";
   if (options_.test_data) text += "test_data = " + options_.test_data->info.hash + "\n";
   const auto count = recordings_for(part);
   for (std::size_t i = 0; i < count.value_or(0); ++i) {

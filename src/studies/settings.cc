@@ -58,6 +58,9 @@ std::vector<Settings> system_settings(const System& system) {
 std::vector<Settings> study_settings(const StudyDescription& description, const System& trained) {
   std::vector<Settings> settings{settings_of("study", description.study),
                                  settings_of("recording", description.recording)};
+  for (const Alteration& alteration : description.altered) {
+    settings.push_back(settings_of("altered." + alteration.name, alteration));
+  }
   std::vector<Settings> more = system_settings(trained);
   std::move(more.begin(), more.end(), std::back_inserter(settings));
   return settings;

@@ -19,7 +19,8 @@ std::string fingerprint(const StudyDescription& description, const PartResults& 
                         const std::vector<ProtocolPart>& parts) {
   StudyParameters study = description.study;
   study.seeds = 1;
-  std::string text = parameters_to_toml(study) + to_toml(description.system);
+  std::string text =
+      parameters_to_toml(study) + to_toml(description.altered) + to_toml(description.system);
   for (const RecordingInfo& one : results.recordings) text += "data = " + one.hash + "\n";
   for (const RecordingInfo& one : results.test_recordings) text += "test_data = " + one.hash + "\n";
   for (const ProtocolPart& part : parts) {

@@ -182,9 +182,12 @@ Result<StudyDescription> read_study(const Table& file) {
     if (entry.name == "recording") part = read_part(entry, description.recording);
     if (!part) return fail(std::move(part.error()));
   }
-  auto system = read_system(file, {"study", "recording", "explore", "variation", "claim"});
+  auto system =
+      read_system(file, {"study", "recording", "altered", "explore", "variation", "claim"});
   if (!system) return fail(std::move(system.error()));
   description.system = std::move(*system);
+  SOMATO_TRY(auto alterations, read_alterations(file));
+  description.altered = std::move(alterations);
   if (description.system.name.empty()) description.system.name = description.study.name;
   SOMATO_TRY_VOID(check_complete(description.study, file));
   return description;
@@ -192,7 +195,8 @@ Result<StudyDescription> read_study(const Table& file) {
 
 std::string to_toml(const StudyDescription& description) {
   return table_to_toml("study", description.study) +
-         table_to_toml("recording", description.recording) + to_toml(description.system);
+         table_to_toml("recording", description.recording) + to_toml(description.altered) +
+         to_toml(description.system);
 }
 
 }  // namespace somato

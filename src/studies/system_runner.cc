@@ -96,15 +96,20 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
 void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   if (taken_ == 0) return;
   outcomes_[0] = std::make_unique<FoldOutcome>(tested);
-  outcomes_[0]->nearest = neighbours(trained, 0);
+  std::vector<Neighbours> nearest = neighbours(trained, 0);
+  outcomes_[0]->nearest = std::move(nearest.front());
+  for (std::size_t i = 0; i < prepared_.alterations.size(); ++i) {
+    outcomes_[0]->altered[i].nearest = std::move(nearest[i + 1]);
+  }
 }
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
-Neighbours SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
+std::vector<Neighbours> SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
   const auto& vectors = prepared_.fixed_vectors;
-  if (!vectors) return nearest_neighbours(trained.vectors, folds_[fold]);
-  std::call_once(are_known_[fold],
-                 [&] { neighbours_[fold] = nearest_neighbours(*vectors, folds_[fold]); });
+  if (!vectors) return nearest_neighbours(trained.vectors, prepared_, folds_[fold]);
+  std::call_once(are_known_[fold], [&] {
+    neighbours_[fold] = nearest_neighbours(*vectors, prepared_, folds_[fold]);
+  });
   return neighbours_[fold];
 }
 

@@ -78,7 +78,7 @@ class SystemRunner {
 
  private:
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
-  Neighbours neighbours(const TrainedFold& trained, std::size_t fold);
+  std::vector<Neighbours> neighbours(const TrainedFold& trained, std::size_t fold);
   std::vector<SeedOutcome> seeds() const;
   Run run_of(const SeedOutcome& seed) const;
   std::vector<std::string> names_of_tested(
@@ -92,7 +92,8 @@ class SystemRunner {
   std::vector<Fold> folds_;
   std::vector<std::size_t> tested_;                     ///< All tested samples, ascending.
   std::vector<std::unique_ptr<FoldOutcome>> outcomes_;  // those that are known
-  std::vector<Neighbours> neighbours_;     ///< Of folds whose vectors do not depend on the seed.
+  std::vector<std::vector<Neighbours>>
+      neighbours_;                         ///< Of folds whose vectors do not depend on the seed.
   std::vector<std::once_flag> are_known_;  ///< Of neighbours_.
 };
 

@@ -126,7 +126,7 @@ class Recomputed {
 // What is tested of a training, as test_fold() and nearest_neighbours() give it together.
 FoldOutcome outcome_of(const TrainedFold& trained, const PreparedStudy& prepared,
                        const Fold& fold) {
-  return test_fold(trained, prepared, fold, nearest_neighbours(trained.vectors, fold));
+  return test_fold(trained, prepared, fold, nearest_neighbours(trained.vectors, prepared, fold));
 }
 
 std::map<std::string, double> metrics_by_name(const PreparedStudy& prepared, const Fold& fold,
@@ -360,7 +360,7 @@ TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
   const PreparedStudy prepared = question_of(asked, small_study("none"));
   const Fold first = folds_of(prepared, Protocol::kLeaveOneOut)[0];
   const TrainedFold trained = trained_on(prepared, first, small_study("none"));
-  const Neighbours nearest = nearest_neighbours(trained.vectors, first);
+  const Neighbours nearest = nearest_neighbours(trained.vectors, prepared, first).front();
   EXPECT_EQ(prepared.classes().of_sample.at(nearest.standardized.at(0)), 0U);
 }
 

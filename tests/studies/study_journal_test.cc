@@ -16,6 +16,13 @@ using testing::objects_apart;
 using testing::outcome_of;
 using testing::small_study;
 
+// With everything that a journal keeps.
+StudyDescription journal_study() {
+  StudyDescription description = small_study();
+  description.altered = {{.name = "noisy", .noisy = {"joints"}}};
+  return description;
+}
+
 Recording journal_recording() {
   return objects_apart(3, 4, 150.0, 2);
 }
@@ -40,7 +47,7 @@ class StudyJournal : public ::testing::Test {
   void interrupt(std::uint64_t trainings, std::size_t threads = 1) const {
     StudyOptions interrupted = options(threads);
     interrupted.progress = [=](std::uint64_t done, std::uint64_t) { return done < trainings; };
-    const auto outcome = run_study(small_study(), journal_recording(), interrupted);
+    const auto outcome = run_study(journal_study(), journal_recording(), interrupted);
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().kind, ErrorKind::kInterrupted);
   }
@@ -52,11 +59,11 @@ class StudyJournal : public ::testing::Test {
 constexpr std::uint64_t kTrainings = 1 + 2 * 12 + 1;
 
 TEST_F(StudyJournal, ResumesWithTheSameResults) {
-  const std::string expected = json_of(outcome_of(small_study(), journal_recording()));
+  const std::string expected = json_of(outcome_of(journal_study(), journal_recording()));
   for (const std::uint64_t trainings : {1U, 2U, 14U, 25U}) {
     interrupt(trainings);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(1 + trainings));
-    EXPECT_EQ(json_of(outcome_of(small_study(), journal_recording(), options())), expected);
+    EXPECT_EQ(json_of(outcome_of(journal_study(), journal_recording(), options())), expected);
     // All but that of the model, which is made at the end; what was done was not done again.
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
@@ -64,17 +71,18 @@ TEST_F(StudyJournal, ResumesWithTheSameResults) {
 }
 
 TEST_F(StudyJournal, ResumesWithTheSameResultsOnThreads) {
-  const std::string expected = json_of(outcome_of(small_study(), journal_recording()));
+  const std::string expected = json_of(outcome_of(journal_study(), journal_recording()));
   for (const std::size_t threads : {2U, 4U}) {
     interrupt(9, threads);
-    EXPECT_EQ(json_of(outcome_of(small_study(), journal_recording(), options(threads))), expected);
+    EXPECT_EQ(json_of(outcome_of(journal_study(), journal_recording(), options(threads))),
+              expected);
     EXPECT_EQ(lines_of(path()), static_cast<std::ptrdiff_t>(kTrainings));
     std::filesystem::remove(path());
   }
 }
 
 TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
-  outcome_of(small_study(), journal_recording(), options());
+  outcome_of(journal_study(), journal_recording(), options());
   const std::string whole = bytes_of(path());
   std::vector<std::uint64_t> reported;
   StudyOptions again = options();
@@ -83,7 +91,7 @@ TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
     reported.push_back(done);
     return true;
   };
-  outcome_of(small_study(), journal_recording(), again);
+  outcome_of(journal_study(), journal_recording(), again);
   ASSERT_FALSE(reported.empty());
   EXPECT_EQ(reported.back(), 1U);
   EXPECT_TRUE(bytes_of(path()) == whole);
@@ -92,13 +100,13 @@ TEST_F(StudyJournal, DoesNotRepeatWhatIsDone) {
 TEST_F(StudyJournal, ServesAnyNumberOfSeeds) {
   interrupt(20);
   const auto kept = lines_of(path());
-  StudyDescription more = small_study();
+  StudyDescription more = journal_study();
   more.study.seeds = 3;
   const StudyOutcome outcome = outcome_of(more, journal_recording(), options());
   EXPECT_EQ(json_of(outcome), json_of(outcome_of(more, journal_recording())));
   EXPECT_EQ(lines_of(path()), 1 + 2 + 3 * 12);
   EXPECT_LT(kept, lines_of(path()));
-  StudyDescription fewer = small_study();
+  StudyDescription fewer = journal_study();
   fewer.study.seeds = 1;
   EXPECT_EQ(json_of(outcome_of(fewer, journal_recording(), options())),
             json_of(outcome_of(fewer, journal_recording())));
@@ -115,17 +123,17 @@ void expect_other_study(const StudyDescription& description, const Recording& as
 
 TEST_F(StudyJournal, OfOtherSettingsOrDataIsRefused) {
   interrupt(3);
-  StudyDescription other = small_study();
+  StudyDescription other = journal_study();
   other.study.first_seed = 6;
   expect_other_study(other, journal_recording(), options());
-  other = small_study();
+  other = journal_study();
   other.study.protocols = {Protocol::kLeaveOneOut, Protocol::kTrainIsTest};
   expect_other_study(other, journal_recording(), options());
-  other = small_study();
+  other = journal_study();
   other.study.wrong_groupings = 3;
   expect_other_study(other, journal_recording(), options());
   expect_other_study(small_study("constant_columns = 'zero'\n"), journal_recording(), options());
-  expect_other_study(small_study(), objects_apart(3, 4, 150.0, 3), options());
+  expect_other_study(journal_study(), objects_apart(3, 4, 150.0, 3), options());
 }
 
 // Another one, none, and the same explorations divided elsewhere.
@@ -135,16 +143,16 @@ TEST_F(StudyJournal, OfOtherTestDataIsRefused) {
   StudyOptions with = options();
   with.test_data = &second;
   with.progress = [](std::uint64_t done, std::uint64_t) { return done < 3; };
-  ASSERT_FALSE(run_study(small_study(), first, with));
+  ASSERT_FALSE(run_study(journal_study(), first, with));
   with.progress = {};
   const Recording third = objects_apart(3, 2, 150.0, 9);
   with.test_data = &third;
-  expect_other_study(small_study(), first, with);
+  expect_other_study(journal_study(), first, with);
   with.test_data = &second;
-  expect_other_study(small_study(), first, options());
+  expect_other_study(journal_study(), first, options());
   first.explorations.push_back(second.explorations.front());
   second.explorations.erase(second.explorations.begin());
-  expect_other_study(small_study(), first, with);
+  expect_other_study(journal_study(), first, with);
 }
 
 TEST_F(StudyJournal, IsNotMadeByAStudyThatCannotBegin) {
@@ -152,14 +160,14 @@ TEST_F(StudyJournal, IsNotMadeByAStudyThatCannotBegin) {
   for (Exploration& exploration : constant.explorations) {
     exploration.channels[0].frames(0, 1) = 5.0F;
   }
-  ASSERT_FALSE(run_study(small_study(), constant, options()));
+  ASSERT_FALSE(run_study(journal_study(), constant, options()));
   EXPECT_EQ(folder_.count(), 0);
 }
 
 TEST_F(StudyJournal, ThatCannotBeWrittenStopsTheStudy) {
   StudyOptions nowhere;
   nowhere.journal = folder_.file("missing/journal");
-  const auto outcome = run_study(small_study(), journal_recording(), nowhere);
+  const auto outcome = run_study(journal_study(), journal_recording(), nowhere);
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().kind, ErrorKind::kSystem);
   EXPECT_EQ(outcome.error().where, nowhere.journal);

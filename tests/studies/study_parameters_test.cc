@@ -121,7 +121,7 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
 TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
   expect_study_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
                        "study.toml:5: unknown table 'vector'; known are: system, module, phase, "
-                       "study, recording, explore, variation, claim");
+                       "study, recording, altered, explore, variation, claim");
 }
 
 TEST(ReadStudy, RefusesAKeyWhereATableBelongs) {

@@ -20,6 +20,7 @@ enum class Stream : std::uint32_t {
   kNoise = 3,
   kSizeOrder = 4,
   kDesign = 5,
+  kAlterations = 6,
   kTextureProbe = 20,
   kHardnessProbe = 21,
   kServoPlay = 103,

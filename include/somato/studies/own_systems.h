@@ -15,8 +15,13 @@ struct OwnSystems {
   std::vector<NamedFile> systems;    ///< The nine systems of the papers, for simulated bodies.
   std::vector<NamedFile> recorded;   ///< The same, if applicable, for public data sets.
   std::vector<NamedFile> questions;  ///< Questions about the nine systems.
-  std::vector<NamedFile> studies;    ///< Studies of public data sets, with separate systems.
+  std::vector<NamedFile> announced;  ///< Systems beyond the papers, which their authors announced.
+  std::vector<NamedFile> announced_questions;  ///< Comparisons of these with the nine.
+  std::vector<NamedFile> studies;  ///< Studies of public data sets, with separate systems.
 };
+
+/// The systems that a question can be about: the nine, then the announced ones.
+std::vector<NamedFile> questionable_systems(const OwnSystems& own);
 
 /// Reads them; their names are those of the files. The nine systems are in the order of the papers.
 Result<OwnSystems> own_systems();

@@ -9,6 +9,7 @@
 #include "somato/core/parameter.h"
 #include "somato/graph/system_description.h"
 #include "somato/recording/format.h"
+#include "somato/studies/alteration.h"
 
 namespace somato {
 
@@ -61,17 +62,18 @@ struct StudyDescription {
   std::string text = {};   ///< The text of its file, for the results; empty: to_toml().
   StudyParameters study;
   RecordingParameters recording;
+  std::vector<Alteration> altered = {};  ///< Of the test explorations.
   SystemDescription system;
 };
 
-/// Reads a study from the tables [study] and [recording] and those of its system (see
-/// read_system()). Errors (kUsage) with their location: unknown tables or keys (with the nearest
-/// known one), values out of range, no name, no protocols, a protocol without its required
+/// Reads a study from the tables [study], [recording] and [altered.NAME] and those of its system
+/// (see read_system()). Errors (kUsage) with their location: unknown tables or keys (with the
+/// nearest known one), values out of range, no name, no protocols, a protocol without its required
 /// settings.
 Result<StudyDescription> read_study(const Table& file);
 
-/// The study as TOML that is read back to the same study: tables [study] and [recording] without
-/// defaults, then its system.
+/// The study as TOML that is read back to the same study: tables [study], [recording] and
+/// [altered.NAME] without defaults, then its system.
 std::string to_toml(const StudyDescription& description);
 
 }  // namespace somato
