@@ -17,7 +17,6 @@ import json
 import pathlib
 import re
 import statistics
-import sys
 import tomllib
 
 import result_tables as tables
@@ -228,13 +227,9 @@ def main(arguments=None):
     parser.add_argument("--sweeps", type=pathlib.Path, help="folder with NAME/sweep.json of each system")
     parser.add_argument("--check", type=pathlib.Path, help="fail if this page differs from the generated one")
     given = parser.parse_args(arguments)
-    results = json.loads(given.results.read_text(encoding="utf-8"))
+    results = tables.load_results(given.results)
     names = [p["system"] for p in unchanged(results)] if given.sweeps else []
-    page = make_page(results, tables.load_sweeps(given.sweeps, names))
-    if not given.check:
-        print(page, end="")
-    elif given.check.read_text(encoding="utf-8") != page:
-        sys.exit(f"{given.check} differs from the page generated from {given.results}; generate it again")
+    tables.print_or_check(make_page(results, tables.load_sweeps(given.sweeps, names)), given)
 
 
 if __name__ == "__main__":

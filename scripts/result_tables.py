@@ -3,12 +3,26 @@
 import collections
 import json
 import statistics
+import sys
 
 VERDICTS = ("holds", "holds, but so does chance", "mostly", "fails", "cannot be decided here")
 FOLDS = ("leave_group_out", "trial")
 LEAST_FIRST_ORDER = 0.05  # an unknown with a lower index is not considered decisive
 TIMES_CHANCE = 2  # the same for an index below this multiple of the value by chance
 MOST_CONFUSIONS = 3
+
+
+def load_results(path):
+    """Content of results.json."""
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def print_or_check(page, given):
+    """Prints the page made from `given.results`, or compares it with the file `given.check`."""
+    if not given.check:
+        print(page, end="")
+    elif given.check.read_text(encoding="utf-8") != page:
+        sys.exit(f"{given.check} differs from the page generated from {given.results}; generate it again")
 
 
 def table(heads, rows):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from support import TreeTest
 
+import announced_page
 import reproduction_page
 import result_tables
 import unknowns_page
@@ -163,6 +164,61 @@ class Page(TreeTest):
     def test_a_remark_that_is_not_there_is_left_out(self):
         text = "a {{remarks one}} b {{question two}} c"
         self.assertEqual(reproduction_page.put_remarks(text, "Head\n## one\nsaid\n"), "a said b  c")
+
+
+class Announced(TreeTest):
+    """The page of systems beyond the papers."""
+
+    def results(self, **changes):
+        made = results()
+        part = {**made["parts"][0], "question": "early"}
+        folds = protocol("leave_group_out", "trial", run(("felt", "felt")), run(("felt", "felt")))
+        folds["metrics"] |= {"altered.half.accuracy": {"values": [0.25, 0.75]},
+                             "altered.half.baseline_accuracy": {"values": [0.5, 0.75]},
+                             "altered.half.shape.accuracy": {"values": [1, 1]}}
+        part["protocols"] = [protocol("train_is_test", "", run(("felt", "felt"))), folds]
+        return {**made, "parts": [part], "claims": [claim(question="early"), claim(question="early", paper="")], **changes}
+
+    def page(self, template="{{summary}} {{question early}} {{provenance}}", **changes):
+        return announced_page.make_page(template, self.results(**changes))
+
+    def test_every_figure_comes_from_the_results(self):
+        page = self.page()
+        self.assertIn("| texture | 5 folds | 0.500 ± 0.354 (0.625) |", page)
+        self.assertIn("| texture | train = test | material | 0.750 ± 0.354 | – |", page)
+        self.assertIn("Expectations of the papers: *holds*: 0, *holds, but so does chance*: 0, *mostly*: 1,", page)
+        self.assertIn("5.25 ± 0.50", page)
+
+    def test_alterations_are_those_of_the_own_label(self):
+        self.assertEqual(announced_page.altered_names(self.results()["parts"][0]["protocols"][1]), ["half"])
+
+    def test_a_question_without_a_place_is_refused(self):
+        with self.assertRaises(SystemExit):
+            self.page("{{summary}}")
+        with self.assertRaises(SystemExit):
+            self.page("{{question early}} {{question late}}")
+        with self.assertRaises(SystemExit):
+            self.page("{{question early}} {{else}}")
+
+    def test_check_fails_on_another_page(self):
+        source = self.write("results.json", json.dumps(self.results()))
+        template = self.write("page.md.in", "{{question early}}\n")
+        announced_page.TEMPLATE, kept = template, announced_page.TEMPLATE
+        self.addCleanup(setattr, announced_page, "TEMPLATE", kept)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            announced_page.main([str(source)])
+        same = self.write("page.md", printed.getvalue())
+        announced_page.main([str(source), "--check", str(same)])
+        with self.assertRaises(SystemExit):
+            announced_page.main([str(source), "--check", str(self.write("page.md", printed.getvalue() + "x"))])
+
+    def test_each_question_has_a_place_on_the_page(self):
+        template = announced_page.TEMPLATE.read_text(encoding="utf-8")
+        for file in announced_page.FILES.glob("*.toml"):
+            question = tomllib.loads(file.read_text(encoding="utf-8")).get("question")
+            if question:
+                self.assertIn(f"{{{{question {question['name']}}}}}", template, file.name)
 
 
 class Unknowns(unittest.TestCase):

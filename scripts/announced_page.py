@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Writes docs/announced.md from the results of `somato reproduce announced`.
+
+    scripts/announced_page.py out/announced/results.json > docs/announced.md
+
+The tables of each question replace {{question NAME}} in scripts/announced_page.md.in. With --check FILE
+nothing is written; the script fails if FILE differs from the page generated from the results.
+"""
+
+import argparse
+import pathlib
+import re
+
+import reproduction_page
+import result_tables as tables
+
+HERE = pathlib.Path(__file__).resolve().parent
+TEMPLATE = HERE / "announced_page.md.in"
+FILES = HERE.parent / "systems" / "announced"
+PICTURES = HERE.parent / "docs" / "pictures" / "announced"
+ALTERED = "altered."
+
+
+def parts_of(name, results):
+    return [part for part in results["parts"] if part["question"] == name]
+
+
+def altered_names(protocol):
+    """Names of the alterations under which the system's own label is measured, in their order."""
+    found = (re.fullmatch(r"altered\.(\w+)\.accuracy", name) for name in protocol["metrics"])
+    return [match[1] for match in found if match]
+
+
+def altered_row(part, protocol, names):
+    cells = []
+    for name in names:
+        values = reproduction_page.metric(protocol, f"{ALTERED}{name}.accuracy")
+        nearest = reproduction_page.metric(protocol, f"{ALTERED}{name}.baseline_accuracy")
+        cells.append(f"{tables.spread(values)} ({sum(nearest) / len(nearest):.3f})" if values else "–")
+    return [tables.subject(part), tables.protocol_text(protocol), *cells]
+
+
+def altered_table(parts):
+    """Accuracy, and that of the nearest neighbour, for altered test explorations; empty without any."""
+    rows = []
+    names = []
+    for part in parts:
+        for protocol in part["protocols"]:
+            if altered_names(protocol) and protocol["protocol"] != "train_is_test":
+                names = names or altered_names(protocol)
+                rows.append(altered_row(part, protocol, names))
+    if not rows:
+        return ""
+    return ("Accuracy for altered test explorations (nearest neighbour in brackets):\n\n" +
+            tables.table(["system", "protocol", *(name.replace("_", " ") for name in names)], rows))
+
+
+def files_line(name, parts):
+    """Links to the file of the question and of its systems, and the maps of these."""
+    systems = dict.fromkeys(part["system"] for part in parts)
+    links = [f"[{name}.toml](../systems/announced/{name}.toml)"]
+    for system in systems:
+        folder = "systems/announced" if (FILES / f"{system}.toml").exists() else "systems"
+        links.append(f"[{system}.toml](../{folder}/{system}.toml)")
+    shown = [f"![{system}](pictures/announced/{name}-{system}.svg)" for system in systems
+             if (PICTURES / f"{name}-{system}.svg").exists()]
+    return "Files: " + tables.listing(links) + ".\n\n" + "\n".join(shown)
+
+
+def question_section(name, results):
+    parts = parts_of(name, results)
+    if not parts:
+        raise SystemExit(f"the results contain no question '{name}'")
+    claims = [claim for claim in results["claims"] if claim["question"] == name]
+    texts = [files_line(name, parts), f"{tables.counted(len(parts[0]['pairs']), 'pair')} each."]
+    if claims:
+        texts.append(tables.claim_table(claims))
+    texts += [reproduction_page.accuracy_table(parts), altered_table(parts),
+              reproduction_page.area_table([part for part in parts if not claims or part["variation"] == ""])]
+    return "\n\n".join(text for text in texts if text)
+
+
+def summary(claims):
+    papers = [claim for claim in claims if claim["paper"]]
+    ours = [claim for claim in claims if not claim["paper"]]
+    return (f"Expectations of the papers: {tables.verdict_counts(papers)}.\n\n"
+            f"Criteria of this project: {tables.verdict_counts(ours)}.")
+
+
+def make_page(template, results):
+    page = template.replace("{{summary}}", summary(results["claims"]))
+    page = page.replace("{{provenance}}", reproduction_page.provenance(results))
+    named = re.findall(r"\{\{question (\w+)\}\}", page)
+    left_out = sorted({part["question"] for part in results["parts"]} - set(named))
+    if left_out:
+        raise SystemExit(f"{TEMPLATE.name} has no place for the question '{left_out[0]}'")
+    for name in named:
+        page = page.replace(f"{{{{question {name}}}}}", question_section(name, results))
+    left = re.findall(r"\{\{.*?\}\}", page)
+    if left:
+        raise SystemExit(f"{TEMPLATE.name}: unknown placeholders {', '.join(left)}")
+    return re.sub(r"\n{3,}", "\n\n", page)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("results", type=pathlib.Path, help="results.json of somato reproduce announced")
+    parser.add_argument("--check", type=pathlib.Path, help="fail if this page differs from the generated one")
+    given = parser.parse_args(arguments)
+    tables.print_or_check(make_page(TEMPLATE.read_text(encoding="utf-8"), tables.load_results(given.results)), given)
+
+
+if __name__ == "__main__":
+    main()
