@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <tuple>
 #include <utility>
 
+#include "report/curve_point.h"
 #include "report/part_settings.h"
 #include "somato/graph/module.h"
 
@@ -18,8 +16,6 @@ namespace somato::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kFewestPoints = 3;
 
 // Which metric, under which protocol.
 struct Measure {
@@ -61,14 +57,6 @@ Flat flattened(const std::vector<Settings>& settings) {
     }
   }
   return flat;
-}
-
-std::optional<double> number_in(const std::string& text) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return {};
-  return number;
 }
 
 // The number that stands at all of these places, if it is one.
@@ -138,11 +126,7 @@ Json line_json(const Line& line, const Measure& measure) {
   Json points = Json::array();
   for (const Point& point : line.points) {
     const Metric* metric = find_metric(*point.part, measure);
-    if (!metric) continue;
-    points.push_back({{"x", point.x},
-                      {"mean", metric->mean()},
-                      {"sd", metric->standard_deviation()},
-                      {"values", metric->values}});
+    if (metric) points.push_back(point_json(point.x, *metric));
   }
   return {{"name", line.system}, {"points", std::move(points)}};
 }

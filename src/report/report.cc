@@ -9,6 +9,7 @@
 #include "graph/graph_json.h"
 #include "report/curves.h"
 #include "report/evidence.h"
+#include "report/frame_curves.h"
 #include "report/not_given.h"
 #include "report/part_settings.h"
 #include "report/samples_json.h"
@@ -127,11 +128,15 @@ class ReportWriter {
   }
 
   Report finish() const {
+    Json curves = detail::frame_curves_json(parts_);
+    for (Json& curve : detail::curves_json(parts_, outcomes_, sources_.units)) {
+      curves.push_back(std::move(curve));
+    }
     const Json json = {{"version", kVersion},
                        {"somato", sources_.version},
                        {"systems", systems_},
                        {"claims", claims_},
-                       {"curves", detail::curves_json(parts_, outcomes_, sources_.units)}};
+                       {"curves", std::move(curves)}};
     return {json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
             claims_.size(), missing_};
   }
