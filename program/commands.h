@@ -9,6 +9,7 @@ Command reproduce_command();
 Command sweep_command();
 Command report_command();
 Command information_command();
+Command suggest_command();
 Command apply_command();
 Command systems_command();
 Command modules_command();

@@ -17,6 +17,7 @@
 #include "somato/studies/information.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study_parameters.h"
+#include "somato/suggestion/suggestion.h"
 #include "studies/sweep.h"
 #include "usage.h"
 
@@ -154,6 +155,11 @@ std::string reference_page(const std::vector<Command>& commands) {
       "## Information in the input vectors\n\nFlags of `somato information`; they are not keys of "
       "a file. [information.md](information.md) defines the measures.\n\n";
   add_table<InformationParameters>(page, "information");
+  page +=
+      "## Suggestions\n\nFlags of `somato suggest`; they are not keys of a file. "
+      "[suggest.md](../mathematics/suggest.md) describes the search; none of these numbers is in "
+      "the papers.\n\n";
+  add_table<SuggestionParameters>(page, "suggestion");
   page +=
       "## Maps\n\nKeys of a module of type `som`; those of other types are listed with "
       "[them](modules.md).\n\n";

@@ -24,9 +24,10 @@ DIRECT = {
     "devices": ["bodies", "wire"],
     "emulation": ["devices"],
     "studies": ["graph", "drawing"],
+    "suggestion": ["studies"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["report", "live", "simulation", "devices", "emulation"],
+    "program": ["suggestion", "report", "live", "simulation", "devices", "emulation"],
 }
 
 # The entrance headers, by the room whose table applies to them. What they do not include, directly or

@@ -42,6 +42,7 @@ SOURCES_WITHOUT_HEADER = {
     "recording/recording_reader.cc": "recording/recording_file.h: reading",
     "simulation/texture_probe_parameters.cc": "simulation/texture_probe.h: its parameters",
     "studies/reproduction_plan.cc": "studies/reproduction.h: what is to be run",
+    "suggestion/suggestion_text.cc": "suggestion/suggestion.h: the text of the file",
 }
 HEADERS_WITHOUT_TEST = {}
 TESTS_WITHOUT_HEADER = {

@@ -108,6 +108,7 @@ TEST(LiveSystem, AnswersForSumsAsIfEachFrameWereTheLast) {
 TEST(LiveSystem, AnswersForOtherModulesAsIfEachFrameWereTheLast) {
   for (const std::string& text :
        {channels() + module("sum", "accumulate", "input = 'touch'") + map_of("sum"),
+        channels() + module("middle", "mean", "input = 'joints'") + map_of("middle"),
         channels() + module("end", "last", "input = 'joints'") + map_of("end"),
         channels() + module("begin", "first", "input = 'joints'") + map_of("begin"),
         crossed() + module("leaky", "leaky_accumulate", "input = 'crossed'\nleak = 0.25") +

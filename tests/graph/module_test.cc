@@ -58,14 +58,15 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(names, (std::set<std::string>{
-                       "channel",     "one_hot",       "tensor_product", "concatenation",
-                       "sum",         "normalization", "scale",          "standardization",
-                       "first",       "last",          "delay",          "change",
-                       "resampling",  "onset_window",  "mean_removal",   "tare",
-                       "high_pass",   "spectrum",      "accumulate",     "leaky_accumulate",
-                       "number_code", "som",           "t_mpsom",        "winner",
-                       "window",      "association"}));
+  EXPECT_EQ(
+      names,
+      (std::set<std::string>{
+          "channel",       "one_hot",   "tensor_product",  "concatenation", "sum",
+          "normalization", "scale",     "standardization", "first",         "last",
+          "delay",         "change",    "resampling",      "onset_window",  "mean_removal",
+          "tare",          "high_pass", "spectrum",        "accumulate",    "leaky_accumulate",
+          "number_code",   "som",       "t_mpsom",         "winner",        "window",
+          "association",   "mean"}));
 }
 
 TEST(Module, ChannelTakesFramesOrSomeOfTheirElements) {
@@ -303,6 +304,17 @@ TEST(Module, FramesBecomeOneValue) {
                  }
                  return single_row(sums);
                });
+  expect_gives(module("m", "mean", "input = \"joints\""), [](const Recording& r, std::size_t i) {
+    const Matrix<float>& frames = frames_of(r, "joints", i);
+    Floats means;
+    for (std::size_t j = 0; j < 3; ++j) {
+      double sum = 0.0;
+      for (std::size_t f = 0; f < frames.rows(); ++f) sum += double{frames(f, j)};
+      means.push_back(
+          static_cast<float>(double{static_cast<float>(sum)} / static_cast<double>(frames.rows())));
+    }
+    return single_row(means);
+  });
   expect_gives(module("m", "resampling", "input = \"joints\"\npoints = 2"),
                [](const Recording& r, std::size_t i) {
                  const Matrix<float>& frames = frames_of(r, "joints", i);

@@ -92,6 +92,47 @@ class LeakyAccumulateModule : public MemoryModule {
       : MemoryModule(parameters.memory, parameters.every_frame) {}
 };
 
+class MeanRunner : public Runner {
+ public:
+  explicit MeanRunner(Memory sum) : sum_(std::move(sum)) {}
+
+  Result<void> step(std::span<const SignalView> inputs, SignalBuffer& /*out*/) override {
+    sum_.add(inputs.front());
+    ++frames_;
+    return {};
+  }
+
+  void value(SignalBuffer& out) const override {
+    sum_.write(out);
+    for (float& value : out.values()) {
+      value = static_cast<float>(double{value} / static_cast<double>(frames_));
+    }
+  }
+
+ private:
+  Memory sum_;
+  std::size_t frames_ = 0;
+};
+
+class MeanModule : public Module {
+ public:
+  using Parameters = NoParameters;
+  explicit MeanModule(const Parameters& /*parameters*/) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    SOMATO_TRY_VOID(expect_frames(inputs.front()));
+    shape_ = inputs.front().type.shape;
+    return checked_size(once(inputs.front().type), inputs.front().port);
+  }
+
+  std::unique_ptr<Runner> start() const override {
+    return std::make_unique<MeanRunner>(Memory(shape_));
+  }
+
+ private:
+  std::vector<std::size_t> shape_;
+};
+
 class NumberCodeModule : public MappedModule {
  public:
   using Parameters = NumberCodeParameters;
@@ -138,6 +179,8 @@ std::vector<ModuleType> memory_types() {
           "leaky_accumulate",
           "A leaky integrator over the frames of an exploration (P06 section 5).",
           {input_port("Frames.")}, "The shape of a frame."),
+      describe<MeanModule>("mean", "The mean of all frames of an exploration; not in the papers.",
+                           {input_port("Frames.")}, "The shape of a frame."),
       describe<NumberCodeModule>(
           "number_code", "Binary code of each number (P11 section IV-C).", {input_port("Numbers.")},
           "The input's shape with an axis of digits appended. For a single number: the digits.")};

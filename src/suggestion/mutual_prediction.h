@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "somato/core/matrix.h"
+#include "suggestion/views.h"
+
+namespace somato {
+
+/// The neighbourhoods of a sense: for every pair of explorations the rank of the second for the
+/// first, averaged over the candidates of the sense; see add_ranks().
+using Neighbourhoods = PerView<Matrix<float>>;
+
+/// Squared distances of all explorations in a representation, divided by its spread, and the
+/// numbers of the senses that it uses.
+struct Part {
+  std::vector<std::size_t> senses;
+  PerView<Matrix<float>> distances;
+};
+
+/// A part of a combination, whose vectors are multiplied by the weight.
+struct WeightedPart {
+  const Part* part = nullptr;
+  double weight = 1.0;
+};
+
+/// How well a representation predicts each sense: the information imbalance from whole
+/// explorations for a sense that it does not use, and the mean over kSplits for one that it uses.
+/// `nearest` are the nearest neighbours of the representation in each view.
+std::vector<double> imbalances(const PerView<std::vector<std::uint32_t>>& nearest,
+                               std::span<const std::size_t> used,
+                               std::span<const Neighbourhoods> senses);
+
+/// The same for a combination, in which only the parts that use the sense are seen in a half.
+std::vector<double> imbalances(std::span<const WeightedPart> parts,
+                               std::span<const Neighbourhoods> senses);
+
+/// The mean of the imbalances; lower is better.
+double score_of(std::span<const double> imbalances);
+
+}  // namespace somato
