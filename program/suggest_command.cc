@@ -41,15 +41,31 @@ std::string note_on_label(const Recording& recording, const std::string& label) 
       "The recording {}: before 'somato run', set 'label' in the file, or use --label.\n", labels);
 }
 
+// The file of the study whose tables are taken; empty without the flag.
+Result<Table> read_like(const Arguments& arguments) {
+  if (!arguments.has("study")) return Table{};
+  return read_file_or_own(arguments.text("study")).map([](const NamedFile& file) {
+    return file.content;
+  });
+}
+
+// It replaces the label of the suggestion.
+Result<void> check_label_given_once(const Arguments& arguments) {
+  if (!arguments.has("study") || !arguments.has("label")) return {};
+  return fail(ErrorKind::kUsage, "has no effect with --study", "--label", "omit it");
+}
+
 Result<void> run_suggest(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<SuggestionParameters>(arguments));
+  SOMATO_TRY_VOID(check_label_given_once(arguments));
   SOMATO_TRY(auto threads, read_threads(arguments));
+  SOMATO_TRY(const auto like, read_like(arguments));
   const std::string path = arguments.text("RECORDING");
   SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
   auto found = suggest(recording, parameters, {threads, terminal_progress("comparing codes")});
   if (!found) return fail(with_place(std::move(found.error()), path));
   const std::string output = arguments.text("output");
-  SOMATO_TRY_VOID(save_whole(output, to_toml(*found)));
+  SOMATO_TRY_VOID(save_whole(output, to_toml(*found, like)));
   print_summary(arguments, summary_of(*found, output) + note_on_label(recording, parameters.label),
                 to_json(*found));
   return {};
@@ -61,8 +77,11 @@ Command suggest_command() {
   return {"suggest",
           "Select codes, weights and a combination of a recording's channels without labels",
           {{"RECORDING", "Recording: its file, or a folder of original files"}},
-          {threads_flag(), output_flag("-o,--output", "TOML file for the suggested study", true),
-           json_flag()},
+          {threads_flag(),
+           input_flag("--study",
+                      "Study whose tables [study] and [explore] the suggested one takes, so that "
+                      "both are compared on the same recordings: its file, or a name"),
+           output_flag("-o,--output", "TOML file for the suggested study", true), json_flag()},
           SuggestionParameters::declarations().infos(),
           run_suggest,
           "suggestion"};

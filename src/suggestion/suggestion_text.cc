@@ -147,13 +147,45 @@ std::string heading_of(const Suggestion& suggestion) {
   return text;
 }
 
-std::string study_of(const Suggestion& suggestion) {
+const Table* table_in(const Table& file, const std::string& name) {
+  const Table::Entry* entry = file.find(name);
+  return entry ? std::get_if<Table>(&entry->content) : nullptr;
+}
+
+// The values of a table, without the tables in it.
+std::string values_of(const Table& table, const std::vector<std::string>& except) {
+  std::string text;
+  for (const Table::Entry& entry : table.entries) {
+    const auto* value = std::get_if<Value>(&entry.content);
+    if (!value || std::ranges::find(except, entry.name) != except.end()) continue;
+    text += entry.name + " = " + to_toml(*value) + "\n";
+  }
+  return text;
+}
+
+std::string own_settings(const Suggestion& suggestion) {
   const bool leave_out = suggestion.explorations <= kMostLeftOut;
   return fmt::format(
-      "\n[study]\nname = {}\nlabel = {}  # measures accuracy; it did not affect the suggestion\n"
-      "protocols = [\"{}\"]\n{}",
-      quoted(suggestion.parameters.name), quoted(suggestion.parameters.label),
-      leave_out ? "leave_one_out" : "k_folds", leave_out ? "" : "folds = 5\n");
+      "label = {}  # measures accuracy; it did not affect the suggestion\nprotocols = [\"{}\"]\n{}",
+      quoted(suggestion.parameters.label), leave_out ? "leave_one_out" : "k_folds",
+      leave_out ? "" : "folds = 5\n");
+}
+
+std::string study_of(const Suggestion& suggestion, const Table& like) {
+  const Table* study = table_in(like, "study");
+  return "\n[study]\nname = " + quoted(suggestion.parameters.name) + "\n" +
+         (study ? values_of(*study, {"name", "map"}) : own_settings(suggestion));
+}
+
+std::string explore_of(const Table& like) {
+  const Table* explore = table_in(like, "explore");
+  if (!explore) return {};
+  std::string text = "\n[explore]\n" + values_of(*explore, {});
+  for (const Table::Entry& entry : explore->entries) {
+    const auto* table = std::get_if<Table>(&entry.content);
+    if (table) text += "\n[explore." + entry.name + "]\n" + values_of(*table, {});
+  }
+  return text;
 }
 
 // Tables of modules, without the table of the system's name.
@@ -192,8 +224,9 @@ Json json_of(const Suggestion& suggestion, const SuggestedPart& part) {
 
 }  // namespace
 
-std::string to_toml(const Suggestion& suggestion) {
-  return heading_of(suggestion) + study_of(suggestion) + modules_of(suggestion);
+std::string to_toml(const Suggestion& suggestion, const Table& like) {
+  return heading_of(suggestion) + study_of(suggestion, like) + explore_of(like) +
+         modules_of(suggestion);
 }
 
 std::string to_json(const Suggestion& suggestion) {

@@ -8,6 +8,7 @@
 #include "somato/core/parameter.h"
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
+#include "somato/core/value.h"
 #include "somato/graph/system_description.h"
 #include "somato/recording/recording.h"
 
@@ -98,8 +99,10 @@ struct SuggestionOptions {
 Result<Suggestion> suggest(const Recording& recording, const SuggestionParameters& parameters,
                            const SuggestionOptions& options = {});
 
-/// The suggestion as the TOML file of a study, with its reasons as comments.
-std::string to_toml(const Suggestion& suggestion);
+/// The suggestion as the TOML file of a study, with its reasons as comments. The tables `[study]`
+/// and `[explore]` of `like`, the file of another study, replace those of the suggestion, except
+/// for the name and the map, so that both can be compared on the same recordings.
+std::string to_toml(const Suggestion& suggestion, const Table& like = {});
 
 /// All scores, as JSON, version 1.
 std::string to_json(const Suggestion& suggestion);
