@@ -43,9 +43,26 @@ double floor_of(const Samples& spectra) {
   return std::max(rounded(kFloorShare * double{*middle}), 1e-30);
 }
 
+// Adds the ranks of a candidate to those of its sense.
+void add_neighbourhoods(const PerView<Matrix<float>>& distances, std::size_t threads,
+                        Candidate& candidate, Neighbourhoods& sum) {
+  PerView<Matrix<float>> ranks;
+  for (const View view : kAllViews) {
+    ranks[view] = Matrix<float>(distances[view].rows(), distances[view].rows());
+    add_ranks(distances[view], threads, ranks[view]);
+    const std::span<float> sums = sum.ranks[view].values();
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += ranks[view].values()[i];
+  }
+  candidate.stability = 0.0;
+  for (const Split& split : kSplits) {
+    candidate.stability += information_imbalance(candidate.nearest[split.from], ranks[split.to]) /
+                           static_cast<double>(kSplits.size());
+  }
+}
+
 Candidate candidate_of(const Representation& representation, const Code& code, std::size_t source,
                        Neighbourhoods* sum, std::size_t threads) {
-  Candidate candidate{source, code, representation.scaling, 0, 0.0, {}, {}};
+  Candidate candidate{source, code, representation.scaling, 0, 0.0, {}, 1.0, {}};
   const Samples& whole = representation.vectors[View::kWhole];
   candidate.elements = whole.size();
   PerView<Matrix<float>> distances;
@@ -58,8 +75,8 @@ Candidate candidate_of(const Representation& representation, const Code& code, s
       distances[view] = squared_distances(representation.vectors[view], threads);
     }
     candidate.nearest[view] = nearest_others(distances[view]);
-    if (sum) add_ranks(distances[view], threads, (*sum)[view]);
   }
+  if (sum) add_neighbourhoods(distances, threads, candidate, *sum);
   return candidate;
 }
 
@@ -70,7 +87,7 @@ Samples add_candidates(const ViewedFrames& frames, const Code& code, std::size_t
   auto found = represent(frames, code, scalings, limits.elements, limits.threads);
   if (!found) {
     for (const Scaling scaling : scalings) {
-      group.candidates.push_back({source, code, scaling, 0, 0.0, {}, found.error().what});
+      group.candidates.push_back({source, code, scaling, 0, 0.0, {}, 1.0, found.error().what});
     }
     return {};
   }
@@ -81,9 +98,9 @@ Samples add_candidates(const ViewedFrames& frames, const Code& code, std::size_t
 }
 
 Neighbourhoods no_ranks(std::size_t explorations) {
-  Neighbourhoods ranks;
-  for (const View view : kAllViews) ranks[view] = Matrix<float>(explorations, explorations);
-  return ranks;
+  Neighbourhoods sum;
+  for (const View view : kAllViews) sum.ranks[view] = Matrix<float>(explorations, explorations);
+  return sum;
 }
 
 Result<ViewedFrames> viewed_frames(const Recording& recording, const FrameSource& source,
@@ -106,7 +123,9 @@ Result<void> compare_source(const Recording& recording, std::size_t number, bool
                             Neighbourhoods& sum) {
   const FrameSource source = group.sources[number];
   SOMATO_TRY(const auto frames, viewed_frames(recording, source, limits.threads));
-  std::vector<Code> codes = codes_of(source, facts_of(frames[View::kWhole], has_speed));
+  const FrameFacts facts = facts_of(frames[View::kWhole], has_speed);
+  sum.has_halves = facts.shortest_half > 0;
+  std::vector<Code> codes = codes_of(source, facts);
   Samples preceding;
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (!codes[i].logarithm_of.empty()) set_floor(codes[i], floor_of(preceding));
@@ -134,16 +153,16 @@ PerView<Matrix<float>> unit_distances(const Representation& representation, doub
 Result<Neighbourhoods> compare_codes(const Recording& recording, CandidateGroup& group,
                                      bool has_speed, const ComparisonLimits& limits) {
   SOMATO_TRY_VOID(add_onset(recording, group, limits.threads));
-  Neighbourhoods ranks = no_ranks(recording.explorations.size());
+  Neighbourhoods found = no_ranks(recording.explorations.size());
   for (std::size_t source = 0; source < group.sources.size(); ++source) {
-    SOMATO_TRY_VOID(compare_source(recording, source, has_speed, limits, group, ranks));
+    SOMATO_TRY_VOID(compare_source(recording, source, has_speed, limits, group, found));
   }
   const auto usable = static_cast<float>(std::ranges::count_if(
       group.candidates, [](const Candidate& candidate) { return candidate.is_usable(); }));
   for (const View view : kAllViews) {
-    for (float& rank : ranks[view].values()) rank /= std::max(usable, 1.0F);
+    for (float& rank : found.ranks[view].values()) rank /= std::max(usable, 1.0F);
   }
-  return ranks;
+  return found;
 }
 
 Result<void> compare_product(const Recording& recording, CandidateGroup& group,

@@ -22,7 +22,8 @@ struct Candidate {
   std::size_t elements = 0;
   double spread = 0.0;
   PerView<std::vector<std::uint32_t>> nearest;
-  std::string failure;  ///< The reason if it cannot be used; else empty.
+  double stability = 1.0;  ///< The mean imbalance over kSplits with which it predicts itself.
+  std::string failure;     ///< The reason if it cannot be used; else empty.
 
   bool is_usable() const { return failure.empty(); }
 };

@@ -39,18 +39,18 @@ std::vector<ChannelRole> roles_of(const Recording& recording) {
   for (std::size_t i = 0; i < recording.explorations.front().channels.size(); ++i) {
     roles.push_back(role_of(recording, i));
   }
+  if (const auto speed = find_speed(recording)) roles[*speed] = ChannelRole::kSetting;
   if (std::ranges::find(roles, ChannelRole::kSense) == roles.end()) {
     std::ranges::replace(roles, ChannelRole::kSetting, ChannelRole::kSense);
   }
   return roles;
 }
 
-std::optional<std::size_t> find_speed(const Recording& recording,
-                                      const std::vector<ChannelRole>& roles) {
+std::optional<std::size_t> find_speed(const Recording& recording) {
   const std::vector<Channel>& channels = recording.explorations.front().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const bool varies = roles[i] != ChannelRole::kConstant;
-    if (varies && channels[i].unit == "mm/s" && channels[i].frames.columns() == 1) return i;
+    const bool is_speed = channels[i].unit == "mm/s" && channels[i].frames.columns() == 1;
+    if (is_speed && role_of(recording, i) != ChannelRole::kConstant) return i;
   }
   return std::nullopt;
 }

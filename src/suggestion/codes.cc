@@ -119,7 +119,7 @@ FrameFacts facts_of(const Recording& frames, bool has_speed) {
   FrameFacts facts;
   const Exploration& first = frames.explorations.front();
   facts.elements = first.channels.front().frames.columns();
-  facts.shortest_half = first.channels.front().frames.rows();
+  facts.shortest_half = first.channels.front().frames.rows() / 2;
   facts.rate = first.channels.front().rate;
   facts.low.assign(facts.elements, std::numeric_limits<float>::max());
   facts.high.assign(facts.elements, std::numeric_limits<float>::lowest());

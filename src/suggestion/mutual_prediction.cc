@@ -13,7 +13,7 @@ using Nearest = std::vector<std::uint32_t>;
 double mean_of_splits(const Neighbourhoods& sense, const std::function<Nearest(View)>& nearest_in) {
   double sum = 0.0;
   for (const Split& split : kSplits) {
-    sum += information_imbalance(nearest_in(split.from), sense[split.to]);
+    sum += information_imbalance(nearest_in(split.from), sense.ranks[split.to]);
   }
   return sum / static_cast<double>(kSplits.size());
 }
@@ -36,6 +36,11 @@ Matrix<float> combined(std::span<const WeightedPart> parts, std::size_t sense, V
   return sum;
 }
 
+double from_whole(const Nearest& whole, const Neighbourhoods& sense, bool is_used) {
+  const double imbalance = information_imbalance(whole, sense.ranks[View::kWhole]);
+  return is_used ? std::max(imbalance, sense.least) : imbalance;
+}
+
 }  // namespace
 
 std::vector<double> imbalances(const PerView<Nearest>& nearest, std::span<const std::size_t> used,
@@ -43,9 +48,10 @@ std::vector<double> imbalances(const PerView<Nearest>& nearest, std::span<const 
   std::vector<double> found;
   for (std::size_t sense = 0; sense < senses.size(); ++sense) {
     const bool is_used = std::ranges::find(used, sense) != used.end();
-    found.push_back(
-        is_used ? mean_of_splits(senses[sense], [&](View view) { return nearest[view]; })
-                : information_imbalance(nearest[View::kWhole], senses[sense][View::kWhole]));
+    const auto nearest_in = [&](View view) { return nearest[view]; };
+    found.push_back(is_used && senses[sense].has_halves
+                        ? mean_of_splits(senses[sense], nearest_in)
+                        : from_whole(nearest[View::kWhole], senses[sense], is_used));
   }
   return found;
 }
@@ -58,8 +64,9 @@ std::vector<double> imbalances(std::span<const WeightedPart> parts,
     const bool is_used =
         std::ranges::any_of(parts, [&](const WeightedPart& p) { return uses(*p.part, sense); });
     const auto nearest_in = [&](View view) { return nearest_others(combined(parts, sense, view)); };
-    found.push_back(is_used ? mean_of_splits(senses[sense], nearest_in)
-                            : information_imbalance(whole, senses[sense][View::kWhole]));
+    found.push_back(is_used && senses[sense].has_halves
+                        ? mean_of_splits(senses[sense], nearest_in)
+                        : from_whole(whole, senses[sense], is_used));
   }
   return found;
 }

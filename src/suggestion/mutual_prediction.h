@@ -10,9 +10,15 @@
 
 namespace somato {
 
-/// The neighbourhoods of a sense: for every pair of explorations the rank of the second for the
-/// first, averaged over the candidates of the sense; see add_ranks().
-using Neighbourhoods = PerView<Matrix<float>>;
+/// The neighbourhoods of a sense.
+struct Neighbourhoods {
+  /// For every pair of explorations the rank of the second for the first, averaged over the
+  /// candidates of the sense; see add_ranks().
+  PerView<Matrix<float>> ranks;
+  bool has_halves = true;  ///< Whether every exploration has several frames.
+  /// The least imbalance with which a sense without halves predicts itself.
+  double least = 0.0;
+};
 
 /// Squared distances of all explorations in a representation, divided by its spread, and the
 /// numbers of the senses that it uses.
@@ -28,8 +34,9 @@ struct WeightedPart {
 };
 
 /// How well a representation predicts each sense: the information imbalance from whole
-/// explorations for a sense that it does not use, and the mean over kSplits for one that it uses.
-/// `nearest` are the nearest neighbours of the representation in each view.
+/// explorations for a sense that it does not use, and the mean over kSplits for one that it uses. A
+/// sense without halves is predicted from whole explorations, but not better than its `least`
+/// if it is used. `nearest` are the nearest neighbours of the representation in each view.
 std::vector<double> imbalances(const PerView<std::vector<std::uint32_t>>& nearest,
                                std::span<const std::size_t> used,
                                std::span<const Neighbourhoods> senses);

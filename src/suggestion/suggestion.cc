@@ -102,7 +102,7 @@ class Search {
 
   Result<void> assign_roles() {
     const std::vector<ChannelRole> roles = roles_of(recording_);
-    speed_ = find_speed(recording_, roles);
+    speed_ = find_speed(recording_);
     for (std::size_t i = 0; i < roles.size(); ++i) {
       suggestion_.groups.push_back({{channels()[i].name}, roles[i], {}});
     }
@@ -148,8 +148,22 @@ class Search {
       SOMATO_TRY(neighbourhoods_[senses[i]],
                  compare_codes(recording_, group, has_speed, limits(from, from + each)));
     }
+    limit_senses_without_halves(senses);
     set_senses(senses);
     return {};
+  }
+
+  // They are assumed to be as stable as the most stable code of the other senses.
+  void limit_senses_without_halves(const std::vector<std::size_t>& senses) {
+    std::optional<double> least;
+    for (const std::size_t sense : senses) {
+      if (!neighbourhoods_[sense].has_halves) continue;
+      for (const Candidate& candidate : groups_[sense].candidates) {
+        if (!candidate.is_usable()) continue;
+        least = std::min(least.value_or(candidate.stability), candidate.stability);
+      }
+    }
+    for (const std::size_t sense : senses) neighbourhoods_[sense].least = least.value_or(0.0);
   }
 
   // The senses that are predicted, by the numbers of their channels.
@@ -362,7 +376,8 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
           .add("elements", &P::elements, "", Range::between(1, 1e7),
                "Maximum number of elements of a vector; longer ones are not compared.")
           .add("weights", &P::weights, "", Range::between(1e-3, 1e3),
-               "Weights with which a part is added, relative to parts of unit spread.")
+               "Weights with which a part is added, relative to parts of unit spread; the first of "
+               "equally good ones is used.")
           .add("least_gain", &P::least_gain, "", Range::between(0, 1),
                "Least decrease of the score for which a further part is added.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),

@@ -22,12 +22,12 @@ CandidateGroup group_of(const Recording& recording) {
 TEST(Candidates, AreAllCodesInAllScalings) {
   const Recording recording = two_channels();
   CandidateGroup group = group_of(recording);
-  const auto ranks = compare_codes(recording, group, false, limits()).value();
+  const auto found = compare_codes(recording, group, false, limits()).value();
   ASSERT_EQ(group.candidates.size(), 15U);  // last, mean, change, curve, histogram
   for (const Candidate& candidate : group.candidates) EXPECT_TRUE(candidate.is_usable());
   EXPECT_EQ(group.candidates[1].elements, 3U);
   double sum = 0.0;  // mean ranks from 1 to 8 of each exploration
-  for (const float rank : ranks[View::kWhole].row(4)) sum += double{rank};
+  for (const float rank : found.ranks[View::kWhole].row(4)) sum += double{rank};
   EXPECT_NEAR(sum, 36.0, 1e-3);
 }
 

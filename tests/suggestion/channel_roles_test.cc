@@ -35,10 +35,12 @@ TEST(ChannelRoles, SettingsAreSensesIfThereAreNoOthers) {
 
 TEST(ChannelRoles, TheSpeedIsASingleElementInMillimetresPerSecond) {
   Recording recording = joined({testing::frames_as_given("touch", {{1, 2}, {3, 3}}),
-                                testing::frames_as_given("speed", {{50, 50}, {100, 100}})});
-  EXPECT_FALSE(find_speed(recording, roles_of(recording)).has_value());
+                                testing::frames_as_given("speed", {{50}, {100}})});
+  EXPECT_EQ(roles_of(recording)[1], ChannelRole::kSense);
+  EXPECT_FALSE(find_speed(recording).has_value());
   for (Exploration& exploration : recording.explorations) exploration.channels[1].unit = "mm/s";
-  EXPECT_EQ(find_speed(recording, roles_of(recording)), 1U);
+  EXPECT_EQ(find_speed(recording), 1U);
+  EXPECT_EQ(roles_of(recording)[1], ChannelRole::kSetting);
 }
 
 }  // namespace

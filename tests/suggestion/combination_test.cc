@@ -23,15 +23,15 @@ std::vector<Neighbourhoods> senses_of(const std::vector<Choice>& choices,
     Neighbourhoods& ranks = senses.emplace_back();
     for (const View view : kAllViews) {
       const Matrix<float>& distances = choices[choice].part.distances[view];
-      ranks[view] = Matrix<float>(distances.rows(), distances.rows());
-      add_ranks(distances, 1, ranks[view]);
+      ranks.ranks[view] = Matrix<float>(distances.rows(), distances.rows());
+      add_ranks(distances, 1, ranks.ranks[view]);
     }
   }
   return senses;
 }
 
 CombinationSettings settings(std::size_t budget = 1000) {
-  return {{0.5, 1.0, 2.0}, 0.002, budget, 1, [](double) { return Result<void>(); }};
+  return {{1.0, 0.5, 2.0}, 0.002, budget, 1, [](double) { return Result<void>(); }};
 }
 
 // Four objects, felt three times each: the first sense separates them in two pairs, the second one

