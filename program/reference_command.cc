@@ -17,8 +17,8 @@
 #include "somato/studies/information.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study_parameters.h"
-#include "somato/suggestion/suggestion.h"
 #include "studies/sweep.h"
+#include "suggestion/suggestion.h"
 #include "usage.h"
 
 namespace somato::program {

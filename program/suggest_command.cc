@@ -7,8 +7,8 @@
 #include "data.h"
 #include "files/whole_file.h"
 #include "result_output.h"
-#include "somato/suggestion/suggestion.h"
 #include "study_data.h"
+#include "suggestion/suggestion.h"
 #include "terminal.h"
 
 namespace somato::program {

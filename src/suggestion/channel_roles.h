@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "somato/recording/recording.h"
-#include "somato/suggestion/suggestion.h"
+#include "suggestion/suggestion.h"
 
 namespace somato {
 

@@ -96,7 +96,11 @@ std::vector<std::string> module_names(const std::vector<std::string>& channels) 
 }
 
 FrameSource channel_source(const std::string& module, const Channel& channel) {
-  std::vector<SystemBuilder::Setting> settings{{"channel", {channel.name}}};
+  Value::List shape;
+  for (const std::size_t length : channel.frame_shape()) {
+    shape.push_back({static_cast<std::int64_t>(length)});
+  }
+  std::vector<SystemBuilder::Setting> settings{{"channel", {channel.name}}, {"shape", {shape}}};
   if (has_missing_values(channel)) settings.push_back({"invalid", {std::string("hold")}});
   return {SystemBuilder("").module(module, "channel", settings).description().modules, {module}};
 }

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "somato/suggestion/suggestion.h"
 #include "suggestion/candidates.h"
+#include "suggestion/suggestion.h"
 
 namespace somato {
 

@@ -1,4 +1,4 @@
-#include "somato/suggestion/suggestion.h"
+#include "suggestion/suggestion.h"
 
 #include <fmt/format.h>
 

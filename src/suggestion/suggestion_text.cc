@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "somato/core/value.h"
-#include "somato/suggestion/suggestion.h"
+#include "suggestion/suggestion.h"
 
 namespace somato {
 namespace {
