@@ -66,8 +66,8 @@ Result<void> run_suggest(const Arguments& arguments) {
   if (!found) return fail(with_place(std::move(found.error()), path));
   const std::string output = arguments.text("output");
   SOMATO_TRY_VOID(save_whole(output, to_toml(*found, like)));
-  print_summary(arguments, summary_of(*found, output) + note_on_label(recording, parameters.label),
-                to_json(*found));
+  const std::string note = arguments.has("study") ? "" : note_on_label(recording, parameters.label);
+  print_summary(arguments, summary_of(*found, output) + note, to_json(*found));
   return {};
 }
 

@@ -36,6 +36,7 @@ ChannelRole role_of(const Recording& recording, std::size_t channel) {
 
 std::vector<ChannelRole> roles_of(const Recording& recording) {
   std::vector<ChannelRole> roles;
+  roles.reserve(recording.explorations.front().channels.size());
   for (std::size_t i = 0; i < recording.explorations.front().channels.size(); ++i) {
     roles.push_back(role_of(recording, i));
   }

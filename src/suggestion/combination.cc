@@ -75,6 +75,7 @@ class ForwardSelection {
 
   double score_with(const Addition& addition) const {
     std::vector<WeightedPart> parts;
+    parts.reserve(found_.parts.size() + 1);
     for (const ChosenPart& part : found_.parts) {
       parts.push_back({&choices_[part.choice].part, part.weight});
     }

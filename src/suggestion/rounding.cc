@@ -20,7 +20,7 @@ double rounded(double value) {
 
 double plain(float value) {
   const std::string text = fmt::format("{}", value);
-  double number = double{value};
+  auto number = double{value};
   std::from_chars(text.data(), text.data() + text.size(), number);
   return number;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,10 +45,10 @@ std::vector<ModuleDescription> needed(const std::vector<ModuleDescription>& modu
                                       const std::string& output) {
   std::set<std::string> names{output};
   std::vector<ModuleDescription> found;
-  for (auto module = modules.rbegin(); module != modules.rend(); ++module) {
-    if (!names.contains(module->name)) continue;
-    for (const std::string& input : inputs_of(*module)) names.insert(input);
-    found.insert(found.begin(), *module);
+  for (const ModuleDescription& module : std::views::reverse(modules)) {
+    if (!names.contains(module.name)) continue;
+    for (const std::string& input : inputs_of(module)) names.insert(input);
+    found.insert(found.begin(), module);
   }
   return found;
 }
@@ -59,6 +60,7 @@ class SystemOfParts {
 
   SystemDescription built() {
     std::vector<std::string> vectors;
+    vectors.reserve(suggestion_.parts.size());
     for (const SuggestedPart& part : suggestion_.parts) vectors.push_back(add_part(part));
     const std::string input = vectors.size() == 1 ? vectors.front() : add_vector(vectors);
     add_map(input);
@@ -98,7 +100,7 @@ class SystemOfParts {
 
   // At least two neurons for each exploration.
   void add_map(const std::string& input) {
-    const double explorations = static_cast<double>(suggestion_.explorations);
+    const auto explorations = static_cast<double>(suggestion_.explorations);
     const auto wanted = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * explorations)));
     const auto side = static_cast<std::int64_t>(std::clamp(wanted, kSide, kLongestSide));
     const SystemBuilder builder =

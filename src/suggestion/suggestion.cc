@@ -242,6 +242,7 @@ class Search {
     std::ranges::sort(scored);
     if (scored.size() > parameters_.products) scored.resize(parameters_.products);
     std::vector<std::pair<std::size_t, std::size_t>> found;
+    found.reserve(scored.size());
     for (const auto& pair : scored) found.push_back(pair.second);
     return found;
   }

@@ -11,8 +11,8 @@ class SuggestProgram : public ProgramTest {
  protected:
   void write_things(const std::string& name = "things.mcap") const {
     const std::vector<std::size_t> kinds{0, 1, 2, 3};
-    ASSERT_TRUE(write_recording(
-        path(name), testing::made_senses(4, 5, {{"joints", kinds}, {"touch", kinds}})));
+    ASSERT_TRUE(write_recording(path(name),
+                                testing::made_senses(4, 5, {{"joints", kinds}, {"touch", kinds}})));
   }
 };
 
@@ -21,8 +21,8 @@ TEST_F(SuggestProgram, WritesAStudyThatRuns) {
   const std::string shown = output_of({"suggest", "things.mcap", "-o", "suggested.toml"});
   EXPECT_TRUE(shown.starts_with("suggested.toml: 2 of 2 channels are senses, ")) << shown;
   EXPECT_TRUE(read("suggested.toml").starts_with("# Suggested by 'somato suggest' from 20 "));
-  const std::string run = output_of({"run", "suggested.toml", "--data", "things.mcap", "--seeds",
-                                     "1", "--out", "out"});
+  const std::string run =
+      output_of({"run", "suggested.toml", "--data", "things.mcap", "--seeds", "1", "--out", "out"});
   EXPECT_NE(run.find("suggested: leave_one_out by object, 20 samples"), std::string::npos) << run;
 }
 
@@ -47,6 +47,9 @@ TEST_F(SuggestProgram, MentionsALabelThatTheRecordingLacks) {
   const std::string shown =
       output_of({"suggest", "things.mcap", "-o", "suggested.toml", "--label", "material"});
   EXPECT_NE(shown.find("The recording has only the labels object, trial"), std::string::npos);
+  EXPECT_EQ(output_of({"suggest", "things.mcap", "-o", "suggested.toml", "--study", "texture"})
+                .find("labels"),
+            std::string::npos);
 }
 
 TEST_F(SuggestProgram, RefusesWhatCannotBeUsed) {
