@@ -1,6 +1,7 @@
 #include "studies/fold_run.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "somato/graph/system_training.h"
 #include "somato/maps/som.h"
 #include "studies/nearest_neighbour.h"
+#include "studies/senses.h"
 
 namespace somato {
 namespace {
@@ -28,18 +30,52 @@ Numbers neighbours_among(const Samples& samples, const Numbers& training, const 
 // every training.
 Result<void> see(const PreparedStudy& prepared, const Fold& fold, Activations& activations,
                  TrainedFold& trained) {
-  if (prepared.fixed_inputs) {
-    trained.inputs = *prepared.fixed_inputs;
-    trained.vectors = *prepared.fixed_vectors;
-    return {};
-  }
   const std::size_t input = trained.system.modules()[prepared.map].inputs.front();
-  auto seen = evaluate(trained.system, prepared.recording, prepared.used_by(fold),
-                       {input, prepared.vectors}, 1, activations);
-  if (!seen) return seen;
-  trained.inputs = activations.values_of(input);
-  trained.vectors = activations.values_of(prepared.vectors);
+  Numbers wanted;
+  if (!prepared.fixed_vectors) wanted = prepared.vectors;
+  if (!prepared.fixed_inputs) wanted.push_back(input);
+  SOMATO_TRY_VOID(
+      evaluate(trained.system, prepared.recording, prepared.used_by(fold), wanted, 1, activations));
+  trained.inputs = prepared.fixed_inputs ? *prepared.fixed_inputs : activations.values_of(input);
+  trained.vectors =
+      prepared.fixed_vectors ? *prepared.fixed_vectors : values_of(activations, prepared.vectors);
   return {};
+}
+
+// The activities that are called up for the tested explorations, and the predictions.
+Result<void> recall(const PreparedStudy& prepared, const Fold& fold, Activations& activations,
+                    TrainedFold& trained) {
+  if (prepared.recall) {
+    SOMATO_TRY_VOID(evaluate(trained.system, prepared.recording, prepared.tested_by(fold),
+                             {*prepared.recall}, 1, activations));
+    trained.recalled = activations.values_of(*prepared.recall);
+  }
+  for (const Prediction& prediction : prepared.predictions) {
+    SOMATO_TRY(auto compared, compare_prediction(trained.system, prepared.recording, prediction,
+                                                 fold, activations));
+    trained.predictions.push_back(compared);
+  }
+  return {};
+}
+
+// The strongest of these neurons for each exploration; the first in a tie.
+Numbers strongest_among(const Numbers& neurons, const ExplorationValues& activities,
+                        const Numbers& explorations) {
+  std::vector<float> activity(activities.samples.size());
+  const auto weaker = [&](std::size_t a, std::size_t b) { return activity[a] < activity[b]; };
+  Numbers strongest;
+  strongest.reserve(explorations.size());
+  for (const std::size_t sample : activities.places_of(explorations)) {
+    write_dense(activities.samples[sample], activity);
+    strongest.push_back(*std::max_element(neurons.begin(), neurons.end(), weaker));
+  }
+  return strongest;
+}
+
+Numbers strongest_of_all(const ExplorationValues& activities, const Numbers& explorations) {
+  Numbers neurons(activities.samples.size());
+  std::iota(neurons.begin(), neurons.end(), std::size_t{0});
+  return strongest_among(neurons, activities, explorations);
 }
 
 // The neighbours of `test`; `narrow` contains the vectors of all explorations.
@@ -59,12 +95,15 @@ Neighbours neighbours_of(const ExplorationValues& vectors, const Samples& narrow
 class Naming {
  public:
   Naming(const TrainedFold& trained, const PreparedStudy& prepared, const Numbers& training_winners)
-      : som_(*som_of(trained.system, prepared.map)), inputs_(trained.inputs) {
+      : som_(*som_of(trained.system, prepared.map)),
+        inputs_(trained.inputs),
+        recalled_(trained.recalled) {
     const std::set<std::size_t> won(training_winners.begin(), training_winners.end());
     won_.assign(won.begin(), won.end());
   }
 
   Numbers named_by(const Numbers& explorations) {
+    if (recalled_) return strongest_among(won_, *recalled_, explorations);
     Numbers named;
     named.reserve(explorations.size());
     for (const std::size_t sample : inputs_.places_of(explorations)) {
@@ -76,6 +115,7 @@ class Naming {
  private:
   const Som& som_;
   const ExplorationValues& inputs_;
+  const std::optional<ExplorationValues>& recalled_;
   Numbers won_;
   SomWorkspace workspace_;
 };
@@ -86,20 +126,21 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Prepar
                                const Fold& fold, std::uint64_t seed, const Progress& progress) {
   auto system = prepared.system(description);
   if (!system) return fail(std::move(system.error()));
-  TrainedFold trained{std::move(*system), {}, {}};
+  TrainedFold trained{std::move(*system), {}, {}, {}, {}};
   Activations activations = prepared.fixed;
   const Numbers tested = prepared.tested_by(fold);
   const SystemTraining training{seed, 1, progress, {}, tested};
   auto done = train_system(trained.system, prepared.recording, fold.training, training, activations)
-                  .and_then([&] { return see(prepared, fold, activations, trained); });
+                  .and_then([&] { return see(prepared, fold, activations, trained); })
+                  .and_then([&] { return recall(prepared, fold, activations, trained); });
   if (!done) return fail(std::move(done.error()));
   return trained;
 }
 
-std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
-                                           const PreparedStudy& prepared, const Fold& fold) {
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors, const Numbers& learned,
+                                           const std::vector<Numbers>& tests) {
   const Samples& samples = vectors.samples;
-  const Numbers training = vectors.places_of(fold.training);
+  const Numbers training = vectors.places_of(learned);
   // A column that is 0 in all training samples takes a tested one as far from each of them, and is
   // 0 once standardized.
   const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
@@ -109,14 +150,21 @@ std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
         Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
     if (standardization) standardized = standardization->apply(narrow);
   }
-  const auto of = [&](const Numbers& test) {
-    return neighbours_of(vectors, narrow, standardized, training, test);
-  };
-  std::vector<Neighbours> nearest{of(fold.test)};
-  for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
-    nearest.push_back(of(prepared.altered(fold.test, i)));
+  std::vector<Neighbours> nearest;
+  nearest.reserve(tests.size());
+  for (const Numbers& test : tests) {
+    nearest.push_back(neighbours_of(vectors, narrow, standardized, training, test));
   }
   return nearest;
+}
+
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const PreparedStudy& prepared, const Fold& fold) {
+  std::vector<Numbers> tests{fold.test};
+  for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
+    tests.push_back(prepared.altered(fold.test, i));
+  }
+  return nearest_neighbours(vectors, fold.training, tests);
 }
 
 FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,
@@ -144,6 +192,8 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
     outcome.altered.push_back(
         {naming.named_by(prepared.altered(fold.test, i)), std::move(nearest[i + 1])});
   }
+  if (trained.recalled) outcome.recalled = strongest_of_all(*trained.recalled, fold.test);
+  outcome.predictions = trained.predictions;
   return outcome;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "somato/core/progress.h"
@@ -34,11 +35,15 @@ struct FoldOutcome {
   std::vector<std::size_t> training_winners;  ///< Of the training samples.
   std::vector<std::size_t> winners;           ///< Of the test samples.
   std::vector<std::size_t> named_by;         ///< The neurons that name the tested samples: the most
-                                             ///< similar of those that training samples won.
+                                             ///< similar of those that training samples won, with a
+                                             ///< recall the strongest of these.
   Neighbours nearest;                        ///< Of the test samples.
   double summed_distance = 0.0;              ///< Distances of the test samples from their winners.
   double topographic_errors = 0.0;           ///< Tested samples whose two winners do not touch.
   std::vector<AlteredOutcome> altered = {};  ///< One for each alteration.
+  std::vector<std::size_t> recalled = {};    ///< The strongest neurons of the activities called up
+                                             ///< for the test samples; empty without a recall.
+  std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
 
   bool operator==(const FoldOutcome&) const = default;
 };
@@ -46,8 +51,10 @@ struct FoldOutcome {
 /// A trained system with what its map sees: of the explorations learned or tested at least.
 struct TrainedFold {
   System system;
-  ExplorationValues inputs;   ///< Of the map.
-  ExplorationValues vectors;  ///< For the baseline.
+  ExplorationValues inputs;                    ///< Of the map.
+  ExplorationValues vectors;                   ///< For the baseline.
+  std::optional<ExplorationValues> recalled;   ///< The activities called up, of those tested.
+  std::vector<PredictionOutcome> predictions;  ///< For each prediction of the study.
 };
 
 /// Trains the system on the fold's training part only, with `seed`, and computes the input of its
@@ -55,8 +62,13 @@ struct TrainedFold {
 Result<TrainedFold> train_fold(const StudyDescription& description, const PreparedStudy& prepared,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
 
-/// The neighbours among a fold's training samples, by the vectors of all of them: of its test
-/// samples, then of those altered by each alteration.
+/// The neighbours among the training samples of each of the lists of test samples, by the vectors
+/// of all of them.
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const std::vector<std::size_t>& training,
+                                           const std::vector<std::vector<std::size_t>>& tests);
+
+/// The same for a fold: of its test samples, then of those altered by each alteration.
 std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
                                            const PreparedStudy& prepared, const Fold& fold);
 

@@ -15,7 +15,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 3;
+constexpr int kJournalVersion = 4;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -36,6 +36,39 @@ SortedJson altered_json(const FoldOutcome& outcome) {
   return altered;
 }
 
+// The numbers of a comparison in a fixed order, for writing and for reading.
+template <typename Outcome, typename Visit>
+void for_each_number(Outcome& outcome, const Visit& visit) {
+  visit(outcome.values);
+  visit(outcome.explorations);
+  visit(outcome.steps_right);
+  for (auto* part : {&outcome.predicted, &outcome.mean, &outcome.nearest,
+                     &outcome.nearest_standardized, &outcome.preceding, &outcome.chance}) {
+    visit(part->squared);
+    visit(part->right);
+    visit(part->distance);
+  }
+}
+
+SortedJson numbers_of(const std::vector<PredictionOutcome>& predictions) {
+  SortedJson all = SortedJson::array();
+  for (const PredictionOutcome& prediction : predictions) {
+    SortedJson numbers = SortedJson::array();
+    for_each_number(prediction, [&](double number) { numbers.push_back(number); });
+    all.push_back(std::move(numbers));
+  }
+  return all;
+}
+
+std::vector<PredictionOutcome> predictions_of(const SortedJson& all) {
+  std::vector<PredictionOutcome> predictions(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::size_t place = 0;
+    for_each_number(predictions[i], [&](double& number) { all[i].at(place++).get_to(number); });
+  }
+  return predictions;
+}
+
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   return {{"protocol", protocol},
           {"training", training},
@@ -46,7 +79,9 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"nearest_standardized", outcome.nearest.standardized},
           {"summed_distance", outcome.summed_distance},
           {"topographic_errors", outcome.topographic_errors},
-          {"altered", altered_json(outcome)}};
+          {"altered", altered_json(outcome)},
+          {"recalled", outcome.recalled},
+          {"predictions", numbers_of(outcome.predictions)}};
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -64,6 +99,8 @@ FoldOutcome outcome_of(const SortedJson& line) {
     one.at("nearest_raw").get_to(altered.nearest.raw);
     one.at("nearest_standardized").get_to(altered.nearest.standardized);
   }
+  line.at("recalled").get_to(outcome.recalled);
+  outcome.predictions = predictions_of(line.at("predictions"));
   return outcome;
 }
 

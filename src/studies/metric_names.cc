@@ -32,7 +32,18 @@ const std::vector<std::string>& plain_names() {
                                               "on_border",
                                               "cosine_between_classes",
                                               "placed_with_most_similar",
-                                              "baseline_placed_with_most_similar"};
+                                              "baseline_placed_with_most_similar",
+                                              "prediction_error",
+                                              "prediction_error_of_mean",
+                                              "prediction_error_of_nearest",
+                                              "prediction_error_of_preceding",
+                                              "strongest_right",
+                                              "strongest_right_of_nearest",
+                                              "strongest_right_of_preceding",
+                                              "strongest_distance",
+                                              "strongest_distance_of_nearest",
+                                              "strongest_distance_of_preceding",
+                                              "steps_right"};
   return names;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -37,18 +39,18 @@ class MetricsMaker {
   }
 
   std::vector<Metric> make() {
+    const bool recalls = study_.prepared.recall.has_value();
     for (const StudiedLabel& label : study_.prepared.labels) {
       prefix_ = &label == &study_.prepared.labels.front() ? "" : label.name + ".";
       if (can_be_named(label.classes)) {
         add_accuracies(label.classes, [](const FoldOutcome& o) -> const auto& { return o; });
       }
-      add_areas(label);
+      if (!recalls) add_areas(label);
     }
     for (std::size_t i = 0; i < study_.prepared.alterations.size(); ++i) add_altered(i);
     prefix_.clear();
-    read_maps();
-    add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
-    add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
+    if (!recalls) describe_maps();
+    add_predictions();
     return std::move(metrics_);
   }
 
@@ -100,6 +102,7 @@ class MetricsMaker {
     add_share_right("accuracy", classes, [&](const Fold& fold, const FoldOutcome& outcome) {
       return predictions(classes, fold, outcome, tested(outcome).named_by);
     });
+    if (study_.prepared.recall) add_accuracy_by_chance(classes, tested);
     const std::size_t best = metrics_.size();
     add_share_right("baseline_accuracy_raw", classes, [&](const Fold&, const FoldOutcome& outcome) {
       return at(classes.of_sample, tested(outcome).nearest.raw);
@@ -123,6 +126,45 @@ class MetricsMaker {
       if (&label != &study_.prepared.labels.front()) prefix_ += label.name + ".";
       add_accuracies(label.classes,
                      [&](const FoldOutcome& o) -> const auto& { return o.altered[alteration]; });
+    }
+  }
+
+  // The share of right classes expected if the named ones are in random order.
+  template <typename Tested>
+  void add_accuracy_by_chance(const Classes& classes, const Tested& tested) {
+    add("accuracy_chance", [&](const SeedOutcome& seed) {
+      std::vector<double> named(classes.names.size(), 0.0);
+      std::vector<double> right(classes.names.size(), 0.0);
+      for (std::size_t f = 0; f < seed.folds.size(); ++f) {
+        const Fold& fold = study_.folds[f];
+        for (const std::size_t one :
+             predictions(classes, fold, *seed.folds[f], tested(*seed.folds[f]).named_by)) {
+          named[one] += 1.0;
+        }
+        for (const std::size_t one : at(classes.of_sample, fold.test)) right[one] += 1.0;
+      }
+      const auto all = static_cast<double>(tested_);
+      return std::inner_product(named.begin(), named.end(), right.begin(), 0.0) / (all * all);
+    });
+  }
+
+  // A recall is no measure of these: they are about the map on its own sense.
+  void describe_maps() {
+    read_maps();
+    add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
+    add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
+  }
+
+  void add_predictions() {
+    for (std::size_t p = 0; p < study_.prepared.predictions.size(); ++p) {
+      std::vector<std::vector<const PredictionOutcome*>> outcomes(seeds_.size());
+      for (std::size_t s = 0; s < seeds_.size(); ++s) {
+        for (const FoldOutcome* fold : seeds_[s].folds) {
+          outcomes[s].push_back(&fold->predictions[p]);
+        }
+      }
+      auto metrics = prediction_metrics(study_.prepared.predictions[p], outcomes);
+      std::move(metrics.begin(), metrics.end(), std::back_inserter(metrics_));
     }
   }
 

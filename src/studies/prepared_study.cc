@@ -14,6 +14,7 @@
 #include "studies/exploration_samples.h"
 #include "studies/most_similar.h"
 #include "studies/numbered_individuals.h"
+#include "studies/senses.h"
 
 namespace somato {
 namespace {
@@ -202,8 +203,7 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
   const auto map = find_map(system, description.study.map, description.where);
   if (!map) return fail(map.error());
   prepared.map = *map;
-  prepared.vectors = system.modules()[*map].inputs.front();
-  const SystemModule& input = system.modules()[prepared.vectors];
+  const SystemModule& input = system.modules()[system.modules()[*map].inputs.front()];
   if (input.output.rate == Rate::kFrame) {
     return fail(system.at_module(
         {ErrorKind::kUsage,
@@ -212,8 +212,15 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
          "combine the frames first, for example with 'last'"},
         *map));
   }
-  if (input.type->name == "standardization") prepared.vectors = input.inputs.front();
+  prepared.vectors = {vectors_of_map(system, *map)};
   prepared.grid = grid_of(system, *map);
+  if (!description.study.recall.empty()) {
+    SOMATO_TRY(prepared.recall,
+               find_recall(system, *map, description.study.recall, description.where));
+    prepared.vectors = vectors_behind(system, *prepared.recall);
+  }
+  SOMATO_TRY(prepared.predictions,
+             find_predictions(system, description.study.predictions, description.where));
   return {};
 }
 
@@ -231,8 +238,9 @@ Result<void> append_altered(const StudyDescription& description, PreparedStudy& 
 // Modules that every training would otherwise create again.
 void keep_fixed(const System& system, PreparedStudy& prepared) {
   const std::size_t input = system.modules()[prepared.map].inputs.front();
-  if (system.is_fixed(prepared.vectors)) {
-    prepared.fixed_vectors = prepared.fixed.values_of(prepared.vectors);
+  if (std::all_of(prepared.vectors.begin(), prepared.vectors.end(),
+                  [&](std::size_t module) { return system.is_fixed(module); })) {
+    prepared.fixed_vectors = values_of(prepared.fixed, prepared.vectors);
   }
   if (system.is_fixed(input)) prepared.fixed_inputs = prepared.fixed.values_of(input);
 }
@@ -319,7 +327,7 @@ Result<PreparedStudy> prepare_study(const StudyDescription& description, const R
           .and_then([&] { return find_modules(system, description, prepared); })
           .and_then([&] { return append_altered(description, prepared); });
   if (!ready) return fail(std::move(ready.error()));
-  auto fixed = evaluate_fixed(system, prepared.recording, {prepared.vectors}, threads);
+  auto fixed = evaluate_fixed(system, prepared.recording, prepared.vectors, threads);
   if (!fixed) return fail(std::move(fixed.error()));
   prepared.fixed = std::move(*fixed);
   keep_fixed(system, prepared);

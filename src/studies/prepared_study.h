@@ -15,6 +15,7 @@
 #include "somato/studies/study_parameters.h"
 #include "studies/exploration_samples.h"
 #include "studies/folds.h"
+#include "studies/prediction.h"
 
 namespace somato {
 
@@ -42,10 +43,11 @@ struct PreparedStudy {
   std::map<std::string, std::vector<std::size_t>> groups;  ///< For leave_group_out, by label.
   std::optional<AskedOrder> order;
   RecordingLayout layout;
-  std::size_t map = 0;      ///< The module that answers.
-  std::size_t vectors = 0;  ///< The module whose output the baseline compares: the input of the
-                            ///< map, or of a standardization directly before the map.
-  Grid grid;                ///< Of the map.
+  std::size_t map = 0;                ///< The module that answers.
+  std::optional<std::size_t> recall;  ///< The module that calls up its activity, if any.
+  std::vector<std::size_t> vectors;   ///< The modules whose outputs the baseline compares.
+  std::vector<Prediction> predictions;
+  Grid grid;  ///< Of the map.
   Activations fixed;
   std::optional<ExplorationValues>
       fixed_inputs;  ///< Inputs of the map, if nothing before it learns.

@@ -148,6 +148,13 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("map", &P::map, "", Range::any(),
                "Name of the output map, a module of type som; empty: the only one whose output no "
                "other module uses.")
+          .add("recall", &P::recall, "", Range::any(),
+               "Name of a module whose output has the shape of the map, such as an association "
+               "whose target is the map: its strongest neuron names the test explorations instead "
+               "of the map's winner. Empty: the winner.")
+          .add("predictions", &P::predictions, "", Range::any(),
+               "Names of associations whose predictions for the test explorations are compared "
+               "with their targets.")
           .add("protocols", &P::protocols, "", Range::any(),
                "Division into training and test explorations: all for both, as in the papers; or "
                "each exploration, each group, or each of several equal parts is tested by a system "

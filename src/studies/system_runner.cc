@@ -140,8 +140,10 @@ Run SystemRunner::run_of(const SeedOutcome& seed) const {
   Run run{seed.seed, {}, {}, {}, {}};
   run.winners.resize(tested_.size());
   for (std::size_t f = 0; f < folds_.size(); ++f) {
+    const FoldOutcome& outcome = *seed.folds[f];
+    const auto& winners = prepared_.recall ? outcome.recalled : outcome.winners;
     for (std::size_t i = 0; i < folds_[f].test.size(); ++i) {
-      run.winners[place_of(folds_[f].test[i], tested_)] = seed.folds[f]->winners[i];
+      run.winners[place_of(folds_[f].test[i], tested_)] = winners[i];
     }
   }
   for (const StudiedLabel& label : prepared_.labels) {

@@ -39,6 +39,8 @@ struct StudyParameters {
   std::string within;
   std::vector<std::string> mapped_with;
   std::string map;
+  std::string recall;
+  std::vector<std::string> predictions;
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
   std::vector<std::string> groups;
   std::size_t folds = 10;
