@@ -64,6 +64,12 @@ std::vector<ChannelDescription> proprioception(Hand hand, const mjModel& model,
   return {sensor("height", "mm", {}), sensor("wrist", "deg", {}), sensor("joints", "deg", fingers)};
 }
 
+ChannelDescription silhouette_sensor(std::size_t pixels) {
+  ChannelDescription description = sensor("silhouette", "", {});
+  description.shape = {pixels, pixels};
+  return description;
+}
+
 BodyDescription describe(const HandScene::Impl& parts) {
   const mjModel& model = *parts.model;
   BodyDescription description;
@@ -72,9 +78,12 @@ BodyDescription describe(const HandScene::Impl& parts) {
   for (int i = 0; i < servos; ++i)
     description.degrees_of_freedom.push_back(degree_of_freedom(model, i));
   description.sensors = proprioception(parts.hand, model, description.degrees_of_freedom);
-  if (parts.taxels.names.empty()) return description;
-  description.sensors.push_back(sensor("touch", "N", parts.taxels.names));
-  description.sensors.push_back(sensor("touch_change", "N", parts.taxels.names));
+  if (!parts.taxels.names.empty()) {
+    description.sensors.push_back(sensor("touch", "N", parts.taxels.names));
+    description.sensors.push_back(sensor("touch_change", "N", parts.taxels.names));
+  }
+  const std::size_t pixels = parts.parameters.silhouette;
+  if (pixels > 0) description.sensors.push_back(silhouette_sensor(pixels));
   return description;
 }
 

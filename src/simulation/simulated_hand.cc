@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulation/silhouette.h"
 #include "simulation/simulated_hand_impl.h"
+#include "simulation/units.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -82,6 +84,29 @@ const BodyState& SimulatedHand::state() const {
 
 namespace {
 
+void read_taxels(SimulatedHand::Impl& impl) {
+  const SimulationParameters& given = impl.scene->parameters;
+  const auto report = [&](const std::vector<double>& sensed, PiezoConverter converter) {
+    impl.state.readings.push_back(row(
+        reported(noisy(sensed, given.sensor_noise, impl.noise), converter, given.touch_threshold)));
+  };
+  report(impl.forces, PiezoConverter::kUnipolar);  // no contact pulls
+  report(impl.piezo.signals(), given.piezo_converter);
+}
+
+// What a camera sees of the object; the centre of the view is above the place of the object.
+void read_silhouette(SimulatedHand::Impl& impl) {
+  const HandScene::Impl& scene = *impl.scene;
+  const mjModel& model = *scene.model;
+  const mjtNum* place = detail::row_of(impl.data->site_xpos, scene.place, 3);
+  const double height = scene.parameters.silhouette_centre * detail::kMetres;
+  const detail::ParallelView view =
+      detail::view_of_camera(model, *impl.data, "view", {place[0], place[1], place[2] + height},
+                             scene.parameters.silhouette_side * detail::kMetres);
+  impl.state.readings.push_back(row(
+      detail::silhouette(model, *impl.data, scene.object_geom, view, scene.parameters.silhouette)));
+}
+
 void read_sensors(SimulatedHand::Impl& impl) {
   const HandScene::Impl& scene = *impl.scene;
   BodyState& state = impl.state;
@@ -96,14 +121,8 @@ void read_sensors(SimulatedHand::Impl& impl) {
     state.readings.push_back(row(
         noisy(servo_angles(*scene.model, *impl.data), scene.parameters.joint_noise, impl.noise)));
   }
-  if (impl.forces.empty()) return;
-  const SimulationParameters& given = scene.parameters;
-  const auto report = [&](const std::vector<double>& sensed, PiezoConverter converter) {
-    state.readings.push_back(row(
-        reported(noisy(sensed, given.sensor_noise, impl.noise), converter, given.touch_threshold)));
-  };
-  report(impl.forces, PiezoConverter::kUnipolar);  // no contact pulls
-  report(impl.piezo.signals(), given.piezo_converter);
+  if (!impl.forces.empty()) read_taxels(impl);
+  if (scene.parameters.silhouette > 0) read_silhouette(impl);
 }
 
 }  // namespace

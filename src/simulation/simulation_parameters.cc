@@ -88,6 +88,16 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
     d.add(
         "friction", &SimulationParameters::friction, "", Range::between(0, 2),
         "Coulomb friction of the object; automatic: that of its material. Not given in the paper.");
+    d.add("silhouette", &SimulationParameters::silhouette, "", Range::between(0, 256),
+          "Rows and columns of the channel `silhouette`, the object as a camera sees it, without "
+          "the hand: the share of each pixel that it covers, seen with parallel rays in the "
+          "direction of the model's camera; 0: no such channel. Not given in the paper.");
+    d.add("silhouette_side", &SimulationParameters::silhouette_side, "mm", Range::between(1, 2000),
+          "Width and height of what the camera sees. Not given in the paper.");
+    d.add("silhouette_centre", &SimulationParameters::silhouette_centre, "mm",
+          Range::between(0, 1000),
+          "Height above the place of the object of the point in the middle of the image. Not "
+          "given in the paper.");
     return d;
   }();
   return all;

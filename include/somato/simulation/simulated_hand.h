@@ -43,7 +43,8 @@ class HandScene {
 /// Sensors of Hand II: `height` (mm), `wrist` (deg) and `joints` (6, deg) according to the driver;
 /// of Hand III: `joints` (11, deg), the potentiometers of its servos. Of a hand with taxels:
 /// `touch` (N), the normal force on each taxel, not below 0; `touch_change` (N), the same measured
-/// by a piezo element with an amplifier: the change within piezo_time.
+/// by a piezo element with an amplifier: the change within piezo_time. With `silhouette` pixels:
+/// `silhouette`, pixels x pixels, the share of each pixel that the object covers, seen by a camera.
 class SimulatedHand : public Body {
  public:
   /// An open hand, with the object at its placement; `seed` is the seed of all noise. Errors

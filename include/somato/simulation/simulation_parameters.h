@@ -38,6 +38,9 @@ struct SimulationParameters {
   double piezo_time = 0.1;
   PiezoConverter piezo_converter = PiezoConverter::kUnipolar;
   std::optional<double> friction;
+  std::size_t silhouette = 0;
+  double silhouette_side = 200.0;
+  double silhouette_centre = 60.0;
 
   static const Declarations<SimulationParameters>& declarations();
 };
