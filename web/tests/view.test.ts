@@ -4,7 +4,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
 import { digits } from "../src/parts/numbers";
-import { fakeFrame, kFrames } from "./fake_frames";
+import { fakeFrame, fakeState, kFrames } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import {
   accessibilityViolations,
@@ -52,6 +52,28 @@ describe("what it shows", () => {
     );
     expect(await words(view.page, ".time")).toBe("4.0 s / 5.9 s");
     await screenshot(view.page, "view-light");
+  });
+
+  it("shows the activity that another sense calls up beside the map's own", async () => {
+    const state = fakeState();
+    const module = state.graph!.modules.find(({ name }) => name === "map")!;
+    const ports = { input: "crossed", target: "map" };
+    const inputs = Object.entries(ports).map(([port, name]) => ({ port, module: name }));
+    state.graph!.modules.push({ ...module, name: "expected", type: "association", inputs });
+    view.server.change({ graph: state.graph });
+    const frame = fakeFrame(1, 40);
+    const values = frame.maps["map"]!.activity.map((_, neuron) => (neuron === 99 ? 0.02 : -0.01));
+    frame.modules["expected"] = { shape: [225], values, folded: false };
+    view.server.send("frame", frame);
+    const recalled = view.page.locator(".panel-map [data-recalled=expected]");
+    await soon(() => recalled.getAttribute("data-winner")).toBe("99");
+    expect(await recalled.innerText()).toContain("called up by crossed");
+    expect(await view.page.locator(".panel-map .map-place").first().getAttribute("data-winner")).toBe(
+      String(frame.maps["map"]!.winner),
+    );
+    await screenshot(view.page, "view-recalled");
+    view.server.change({ graph: fakeState().graph });
+    await soon(() => recalled.count()).toBe(0);
   });
 
   it("shows all that was felt over the exploration, wherever it goes", async () => {

@@ -1,4 +1,4 @@
-// The activity of a map, or its training.
+// The activity of a map, beside those that other senses call up, or its training.
 
 import { sequenceColour } from "../parts/colour_maps";
 import { element, fill } from "../parts/dom";
@@ -8,6 +8,7 @@ import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
 import type { Frame, State } from "./data";
 import type { Model } from "./model";
 import { Panel } from "./panel";
+import { RecalledMaps } from "./recalled_maps";
 import { TrainingView } from "./training_view";
 
 type MapState = State["maps"][number];
@@ -17,8 +18,9 @@ export class MapPanel {
   private readonly place = element("div", { class: "map-place" });
   private readonly legend = element("div", { class: "map-legend" });
   private readonly nothing = element("p", { class: "empty" });
+  private readonly recalled = new RecalledMaps((map, neuron) => void this.model.askNeuron(map, neuron));
   private readonly activity = element("div", { class: "map-activity" }, [
-    this.place,
+    element("div", { class: "map-places" }, [this.place, this.recalled.root]),
     this.legend,
     this.nothing,
   ]);
@@ -79,11 +81,12 @@ export class MapPanel {
   private build(): void {
     const state = this.model.shownState.value;
     this.map = state?.maps.find(({ module }) => module === this.model.map.value) ?? null;
-    const text = JSON.stringify(this.map);
+    const text = JSON.stringify([this.map, state?.graph]);
     if (text === this.built) return;
     this.built = text;
     this.picture = this.map === null ? null : this.makePicture(this.map);
     fill(this.place, [this.picture?.element ?? null]);
+    this.recalled.build(this.map, state?.graph ?? null);
     fill(this.legend, [this.map === null ? null : classLegend(this.map.classes)]);
     this.draw(this.model.frame.value);
   }
@@ -108,6 +111,7 @@ export class MapPanel {
     this.picture.setValues(shown?.activity ?? [], [0, 1]);
     this.picture.setWinner(shown?.winner ?? null);
     this.place.dataset["winner"] = String(shown?.winner ?? "");
+    this.recalled.draw(frame);
   }
 
   private markChosen(): void {
