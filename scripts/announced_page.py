@@ -3,6 +3,7 @@
 
     scripts/announced_page.py out/announced/results.json > docs/announced.md
 
+Several results, such as those of single questions that ran on different machines, can be given instead.
 The tables of each question replace {{question NAME}} in scripts/announced_page.md.in. With --check FILE
 nothing is written; the script fails if FILE differs from the page generated from the results.
 """
@@ -87,6 +88,20 @@ def summary(claims):
             f"Criteria of this project: {tables.verdict_counts(ours)}.")
 
 
+def joined(documents):
+    """One document with the parts, claims and recordings of all; a question may be in one of them only."""
+    results = {"parts": [], "claims": [], "recordings": []}
+    known = {}
+    for number, document in enumerate(documents):
+        for question in {part["question"] for part in document["parts"]}:
+            if known.setdefault(question, number) != number:
+                raise SystemExit(f"the question '{question}' is in two of the results")
+        results["parts"] += document["parts"]
+        results["claims"] += document["claims"]
+        results["recordings"] += [r for r in document["recordings"] if r not in results["recordings"]]
+    return results
+
+
 def make_page(template, results):
     page = template.replace("{{summary}}", summary(results["claims"]))
     page = page.replace("{{provenance}}", reproduction_page.provenance(results))
@@ -104,10 +119,12 @@ def make_page(template, results):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("results", type=pathlib.Path, help="results.json of somato reproduce announced")
+    parser.add_argument("results", type=pathlib.Path, nargs="+", help="results.json of somato reproduce announced")
     parser.add_argument("--check", type=pathlib.Path, help="fail if this page differs from the generated one")
     given = parser.parse_args(arguments)
-    tables.print_or_check(make_page(TEMPLATE.read_text(encoding="utf-8"), tables.load_results(given.results)), given)
+    results = joined([tables.load_results(path) for path in given.results])
+    given.results = tables.listing([str(path) for path in given.results])
+    tables.print_or_check(make_page(TEMPLATE.read_text(encoding="utf-8"), results), given)
 
 
 if __name__ == "__main__":

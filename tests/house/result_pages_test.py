@@ -192,6 +192,18 @@ class Announced(TreeTest):
     def test_alterations_are_those_of_the_own_label(self):
         self.assertEqual(announced_page.altered_names(self.results()["parts"][0]["protocols"][1]), ["half"])
 
+    def test_results_of_several_runs_are_joined(self):
+        late = self.results(recordings=[{"name": "two.mcap", "source": "probes", "seed": 8, "hash": "fnv1a64:13",
+                                         "explorations": 4}])
+        late["parts"][0]["question"] = "late"
+        late["claims"] = []
+        joined = announced_page.joined([self.results(), late])
+        self.assertEqual([part["question"] for part in joined["parts"]], ["early", "late"])
+        self.assertEqual([r["name"] for r in joined["recordings"]], ["one.mcap", "two.mcap"])
+        self.assertEqual(len(joined["claims"]), 2)
+        with self.assertRaises(SystemExit):
+            announced_page.joined([self.results(), self.results()])
+
     def test_a_question_without_a_place_is_refused(self):
         with self.assertRaises(SystemExit):
             self.page("{{summary}}")
