@@ -75,7 +75,7 @@ class DeviceBody::Impl {
   template <typename GoesOn>
   Result<void> pass(double seconds, const GoesOn& goes_on) {
     require(is_on_, "the device was stopped; start it again");
-    skip_pause(kPause * file_.settings.period);
+    skip_pause(0.0);
     const double end = state_.time + seconds;
     const std::size_t due = samples_due(end);
     while (time() < end || is_waiting_for_samples(due, end)) {
@@ -83,6 +83,8 @@ class DeviceBody::Impl {
       if (!ticked) return stop(std::move(ticked.error()));
     }
     if (samples_missing(due)) return stop(no_samples());
+    // The servos moved on while late samples were awaited: the body's time passes as much later.
+    start_ = std::max(start_, moved_ - end);
     move(start_ + end);
     state_.time = end;
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
@@ -111,15 +113,15 @@ class DeviceBody::Impl {
   double time() const { return io_.now() - start_; }
 
   // A host that paused, as a view does between two steps, has neither moved the servos nor
-  // requested their states: the body's time has not passed.
-  void skip_pause(double longest) {
+  // requested their states: only `passed` seconds of the body's time have passed.
+  void skip_pause(double passed) {
     const double now = io_.now();
-    if (now - moved_ <= longest) return;
-    start_ += now - moved_;
-    moved_ = now;
+    if (now - moved_ <= kPause * file_.settings.period) return;
+    start_ += now - moved_ - passed;
+    moved_ = now - passed;
     next_tick_ = now;
     io_.begin(now);
-    if (io_.receive() && io_.samples() != nullptr) io_.samples()->keep(0);
+    if (io_.receive() && io_.samples() != nullptr) io_.samples()->keep_oldest(samples_due(time()));
   }
 
   // Lets the servos go on towards their targets until `now`.
@@ -177,7 +179,7 @@ class DeviceBody::Impl {
       io_.wait(until > now ? std::min(next_tick_, until) : next_tick_);
       return io_.receive();
     }
-    skip_pause(kPause * file_.settings.period);
+    skip_pause(file_.settings.period);
     SOMATO_TRY_VOID(io_.receive());
     SOMATO_TRY_VOID(check(now));
     const double period = file_.settings.period;
@@ -218,7 +220,8 @@ class DeviceBody::Impl {
   }
 
   bool is_waiting_for_samples(std::size_t due, double end) {
-    return samples_missing(due) && time() < end + kLateSamples;
+    const double patience = std::max(kLateSamples, patience_of(file_));
+    return samples_missing(due) && time() < end + patience;
   }
 
   Error no_samples() const {

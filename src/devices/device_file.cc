@@ -306,6 +306,10 @@ ChannelDescription describe(const SensorSettings& sensor, const DeviceFile& file
 
 }  // namespace
 
+double patience_of(const DeviceFile& file) {
+  return static_cast<double>(file.safety.missed) * file.settings.period;
+}
+
 std::pair<double, double> reach(BusKind bus) {
   switch (bus) {
     case BusKind::kSsc32:

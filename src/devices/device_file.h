@@ -155,6 +155,10 @@ Result<DeviceFile> read_device_file(const std::string& path);
 /// The built-in device file with that name, such as "lucs2": a file of `devices/`.
 Result<DeviceFile> own_device_file(std::string_view name);
 
+/// Seconds without an answer or a frame after which the body stops, on a bus that answers each
+/// period.
+double patience_of(const DeviceFile& file);
+
 /// The positions that a bus can express, lowest and highest.
 std::pair<double, double> reach(BusKind bus);
 

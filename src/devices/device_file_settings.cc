@@ -163,7 +163,7 @@ const Declarations<SafetySettings>& SafetySettings::declarations() {
                "stops the body. Automatic: none.")
           .add("missed", &P::missed, "", Range::between(1, 10000),
                "Number of periods of a line without a valid answer or frame after which the body "
-               "stops.")
+               "stops; requests before it moves wait at least as long.")
           .add("hold", &P::hold, "s", Range::between(0.0, 60.0),
                "Time for which a stopped body holds its position before the servos are switched "
                "off.");

@@ -40,7 +40,7 @@ Result<void> DeviceIo::start() {
   begin(now());
   if (!bus_) return {};
   SOMATO_TRY_VOID(check_capacity());
-  wire::Exchange exchange(lines_, *numbers_.servos);
+  wire::Exchange exchange(lines_, *numbers_.servos, patience_of(file_));
   auto started = at_port(bus_->start(exchange));
   begin(now());
   return started;
@@ -51,7 +51,7 @@ Result<void> DeviceIo::reboot() {
     return fail(ErrorKind::kUsage, "the device has no servos that could be restarted", {},
                 "omit '--reboot'");
   }
-  wire::Exchange exchange(lines_, *numbers_.servos);
+  wire::Exchange exchange(lines_, *numbers_.servos, patience_of(file_));
   for (std::size_t i = 0; i < file_.servos.size(); ++i) {
     auto rebooted = at_port(bus_->reboot(i, exchange));
     if (rebooted) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,9 @@ class SampleQueue {
 
   /// Discards the oldest so that at most `count` remain.
   void keep(std::size_t count);
+
+  /// Discards the newest so that at most `count` remain.
+  void keep_oldest(std::size_t count) { size_ = std::min(size_, count); }
 
  private:
   void add(std::int16_t sample);

@@ -15,7 +15,7 @@ Result<void> Exchange::clear() {
 
 Result<void> Exchange::send(std::span<const std::uint8_t> bytes, double timeout) {
   constexpr double kPause = 0.001;
-  const double until = now() + timeout * patience();
+  const double until = now() + lengthened(timeout);
   while (!bytes.empty()) {
     SOMATO_TRY(const auto count, lines_.write(line_, bytes));
     bytes = bytes.subspan(count);
@@ -30,7 +30,7 @@ Result<void> Exchange::send(std::span<const std::uint8_t> bytes, double timeout)
 }
 
 Result<bool> Exchange::receive(double timeout, const Take& take) {
-  const double until = now() + timeout * patience();
+  const double until = now() + lengthened(timeout);
   std::array<std::uint8_t, 256> bytes{};
   for (;;) {
     SOMATO_TRY(const auto count, lines_.read(line_, bytes));
@@ -56,12 +56,12 @@ Result<bool> Exchange::request(std::span<const std::uint8_t> bytes, double timeo
 }
 
 Result<void> Exchange::let_late_answers_pass(double timeout) {
-  pause(timeout * patience());
+  pause(lengthened(timeout));
   return clear();
 }
 
-double Exchange::patience() const {
-  return std::max(1.0, lines_.clock());
+double Exchange::lengthened(double timeout) const {
+  return std::max(timeout * std::max(1.0, lines_.clock()), patience_);
 }
 
 void Exchange::pause(double seconds) {

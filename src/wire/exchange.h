@@ -11,13 +11,15 @@
 namespace somato::wire {
 
 /// Requests and answers on one line, with time-outs, which are multiplied by Lines::clock() if that
-/// is above 1: for starting and calibrating a device, not for its ticks.
+/// is above 1, and last at least `patience` seconds: for starting and calibrating a device, not for
+/// its ticks.
 class Exchange {
  public:
   /// Takes bytes that arrived; returns whether the answer is complete.
   using Take = std::function<bool(std::span<const std::uint8_t> bytes)>;
 
-  Exchange(Lines& lines, std::size_t line) : lines_(lines), line_(line) {}
+  Exchange(Lines& lines, std::size_t line, double patience = 0.0)
+      : lines_(lines), line_(line), patience_(patience) {}
 
   double now() const { return lines_.now(); }
 
@@ -41,10 +43,11 @@ class Exchange {
 
  private:
   Result<void> let_late_answers_pass(double timeout);
-  double patience() const;
+  double lengthened(double timeout) const;
 
   Lines& lines_;
   std::size_t line_;
+  double patience_;
 };
 
 }  // namespace somato::wire

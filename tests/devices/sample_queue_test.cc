@@ -29,6 +29,18 @@ TEST(SampleQueue, DiscardsTheOldestWhenItIsFull) {
   EXPECT_EQ(taken, (std::array<float, 2>{2.0F, 3.0F}));
 }
 
+TEST(SampleQueue, KeepsTheOldest) {
+  SampleQueue queue(4);
+  queue.receive(std::array<std::uint8_t, 6>{1, 0, 2, 0, 3, 0});
+  queue.keep_oldest(5);
+  EXPECT_EQ(queue.size(), 3U);
+  queue.keep_oldest(1);
+  EXPECT_EQ(queue.size(), 1U);
+  std::array<float, 1> taken{};
+  queue.take(taken);
+  EXPECT_EQ(taken[0], 1.0F);
+}
+
 TEST(SampleQueue, KeepsTheNewest) {
   SampleQueue queue(4);
   queue.receive(std::array<std::uint8_t, 6>{1, 0, 2, 0, 3, 0});

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "devices/device_explorer.h"
 #include "devices/device_text.h"
@@ -12,6 +14,7 @@
 #include "somato/bodies/explore_by.h"
 #include "support/emulated_device.h"
 #include "support/fake_hand.h"
+#include "support/lent_lines.h"
 
 namespace somato::emulation {
 namespace {
@@ -19,6 +22,7 @@ namespace {
 using devices::BusKind;
 using devices::DeviceBody;
 using testing::EmulatedDevice;
+using testing::LentLines;
 
 devices::DeviceFile device(const std::string& body, BusKind bus) {
   const std::string text(somato::detail::embedded_text("devices/" + body + ".toml"));
@@ -127,24 +131,69 @@ TEST(EmulatedBody, HandTwoTouchesTheSameObject) {
   for (std::size_t i = 0; i < direct.size(); ++i) EXPECT_NEAR(emulated[i], direct[i], 6.0) << i;
 }
 
-// Lines that another object owns.
-class LentLines : public wire::Lines {
+// A sound device whose samples are late at first, and less and less so.
+class LateSound : public LentLines {
  public:
-  explicit LentLines(wire::Lines& lines) : lines_(lines) {}
+  using LentLines::LentLines;
 
-  double now() const override { return lines_.now(); }
   Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override {
-    return lines_.read(line, bytes);
+    const auto count = LentLines::read(line, bytes);
+    if (line != 1 || !count) return count;
+    for (const std::uint8_t byte : bytes.first(*count)) waiting_.emplace_back(now(), byte);
+    const double latency = std::max(0.01, 0.3 - 0.1 * now());
+    std::size_t given = 0;
+    while (given < bytes.size() && !waiting_.empty() && waiting_[0].first <= now() - latency) {
+      bytes[given++] = waiting_.front().second;
+      waiting_.pop_front();
+    }
+    return given;
   }
-  Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override {
-    return lines_.write(line, bytes);
-  }
-  void wait(double until) override { lines_.wait(until); }
-  Result<void> reopen(std::size_t line) override { return lines_.reopen(line); }
 
  private:
-  wire::Lines& lines_;
+  std::deque<std::pair<double, std::uint8_t>> waiting_;
 };
+
+TEST(EmulatedBody, AStrokeIsWholeThoughItsSamplesAreLate) {
+  EmulatedDevice emulated(
+      device("texture", BusKind::kSts),
+      *simulated_body(ExploringBody::kTexture, things_of(ExploringBody::kTexture), {}, 1, 0, 0));
+  LateSound lines(emulated.lines);
+  const auto body = DeviceBody::start(emulated.file, lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE((*body)->begin());
+    const auto explored = explore_by_stroking(**body);
+    ASSERT_TRUE(explored) << to_string(explored.error());
+    EXPECT_EQ(explored->channels.front().frames.rows(), 8192U);
+    ASSERT_TRUE((*body)->go_to_rest());
+  }
+}
+
+// A host to which the system gives no time for five periods, whenever it has sent something.
+class PausingHost : public LentLines {
+ public:
+  using LentLines::LentLines;
+
+  Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override {
+    const auto count = LentLines::write(line, bytes);
+    const double until = now() + (bytes.empty() ? 0.0 : 0.1);
+    while (now() < until) wait(until);
+    return count;
+  }
+};
+
+// The servo and the sound wait for the host.
+TEST(EmulatedBody, AStrokeIsWholeThoughItsHostPauses) {
+  EmulatedDevice emulated(
+      device("texture", BusKind::kSts),
+      *simulated_body(ExploringBody::kTexture, things_of(ExploringBody::kTexture), {}, 1, 0, 0));
+  PausingHost lines(emulated.lines);
+  const auto body = DeviceBody::start(emulated.file, lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  const auto explored = explore_by_stroking(**body);
+  ASSERT_TRUE(explored) << to_string(explored.error());
+  EXPECT_EQ(explored->channels.front().frames.rows(), 8192U);
+}
 
 // A skin without servos records while others touch it.
 TEST(EmulatedBody, ASkinHolds) {

@@ -53,10 +53,13 @@ class LateLine : public Lines {
   }
   Result<std::size_t> write(std::size_t /*line*/, std::span<const std::uint8_t> bytes) override {
     for (const std::uint8_t byte : bytes) answers_.emplace_back(now_ + 0.15, byte);
+    ++requests;
     return bytes.size();
   }
   void wait(double until) override { now_ = std::min(until, now_ + 0.001); }
   Result<void> reopen(std::size_t /*line*/) override { return {}; }
+
+  std::size_t requests = 0;
 
  private:
   double now_ = 0.0;
@@ -75,6 +78,15 @@ TEST(Exchange, TakesALateAnswerForThatOfNoOtherRequest) {
     ASSERT_TRUE(complete && *complete);
     EXPECT_EQ(answer, letter);
   }
+}
+
+TEST(Exchange, WaitsAtLeastForItsPatience) {
+  LateLine line;
+  Exchange exchange(line, 0, 0.2);
+  const std::array<std::uint8_t, 1> request{7};
+  const auto complete = exchange.request(request, 0.1, 3, [](auto) { return true; });
+  EXPECT_TRUE(complete && *complete);
+  EXPECT_EQ(line.requests, 1U);
 }
 
 }  // namespace
