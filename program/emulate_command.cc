@@ -62,10 +62,11 @@ Result<std::string> device_text(const Arguments& arguments, ExploringBody body) 
 Result<double> read_clock(const Arguments& arguments) {
   if (!arguments.has("clock")) return 1.0;
   devices::DeviceSettings settings;
-  const Value value = value_from_text(devices::DeviceSettings::declarations().find("clock")->info,
-                                      arguments.text("clock"));
-  SOMATO_TRY_VOID(devices::DeviceSettings::declarations().find("clock")->assign(settings, value));
-  return settings.clock;
+  const auto clock = devices::DeviceSettings::declarations().find("clock");
+  auto read = clock->assign(settings, value_from_text(clock->info, arguments.text("clock")));
+  if (read) return settings.clock;
+  read.error().where = "--clock";
+  return fail(std::move(read.error()));
 }
 
 Result<EmulationRequest> read_emulation(const Arguments& arguments) {

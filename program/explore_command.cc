@@ -178,10 +178,14 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
     return fail(std::move(error));
   }
   if (outcome.failures.empty()) return {};
-  return fail(ErrorKind::kIncomplete,
-              fmt::format("{} of {} explorations failed and are not recorded",
-                          outcome.failures.size(), outcome.failures.size() + outcome.recorded),
-              request.output);
+  const std::size_t planned = request.plan.items * request.plan.explorations_each;
+  const std::size_t failed = outcome.failures.size();
+  const std::size_t left = planned - failed - outcome.recorded;
+  return fail(
+      ErrorKind::kIncomplete,
+      fmt::format("{} of {} explorations failed and are not recorded{}", failed, planned,
+                  left > 0 ? fmt::format("; the other {} were not begun", left) : std::string()),
+      request.output);
 }
 
 Result<void> explore_into(RecordingFile& file, const Request& request) {

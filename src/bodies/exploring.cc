@@ -66,6 +66,7 @@ class Queue {
     if (!explored) {
       if (explored.error().kind == ErrorKind::kInterrupted)
         return stop(std::move(explored.error()));
+      stopped_ = explored.error().kind == ErrorKind::kUnavailable;
       outcome_.failures.push_back({next_ / plan_.explorations_each, next_ % plan_.explorations_each,
                                    std::move(explored.error())});
     } else if (auto taken = sink_(std::move(*explored)); !taken) {

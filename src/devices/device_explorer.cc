@@ -71,14 +71,28 @@ Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
   return explore_by_holding(body, file_.settings);
 }
 
+Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) const {
+  if (!surroundings_.place) return {};
+  auto placed = surroundings_.place(things()[thing], trial);
+  if (placed || placed.error().kind != ErrorKind::kSystem) return placed;
+  placed.error().kind = ErrorKind::kUnavailable;  // The emulator has ended.
+  return placed;
+}
+
+Result<void> DeviceExplorer::start() const {
+  lines_.reset();
+  SOMATO_TRY(lines_, surroundings_.open_lines());
+  SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
+  if (surroundings_.on_switch) surroundings_.on_switch(*lines_, body_->relax_bytes());
+  return {};
+}
+
 Result<DeviceBody*> DeviceExplorer::body() const {
-  if (!body_) {
-    lines_.reset();
-    SOMATO_TRY(lines_, surroundings_.open_lines());
-    SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
-    if (surroundings_.on_switch) surroundings_.on_switch(*lines_, body_->relax_bytes());
-  }
-  return body_.get();
+  if (body_) return body_.get();
+  auto started = start();
+  if (started) return body_.get();
+  started.error().kind = ErrorKind::kUnavailable;
+  return fail(std::move(started.error()));
 }
 
 void DeviceExplorer::end_body() const {
@@ -119,7 +133,7 @@ Error DeviceExplorer::stopped(Error error) const {
 Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t trial,
                                                   const ExploreOptions& options) const {
   SOMATO_TRY(DeviceBody* const started, body());
-  if (surroundings_.place) SOMATO_TRY_VOID(surroundings_.place(things()[thing], trial));
+  SOMATO_TRY_VOID(place(thing, trial));
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   const Exploration named{labels_of_thing(things()[thing], trial), {}, {}};
   auto explored = explore_on(*started, named, options);

@@ -48,7 +48,8 @@ struct DeviceSurroundings {
 
 /// Explores with a device; used by one thread. The first exploration starts the device. Each has
 /// its thing placed, explores, and returns to the resting position, where the servos hold until the
-/// next one. After an error the servos are off, and the next exploration starts the device again.
+/// next one. After an error the servos are off, and the next exploration starts the device again;
+/// it fails (kUnavailable) if that is not possible, or if nothing can be placed any more.
 class DeviceExplorer : public Explorer {
  public:
   /// `source` names the device in recordings. Errors (kUsage): no things.
@@ -72,6 +73,8 @@ class DeviceExplorer : public Explorer {
   DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things, DeviceExploring exploring,
                  DeviceSurroundings surroundings);
 
+  Result<void> place(std::size_t thing, std::size_t trial) const;
+  Result<void> start() const;
   Result<DeviceBody*> body() const;
   Result<Exploration> explore_with(Body& body) const;
   Result<Exploration> explore_on(DeviceBody& body, const Exploration& named,

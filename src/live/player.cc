@@ -366,6 +366,7 @@ void Player::fail_exploring(const Error& error) {
   if (error.kind == ErrorKind::kInterrupted) return;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);
+  if (error.kind == ErrorKind::kUnavailable) planned_ = source_.plan.size();
 }
 
 // Those before are valid.

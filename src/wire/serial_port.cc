@@ -108,6 +108,7 @@ Result<Descriptor> open_serial_port(const std::string& port, std::size_t baud) {
   Descriptor opened(open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!opened.is_open()) return cannot_open(port);
   if (isatty(opened.number()) != 1) {
+    if (errno == EIO) return hung_up_at(port);
     return port_error("this is no serial port", port, "give the path of a serial port");
   }
   // Two processes would each read a part of the answers.

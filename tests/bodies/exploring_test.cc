@@ -102,6 +102,26 @@ TEST(ExploreAllThreads, AFailureIsListedAndNotRecorded) {
   }
 }
 
+TEST(ExploreAllThreads, AnUnavailableBodyIsTheLastFailure) {
+  for (std::size_t threads = 1; threads <= 4; ++threads) {
+    Keeper keeper;
+    const auto outcome = explore_all(
+        {40, 3, threads},
+        [](std::size_t item, std::size_t trial) -> Result<Exploration> {
+          if (item == 0 && trial == 1) return fail(ErrorKind::kSystem, "it flew away");
+          if (item > 0) return fail(ErrorKind::kUnavailable, "it is gone");
+          return uneven(item, trial);
+        },
+        keeper.sink());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(keeper.names, (Names{"0.0", "0.2"}));
+    EXPECT_EQ(outcome->recorded, 2U);
+    ASSERT_EQ(outcome->failures.size(), 2U);
+    EXPECT_EQ(outcome->failures[0].error.what, "it flew away");
+    EXPECT_EQ(outcome->failures[1].error.what, "it is gone");
+  }
+}
+
 TEST(ExploreAllThreads, NoneIsBegunFarAheadOfTheSink) {
   for (std::size_t threads = 1; threads <= 4; ++threads) {
     std::atomic<std::size_t> taken = 0;

@@ -12,6 +12,8 @@
 namespace somato {
 namespace {
 
+const Words kBuses{"ssc32", "dynamixel", "sts", "scs"};
+
 class Device : public EmulationTest {
  protected:
   Device() {
@@ -37,6 +39,41 @@ class Device : public EmulationTest {
     EXPECT_TRUE(recording) << to_string(recording.error());
     return recording ? *recording : Recording();
   }
+
+  // What was recorded before is whole, and the last states are beside it.
+  void expect_stopped_by_a_hang_up(const ProgramRun& done) const {
+    EXPECT_NE(done.exit_code, 0);
+    // While the next material is placed, the first sign may be a port that has gone.
+    const bool is_hung_up =
+        done.err.find("the line has hung up; check the cable") != std::string::npos;
+    const bool is_gone = done.err.find("cannot open the port") != std::string::npos;
+    EXPECT_TRUE(is_hung_up || is_gone) << done.err;
+    EXPECT_GE(recorded().explorations.size(), 1U);
+    EXPECT_NE(done.err.find("were not begun"), std::string::npos) << done.err;
+    // Between two explorations there are no states of a fault.
+    if (done.err.find("felt.mcap.fault.csv") == std::string::npos) return;
+    const std::string states = read("felt.mcap.fault.csv");
+    EXPECT_TRUE(states.starts_with("time")) << states.substr(0, 100);
+    EXPECT_GT(std::count(states.begin(), states.end(), '\n'), 10);
+  }
+
+  Words live(const std::string& objects, const std::string& explorations) const {
+    return {"live",      "--model", "out/system.somato", "--device",  "d.toml",
+            "--objects", objects,   "--explorations",    explorations};
+  }
+
+  // What `live` last reads of each thing.
+  std::vector<std::string> read_live(const std::string& objects) const {
+    const std::string lines = output_of(live(objects, "1"));
+    std::vector<std::string> read;
+    for (std::size_t begin = 0; begin < lines.size();) {
+      const std::size_t end = lines.find('\n', begin);
+      const auto line = nlohmann::json::parse(lines.substr(begin, end - begin));
+      if (line.at("final") == true) read.push_back(line.at("value").get<std::string>());
+      begin = end + 1;
+    }
+    return read;
+  }
 };
 
 TEST_F(Device, IsCheckedExploresIsTrainedOnAndRecognizes) {
@@ -53,21 +90,42 @@ TEST_F(Device, IsCheckedExploresIsTrainedOnAndRecognizes) {
           "[module.map]\ntype = 'som'\ninput = 'end'\nrows = 1\ncolumns = 4\n"
           "normalize_input = false\niterations = 200\n");
     output_of({"run", "study.toml", "--data", "felt.mcap", "--out", "out"});
-    const std::string lines =
-        output_of({"live", "--model", "out/system.somato", "--device", "d.toml", "--objects",
-                   "materials.toml", "--explorations", "1"});
-    std::vector<std::string> read;
-    for (std::size_t begin = 0; begin < lines.size();) {
-      const std::size_t end = lines.find('\n', begin);
-      const auto line = nlohmann::json::parse(lines.substr(begin, end - begin));
-      if (line.at("final") == true) read.push_back(line.at("value").get<std::string>());
-      begin = end + 1;
-    }
-    EXPECT_EQ(read, (std::vector<std::string>{"bark", "moss"}));
+    EXPECT_EQ(read_live("materials.toml"), (Words{"bark", "moss"}));
   });
   EXPECT_EQ(emulated.exit_code, 0) << emulated.err;
   EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
       << emulated.out << emulated.err;
+  // Now its ports are gone, which is said once.
+  for (const Words& words : {explore("3"), live("materials.toml", "3")}) {
+    const ProgramRun gone = run(words);
+    EXPECT_NE(gone.exit_code, 0);
+    const std::size_t first = gone.err.find("cannot open the port");
+    EXPECT_NE(first, std::string::npos) << gone.err;
+    EXPECT_EQ(gone.err.find("cannot open the port", first + 1), std::string::npos) << gone.err;
+  }
+}
+
+// Its microphone is a stream of samples beside the line of its servo.
+TEST_F(Device, TheTextureProbeIsTrainedOnAndRecognizes) {
+  write("sounds.toml",
+        "[material.bark]\nhardness = \"hard\"\nloss = 0.02\nroughness = 40\n"
+        "correlation_length = 1.0\n"
+        "[material.moss]\nhardness = \"soft\"\nloss = 0.4\nroughness = 5\n"
+        "correlation_length = 0.1\n");
+  with_emulation({"--body", "texture", "--bus", "sts", "--objects", "sounds.toml"}, [&] {
+    EXPECT_EQ(output_of({"explore", "--device", "d.toml", "--objects", "sounds.toml",
+                         "--explorations", "1", "-o", "felt.mcap"}),
+              "felt.mcap: 2 explorations of 2 things, 8192 frames each\n");
+    write("study.toml",
+          "[study]\nname = 'texture'\nlabel = 'material'\nseeds = 1\n"
+          "[module.sound]\ntype = 'channel'\nchannel = 'sound'\n"
+          "[module.spectrum]\ntype = 'spectrum'\ninput = 'sound'\nsegment_length = 4096\n"
+          "bands = 0\n"
+          "[module.map]\ntype = 'som'\ninput = 'spectrum'\nrows = 1\ncolumns = 4\n"
+          "iterations = 200\n");
+    output_of({"run", "study.toml", "--data", "felt.mcap", "--out", "out"});
+    EXPECT_EQ(read_live("sounds.toml"), (Words{"bark", "moss"}));
+  });
 }
 
 TEST_F(Device, ExploresOnOtherBuses) {
@@ -88,34 +146,29 @@ TEST_F(Device, ExploresOnOtherBuses) {
 }
 
 TEST_F(Device, StopsWhenItsLinesHangUpAndKeepsWhatWasExplored) {
-  ProgramRun done;
-  std::thread exploring;
-  with_probe(
-      "dynamixel",
-      [&] {
-        std::promise<void> has_explored;
-        std::future<void> explored = has_explored.get_future();
-        exploring = std::thread([&, has_explored = std::move(has_explored)]() mutable {
-          ProgramWorld world;
-          world.terminal = true;
-          world.interrupt_at = " left";  // after the first exploration
-          world.interrupt_with = 0;
-          world.before_interrupt = [&](const std::string&) { has_explored.set_value(); };
-          done = run(explore("100"), world);
-        });
-        explored.wait();
-      },
-      SIGKILL);
-  exploring.join();
-  EXPECT_NE(done.exit_code, 0);
-  EXPECT_NE(done.err.find("the line has hung up"), std::string::npos) << done.err;
-  EXPECT_NE(done.err.find("check the cable"), std::string::npos) << done.err;
-  EXPECT_GE(recorded().explorations.size(), 1U);
-  // Between two explorations there are no states of a fault.
-  if (done.err.find("felt.mcap.fault.csv") == std::string::npos) return;
-  const std::string states = read("felt.mcap.fault.csv");
-  EXPECT_TRUE(states.starts_with("time")) << states.substr(0, 100);
-  EXPECT_GT(std::count(states.begin(), states.end(), '\n'), 10);
+  for (const std::string& bus : kBuses) {
+    SCOPED_TRACE(bus);
+    ProgramRun done;
+    std::thread exploring;
+    with_probe(
+        bus,
+        [&] {
+          std::promise<void> has_explored;
+          std::future<void> explored = has_explored.get_future();
+          exploring = std::thread([&, has_explored = std::move(has_explored)]() mutable {
+            ProgramWorld world;
+            world.terminal = true;
+            world.interrupt_at = " left";  // after the first exploration
+            world.interrupt_with = 0;
+            world.before_interrupt = [&](const std::string&) { has_explored.set_value(); };
+            done = run(explore("100"), world);
+          });
+          explored.wait();
+        },
+        SIGKILL);
+    exploring.join();
+    expect_stopped_by_a_hang_up(done);
+  }
 }
 
 TEST_F(Device, IsSwitchedOffBySignals) {
@@ -157,17 +210,20 @@ TEST_F(Device, IsSwitchedOffByTheStopKey) {
 }
 
 TEST_F(Device, StopsWhenTheDiskIsFull) {
-  ProgramRun done;
-  const ProgramRun emulated = with_probe("dynamixel", [&] {
-    ProgramWorld world;
-    world.largest_file = 300;
-    done = run(explore("2"), world);
-  });
-  EXPECT_NE(done.exit_code, 0);
-  EXPECT_NE(done.err.find("felt.mcap"), std::string::npos) << done.err;
-  EXPECT_FALSE(std::filesystem::exists(path("felt.mcap")));
-  EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
-      << emulated.out << emulated.err;
+  for (const std::string& bus : kBuses) {
+    SCOPED_TRACE(bus);
+    ProgramRun done;
+    const ProgramRun emulated = with_probe(bus, [&] {
+      ProgramWorld world;
+      world.largest_file = 300;
+      done = run(explore("1"), world);
+    });
+    EXPECT_NE(done.exit_code, 0);
+    EXPECT_NE(done.err.find("felt.mcap"), std::string::npos) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(path("felt.mcap")));
+    EXPECT_NE(emulated.out.find("At the end, 0 of 1 servos were on.\n"), std::string::npos)
+        << emulated.out << emulated.err;
+  }
 }
 
 TEST_F(Device, MonitorPrintsWhatIsMeasured) {

@@ -38,7 +38,8 @@ struct ExploringOutcome {
 
 /// Explores all items, each for all its trials before the next. Explorations run in parallel, but
 /// are passed to `sink` in this order for any number of threads; the number of explorations ahead
-/// of it is at most twice the number of threads. A failing exploration is left out and listed.
+/// of it is at most twice the number of threads. A failing exploration is left out and listed; if
+/// the body is unavailable (kUnavailable), it is the last one.
 /// `progress` is called before the first and after each, completed or failed, in order. Errors:
 /// those of the sink, and kInterrupted if `progress` requests to stop or an exploration ends in
 /// this way. No more are begun then, and the sink has received all preceding ones. An exception of

@@ -13,6 +13,7 @@ enum class ErrorKind {
   kSystem,       ///< The operating system reported an error (missing path, full disk): exit code 1.
   kIncomplete,   ///< Completed, but not everything could be saved: exit code 3.
   kInterrupted,  ///< Stopped on request; files on disk are complete: exit code 130.
+  kUnavailable,  ///< A device cannot be used, so that trying again is useless: exit code 1.
 };
 
 /// A failure with an external cause: what is wrong, where, and how to correct it.
