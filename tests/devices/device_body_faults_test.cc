@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "devices/device_io.h"
 #include "devices/device_text.h"
 #include "emulation/dynamixel_servos.h"
 #include "emulation/feetech_servos.h"
 #include "emulation/sensor_board.h"
+#include "somato/core/random.h"
 #include "support/emulated_device.h"
 #include "support/fake_hand.h"
 
@@ -175,6 +177,35 @@ void expect_goes_on(FaultyFingers& fingers, const std::function<void()>& fault) 
   }
 }
 
+// The recording holds what arrives.
+void expect_stuck_and_dead_taxels(FaultyFingers& fingers) {
+  const auto body = DeviceBody::start(fingers.device.file, fingers.device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->command(std::array{30.0, 45.0}));
+  ASSERT_TRUE((*body)->step(1.5));
+  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
+  fingers.sensors().stick(0);
+  fingers.sensors().kill(1);
+  ASSERT_TRUE((*body)->command(std::array{60.0, 90.0}));
+  ASSERT_TRUE((*body)->step(1.5));
+  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
+  EXPECT_EQ((*body)->state().readings[0](0, 1), 0.0F);
+  EXPECT_LE(fingers.beyond(), kResolution);
+}
+
+// Anything that a faulty program may command, mostly impossible.
+double random_target(Random& random) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::array targets{std::numeric_limits<double>::quiet_NaN(),
+                           kInfinity,
+                           -kInfinity,
+                           1e300 * (random.uniform() - 0.5),
+                           400.0 * (random.uniform() - 0.5),
+                           90.0 * random.uniform(),
+                           90.0 * random.uniform()};
+  return targets.at(static_cast<std::size_t>(random.uniform() * targets.size()));
+}
+
 std::string bus_name(const ::testing::TestParamInfo<BusKind>& info) {
   return choice_name(info.param);
 }
@@ -276,20 +307,8 @@ TEST_P(DeviceFaults, AnOverloadStopsTheBodyUntilAReboot) {
   EXPECT_TRUE(started) << to_string(started.error());
 }
 
-// The recording holds what arrives.
 TEST_P(DeviceFaults, StuckAndDeadTaxelsGiveWhatTheyGive) {
-  const auto body = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
-  ASSERT_TRUE(body) << to_string(body.error());
-  ASSERT_TRUE((*body)->command(std::array{30.0, 45.0}));
-  ASSERT_TRUE((*body)->step(1.5));
-  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
-  fingers_.sensors().stick(0);
-  fingers_.sensors().kill(1);
-  ASSERT_TRUE((*body)->command(std::array{60.0, 90.0}));
-  ASSERT_TRUE((*body)->step(1.5));
-  EXPECT_NEAR((*body)->state().readings[0](0, 0), 0.5F, 0.02F);
-  EXPECT_EQ((*body)->state().readings[0](0, 1), 0.0F);
-  EXPECT_LE(fingers_.beyond(), kResolution);
+  expect_stuck_and_dead_taxels(fingers_);
 }
 
 TEST_P(DeviceFaults, AStuckJointStaysAndTheOthersMove) {
@@ -308,6 +327,24 @@ TEST_P(DeviceFaults, ASlowLineStopsTheBody) {
   EXPECT_EQ(outcome.error.kind, ErrorKind::kSystem);
   EXPECT_EQ(outcome.error.where, "servo port");
   EXPECT_LT(outcome.after, 1.0);
+}
+
+TEST_P(DeviceFaults, RandomCommandsDriveNoServoBeyondItsLimits) {
+  const auto body = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  Random random(1, Stream::kHandSensors);
+  std::size_t accepted = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double thumb = random_target(random);
+    const double index = random_target(random);
+    const bool is_possible = thumb >= 0.0 && thumb <= 60.0 && index >= 0.0 && index <= 90.0;
+    ASSERT_EQ((*body)->command(std::array{thumb, index}).has_value(), is_possible);
+    accepted += is_possible ? 1 : 0;
+    const auto stepped = (*body)->step(0.02);
+    ASSERT_TRUE(stepped) << to_string(stepped.error());
+  }
+  EXPECT_GT(accepted, 200U);
+  EXPECT_LE(fingers_.beyond(), kResolution);
 }
 
 TEST_P(DeviceFaults, SensorsThatHangUpStopTheBodyWhichHoldsAndRelaxes) {
@@ -337,6 +374,28 @@ TEST_P(SensorFaults, SilenceForThreePeriodsStopsTheBody) {
   EXPECT_EQ(outcome.error.where, "sensor port");
   EXPECT_NEAR(outcome.after, 0.06 + 0.5, 0.06);
   EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(SensorFaults, AHangUpIsNoticedWithin100Milliseconds) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().hung_up = true; });
+  ASSERT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.error.what, "the line has hung up");
+  EXPECT_LT(outcome.after, 0.1 + 0.5);
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+// A checked frame is right or missing. Without a checksum a value may be wrong, and then the body
+// stops if it is above the limit.
+TEST_P(SensorFaults, OneByteInAThousandMayBeFlipped) {
+  const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().flipped = 0.001; });
+  if (!outcome.stopped) return;
+  EXPECT_NE(GetParam(), FrameFormat::kFrames);
+  EXPECT_NE(outcome.error.what.find("above the limit"), std::string::npos) << outcome.error.what;
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(SensorFaults, StuckAndDeadTaxelsGiveWhatTheyGive) {
+  expect_stuck_and_dead_taxels(fingers_);
 }
 
 TEST_P(SensorFaults, NothingButGarbageStopsTheBody) {
