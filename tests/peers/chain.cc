@@ -1,7 +1,9 @@
-// A chain of emulated servos and a bus of ours for the tests of foreign libraries: reads one
-// command a line, and answers each by one line. Bytes are written in hexadecimal.
+// A chain of emulated servos and a bus of ours, or an emulated skin and its decoder, for the tests
+// of foreign libraries: reads one command a line, and answers each by one line. Bytes are written
+// in hexadecimal.
 //
 // usage: peer_chain dynamixel|sts|scs SERVOS
+//        peer_chain skin MAGNETOMETERS
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@
 #include "emulation/dynamixel_servos.h"
 #include "emulation/feetech_servos.h"
 #include "support/board_line.h"
+#include "wire/anyskin_frame.h"
 
 namespace somato {
 namespace {
@@ -162,8 +165,8 @@ struct Peer {
   testing::BoardLine line;
 };
 
-template <typename Servos, typename Bus>
-void serve(Peer<Servos, Bus> peer) {
+template <typename Obeying>
+void serve(Obeying peer) {
   for (std::string command; std::getline(std::cin, command);) {
     std::cout << peer.obey({std::istringstream(command)}) << std::endl;
   }
@@ -192,6 +195,39 @@ void serve_feetech(FeetechSeries series, std::uint8_t count) {
              std::make_unique<devices::FeetechBus>(declared), series));
 }
 
+// Writes and reads the frames of a skin. Numbers are written with all their digits.
+struct SkinPeer {
+  explicit SkinPeer(std::size_t count) : magnetometers(count), decoder(count) {}
+
+  std::string frame(Words& words) const {
+    std::vector<float> values(4 * magnetometers);
+    for (float& value : values) value = std::stof(words.next<std::string>());
+    Bytes bytes(wire::anyskin_frame_bytes(magnetometers));
+    wire::encode_anyskin_frame(values, bytes);
+    return hex_of(bytes);
+  }
+
+  // The values of all frames that the bytes complete.
+  std::string read(const Bytes& bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+      if (!decoder.take(byte)) continue;
+      for (const float value : decoder.values()) text += fmt::format("{:.9g} ", value);
+    }
+    return text;
+  }
+
+  std::string obey(Words words) {
+    const auto what = words.next<std::string>();
+    if (what == "frame") return frame(words);
+    if (what == "read") return read(words.bytes());
+    return "unknown command";
+  }
+
+  std::size_t magnetometers;
+  wire::AnySkinDecoder decoder;
+};
+
 }  // namespace
 }  // namespace somato
 
@@ -199,6 +235,7 @@ int main(int count, char** arguments) {
   if (count != 3) return 2;
   const std::string kind = arguments[1];
   const auto servos = static_cast<std::uint8_t>(std::stoi(arguments[2]));
+  if (kind == "skin") somato::serve(somato::SkinPeer(servos));
   if (kind == "dynamixel") somato::serve_dynamixel(servos);
   if (kind == "sts") somato::serve_feetech(somato::FeetechSeries::kSts, servos);
   if (kind == "scs") somato::serve_feetech(somato::FeetechSeries::kScs, servos);

@@ -1,4 +1,4 @@
-"""Frames of magnetic skins as the libraries anyskin and reskin_sensor of their makers read them."""
+"""Our frames of magnetic skins against the libraries that read them, anyskin and reskin_sensor."""
 
 import random
 import struct
@@ -8,13 +8,17 @@ from io import StringIO
 
 import numpy as np
 from anyskin import AnySkinBase
+from chain import Chain
 from reskin_sensor import ReSkinBase
 
 
 def frame(values):
-    """The bytes of one frame: temperature and field of each magnetometer. A codec of ours can take
-    the place of this function, because its result is what the libraries read."""
+    """The bytes of one frame, as the boards of the libraries send it."""
     return struct.pack(f"<{len(values)}f", *values) + b"\r\n"
+
+
+def texts(values):
+    return [f"{value:.9g}" for value in values]
 
 
 class Stream:
@@ -63,7 +67,47 @@ def readers(magnetometers, stream):
             yield reader(num_mags=magnetometers, temp_filtered=False)
 
 
+class Codec(unittest.TestCase):
+    """Our encoder and decoder."""
+
+    def skin(self, magnetometers):
+        skin = Chain("skin", magnetometers)
+        self.addCleanup(skin.close)
+        return skin
+
+    def plausible(self, numbers, magnetometers):
+        """Temperatures and fields that a magnetometer can measure, as the decoder demands."""
+        return np.array([numbers.uniform(-500, 500) if i % 4 else numbers.uniform(15, 40)
+                         for i in range(4 * magnetometers)], dtype=np.float32)
+
+    def test_the_libraries_read_what_we_write(self):
+        numbers = random.Random(2)
+        for magnetometers in (1, 5, 15):
+            skin = self.skin(magnetometers)
+            sent = [self.plausible(numbers, magnetometers) for _ in range(10)]
+            written = [skin.bytes("frame", *texts(values)) for values in sent]
+            self.assertEqual(written, [frame(values) for values in sent])
+            for reader in readers(magnetometers, b"".join(written) + b"\r"):
+                for values in sent:
+                    np.testing.assert_array_equal(reader.get_sample()[-1], values)
+
+    def test_we_read_what_the_libraries_read(self):
+        numbers = random.Random(3)
+        for magnetometers in (1, 5, 15):
+            sent = [self.plausible(numbers, magnetometers) for _ in range(10)]
+            stream = b"".join(map(frame, sent))
+            skin = self.skin(magnetometers)
+            read = np.array(skin.ask("read", stream.hex()).split(), dtype=np.float32)
+            # Nothing shows that the first frame is whole.
+            np.testing.assert_array_equal(read, np.concatenate(sent[1:]))
+            for reader in readers(magnetometers, stream + b"\r"):
+                for values in sent:
+                    np.testing.assert_array_equal(reader.get_sample()[-1], values)
+
+
 class Frames(unittest.TestCase):
+    """What the libraries do with a stream, on which our decoder relies."""
+
     def test_values(self):
         numbers = random.Random(1)
         for magnetometers in (1, 5, 15):
