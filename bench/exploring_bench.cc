@@ -26,7 +26,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Of a table the thing of that index, which ends as benchmark's label.
+// The thing with that index in a table; the index is written as the benchmark's label.
 const Object& thing_of(benchmark::State& state, ExploringBody body) {
   static const ObjectTable two = default_things(ExploringBody::kLucs2).value();
   static const ObjectTable three = default_things(ExploringBody::kLucs3).value();

@@ -60,10 +60,10 @@ void count_moves(const Counted& counted) {
   AlignedVector<float> squares(gains.size());
   const kernels::Measures measures{partial.data(), products.data(), squares.data()};
   const LaneMatrix<float> mask = noisy_map<float>(kRows, kColumns / 2);
-  const kernels::Hearing hearing{kernels::lanes(mask), 20, x.data(), false};
+  const kernels::ReceptiveInput input{kernels::lanes(mask), 20, x.data(), false};
   counted(
       "t_mpsom.move_and_measure",
-      [&] { table.move_and_measure(w, x.data(), moves, hearing, measures); },
+      [&] { table.move_and_measure(w, x.data(), moves, input, measures); },
       [&] { return digest_of(partial, digest_of(products, digest_of(squares, digest_of(map)))); });
   counted(
       "t_mpsom.find_measured_moves",

@@ -1,4 +1,4 @@
-// What this machine can do at most, as JSON: multiply-adds in registers [FLOP/s], and reading,
+// Measures the limits of this machine, as JSON: multiply-adds in registers [FLOP/s], and reading,
 // changing and writing memory that no cache holds [bytes/s]; each the median of several repeats.
 //
 //     limits THREADS

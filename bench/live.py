@@ -15,7 +15,7 @@ def row(name, **more):
 
 
 def medians(found):
-    """Of each benchmark that counts frames its median of all repetitions."""
+    """Each benchmark that counts frames, with its median over all repetitions."""
     for entry in found["benchmarks"]:
         if COUNTER in entry and entry.get("aggregate_name") == "median":
             yield entry["run_name"].split("/")[-1], entry[COUNTER] * 1e-6, entry["repetitions"]

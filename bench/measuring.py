@@ -146,7 +146,7 @@ def add_limits(bench, row, result):
     case["neurons"] = case.get("rows", 0) * case.get("columns", 0)
     case["counted_steps"] = counted_steps(row, case)
     products = {entry["threads"]: entry["seconds"] for entry in result["others"]
-                if entry["name"] == "BLAS product alone" and "seconds" in entry}
+                if entry["name"] == "BLAS product only" and "seconds" in entry}
     for entry in [result, *(other for other in result["others"] if other.get("is_ours"))]:
         threads = entry["threads"]
         known = {"product_seconds": products[threads]} if threads in products else {}

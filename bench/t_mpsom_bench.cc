@@ -67,7 +67,7 @@ void t_mpsom_activation(benchmark::State& state) {
 }
 BENCHMARK(t_mpsom_activation)->ArgName("frames_a_posture")->Arg(1)->Arg(8);
 
-// Of the processor, that others on the machine do not count.
+// Returns the processor's time, which does not count other processes of the machine.
 double seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

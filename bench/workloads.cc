@@ -54,7 +54,7 @@ CommandLine read_command_line(std::span<char*> arguments) {
   return line;
 }
 
-// Of this program only: getrusage() includes the program that started it.
+// Reads the peak of this program only: getrusage() includes the program that started it.
 long peak_kib() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {

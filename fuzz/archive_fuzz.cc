@@ -25,7 +25,7 @@ std::string made_whole(std::string bytes) {
   return bytes;
 }
 
-// Whatever is accepted is exactly what would be written.
+// An accepted archive is exactly what would be written.
 void check(const std::string& bytes) {
   const somato::Result<somato::Archive> archive = somato::decode_archive(bytes, "input");
   if (archive) SOMATO_ASSERT(somato::encode_archive(*archive) == bytes);

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Whatever is accepted is finite, and reads back when it is written.
+// An accepted table is finite, and reads back when it is written.
 void check(std::string_view text, const somato::CsvOptions& options) {
   const somato::Result<somato::NumberTable> table = somato::parse_csv(text, "input", options);
   if (!table) return;
@@ -18,7 +18,7 @@ void check(std::string_view text, const somato::CsvOptions& options) {
   SOMATO_ASSERT(somato::parse_csv(somato::format_csv(*table), "again", again) == *table);
 }
 
-// Of what is accepted, all is finite or missing, and nothing is infinite.
+// All numbers of an accepted table are finite or missing; none is infinite.
 void check_missing(std::string_view text, const somato::CsvOptions& options) {
   const somato::Result<somato::NumberTable> table = somato::parse_csv(text, "input", options);
   if (!table) return;

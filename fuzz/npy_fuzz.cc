@@ -5,7 +5,7 @@
 #include "somato/core/check.h"
 #include "somato/files/npy.h"
 
-// Whatever is accepted is finite, and reads back when it is written.
+// An accepted matrix is finite, and reads back when it is written.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const somato::Result<somato::Matrix<float>> matrix = somato::decode_npy(bytes, "input");

@@ -32,7 +32,7 @@ struct Folder {
 
 }  // namespace
 
-// What is read and valid reads back when it is written; what is saved of anything can be read.
+// A valid recording reads back when it is written; the part that recovery saves can be read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Folder folder;
   const std::string in = folder.name + "/in";

@@ -5,7 +5,7 @@
 #include "report/results_file.h"
 #include "somato/core/check.h"
 
-// Whatever is accepted makes a report, or is refused by it, and nothing in the page ends its
+// An accepted document makes a report, or is refused by it, and nothing in the page ends its
 // element.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

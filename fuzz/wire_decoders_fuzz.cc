@@ -29,7 +29,7 @@ void expect_same(Decoder decoder, Bytes bytes, std::span<const float> values) {
   SOMATO_ASSERT(same(decoder.values(), values));
 }
 
-// What is accepted is finite, and reads back when it is written after the end of a frame or line.
+// An accepted frame is finite, and reads back when it is written after the end of a frame or line.
 template <typename Decoder, typename Encode>
 void expect_round_trips(const Decoder& fresh, Bytes ending, Bytes stream, const Encode& encode) {
   Decoder decoder = fresh;

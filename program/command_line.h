@@ -36,7 +36,7 @@ struct Flag {
   bool required = false;
   bool takes_value = true;
   Role role = Role::kValue;
-  std::vector<std::string> writes = {};  ///< Of an output folder: the names of the files in it.
+  std::vector<std::string> writes = {};  ///< The names of the files in an output folder.
 };
 
 Flag input_flag(std::string name, std::string text, bool required = false);
@@ -47,7 +47,8 @@ Flag folder_flag(std::string name, std::string text, std::vector<std::string> wr
 class Arguments {
  public:
   std::map<std::string, std::string> texts;
-  std::map<std::string, std::vector<std::string>> lists;  ///< Of positionals that take many.
+  std::map<std::string, std::vector<std::string>>
+      lists;  ///< The values of positionals that take many.
 
   bool has(const std::string& name) const { return texts.contains(name); }
   std::string text(const std::string& name) const;

@@ -75,19 +75,15 @@ std::vector<Flag> data_flags() {
 Result<CsvOptions> read_table_options(const Arguments& arguments) {
   CsvOptions options;
   options.label_column = arguments.text("label-column");
-  auto header = read_header(arguments);
-  if (!header) return fail(std::move(header.error()));
-  auto decimal = read_decimal(arguments);
-  if (!decimal) return fail(std::move(decimal.error()));
-  auto use = read_items(arguments, "columns-to-use");
-  if (!use) return fail(std::move(use.error()));
-  auto skip = read_items(arguments, "skip");
-  if (!skip) return fail(std::move(skip.error()));
+  SOMATO_TRY(auto header, read_header(arguments));
+  SOMATO_TRY(auto decimal, read_decimal(arguments));
+  SOMATO_TRY(auto use, read_items(arguments, "columns-to-use"));
+  SOMATO_TRY(auto skip, read_items(arguments, "skip"));
   SOMATO_TRY(const auto missing, read_missing(arguments));
-  options.header = *header;
-  options.decimal = *decimal;
-  options.columns.use = std::move(*use);
-  options.columns.skip = std::move(*skip);
+  options.header = header;
+  options.decimal = decimal;
+  options.columns.use = std::move(use);
+  options.columns.skip = std::move(skip);
   options.keeps_missing = missing != MissingFill::kRefuse;
   return options;
 }

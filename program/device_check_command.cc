@@ -21,8 +21,8 @@ using devices::ServoReport;
 
 constexpr double kListening = 2.0;  // s
 
-// What the lines gave while they were polled for a time.
-struct Heard {
+// The traffic of the lines while they are polled for a time.
+struct Traffic {
   double seconds = 0.0;
   std::vector<double> latencies;  // s, of answers of the servos.
   std::uint64_t frames = 0;
@@ -37,22 +37,22 @@ double newest(const DeviceIo& io) {
   return newest;
 }
 
-Heard counted_so_far(const DeviceIo& io) {
-  Heard heard;
-  if (io.stream() == nullptr) return heard;
-  heard.frames = io.stream()->frames();
-  heard.lost = io.stream()->lost();
-  heard.rejected = io.stream()->rejected();
-  return heard;
+Traffic counted_so_far(const DeviceIo& io) {
+  Traffic traffic;
+  if (io.stream() == nullptr) return traffic;
+  traffic.frames = io.stream()->frames();
+  traffic.lost = io.stream()->lost();
+  traffic.rejected = io.stream()->rejected();
+  return traffic;
 }
 
 // Polls the servos without moving them.
-Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
+Result<Traffic> listen(const DeviceFile& file, DeviceIo& io) {
   const std::vector<double> nowhere(file.servos.size(), NAN);
-  Heard heard;
-  SOMATO_TRY_VOID(io.receive());  // What waited is older.
+  Traffic traffic;
+  SOMATO_TRY_VOID(io.receive());  // Older input is discarded.
   if (io.samples() != nullptr) io.samples()->keep(0);
-  const Heard before = counted_so_far(io);
+  const Traffic before = counted_so_far(io);
   const double start = io.now();
   double sent_before = start;
   double last = start;
@@ -67,20 +67,20 @@ Result<Heard> listen(const DeviceFile& file, DeviceIo& io) {
     // A bus may take an answer with its next request only.
     if (newest(io) > last) {
       last = newest(io);
-      heard.latencies.push_back(last - (last >= sent ? sent : sent_before));
+      traffic.latencies.push_back(last - (last >= sent ? sent : sent_before));
     }
     sent_before = sent;
     if (io.samples() != nullptr) {
-      heard.samples += io.samples()->size();
+      traffic.samples += io.samples()->size();
       io.samples()->keep(0);
     }
   }
-  heard.seconds = io.now() - start;
-  const Heard after = counted_so_far(io);
-  heard.frames = after.frames - before.frames;
-  heard.lost = after.lost - before.lost;
-  heard.rejected = after.rejected - before.rejected;
-  return heard;
+  traffic.seconds = io.now() - start;
+  const Traffic after = counted_so_far(io);
+  traffic.frames = after.frames - before.frames;
+  traffic.lost = after.lost - before.lost;
+  traffic.rejected = after.rejected - before.rejected;
+  return traffic;
 }
 
 std::string servo_line(const devices::ServoSettings& servo, const ServoReport& report) {
@@ -100,48 +100,48 @@ std::string servo_line(const devices::ServoSettings& servo, const ServoReport& r
   return line + "\n";
 }
 
-std::string servos_text(const DeviceFile& file, const DeviceIo& io, Heard& heard) {
+std::string servos_text(const DeviceFile& file, const DeviceIo& io, Traffic& traffic) {
   if (!file.servo_line) return {};
   std::string text = fmt::format("servos: {} at {}, {} bit/s\n", choice_name(file.servo_line->bus),
                                  file.servo_line->port, file.servo_line->baud);
   for (std::size_t i = 0; i < file.servos.size(); ++i) {
     text += servo_line(file.servos[i], io.reports()[i]);
   }
-  if (heard.latencies.empty()) return text + "answers: none\n";
-  std::sort(heard.latencies.begin(), heard.latencies.end());
+  if (traffic.latencies.empty()) return text + "answers: none\n";
+  std::sort(traffic.latencies.begin(), traffic.latencies.end());
   const auto at = [&](double share) {
-    return 1e3 * heard.latencies[static_cast<std::size_t>(
-                     share * static_cast<double>(heard.latencies.size() - 1))];
+    return 1e3 * traffic.latencies[static_cast<std::size_t>(
+                     share * static_cast<double>(traffic.latencies.size() - 1))];
   };
   return text + fmt::format("answers: {} within a period, median {:.1f} ms, longest {:.1f} ms\n",
-                            heard.latencies.size(), at(0.5), at(1.0));
+                            traffic.latencies.size(), at(0.5), at(1.0));
 }
 
-std::string frames_text(const DeviceFile& file, const Heard& heard) {
+std::string frames_text(const DeviceFile& file, const Traffic& traffic) {
   std::string text;
   if (file.frame_line) {
     text +=
         fmt::format("frames: {} at {}, {:.1f} per second ({:g} expected), {} lost, {} rejected\n",
                     choice_name(file.frame_line->format), file.frame_line->port,
-                    static_cast<double>(heard.frames) / heard.seconds, file.frame_line->rate,
-                    heard.lost, heard.rejected);
+                    static_cast<double>(traffic.frames) / traffic.seconds, file.frame_line->rate,
+                    traffic.lost, traffic.rejected);
   }
   if (file.microphone) {
-    text += fmt::format("microphone: {}, {:.0f} samples per second ({:g} expected)\n",
-                        file.microphone->source, static_cast<double>(heard.samples) / heard.seconds,
-                        file.microphone->rate);
+    text += fmt::format(
+        "microphone: {}, {:.0f} samples per second ({:g} expected)\n", file.microphone->source,
+        static_cast<double>(traffic.samples) / traffic.seconds, file.microphone->rate);
   }
   return text;
 }
 
-// What an exploration would stop for.
-Result<void> judge(const DeviceFile& file, const DeviceIo& io, const Heard& heard) {
+// Returns the error for which an exploration would stop.
+Result<void> judge(const DeviceFile& file, const DeviceIo& io, const Traffic& traffic) {
   SOMATO_TRY_VOID(io.check_errors());
-  if (file.frame_line && heard.frames == 0) {
+  if (file.frame_line && traffic.frames == 0) {
     return fail(ErrorKind::kSystem, "no valid sensor frame arrived", file.frame_line->port,
                 "check the cable, and 'format', 'elements' and 'baud' of [frames]");
   }
-  if (file.microphone && heard.samples == 0) {
+  if (file.microphone && traffic.samples == 0) {
     return fail(ErrorKind::kSystem, "no samples arrived", file.microphone->source,
                 "check the sound device");
   }
@@ -156,12 +156,12 @@ Result<void> run_check(const Arguments& arguments) {
   const ServoGuard guard(*lines, io.relax_bytes());
   if (arguments.has("reboot")) SOMATO_TRY_VOID(io.reboot());
   SOMATO_TRY_VOID(io.start());
-  auto heard = listen(file, io);
+  auto traffic = listen(file, io);
   io.relax();
-  if (!heard) return fail(std::move(heard.error()));
-  fmt::print("device: {}\n{}{}", file.settings.name, servos_text(file, io, *heard),
-             frames_text(file, *heard));
-  SOMATO_TRY_VOID(judge(file, io, *heard));
+  if (!traffic) return fail(std::move(traffic.error()));
+  fmt::print("device: {}\n{}{}", file.settings.name, servos_text(file, io, *traffic),
+             frames_text(file, *traffic));
+  SOMATO_TRY_VOID(judge(file, io, *traffic));
   fmt::print("The device can explore.\n");
   return {};
 }

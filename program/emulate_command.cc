@@ -29,7 +29,7 @@ using emulation::PtyEmulator;
 
 struct EmulationRequest {
   ExploringBody body = ExploringBody::kLucs2;
-  std::string text;  // Of the device file.
+  std::string text;  // The text of the device file.
   DeviceFile file;
   ObjectTable things;
   std::uint64_t seed = 1;

@@ -51,9 +51,8 @@ Result<ExploringParameters> read_parameters(const Arguments& arguments, Explorin
     parameters = std::move(*read);
   }
   SOMATO_TRY_VOID(check_flags(arguments, body));
-  auto simulation = read_flags<SimulationParameters>(arguments, parameters.simulation);
-  if (!simulation) return fail(std::move(simulation.error()));
-  parameters.simulation = std::move(*simulation);
+  SOMATO_TRY(auto simulation, read_flags<SimulationParameters>(arguments, parameters.simulation));
+  parameters.simulation = std::move(simulation);
   return parameters;
 }
 
@@ -109,8 +108,7 @@ Result<Request> read_request(const Arguments& arguments) {
                 "add --body lucs2, or --device FILE");
   }
   SOMATO_TRY(auto body, read_body(arguments));
-  auto things = read_things(arguments, body);
-  if (!things) return fail(std::move(things.error()));
+  SOMATO_TRY(auto things, read_things(arguments, body));
   SOMATO_TRY(auto parameters, read_parameters(arguments, body));
   SOMATO_TRY(auto seed, arguments.number("seed", 0));
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
@@ -118,12 +116,12 @@ Result<Request> read_request(const Arguments& arguments) {
   SOMATO_TRY(auto threads, read_threads(arguments));
   const std::string image_folder = arguments.text("images");
   auto pictures = image_folder.empty() ? nullptr : std::make_unique<GraspPictures>(image_folder);
-  auto explorer = simulated_explorer(body, *things, parameters, seed.value_or(1), pictures.get());
-  if (!explorer) return fail(std::move(explorer.error()));
-  const std::size_t count = (*explorer)->things().size();
+  SOMATO_TRY(auto explorer,
+             simulated_explorer(body, things, parameters, seed.value_or(1), pictures.get()));
+  const std::size_t count = explorer->things().size();
   return Request{
-      std::move(pictures),      std::move(*explorer), {count, explorations.value_or(5), threads},
-      arguments.text("output"), image_folder,         longest.value_or(600)};
+      std::move(pictures),      std::move(explorer), {count, explorations.value_or(5), threads},
+      arguments.text("output"), image_folder,        longest.value_or(600)};
 }
 
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.

@@ -66,9 +66,8 @@ Result<CsvChannel> channel_of(const std::string& text) {
 
 Result<CsvImport> description_of_flags(const Arguments& arguments) {
   CsvImport description;
-  auto trials = read_flags<CsvTrials>(arguments);
-  if (!trials) return fail(std::move(trials.error()));
-  description.trials = std::move(*trials);
+  SOMATO_TRY(auto trials, read_flags<CsvTrials>(arguments));
+  description.trials = std::move(trials);
   if (!arguments.has("channels")) return description;
   for (const std::string& text : split(arguments.text("channels"), ',')) {
     SOMATO_TRY(auto channel, channel_of(text));

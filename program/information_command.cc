@@ -48,7 +48,7 @@ std::string text_of(const Information& information) {
   return text + (information.order ? text_of(*information.order, information.parameters) : "");
 }
 
-Result<StudyDescription> read_asked_study(const Arguments& arguments) {
+Result<StudyDescription> read_requested_study(const Arguments& arguments) {
   return read_file_or_own(arguments.text("STUDY")).and_then([](const NamedFile& file) {
     return read_study(file.content);
   });
@@ -57,7 +57,7 @@ Result<StudyDescription> read_asked_study(const Arguments& arguments) {
 Result<Information> measure(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<InformationParameters>(arguments));
   SOMATO_TRY(auto threads, read_threads(arguments));
-  SOMATO_TRY(auto description, read_asked_study(arguments));
+  SOMATO_TRY(auto description, read_requested_study(arguments));
   SOMATO_TRY(auto recording, read_study_data(description.recording.format, arguments.text("data")));
   auto information = measure_information(description, recording, parameters, threads);
   if (!information) return fail(with_place(std::move(information.error()), arguments.text("data")));

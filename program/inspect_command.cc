@@ -116,10 +116,9 @@ Table table_of(const RecordingSummary& summary) {
 }
 
 Result<void> inspect(const Arguments& arguments) {
-  Result<RecordingSummary> summary = inspect_recording(arguments.text("FILE"));
-  if (!summary) return fail(std::move(summary.error()));
-  print_result(arguments, text_of(*summary), table_of(*summary));
-  if (summary->damage) return fail(std::move(*summary->damage));
+  SOMATO_TRY(auto summary, inspect_recording(arguments.text("FILE")));
+  print_result(arguments, text_of(summary), table_of(summary));
+  if (summary.damage) return fail(std::move(*summary.damage));
   return {};
 }
 

@@ -37,17 +37,16 @@ Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
   SOMATO_TRY(auto model, load_som_model(path));
   SOMATO_TRY(const auto missing, read_missing(arguments));
   SOMATO_TRY_VOID(check_fills(model, missing, path));
-  auto rows = read_rows(arguments, model.features);
-  if (!rows) return fail(std::move(rows.error()));
-  if (rows->size() != model.som.input_size()) {
+  SOMATO_TRY(auto rows, read_rows(arguments, model.features));
+  if (rows.size() != model.som.input_size()) {
     return fail(ErrorKind::kData,
-                fmt::format("the data have {} columns, but the map requires {}", rows->size(),
+                fmt::format("the data have {} columns, but the map requires {}", rows.size(),
                             model.som.input_size()),
-                rows->path,
+                rows.path,
                 "use data with the columns that the map was trained on, or select them with "
                 "--columns-to-use or --skip");
   }
-  return MapAndRows{std::move(model), std::move(*rows)};
+  return MapAndRows{std::move(model), std::move(rows)};
 }
 
 Result<SamplePart> SamplesInRange::next() {

@@ -32,13 +32,11 @@ Flag test_recording_flag() {
 }
 
 Result<void> read_threads_and_data(const Arguments& arguments, PairsRequest& request) {
-  auto threads = read_threads(arguments);
-  if (!threads) return fail(std::move(threads.error()));
-  request.threads = *threads;
+  SOMATO_TRY(auto threads, read_threads(arguments));
+  request.threads = threads;
   if (arguments.has("data")) {
-    auto given = GivenRecordings::at(arguments.text("data"));
-    if (!given) return fail(std::move(given.error()));
-    request.given = std::move(*given);
+    SOMATO_TRY(auto given, GivenRecordings::at(arguments.text("data")));
+    request.given = std::move(given);
   }
   if (!arguments.has("test-data")) return {};
   SOMATO_TRY(auto test, read_given(RecordingFormat::kAutomatic, arguments.text("test-data")));

@@ -7,10 +7,10 @@
 
 namespace somato::program {
 
-/// What a system says after a moment, as one line of JSON (docs/live.md) with its line break.
+/// The reading of a system after a moment, as one line of JSON (docs/live.md) with its line break.
 std::string moment_line(const live::SaidReading& said);
 
-/// What it says of the whole exploration, with the label that the exploration has.
+/// The reading of the whole exploration, with the label that the exploration has.
 std::string final_line(const live::SaidReading& said, const Exploration& exploration);
 
 }  // namespace somato::program

@@ -39,11 +39,9 @@ Result<void> recover(const Arguments& arguments) {
   SOMATO_TRY(const RecordingFileParameters parameters,
              read_flags<RecordingFileParameters>(arguments));
   const std::string from = arguments.text("FILE");
-  const Result<RecoveryReport> report =
-      recover_recording(from, arguments.text("output"), parameters);
-  if (!report) return fail(report.error());
-  print_summary(arguments, text_of(*report), table_of(*report));
-  if (report->lossless) return {};
+  SOMATO_TRY(const auto report, recover_recording(from, arguments.text("output"), parameters));
+  print_summary(arguments, text_of(report), table_of(report));
+  if (report.lossless) return {};
   return fail(ErrorKind::kIncomplete, "some data could not be recovered", from,
               fmt::format("{} contains all readable data", arguments.text("output")));
 }

@@ -60,8 +60,9 @@ void append(const std::vector<NamedFile>& more, std::vector<NamedFile>& files) {
 }
 
 // With data, "all" also includes the systems for data sets, which do not explore.
-Result<std::vector<NamedFile>> asked_files(const std::vector<std::string>& names,
-                                           const OwnSystems& own, ReproductionRequest& request) {
+Result<std::vector<NamedFile>> requested_files(const std::vector<std::string>& names,
+                                               const OwnSystems& own,
+                                               ReproductionRequest& request) {
   std::vector<NamedFile> files;
   for (const std::string& name : names) {
     request.everything =
@@ -106,7 +107,7 @@ Result<void> read_plan(const Arguments& arguments, ReproductionRequest& request)
   const auto found = arguments.lists.find("SYSTEM");
   const auto names =
       found == arguments.lists.end() ? std::vector<std::string>{kAll} : found->second;
-  SOMATO_TRY(const auto files, asked_files(names, own, request));
+  SOMATO_TRY(const auto files, requested_files(names, own, request));
   const std::vector<NamedFile> systems = questionable_systems(own);
   for (const NamedFile& file : files) {
     SOMATO_TRY_VOID(add_to_plan(file, systems, request.plan));

@@ -128,10 +128,9 @@ Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_obj
   SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(folder_));
   std::error_code missing;
   if (std::filesystem::exists(path, missing)) return {};
-  auto things = things_for(table, new_objects);
-  if (!things) return fail(std::move(things.error()));
+  SOMATO_TRY(auto things, things_for(table, new_objects));
   SOMATO_TRY(const auto explorer,
-             simulated_explorer(table.explore.body, *things, table.exploring, seed));
+             simulated_explorer(table.explore.body, things, table.exploring, seed));
   const std::size_t each = new_objects ? 1 : table.explore.explorations;
   return explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
 }

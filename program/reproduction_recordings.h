@@ -35,7 +35,7 @@ class KeptRecordings {
 };
 
 /// Recordings that are explored on demand and stored in a folder: a later request, also after an
-/// interruption, uses the same file. Of several processes that need the same recording the first
+/// interruption, uses the same file. If several processes need the same recording, the first
 /// explores it and the others wait.
 class ExploredRecordings {
  public:

@@ -15,7 +15,7 @@ std::string cell(const ProtocolResults& results, const std::string& name) {
   return fmt::format("{:.3f} +- {:.3f}", metric->mean(), metric->standard_deviation());
 }
 
-// Of the system's own label, or where that cannot be named, of the first that can.
+// The prefix of the system's own label or, if that cannot be named, of the first that can.
 std::string label_prefix(const ProtocolResults& results) {
   for (const Metric& metric : results.metrics) {
     const std::string accuracy = "accuracy";

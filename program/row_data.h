@@ -19,13 +19,13 @@ class RowData {
  public:
   TableColumns columns;                        ///< The roles of the file's columns.
   std::vector<std::string> features;           ///< Names of the feature columns, or empty.
-  Classes classes;                             ///< Of the rows; empty without labels.
-  std::string path;                            ///< Of the file.
+  Classes classes;                             ///< The classes of the rows; empty without labels.
+  std::string path;                            ///< The path of the file.
   std::size_t count = 0;                       ///< Rows.
   std::vector<float> low;                      ///< The minimum of each feature.
   std::vector<float> high;                     ///< The maximum of each feature.
   MissingFill missing = MissingFill::kRefuse;  ///< Treatment of missing values.
-  KnownValues known;           ///< Of the file; collected unless missing values are refused.
+  KnownValues known;  ///< The values of the file; collected unless missing values are refused.
   bool holds_missing = false;  ///< Whether samples() contain missing values, which are NaN.
 
   std::size_t size() const { return columns.features.size(); }

@@ -46,23 +46,20 @@ Result<void> read_file(const NamedFile& file, ReproductionPlan& plan) {
 
 // The study of the file, which comes first, and its variations.
 Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
-  auto seeds = arguments.number("seeds", 1);
-  if (!seeds) return fail(std::move(seeds.error()));
+  SOMATO_TRY(auto seeds, arguments.number("seeds", 1));
   SOMATO_TRY(const auto file, read_file_or_own(arguments.text("STUDY")));
   ReproductionPlan plan;
   SOMATO_TRY_VOID(read_file(file, plan));
-  if (*seeds) plan.parts.front().description.study.seeds = **seeds;
+  if (seeds) plan.parts.front().description.study.seeds = *seeds;
   return plan;
 }
 
 // Whether a system can be built is only known with a recording.
 Result<void> check_variations(const ReproductionPlan& plan, PartRecordings& recordings) {
-  const auto recording = recordings.get(plan.parts.front(), 0);
-  if (!recording) return fail(recording.error());
+  SOMATO_TRY(const auto recording, recordings.get(plan.parts.front(), 0));
   for (std::size_t i = 1; i < plan.parts.size(); ++i) {
-    const auto system =
-        System::build(plan.parts[i].description.system, layout_of((*recording)->recording));
-    if (!system) return fail(system.error());
+    SOMATO_TRY_VOID(
+        System::build(plan.parts[i].description.system, layout_of(recording->recording)));
   }
   return {};
 }

@@ -112,9 +112,8 @@ Result<void> train(const Arguments& arguments) {
   std::vector<double> means;
   SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
   SOMATO_TRY(auto model, start_model(arguments, rows, std::move(means)));
-  auto som = train_map(parameters, model, rows, threads);
-  if (!som) return fail(std::move(som.error()));
-  model.som = std::move(*som);
+  SOMATO_TRY(auto som, train_map(parameters, model, rows, threads));
+  model.som = std::move(som);
   SOMATO_TRY(const auto quality, measure_rows(model, rows, threads));
   add_labels(model, rows.classes, quality.winners);
   const std::string path = arguments.text("output");

@@ -14,7 +14,7 @@
 namespace somato::program {
 namespace {
 
-// What cannot be opened may be the misspelt name of a built-in file.
+// A file that cannot be opened may be the misspelt name of a built-in file.
 Error with_nearest_own_file(Error error, const std::string& name) {
   const std::string nearest =
       nearest_name(std::filesystem::path(name).stem().string(), own_file_names());

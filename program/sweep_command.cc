@@ -53,24 +53,22 @@ Result<void> check_points(const SweepRequest& request) {
 
 Result<void> read_sweep_files(const Arguments& arguments, SweepRequest& request) {
   SOMATO_TRY(const auto file, read_toml(arguments.text("over")));
-  const auto sweep = read_sweep(file);
-  if (!sweep) return fail(sweep.error());
+  SOMATO_TRY(const auto sweep, read_sweep(file));
   SOMATO_TRY(const auto system, read_file_or_own(arguments.text("SYSTEM")));
-  SOMATO_TRY(auto planned, plan_sweep(*sweep, system, explore_defaults()));
+  SOMATO_TRY(auto planned, plan_sweep(sweep, system, explore_defaults()));
   request.sweep = std::move(planned);
-  request.points = sweep_points(*sweep);
-  request.pairs.pairs = sweep->sweep.pairs;
-  request.pairs.recordings = sweep->sweep.recordings;
-  request.pairs.seed = sweep->sweep.seed;
+  request.points = sweep_points(sweep);
+  request.pairs.pairs = sweep.sweep.pairs;
+  request.pairs.recordings = sweep.sweep.recordings;
+  request.pairs.seed = sweep.sweep.seed;
   return check_moved(request).and_then([&] { return check_points(request); });
 }
 
 Result<SweepRequest> read_sweep_request(const Arguments& arguments) {
   SweepRequest request;
   request.out = arguments.has("out") ? arguments.text("out") : "out/sweep";
-  auto part = read_sweep_part(arguments);
-  if (!part) return fail(std::move(part.error()));
-  request.part = std::move(*part);
+  SOMATO_TRY(auto part, read_sweep_part(arguments));
+  request.part = std::move(part);
   auto read = read_threads_and_data(arguments, request.pairs).and_then([&] {
     return read_sweep_files(arguments, request);
   });

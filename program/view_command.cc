@@ -24,39 +24,34 @@ constexpr std::uint64_t kSeed = 1;
 
 Result<ViewSource> body_source(const Arguments& arguments) {
   SOMATO_TRY(auto session, body_session(arguments, kSeed));
-  const auto thing = arguments.has("object")
-                         ? find_thing(*session.explorer, arguments.text("object"))
-                         : Result<std::size_t>(0);
-  if (!thing) return fail(thing.error());
-  auto systems = systems_for_body(session.body);
-  if (!systems) return fail(std::move(systems.error()));
+  SOMATO_TRY(const auto thing, arguments.has("object")
+                                   ? find_thing(*session.explorer, arguments.text("object"))
+                                   : Result<std::size_t>(0));
+  SOMATO_TRY(auto systems, systems_for_body(session.body));
   ViewSource source;
   if (arguments.has("RECORDING")) {
-    auto recording = read_study_data(RecordingFormat::kAutomatic, arguments.text("RECORDING"));
-    if (!recording) return fail(std::move(recording.error()));
-    source.recording = std::move(*recording);
+    SOMATO_TRY(auto recording,
+               read_study_data(RecordingFormat::kAutomatic, arguments.text("RECORDING")));
+    source.recording = std::move(recording);
   }
   source.name = std::move(session.name);
   source.explorer = std::move(session.explorer);
   source.scenes = recorded_scenes(std::move(session.objects));
-  source.thing = *thing;
-  source.systems = std::move(*systems);
+  source.thing = thing;
+  source.systems = std::move(systems);
   return source;
 }
 
 Result<ViewSource> recording_source(const Arguments& arguments) {
   const std::string path = arguments.text("RECORDING");
-  auto recording = read_study_data(RecordingFormat::kAutomatic, path);
-  if (!recording) return fail(std::move(recording.error()));
-  auto objects = read_objects(arguments);
-  if (!objects) return fail(std::move(objects.error()));
-  auto systems = systems_for(*recording);
-  if (!systems) return fail(std::move(systems.error()));
+  SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
+  SOMATO_TRY(auto objects, read_objects(arguments));
+  SOMATO_TRY(auto systems, systems_for(recording));
   ViewSource source;
   source.name = std::filesystem::path(path).filename().string();
-  source.recording = std::move(*recording);
-  source.scenes = recorded_scenes(std::move(objects->objects));
-  source.systems = std::move(*systems);
+  source.recording = std::move(recording);
+  source.scenes = recorded_scenes(std::move(objects.objects));
+  source.systems = std::move(systems);
   return source;
 }
 

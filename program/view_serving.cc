@@ -44,12 +44,11 @@ std::vector<Flag> server_flags() {
 
 Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {
   ViewServerSettings settings;
-  auto port = arguments.number("port", 0);
-  if (!port) return fail(std::move(port.error()));
-  if (port->value_or(0) > 65535) {
+  SOMATO_TRY(auto port, arguments.number("port", 0));
+  if (port.value_or(0) > 65535) {
     return fail(ErrorKind::kUsage, "a port must be at most 65535", "--port");
   }
-  settings.port = static_cast<std::uint16_t>(port->value_or(0));
+  settings.port = static_cast<std::uint16_t>(port.value_or(0));
   if (!arguments.has("address")) return settings;
   auto address = parse_address(arguments.text("address"));
   if (!address) {

@@ -30,7 +30,7 @@ DIRECT = {
     "program": ["suggestion", "report", "live", "simulation", "devices", "emulation"],
 }
 
-# The entrance headers, by the room whose table applies to them. What they do not include, directly or
+# The entrance headers, by the room whose table applies to them. A header that they do not include, directly or
 # through others, is not public.
 ENTRANCES = {"som.h": "drawing", "recording.h": "recording", "system.h": "graph", "study.h": "studies",
              "explore.h": "simulation"}

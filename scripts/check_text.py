@@ -20,8 +20,10 @@ BANNED_FLAGS = re.compile(r"-ffast-math|-Ofast|-funsafe-math-optimizations")
 MACHINE_PLACES = re.compile(r"(?<![\w.\-/$}])/(?:tmp|work|root|home/\w+)/")
 # Words that STYLE.md excludes: they read as translated, or as metaphors.
 WORDING = re.compile(
-    r"\b(?:whoever|so-and-so|told apart|tells? apart|told exactly|by luck|what came of it|looks on"
-    r"|of one's own|nobody)\b", re.IGNORECASE)
+    r"(?<![A-Za-z`])(?:whoever|so-and-so|told|tells|tell apart|asked|alone|heard|lessons?|narrators?|by luck"
+    r"|what came of it|looks? on|lookers-on|goes on|of one's own|nobody)(?![A-Za-z`])", re.IGNORECASE)
+# Comments begin with their subject or a verb, not with a fragment such as "What the map learns."
+FRAGMENT = re.compile(r"""(?://[/!]?<?|#|/\*\*?|^\s*\*|"{3})\s+((?:What|Whatever|Who|Whose|Of) [a-z`][^?]*)$""")
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
 
 # Exceptions, each with its reason.
@@ -31,7 +33,8 @@ MAY_ROUND = {
     "src/simulation/object_mjcf.cc": "text for the physics engine, whose bits are not guaranteed",
     "src/simulation/object_motion.cc": "poses for the physics engine, whose bits are not guaranteed",
 }
-KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py", "STYLE.md"}
+KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py", "STYLE.md", "LICENSE"}
+COMMENTED = (".h", ".cc", ".ts", ".cmake", ".css")
 
 LONG_FILE = 400
 
@@ -58,6 +61,8 @@ def problems_of_line(name, line):
         yield f"'{found[0]}': the library never prints"
     if name.endswith((".txt", ".cmake", ".json", ".in")) and (found := BANNED_FLAGS.search(line)):
         yield f"'{found[0]}' changes bits"
+    if name.endswith(COMMENTED) and (found := FRAGMENT.search(line)):
+        yield f"'{found[1][:20]}...': begin a comment with its subject or a verb; see STYLE.md"
     if found := WORDING.search(line):
         yield f"'{found[0]}': use plain technical terms; see STYLE.md"
     if found := MACHINE_PLACES.search(line):

@@ -30,7 +30,7 @@ grid <- somgrid(number("columns"), number("rows"),
 batch <- grepl("batch", name)
 steps <- number("steps")
 
-# Batch: an epoch on a part of the samples tells the time of all; online: so many times all samples.
+# Batch: an epoch on a part of the samples gives the time of all; online: so many times all samples.
 part <- 1
 rounds <- 1
 if (batch) {

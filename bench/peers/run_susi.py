@@ -17,7 +17,7 @@ def prepare(case, name):
                              learning_rate_start=case.learning_rate_start,
                              learning_rate_end=case.learning_rate_end, n_jobs=case.threads)
 
-    # Its fit() ends with a search for all its samples: few, so that it tells nothing of the time.
+    # Its fit() ends with a search for all its samples: few, so that it does not affect the time.
     def train():
         state["som"] = make(steps)
         state["som"].fit(case.data[:100])

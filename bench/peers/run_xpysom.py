@@ -9,7 +9,7 @@ EPOCHS_FOR_ONLINE = 50
 def prepare(case, name):
     epochs = case.steps if case.batch else EPOCHS_FOR_ONLINE
     part = 1.0
-    if case.sparse:  # no sparse form: an epoch tells the time of all
+    if case.sparse:  # no sparse form: an epoch gives the time of all
         epochs, part = 4, 4 / (case.steps if case.batch else 33)
     state = {}
 

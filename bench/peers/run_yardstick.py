@@ -1,4 +1,4 @@
-"""The product of two matrices alone, as BLAS does it, 256 rows at a time: what a search costs at least."""
+"""Only the product of two matrices, as BLAS does it, 256 rows at a time: a lower bound for a search."""
 
 import numpy
 from serve import Job

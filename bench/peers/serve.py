@@ -3,7 +3,7 @@
 usage: serve.py PEER CASE FOLDER THREADS
 
 FOLDER holds case.json, samples.npy and initial.npy. Lines and answers are those of workloads.cc:
-`run`, `weights FILE`, `quit`. What a peer prints itself goes to the standard error.
+`run`, `weights FILE`, `quit`. A peer's own messages go to the standard error.
 """
 
 import importlib
@@ -20,7 +20,7 @@ import numpy
 
 @dataclass
 class Job:
-    """What a peer makes of a case: `run` does `part` of the work, `weights` gives the map."""
+    """A peer's answers for a case: `run` does `part` of the work, `weights` gives the map."""
 
     run: object
     weights: object = None  # of no arguments: neurons x features, in the order of the grid's rows
@@ -37,7 +37,7 @@ def load_case(folder, threads):
 
 
 def peak_kib():
-    """Of this program only: getrusage() includes the program that started it."""
+    """Reads the peak of this program only: getrusage() includes the program that started it."""
     for line in Path("/proc/self/status").read_text(encoding="utf-8").splitlines():
         if line.startswith("VmHWM:"):
             return int(line.split()[1])

@@ -31,16 +31,15 @@ Result<Stroke> plan_stroke(const BodyDescription& body, const StrokeParameters& 
   SOMATO_TRY_VOID(check_ranges(parameters));
   SOMATO_TRY(const auto lever, find_degree_of_freedom(body, "lever"));
   SOMATO_TRY_VOID(check_end(body.degrees_of_freedom[lever], parameters.to));
-  const auto sound = find_sensor(body, "sound");
-  if (!sound) return fail(sound.error());
-  const double rate = body.sensors[*sound].rate;
+  SOMATO_TRY(const auto sound, find_sensor(body, "sound"));
+  const double rate = body.sensors[sound].rate;
   if (!(rate > 0.0)) {
     return fail(ErrorKind::kData, "'sound' has no rate", "sound", "use a body that samples it");
   }
   const double seconds =
       std::abs(parameters.to - parameters.from) / body.degrees_of_freedom[lever].fastest;
   const auto frames = static_cast<std::size_t>(std::llround(seconds * rate));
-  if (frames > 0) return Stroke{lever, *sound, seconds, frames};
+  if (frames > 0) return Stroke{lever, sound, seconds, frames};
   return fail(ErrorKind::kUsage, "the stroke is shorter than a frame of 'sound'", {},
               "move 'from' and 'to' further apart");
 }
@@ -66,14 +65,14 @@ Result<void> go_to_start(Body& body, const Stroke& stroke, const StrokeParameter
 Result<std::vector<float>> listen(Body& body, const Stroke& stroke,
                                   const StrokeParameters& parameters) {
   SOMATO_TRY_VOID(detail::drive_one(body, stroke.lever, parameters.to));
-  std::vector<float> heard;
+  std::vector<float> samples;
   auto passed = detail::let_pass(body, stroke.seconds, parameters.step, Readings::kRecorded, [&] {
     const auto values = body.state().readings[stroke.sound].values();
-    heard.insert(heard.end(), values.begin(), values.end());
+    samples.insert(samples.end(), values.begin(), values.end());
   });
   if (!passed) return fail(passed.error());
   SOMATO_TRY_VOID(check_arrival(body, stroke.lever, parameters.to));
-  return heard;
+  return samples;
 }
 
 }  // namespace
@@ -95,20 +94,19 @@ const Declarations<StrokeParameters>& StrokeParameters::declarations() {
 }
 
 Result<Exploration> explore_by_stroking(Body& body, const StrokeParameters& parameters) {
-  const auto stroke = plan_stroke(body.description(), parameters);
-  if (!stroke) return fail(stroke.error());
-  SOMATO_TRY_VOID(go_to_start(body, *stroke, parameters));
-  SOMATO_TRY(auto heard, listen(body, *stroke, parameters));
-  Channel channel = detail::empty_channel(body.description().sensors[stroke->sound]);
-  const std::size_t elements = body.state().readings[stroke->sound].columns();
-  if (heard.size() < stroke->frames * elements) {
+  SOMATO_TRY(const auto stroke, plan_stroke(body.description(), parameters));
+  SOMATO_TRY_VOID(go_to_start(body, stroke, parameters));
+  SOMATO_TRY(auto samples, listen(body, stroke, parameters));
+  Channel channel = detail::empty_channel(body.description().sensors[stroke.sound]);
+  const std::size_t elements = body.state().readings[stroke.sound].columns();
+  if (samples.size() < stroke.frames * elements) {
     return fail(ErrorKind::kData,
-                fmt::format("'sound' gave {} of the stroke's {} frames", heard.size() / elements,
-                            stroke->frames),
+                fmt::format("'sound' gave {} of the stroke's {} frames", samples.size() / elements,
+                            stroke.frames),
                 channel.name, "check whether the sensor reaches its rate");
   }
-  heard.resize(stroke->frames * elements);
-  channel.frames = Matrix<float>(stroke->frames, elements, std::move(heard));
+  samples.resize(stroke.frames * elements);
+  channel.frames = Matrix<float>(stroke.frames, elements, std::move(samples));
   Exploration exploration;
   exploration.channels.push_back(std::move(channel));
   return exploration;

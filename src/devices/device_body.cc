@@ -71,15 +71,15 @@ class DeviceBody::Impl {
     return {};
   }
 
-  // Advances until the state's time is `seconds` later; `goes_on` is checked every period.
-  template <typename GoesOn>
-  Result<void> pass(double seconds, const GoesOn& goes_on) {
+  // Advances until the state's time is `seconds` later; `should_continue` is checked every period.
+  template <typename Condition>
+  Result<void> pass(double seconds, const Condition& should_continue) {
     require(is_on_, "the device was stopped; start it again");
     skip_pause(0.0);
     const double end = state_.time + seconds;
     const std::size_t due = samples_due(end);
     while (time() < end || is_waiting_for_samples(due, end)) {
-      auto ticked = goes_on().and_then([&] { return tick(end); });
+      auto ticked = should_continue().and_then([&] { return tick(end); });
       if (!ticked) return stop(std::move(ticked.error()));
     }
     if (samples_missing(due)) return stop(no_samples());
@@ -171,7 +171,7 @@ class DeviceBody::Impl {
     return {};
   }
 
-  // One period, or what of it fits before the body's time `end`.
+  // One period, or the part that fits before the body's time `end`.
   Result<void> tick(double end) {
     const double now = io_.now();
     if (now < next_tick_) {

@@ -23,7 +23,7 @@ struct DeviceExploring {
   PressParameters press;
 };
 
-/// What a device needs from outside.
+/// The environment that a device requires.
 struct DeviceSurroundings {
   /// Opens the lines of the device, before it is started.
   std::function<Result<std::unique_ptr<wire::Lines>>()> open_lines;

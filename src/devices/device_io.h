@@ -22,7 +22,7 @@ std::unique_ptr<ServoBus> make_bus(const DeviceFile& file);
 /// The decoder of a device's sensor line.
 std::unique_ptr<SensorStream> make_stream(const FrameLine& line);
 
-/// What travels on the lines of a device: decoded where it arrives, sent as far as the line accepts
+/// The traffic on the lines of a device: decoded where it arrives, sent as far as the line accepts
 /// it. Nothing allocates after start().
 class DeviceIo {
  public:

@@ -133,9 +133,10 @@ std::size_t DynamixelBus::bytes_per_tick() const {
 }
 
 // The data of the answer to a request, which have `size` bytes.
-Result<DynamixelBus::Bytes> DynamixelBus::ask(const Servo& servo,
-                                              std::span<const std::uint8_t> request,
-                                              std::size_t size, wire::Exchange& exchange) const {
+Result<DynamixelBus::Bytes> DynamixelBus::exchange_with(const Servo& servo,
+                                                        std::span<const std::uint8_t> request,
+                                                        std::size_t size,
+                                                        wire::Exchange& exchange) const {
   wire::DynamixelDecoder decoder;
   Bytes data;
   std::uint8_t refusal = 0;
@@ -165,7 +166,7 @@ Result<DynamixelBus::Bytes> DynamixelBus::read(const Servo& servo, std::uint16_t
                                                std::size_t size, wire::Exchange& exchange) const {
   const auto request = dynamixel_packet(
       [&](auto& to) { to.read(servo.declared.id, address, static_cast<std::uint16_t>(size)); });
-  return ask(servo, request, size, exchange);
+  return exchange_with(servo, request, size, exchange);
 }
 
 Result<void> DynamixelBus::write(const Servo& servo, std::uint16_t address,
@@ -173,13 +174,13 @@ Result<void> DynamixelBus::write(const Servo& servo, std::uint16_t address,
                                  wire::Exchange& exchange) const {
   const auto request =
       dynamixel_packet([&](auto& to) { to.write(servo.declared.id, address, data); });
-  SOMATO_TRY_VOID(ask(servo, request, 0, exchange));
+  SOMATO_TRY_VOID(exchange_with(servo, request, 0, exchange));
   return {};
 }
 
 Result<void> DynamixelBus::check_model(Servo& servo, wire::Exchange& exchange) const {
   const auto ping = dynamixel_packet([&](auto& to) { to.ping(servo.declared.id); });
-  SOMATO_TRY(const auto known, ask(servo, ping, 3, exchange));
+  SOMATO_TRY(const auto known, exchange_with(servo, ping, 3, exchange));
   const unsigned number = low_first16(known);
   const DynamixelModel* found = find_dynamixel_model(number);
   const DynamixelModel* declared = find_dynamixel_model(servo.declared.model);
@@ -193,7 +194,7 @@ Result<void> DynamixelBus::check_model(Servo& servo, wire::Exchange& exchange) c
   return {};
 }
 
-// A servo that does not answer writes is told to do so; the setting is no part of the EEPROM.
+// A servo that does not answer writes is set to do so; the setting is no part of the EEPROM.
 Result<void> DynamixelBus::check_modes(Servo& servo, wire::Exchange& exchange) {
   const auto request = dynamixel_packet([&](auto& to) {
     to.write(servo.declared.id, dynamixel_x::kStatusReturn, std::array<std::uint8_t, 1>{2});
@@ -279,7 +280,7 @@ Result<void> DynamixelBus::hold_all(wire::Exchange& exchange) {
 Result<void> DynamixelBus::start(wire::Exchange& exchange) {
   warnings_.clear();
   decoder_.clear();
-  asked_errors_ = false;
+  errors_requested_ = false;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
   auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
@@ -333,8 +334,8 @@ std::span<const std::uint8_t> DynamixelBus::tick(std::span<const double> positio
   const auto given = [](double position) { return std::isfinite(position); };
   if (std::any_of(positions.begin(), positions.end(), given)) write_goals(to, positions, seconds);
   // Every second request at most, so that the states stay known if a servo does not answer.
-  asked_errors_ = !asked_errors_ && error_is_unknown();
-  if (asked_errors_) {
+  errors_requested_ = !errors_requested_ && error_is_unknown();
+  if (errors_requested_) {
     to.sync_read(dynamixel_x::kHardwareError, 1, ids_);
   } else {
     to.sync_read(dynamixel_x::kPresentCurrent, kDynamixelStateSize, ids_);

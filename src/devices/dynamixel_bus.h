@@ -39,7 +39,7 @@ struct DynamixelServo {
 /// with a profile in time get the time instead.
 ///
 /// A servo announces a hardware error by a bit of each answer. It is then reported as
-/// kUnknownError, and the next tick asks for the errors instead of the states. Nothing is written
+/// kUnknownError, and the next tick requests the errors instead of the states. Nothing is written
 /// to the EEPROM.
 class DynamixelBus : public ServoBus {
  public:
@@ -65,7 +65,7 @@ class DynamixelBus : public ServoBus {
 
   Result<void> reboot(std::size_t servo, wire::Exchange& exchange) override;
 
-  /// What start() found that does not prevent the use of the servos.
+  /// Problems found by start() that do not prevent the use of the servos.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -81,8 +81,8 @@ class DynamixelBus : public ServoBus {
     bool timed = false;    // profile in time
   };
 
-  Result<Bytes> ask(const Servo& servo, std::span<const std::uint8_t> request, std::size_t size,
-                    wire::Exchange& exchange) const;
+  Result<Bytes> exchange_with(const Servo& servo, std::span<const std::uint8_t> request,
+                              std::size_t size, wire::Exchange& exchange) const;
   Result<Bytes> read(const Servo& servo, std::uint16_t address, std::size_t size,
                      wire::Exchange& exchange) const;
   Result<void> write(const Servo& servo, std::uint16_t address, std::span<const std::uint8_t> data,
@@ -104,7 +104,7 @@ class DynamixelBus : public ServoBus {
   std::array<std::uint8_t, 256> servo_of_id_{};
   Bytes tick_;
   Bytes relax_;
-  bool asked_errors_ = false;
+  bool errors_requested_ = false;
   wire::DynamixelDecoder decoder_;
   std::vector<std::string> warnings_;
 };

@@ -223,8 +223,8 @@ Result<void> FeetechBus::hold_all(wire::Exchange& exchange) {
 Result<void> FeetechBus::start(wire::Exchange& exchange) {
   warnings_.clear();
   decoder_.clear();
-  asked_ = servos_.size() - 1;  // the first tick asks the first servo
-  to_ask_ = 0;
+  polled_ = servos_.size() - 1;  // the first tick polls the first servo
+  to_poll_ = 0;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
   auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
@@ -277,29 +277,29 @@ std::span<const std::uint8_t> FeetechBus::tick(std::span<const double> positions
   wire::FeetechWriter to(tick_, wire::feetech_order(series_));
   const auto given = [](double position) { return std::isfinite(position); };
   if (std::any_of(positions.begin(), positions.end(), given)) write_goals(to, positions, seconds);
-  to_ask_ = servos_.size();
-  if (!is_sts()) return ask_one(to);
+  to_poll_ = servos_.size();
+  if (!is_sts()) return poll_one(to);
   to.sync_read(feetech::kPresentPosition, static_cast<std::uint8_t>(state_size()), ids_);
   decoder_.expect_echo(to.written());
   return to.written();
 }
 
-// Requests the state of the next servo. What is left of an answer that was cut off must not be
+// Requests the state of the next servo. The remainder of an answer that was cut off must not be
 // completed by the next one.
-std::span<const std::uint8_t> FeetechBus::ask_one(wire::FeetechWriter& to) {
-  asked_ = (asked_ + 1) % servos_.size();
-  --to_ask_;
+std::span<const std::uint8_t> FeetechBus::poll_one(wire::FeetechWriter& to) {
+  polled_ = (polled_ + 1) % servos_.size();
+  --to_poll_;
   answered_ = false;
-  to.read(ids_[asked_], feetech::kPresentPosition, static_cast<std::uint8_t>(state_size()));
+  to.read(ids_[polled_], feetech::kPresentPosition, static_cast<std::uint8_t>(state_size()));
   decoder_.clear();
   decoder_.expect_echo(to.written());
   return to.written();
 }
 
 std::span<const std::uint8_t> FeetechBus::follow_up() {
-  if (is_sts() || !answered_ || to_ask_ == 0) return {};
+  if (is_sts() || !answered_ || to_poll_ == 0) return {};
   wire::FeetechWriter to(tick_, wire::feetech_order(series_));
-  return ask_one(to);
+  return poll_one(to);
 }
 
 // The sum protects a packet badly: two flags of STS servos and the range of SCS servos are checked
@@ -309,7 +309,7 @@ bool FeetechBus::is_state(std::size_t servo, const wire::FeetechPacket& packet) 
   constexpr std::size_t kMoving = 66 - feetech::kPresentPosition;
   if (packet.parameters.size() != state_size()) return false;
   if (is_sts()) return packet.parameters[kRegistered] <= 1 && packet.parameters[kMoving] <= 1;
-  return servo == asked_ && word(packet.parameters, 0) <= 1023;
+  return servo == polled_ && word(packet.parameters, 0) <= 1023;
 }
 
 void FeetechBus::take_state(std::size_t servo, const wire::FeetechPacket& packet, double now) {

@@ -39,8 +39,8 @@ struct FeetechServo {
 /// each goal and stop there, 50 times in a second.
 ///
 /// The states of STS servos are requested by one sync read. SCS servos do not know it and are read
-/// one by one: follow_up() asks the next when one has answered, and each tick begins behind the
-/// last that was asked. They report no current. The answers of both contain the error bits.
+/// one by one: follow_up() polls the next when one has answered, and each tick begins behind the
+/// last one polled. They report no current. The answers of both contain the error bits.
 /// Nothing is written to the EEPROM.
 class FeetechBus : public ServoBus {
  public:
@@ -68,7 +68,7 @@ class FeetechBus : public ServoBus {
   /// Servos that do not know the instruction must be switched off and on.
   Result<void> reboot(std::size_t servo, wire::Exchange& exchange) override;
 
-  /// What start() found that does not prevent the use of the servos.
+  /// Problems found by start() that do not prevent the use of the servos.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -101,7 +101,7 @@ class FeetechBus : public ServoBus {
   Result<void> hold_all(wire::Exchange& exchange);
   void write_goals(wire::FeetechWriter& to, std::span<const double> positions, double seconds);
   void put_goal(wire::FeetechWriter& to, std::size_t servo, double goal, double seconds);
-  std::span<const std::uint8_t> ask_one(wire::FeetechWriter& to);
+  std::span<const std::uint8_t> poll_one(wire::FeetechWriter& to);
   bool is_state(std::size_t servo, const wire::FeetechPacket& packet) const;
   void take_state(std::size_t servo, const wire::FeetechPacket& packet, double now);
 
@@ -111,9 +111,9 @@ class FeetechBus : public ServoBus {
   wire::FeetechSeries series_ = wire::FeetechSeries::kSts;
   Bytes tick_;
   Bytes relax_;
-  std::size_t asked_ = 0;   // the servo that was asked last
-  std::size_t to_ask_ = 0;  // how many are left in this tick
-  bool answered_ = false;   // whether it has answered
+  std::size_t polled_ = 0;   // the servo that was polled last
+  std::size_t to_poll_ = 0;  // how many are left in this tick
+  bool answered_ = false;    // whether it has answered
   wire::FeetechDecoder decoder_;
   std::vector<std::string> warnings_;
 };

@@ -8,7 +8,7 @@
 namespace somato::devices {
 
 Result<void> place_by_emulator(const std::string& port, const std::string& thing, std::size_t trial,
-                               double timeout, const std::function<bool()>& goes_on) {
+                               double timeout, const std::function<bool()>& should_continue) {
   SOMATO_TRY(const auto lines, wire::SerialLines::open({{port, 115200}}));
   wire::Exchange exchange(*lines, 0);
   const std::string request = fmt::format("place {} {}\n", trial, thing);
@@ -21,7 +21,7 @@ Result<void> place_by_emulator(const std::string& port, const std::string& thing
   constexpr double kPoll = 0.1;
   const double end = lines->now() + timeout;
   while (lines->now() < end) {
-    if (!goes_on()) return fail(ErrorKind::kInterrupted, "exploring was interrupted");
+    if (!should_continue()) return fail(ErrorKind::kInterrupted, "exploring was interrupted");
     SOMATO_TRY(const auto complete, exchange.receive(kPoll, take));
     if (!complete) continue;
     if (answer == "placed\n") return {};

@@ -22,10 +22,10 @@ class SensorStream {
   /// Bytes that arrived at `now`.
   virtual void receive(std::span<const std::uint8_t> bytes, double now) = 0;
 
-  /// Of the last whole frame; NaN before the first.
+  /// The values of the last whole frame; NaN before the first.
   std::span<const float> values() const { return values_; }
 
-  /// Of the arrival of the last byte of the last whole frame, in seconds of the clock of
+  /// The arrival of the last byte of the last whole frame, in seconds of the clock of
   /// receive(); -infinity before the first. It grows old when the board falls silent.
   double time() const { return time_; }
 

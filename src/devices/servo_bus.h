@@ -12,12 +12,13 @@
 
 namespace somato::devices {
 
-/// What a servo last reported about itself. A value that the bus cannot measure is NaN.
+/// The last report of a servo about itself. A value that the bus cannot measure is NaN.
 struct ServoReport {
   double position = std::numeric_limits<double>::quiet_NaN();  ///< In units of the bus.
   double current = std::numeric_limits<double>::quiet_NaN();   ///< mA, signed.
   std::uint8_t error = 0;  ///< Hardware error bits of the protocol; 0: none.
-  double time = -std::numeric_limits<double>::infinity();  ///< Of its arrival, by the lines' clock.
+  double time =
+      -std::numeric_limits<double>::infinity();  ///< The time of its arrival, by the lines' clock.
 };
 
 /// The servos at one serial line, in the order of the device file, with positions in units of the
@@ -77,7 +78,7 @@ class ServoBus {
   /// fault.
   virtual double recovery() const { return 0.0; }
 
-  /// What a report with that error says of its servo, as the end of a sentence, and what to do.
+  /// The meaning of a report with that error, as the end of a sentence about its servo, and advice.
   virtual Error explain(std::uint8_t error) const;
 
   /// The number of bytes of the longest tick() and of the answer to it, for checking that the line

@@ -92,7 +92,7 @@ Result<void> Ssc32Bus::start(wire::Exchange& exchange) {
 Result<void> Ssc32Bus::check_version(wire::Exchange& exchange) {
   commands_.clear();
   SOMATO_TRY_VOID(commands_.resynchronize());
-  SOMATO_TRY_VOID(commands_.ask_version());
+  SOMATO_TRY_VOID(commands_.query_version());
   wire::Ssc32Version version;
   for (std::size_t attempt = 0; attempt < kSsc32Attempts; ++attempt) {
     wire::Ssc32Version text;
@@ -109,7 +109,7 @@ Result<void> Ssc32Bus::check_version(wire::Exchange& exchange) {
 Result<int> Ssc32Bus::read_pulse(wire::Exchange& exchange, int channel) {
   commands_.clear();
   SOMATO_TRY_VOID(commands_.resynchronize());
-  SOMATO_TRY_VOID(commands_.ask_pulse(channel));
+  SOMATO_TRY_VOID(commands_.query_pulse(channel));
   std::optional<int> pulse;
   const auto take = [&](std::span<const std::uint8_t> bytes) {
     pulse = bytes.size() == 1 ? wire::ssc32_pulse(bytes.front()) : std::nullopt;
@@ -143,7 +143,7 @@ std::span<const std::uint8_t> Ssc32Bus::tick(std::span<const double> positions, 
   if (state_ == State::kQuiet && waited_ > kQuiet) state_ = State::kIdle;
   if (state_ == State::kFailed) resynchronize();
   if (state_ != State::kIdle) return commands_.bytes();
-  ask();  // before the moves, so that the answer shows a board that restarted
+  query();  // before the moves, so that the answer shows a board that restarted
   if (!has_restarted()) add_moves(positions, std::exchange(unmoved_, 0.0));
   return commands_.bytes();
 }
@@ -158,9 +158,9 @@ void Ssc32Bus::add_moves(std::span<const double> positions, double seconds) {
   SOMATO_ASSERT(commands_.move(moves_, milliseconds_of(seconds)).has_value());
 }
 
-void Ssc32Bus::ask() {
-  asked_ = (asked_ + 1) % channels_.size();
-  SOMATO_ASSERT(commands_.ask_pulse(channels_[asked_]).has_value());
+void Ssc32Bus::query() {
+  queried_ = (queried_ + 1) % channels_.size();
+  SOMATO_ASSERT(commands_.query_pulse(channels_[queried_]).has_value());
   state_ = State::kAsked;
   waited_ = 0.0;
 }
@@ -198,10 +198,10 @@ bool Ssc32Bus::has_restarted() const {
 void Ssc32Bus::take_answer() {
   state_ = State::kIdle;
   ++answers_;
-  ServoReport& report = reports_[asked_];
+  ServoReport& report = reports_[queried_];
   if (answer_ == 0 && !std::isnan(report.position)) report.error = kRestarted;
   report.position = position_of(answer_);
-  if (answer_ == 0) sent_[asked_].reset();
+  if (answer_ == 0) sent_[queried_].reset();
   for (ServoReport& each : reports_) each.time = answer_time_;
 }
 

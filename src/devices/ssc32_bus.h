@@ -23,7 +23,7 @@ namespace somato::devices {
 ///   servos: a board that is switched off, silenced or unplugged lets it grow old.
 /// - `current` is NaN, and `error` is 0, or kRestarted if a channel that had a pulse has none.
 ///
-/// Each tick asks for the pulse of one channel, in turn, and then moves the servos. A board that
+/// Each tick queries the pulse of one channel, in turn, and then moves the servos. A board that
 /// restarted has forgotten its pulses, and a servo that has sagged would jump; therefore a tick
 /// moves nothing before the question of the last one is answered, and the first answer of a board
 /// that restarted shows it. An answer is a single byte: bytes that follow it, such as those of an
@@ -72,7 +72,7 @@ class Ssc32Bus : public ServoBus {
 
  private:
   enum class State {
-    kIdle,      ///< The next tick asks.
+    kIdle,      ///< The next tick queries.
     kAsked,     ///< An answer is to come.
     kAnswered,  ///< The next tick takes the answer, unless other bytes follow it.
     kFailed,    ///< The next tick resynchronizes.
@@ -83,7 +83,7 @@ class Ssc32Bus : public ServoBus {
   Result<void> read_pulses(wire::Exchange& exchange);
   Result<int> read_pulse(wire::Exchange& exchange, int channel);
   void add_moves(std::span<const double> positions, double seconds);
-  void ask();
+  void query();
   void resynchronize();
   void take(std::uint8_t byte, double now);
   void take_answer();
@@ -95,7 +95,7 @@ class Ssc32Bus : public ServoBus {
   wire::Ssc32Commands commands_;
   wire::Ssc32Commands relax_;
   State state_ = State::kIdle;
-  std::size_t asked_ = 0;
+  std::size_t queried_ = 0;
   int answer_ = 0;
   double answer_time_ = 0.0;
   double unmoved_ = 0.0;  // s since the last moves.

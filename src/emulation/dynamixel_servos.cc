@@ -168,11 +168,11 @@ void DynamixelServos::obey(const wire::DynamixelPacket& packet) {
   for (Servo& servo : servos_) {
     const bool addressed =
         packet.id == wire::kDynamixelEveryone || packet.id == servo.table[dynamixel_x::kId];
-    if (addressed && listens(servo)) obey_alone(servo, packet);
+    if (addressed && listens(servo)) obey_single(servo, packet);
   }
 }
 
-void DynamixelServos::obey_alone(Servo& servo, const wire::DynamixelPacket& packet) {
+void DynamixelServos::obey_single(Servo& servo, const wire::DynamixelPacket& packet) {
   const Span given = packet.parameters;
   std::uint8_t result = 0;
   Span read;

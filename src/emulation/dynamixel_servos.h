@@ -69,7 +69,7 @@ class DynamixelServos : public EmulatedServos {
   void boot(Servo& servo) const;
   bool listens(const Servo& servo) const;
   void obey(const wire::DynamixelPacket& packet);
-  void obey_alone(Servo& servo, const wire::DynamixelPacket& packet);
+  void obey_single(Servo& servo, const wire::DynamixelPacket& packet);
   void obey_sync_read(Span parameters);
   void obey_sync_write(Span parameters);
   std::uint8_t write(Servo& servo, std::uint16_t address, Span data);

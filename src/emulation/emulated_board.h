@@ -35,8 +35,8 @@ class EmulatedServos : public EmulatedBoard {
   /// Where the board drives the servo now, in units of the bus; empty while it is off.
   virtual std::optional<double> driven_position(std::size_t servo) const = 0;
 
-  /// What the servo measures now: its position in units of the bus, and its current in mA. Boards
-  /// that cannot report this ignore it.
+  /// Sets the servo's present measurements: its position in units of the bus, and its current in
+  /// mA. Boards that cannot report this ignore it.
   virtual void set_measured(std::size_t servo, double position, double current) = 0;
 };
 

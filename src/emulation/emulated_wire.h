@@ -12,11 +12,11 @@
 
 namespace somato::emulation {
 
-/// What can go wrong with a serial line. Everything is off by default and may change at any time.
+/// The faults of a serial line. Everything is off by default and may change at any time.
 struct WireFaults {
   bool hung_up = false;   ///< The line is gone: reading and writing fail.
-  bool silent = false;    ///< What the board sends is lost.
-  bool deaf = false;      ///< What the host sends is lost.
+  bool silent = false;    ///< The board's bytes are lost.
+  bool deaf = false;      ///< The host's bytes are lost.
   bool echo = false;      ///< The host receives what it sends, as on a half-duplex adapter.
   double flipped = 0.0;   ///< Share of bytes, in both directions, in which one bit is inverted.
   double slowness = 1.0;  ///< Factor by which the line is slower than its speed.

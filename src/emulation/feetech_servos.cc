@@ -34,7 +34,7 @@ FeetechServos::FeetechServos(wire::FeetechSeries series, const std::vector<Emula
   }
 }
 
-// What it measures stays, because the joint does not move; its goal is 0.
+// The measurements stay, because the joint does not move; the goal is 0.
 void FeetechServos::boot(Servo& servo) const {
   const Memory before = servo.memory;
   servo.memory = {};
@@ -149,11 +149,11 @@ void FeetechServos::obey(const wire::FeetechPacket& packet) {
   }
   for (Servo& servo : servos_) {
     const bool addressed = everyone || packet.id == servo.memory[feetech::kId];
-    if (addressed && listens(servo)) obey_alone(servo, packet);
+    if (addressed && listens(servo)) obey_single(servo, packet);
   }
 }
 
-void FeetechServos::obey_alone(Servo& servo, const wire::FeetechPacket& packet) {
+void FeetechServos::obey_single(Servo& servo, const wire::FeetechPacket& packet) {
   const Span given = packet.parameters;
   const bool everyone = packet.id == wire::kFeetechEveryone;
   switch (static_cast<wire::FeetechInstruction>(packet.code)) {

@@ -74,7 +74,7 @@ class FeetechServos : public EmulatedServos {
   void boot(Servo& servo) const;
   bool listens(const Servo& servo) const;
   void obey(const wire::FeetechPacket& packet);
-  void obey_alone(Servo& servo, const wire::FeetechPacket& packet);
+  void obey_single(Servo& servo, const wire::FeetechPacket& packet);
   void obey_sync_read(Span parameters);
   void obey_sync_write(Span parameters);
   void write(Servo& servo, Span address_and_data);

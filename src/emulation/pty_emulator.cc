@@ -120,11 +120,11 @@ void PtyEmulator::wait() const {
   poll(ports.data(), ports.size(), kPollMs);
 }
 
-Result<void> PtyEmulator::run(const std::function<bool()>& goes_on) {
+Result<void> PtyEmulator::run(const std::function<bool()>& should_continue) {
   last_ = std::chrono::steady_clock::now();
   std::optional<double> end;
   while (!end || now_ < *end) {
-    if (!end && !goes_on()) end = now_ + kLastMoment;
+    if (!end && !should_continue()) end = now_ + kLastMoment;
     handle_placing();
     pass_time();
     SOMATO_TRY_VOID(body_->advance(now_));

@@ -31,10 +31,10 @@ class PtyEmulator {
 
   EmulatedBody& body() { return *body_; }
 
-  /// Emulates until `goes_on` returns false, and what hosts have sent by then. At the port of the
-  /// placing a line "place TRIAL NAME" has the thing placed and is answered by "placed", or by
-  /// "error" and the reason. Errors: those of the body, kSystem.
-  Result<void> run(const std::function<bool()>& goes_on);
+  /// Emulates until `should_continue` returns false, and what hosts have sent by then. At the port
+  /// of the placing a line "place TRIAL NAME" has the thing placed and is answered by "placed", or
+  /// by "error" and the reason. Errors: those of the body, kSystem.
+  Result<void> run(const std::function<bool()>& should_continue);
 
  private:
   PtyEmulator(devices::DeviceFile file, double clock, MakeBody make_body);

@@ -11,7 +11,7 @@
 
 namespace somato::emulation {
 
-/// What happened at lines: bytes that were read, or the end of waiting.
+/// An event of the lines: bytes that were read, or the end of waiting.
 struct LineEvent {
   double now = 0.0;
   std::vector<std::uint8_t> bytes;

@@ -62,7 +62,7 @@ class SensorBoard : public EmulatedSensors {
 
   SensorBoardSettings settings_;
   std::vector<float> values_;
-  std::vector<std::optional<float>> faults_;  // What a faulty element reports.
+  std::vector<std::optional<float>> faults_;  // The values that faulty elements report.
   std::vector<float> reported_;
   std::vector<std::uint8_t> bytes_;
   double switched_on_ = 0.0;

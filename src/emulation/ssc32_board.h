@@ -19,9 +19,9 @@ namespace somato::emulation {
 /// - A line with an unknown command, or with numbers that do not belong to one, does nothing.
 /// - A line longer than the receive queue does nothing, however long it is.
 /// - A pulse changes every 20 ms, counted from the moment the board was switched on.
-/// - A channel that moves alone with neither time nor speed reaches its target at the next step.
+/// - A single channel that moves with neither time nor speed reaches its target at the next step.
 /// - After GOBOOT there are neither answers nor pulses until the board is switched off and on.
-/// - Offsets shift the driven pulse, not the commanded one, which alone QP reports.
+/// - Offsets shift the driven pulse, not the commanded one, which QP reports.
 class Ssc32Board : public EmulatedServos {
  public:
   /// The servos at `channels`, each of 0 to 31, none twice.

@@ -6,7 +6,7 @@
 
 namespace somato::emulation {
 
-/// What an SSC-32 understands of a line: commands of one type. With mixed types the last wins.
+/// An SSC-32's interpretation of a line: commands of one type. With mixed types the last wins.
 struct Ssc32Line {
   enum class Type {
     kNothing,
@@ -14,10 +14,10 @@ struct Ssc32Line {
     kOffset,   ///< Channel and offset.
     kOutput,   ///< Bank and value.
     kStop,     ///< Channel.
-    kPulse,    ///< Asks for the pulse of a channel.
-    kAnalog,   ///< Asks for the analog input `channel`.
-    kDigital,  ///< Asks for the digital input `channel`.
-    kMoving,   ///< Asks whether the last group moves.
+    kPulse,    ///< Queries the pulse of a channel.
+    kAnalog,   ///< Queries the analog input `channel`.
+    kDigital,  ///< Queries the digital input `channel`.
+    kMoving,   ///< Queries whether the last group moves.
     kVersion,
     kWrite,  ///< Writes a register.
     kBoot,

@@ -146,9 +146,8 @@ Result<Activations> evaluate_fixed(const System& system, const Recording& record
   std::vector<std::size_t> explorations(recording.explorations.size());
   for (std::size_t i = 0; i < explorations.size(); ++i) explorations[i] = i;
   Activations activations(system.modules().size(), explorations.size());
-  auto evaluated =
-      evaluate(system, recording, explorations, fixed_inputs(system, also), threads, activations);
-  if (!evaluated) return fail(std::move(evaluated.error()));
+  SOMATO_TRY_VOID(
+      evaluate(system, recording, explorations, fixed_inputs(system, also), threads, activations));
   return activations;
 }
 

@@ -57,18 +57,17 @@ class Planner {
       }
       named.emplace_back();
       for (const std::string& module_name : phase.learn) {
-        const auto module = system_.find(module_name, phase.where);
-        if (!module) return fail(module.error());
-        if (!learns(*module)) {
+        SOMATO_TRY(const auto module, system_.find(module_name, phase.where));
+        if (!learns(module)) {
           return refuse(phase, "'" + module_name + "' has nothing to learn",
                         "remove it from 'learn'");
         }
-        if (contains(all, *module)) {
+        if (contains(all, module)) {
           return refuse(phase, "'" + module_name + "' is listed twice",
                         "list each module once in all phases");
         }
-        all.push_back(*module);
-        named.back().push_back(*module);
+        all.push_back(module);
+        named.back().push_back(module);
       }
       sort_as_run(named.back());
     }

@@ -96,9 +96,8 @@ Result<void> read_means(const Archive& archive, const std::string& where, SomMod
 
 Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
   if (model.classes.empty() && !archive.find("labels")) return {};
-  auto labels = labels_from(archive, model.som.neurons(), model.classes.size(), where);
-  if (!labels) return fail(std::move(labels.error()));
-  model.labels = std::move(*labels);
+  SOMATO_TRY(auto labels, labels_from(archive, model.som.neurons(), model.classes.size(), where));
+  model.labels = std::move(labels);
   return {};
 }
 
@@ -154,12 +153,10 @@ Result<SomModel> load_som_model(const std::string& path) {
   SOMATO_TRY(auto archive, load_archive(path));
   SOMATO_TRY_VOID(check_kind(archive, kSomKind, path));
   SOMATO_TRY_VOID(check_parts(archive, kKnownParts, path));
-  auto som = som_from(archive, kSomPrefix, path);
-  if (!som) return fail(std::move(som.error()));
-  auto features = read_names(archive, "features", path);
-  if (!features) return fail(std::move(features.error()));
+  SOMATO_TRY(auto som, som_from(archive, kSomPrefix, path));
+  SOMATO_TRY(auto features, read_names(archive, "features", path));
   SOMATO_TRY(auto classes, read_names(archive, "classes", path));
-  SomModel model{std::move(*som), std::move(*features), {}, std::move(classes), {}, {}};
+  SomModel model{std::move(som), std::move(features), {}, std::move(classes), {}, {}};
   if (!model.features.empty() && model.features.size() != model.som.input_size()) {
     return damaged_model("the names of the features do not fit the map", path);
   }

@@ -104,9 +104,8 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   const auto module = system.find(part.answer.map, where);
   const Som* som = module ? som_of(system, *module) : nullptr;
   if (som == nullptr) return damaged_model("the output map is missing", where);
-  auto labels = labels_from(archive, som->neurons(), part.answer.classes.size(), where);
-  if (!labels) return fail(std::move(labels.error()));
-  part.answer.labels = std::move(*labels);
+  SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
+  part.answer.labels = std::move(labels);
   return std::move(part.answer);
 }
 
@@ -160,19 +159,17 @@ Result<void> save_system(const std::string& path, const System& system,
 Result<SystemModel> load_system(const std::string& path) {
   SOMATO_TRY(const auto archive, load_archive(path));
   SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
-  auto system = build(archive, path);
-  if (!system) return fail(std::move(system.error()));
-  for (const SystemModule& module : system->modules()) {
+  SOMATO_TRY(auto system, build(archive, path));
+  for (const SystemModule& module : system.modules()) {
     Learner* learner = module.module->learner();
     if (learner == nullptr) continue;
     auto loaded = learner->load(archive, prefix_of(module), path);
     if (!loaded) return damaged_model(std::move(loaded.error()), path);
   }
-  SystemModel model{std::move(*system), {}};
+  SystemModel model{std::move(system), {}};
   if (archive.find("answer")) {
-    auto answer = read_answer(archive, model.system, path);
-    if (!answer) return fail(std::move(answer.error()));
-    model.answer = std::move(*answer);
+    SOMATO_TRY(auto answer, read_answer(archive, model.system, path));
+    model.answer = std::move(answer);
   }
   // Saving again must give the same parts, neither more nor fewer.
   if (archive_of(model.system, model.answer) == archive) return model;

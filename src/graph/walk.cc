@@ -271,9 +271,9 @@ Result<void> Walk::count_frames() {
   for (const Part& part : plan_.parts()) {
     if (!part.advances) continue;
     const Place& first = places_[part.modules.front()];
-    const auto frames = first.source ? first.channel->frames.rows() : common_frames(part);
-    if (!frames) return fail(frames.error());
-    for (const std::size_t module : part.modules) places_[module].frames = *frames;
+    SOMATO_TRY(const auto frames,
+               first.source ? first.channel->frames.rows() : common_frames(part));
+    for (const std::size_t module : part.modules) places_[module].frames = frames;
   }
   return {};
 }

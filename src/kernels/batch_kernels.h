@@ -3,7 +3,7 @@
 // Inner loops over many samples and a whole map at once. The search for winners is a product of
 // integer matrices, screened while it stands in registers: 16-bit integers are exact to add up, so
 // every instruction set finds the same candidates, and processors multiply them at twice the rate
-// of single precision or better. Who of the candidates wins is decided in double precision.
+// of single precision or better. The winner among the candidates is decided in double precision.
 
 #include <cstddef>
 #include <cstdint>

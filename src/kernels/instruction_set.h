@@ -10,7 +10,7 @@ namespace somato {
 /// The vector instructions the kernels may use. Every set gives the same bits; they differ in
 /// speed.
 enum class InstructionSet {
-  kPortable,    ///< What every processor of the architecture has.
+  kPortable,    ///< The instructions that every processor of the architecture has.
   kAvx2,        ///< AVX2 with fused multiply-add.
   kAvx512,      ///< AVX-512 F and BW.
   kAvx512Vnni,  ///< The same with sums of products of 16-bit integers.

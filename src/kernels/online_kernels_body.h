@@ -200,7 +200,7 @@ void multiply_block(const Weight* tile, std::size_t columns, std::size_t chunk, 
   total.store(sums);
 }
 
-// What is summed stays in registers for so many rows.
+// The sums for so many rows stay in registers.
 constexpr std::size_t kRowsAtOnce = 4;
 
 // Adds the sums of neighbouring chunks to the totals, one after the other. Elements stay in order,

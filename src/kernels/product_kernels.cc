@@ -13,7 +13,7 @@ SOMATO_DECLARE_TABLE(avx2)
 SOMATO_DECLARE_TABLE(avx512)
 #undef SOMATO_DECLARE_TABLE
 
-// What comes later among the sets has what comes before.
+// A later set includes the earlier ones.
 const ProductTable& product_table() {
 #if defined(__x86_64__)
   if (instruction_set() >= InstructionSet::kAvx512) return avx512::kProductTable;

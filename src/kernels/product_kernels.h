@@ -35,8 +35,8 @@ struct ProductMap {
   std::size_t padded;
   std::size_t samples;
   double* of_start;         ///< Share of the initial weights in the weights.
-  double* factors;          ///< What the coefficients are multiplied with.
-  double* squared_lengths;  ///< Of the weights.
+  double* factors;          ///< The factors by which the coefficients are multiplied.
+  double* squared_lengths;  ///< The squared lengths of the weights.
   double* coefficients;     ///< Samples x padded.
 };
 

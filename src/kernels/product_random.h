@@ -29,7 +29,7 @@ struct Keys {
   }
 };
 
-// What the third round takes of the quarter: words by which others are changed.
+// The part of the quarter that the third round uses: words by which others are changed.
 struct Quarter {
   std::uint32_t with_third;   // the third word after two rounds
   std::uint32_t with_first;   // the first after three
@@ -48,7 +48,7 @@ inline Quarter quarter_words(std::uint32_t quarter, std::uint32_t stream, const 
           upper(first3) ^ keys.second[2], lower(first3)};
 }
 
-// What the rounds take of eight rows.
+// The part of eight rows that the rounds use.
 struct Rows {
   Words second_upper;  // for the third word after two rounds
   Words fourth;        // the fourth after two

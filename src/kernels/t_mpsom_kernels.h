@@ -10,14 +10,14 @@
 
 namespace somato::kernels {
 
-/// What becomes of each neuron's weights: w <- keep w + add x. Values of a lane each.
+/// The update of each neuron's weights: w <- keep w + add x. Values of a lane each.
 struct Moves {
   float* keep;
   float* add;
   float* doubtful;  ///< Not zero where single precision does not know the length of what is moved.
 };
 
-/// What one reading of the weights finds of each neuron: values of a lane each.
+/// The result of reading the weights once, for each neuron: values of a lane each.
 struct Measures {
   float* partial;   ///< The sum of (mask * w) * x.
   float* products;  ///< w x.
@@ -25,7 +25,7 @@ struct Measures {
 };
 
 /// The next input: elements of which some are in the mask, which begins at column `first`.
-struct Hearing {
+struct ReceptiveInput {
   Lanes<const float> mask;
   std::size_t first;
   const float* x;
@@ -52,7 +52,7 @@ struct TMpsomTable {
   /// nullptr, and measures it as it is then, in one pass. The same bits as those of the others, for
   /// up to kChunk columns.
   void (*move_and_measure)(Lanes<float> w, const float* sample, const Moves& moves,
-                           const Hearing& hearing, const Measures& measures);
+                           const ReceptiveInput& input, const Measures& measures);
   /// keep = 1 - gain, add = gain.
   void (*find_plain_moves)(const float* gains, std::size_t blocks, const Moves& moves);
   /// w = keep w + add x, zero where its magnitude is below kNegligible.

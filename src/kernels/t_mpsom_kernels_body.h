@@ -154,7 +154,7 @@ void move(Lanes<float> w, const float* x, const Moves& moves) {
 
 // One block, moved and measured column by column: it is memory that this waits for, so that more
 // blocks at once gain nothing.
-template <bool Moving, bool Hears>
+template <bool Moving, bool HasInput>
 class Passage {
  public:
   Passage(float* lanes, std::size_t lane, const float* sample, const Moves& moves)
@@ -178,7 +178,7 @@ class Passage {
         weight.store(lanes);
       }
       squares_ = multiply_add(weight, weight, squares_);
-      if constexpr (!Hears) continue;
+      if constexpr (!HasInput) continue;
       const auto element = Floats::all(x[column]);
       products_ = multiply_add(weight, element, products_);
       if constexpr (!InField) continue;
@@ -204,29 +204,29 @@ class Passage {
   Floats squares_ = Floats::all(0);
 };
 
-template <bool Moving, bool Hears>
+template <bool Moving, bool HasInput>
 inline void move_and_measure_all(Lanes<float> w, const float* sample, const Moves& moves,
-                                 const Hearing& hearing, const Measures& measures) {
-  const std::size_t end = hearing.first + hearing.mask.columns;
+                                 const ReceptiveInput& input, const Measures& measures) {
+  const std::size_t end = input.first + input.mask.columns;
   for (std::size_t block = 0; block < w.blocks; ++block) {
     const std::size_t lane = block * kFloats;
-    Passage<Moving, Hears> passage(lanes_at(w, block, 0), lane, sample, moves);
-    const float* const mask = lanes_at(hearing.mask, block, 0);
-    passage.template pass<false>(0, hearing.first, hearing.x, mask);
-    passage.template pass<Hears>(hearing.first, end, hearing.x, mask);
-    passage.template pass<false>(end, w.columns, hearing.x, mask);
+    Passage<Moving, HasInput> passage(lanes_at(w, block, 0), lane, sample, moves);
+    const float* const mask = lanes_at(input.mask, block, 0);
+    passage.template pass<false>(0, input.first, input.x, mask);
+    passage.template pass<HasInput>(input.first, end, input.x, mask);
+    passage.template pass<false>(end, w.columns, input.x, mask);
     passage.store(lane, measures);
   }
 }
 
 void move_and_measure(Lanes<float> w, const float* sample, const Moves& moves,
-                      const Hearing& hearing, const Measures& measures) {
+                      const ReceptiveInput& input, const Measures& measures) {
   const bool moving = sample != nullptr;
-  const auto pass = moving && hearing.is_zero ? move_and_measure_all<true, false>
-                    : moving                  ? move_and_measure_all<true, true>
-                    : hearing.is_zero         ? move_and_measure_all<false, false>
-                                              : move_and_measure_all<false, true>;
-  pass(w, sample, moves, hearing, measures);
+  const auto pass = moving && input.is_zero ? move_and_measure_all<true, false>
+                    : moving                ? move_and_measure_all<true, true>
+                    : input.is_zero         ? move_and_measure_all<false, false>
+                                            : move_and_measure_all<false, true>;
+  pass(w, sample, moves, input, measures);
 }
 
 bool any(const float* values, std::size_t blocks) {
@@ -250,7 +250,7 @@ void add_activity(const float* p, std::size_t count, double* y) {
   for (std::size_t n = 0; n < count; ++n) y[n] += static_cast<double>(p[n]);
 }
 
-// What is not finite times zero is not a number, and stays so in a sum.
+// A value that is not finite gives NaN when multiplied by zero, which a sum keeps.
 bool rectify(const double* y, std::size_t count, double* out) {
   double strange[kDoubles] = {};
   std::size_t n = 0;

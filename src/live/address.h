@@ -8,8 +8,8 @@ namespace somato {
 
 /// An address of this machine that a server can be reached at.
 struct Address {
-  /// Who can reach it: only this machine; machines that reach one of its interfaces; or all
-  /// interfaces.
+  /// The clients that can reach it: only this machine; machines that reach one of its interfaces;
+  /// or all interfaces.
   enum class Reach { kLoopback, kInterface, kAll };
 
   std::string text;  ///< As browsers write it: "::1", also where "0:0:0:0:0:0:0:1" was given.

@@ -14,7 +14,7 @@
 
 namespace somato::live {
 
-/// What a step of a body left behind; see ExplorationStep.
+/// The state and poses after a step of a body; see ExplorationStep.
 struct BodyStep {
   BodyState state;
   std::vector<ScenePose> poses;

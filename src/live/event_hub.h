@@ -20,7 +20,7 @@ enum class EventKind { kState, kScene, kTraining, kFrame };
 inline constexpr std::size_t kEventKinds = 4;
 
 /// Hands the latest of each kind of event to any number of viewers. Publishing never waits: a slow
-/// viewer misses what came in between.
+/// viewer misses the events in between.
 class EventHub {
  public:
   using Text = std::shared_ptr<const std::string>;

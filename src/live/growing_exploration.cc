@@ -24,7 +24,7 @@ GrowingExploration::GrowingExploration(std::size_t index, const BodyDescription&
       frames_(body.sensors.size(), 0) {
   for (const ChannelDescription& sensor : body.sensors) {
     Channel channel = detail::empty_channel(sensor);
-    // What declares nothing, such as a height, is one number as far as anybody knows by now.
+    // A channel that declares nothing, such as a height, has one number until more is known.
     if (channel.frames.columns() == 0) channel.frames = Matrix<float>(0, 1);
     exploration_.channels.push_back(std::move(channel));
   }

@@ -33,7 +33,7 @@ class GrowingExploration {
   /// Valid as long as this lives.
   PlayedExploration played() const { return {index_, &exploration_, timeline_, scene_, false}; }
 
-  /// What was seen at its moments.
+  /// The scenes of its moments.
   const std::shared_ptr<KeptScene>& scene() const { return scene_; }
 
  private:

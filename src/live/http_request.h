@@ -10,7 +10,7 @@
 
 namespace somato::live {
 
-/// What a request may be made of at most, in bytes and numbers.
+/// The limits of a request, in bytes and numbers.
 struct HttpLimits {
   std::size_t head = 8192;
   std::size_t headers = 64;
@@ -47,8 +47,8 @@ struct HttpRequest {
 /// The request whose first line and headers `head` holds, with the empty line behind them. Takes
 /// what RFC 9112 allows and a browser sends, and no more: HTTP/1.0 or 1.1, a path (no address),
 /// lines that end in CR LF, printable characters, no header over several lines, no body of unknown
-/// length. What has a length, type or host twice is refused, as are other methods than GET, HEAD
-/// and POST.
+/// length. A request with two lengths, types or hosts is refused, as are other methods than GET,
+/// HEAD and POST.
 HttpResult<HttpRequest> parse_http_head(std::string_view head, const HttpLimits& limits = {});
 
 /// Whether the data so far can still become a request: the headers are not awaited if the first

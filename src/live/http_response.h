@@ -10,7 +10,8 @@
 
 namespace somato::live {
 
-/// What is answered. With `stream` the body is what that writes, until it returns.
+/// The response to a request. With `stream`, the body is the output of that function until it
+/// returns.
 struct HttpResponse {
   /// Sends a part of the body; returns false if the client does not receive any more.
   using Write = std::function<bool(std::string_view)>;

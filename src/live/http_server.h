@@ -16,7 +16,7 @@
 namespace somato::live {
 
 /// Answers HTTP requests, each connection in a separate thread; http_request.h describes the
-/// accepted requests. There are at most `connections` at a time: further clients are asked to try
+/// accepted requests. There are at most `connections` at a time: further clients are advised to try
 /// again later.
 class HttpServer {
  public:
@@ -46,7 +46,7 @@ class HttpServer {
   /// Begins to answer; `answer` is called from several threads at once.
   void start(Answer answer);
 
-  /// Ends all connections and waits for their threads. What streams must end when it cannot write.
+  /// Ends all connections and waits for their threads. A stream must end when it cannot write.
   void stop();
 
  private:

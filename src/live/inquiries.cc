@@ -35,44 +35,44 @@ bool is_of_touch(const std::string& channel) {
 
 }  // namespace
 
-// What a body explores only grows: what was found of its explorations holds.
-void Inquiries::turn_to(const InquiredSystem& asked) {
-  const bool is_known = asked_.model == asked.model && asked_.recording->explorations.size() <=
-                                                           asked.recording->explorations.size();
-  asked_ = asked;
+// The explorations of a body only grow in number: earlier findings remain valid.
+void Inquiries::turn_to(const InquiredSystem& system) {
+  const bool is_known = current_.model == system.model && current_.recording->explorations.size() <=
+                                                              system.recording->explorations.size();
+  current_ = system;
   if (is_known) return;
   maps_.clear();
-  for (std::size_t i = 0; i < asked_.model->system.modules().size(); ++i) {
-    if (som_of(asked_.model->system, i) == nullptr) continue;
-    maps_.push_back({i, channel_planes(asked_.model->system, i), 0, {}});
+  for (std::size_t i = 0; i < current_.model->system.modules().size(); ++i) {
+    if (som_of(current_.model->system, i) == nullptr) continue;
+    maps_.push_back({i, channel_planes(current_.model->system, i), 0, {}});
   }
 }
 
 Inquiries::KnownMap* Inquiries::find(const std::string& map) {
   const auto found = std::find_if(maps_.begin(), maps_.end(), [&](const KnownMap& one) {
-    return asked_.model->system.modules()[one.module].name == map;
+    return current_.model->system.modules()[one.module].name == map;
   });
   return found == maps_.end() ? nullptr : &*found;
 }
 
-// What does not fit the system has no input, and is near to nothing.
+// An exploration that does not fit the system has no input, and is near to no neuron.
 Result<void> Inquiries::find_inputs(KnownMap& map) const {
-  const System& system = asked_.model->system;
+  const System& system = current_.model->system;
   if (system.modules()[map.module].output.rate == Rate::kFrame) return {};
   const std::size_t input = system.modules()[map.module].inputs.front();
-  const std::size_t explorations = asked_.recording->explorations.size();
+  const std::size_t explorations = current_.recording->explorations.size();
   for (; map.seen < std::min(explorations, kMostExplorationsReplied); ++map.seen) {
     if (is_over_()) return fail(ErrorKind::kUsage, "the view is closing");
     Activations activations(system.modules().size(), explorations);
     const std::array<std::size_t, 1> one{map.seen};
-    if (!evaluate(system, *asked_.recording, one, {input}, 1, activations)) continue;
+    if (!evaluate(system, *current_.recording, one, {input}, 1, activations)) continue;
     map.inputs.push_back({map.seen, Signal::copy_of(activations.find(input, map.seen)->values[0])});
   }
   return {};
 }
 
 Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
-  const Som& som = *som_of(asked_.model->system, map.module);
+  const Som& som = *som_of(current_.model->system, map.module);
   SomWorkspace workspace;
   std::vector<std::pair<double, std::size_t>> distances;
   distances.reserve(map.inputs.size());
@@ -85,24 +85,24 @@ Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
     const auto& [distance, exploration] = distances[i];
     nearest.push_back(
         {{"exploration", exploration},
-         {"labels", detail::labels_json(asked_.recording->explorations[exploration].labels)},
+         {"labels", detail::labels_json(current_.recording->explorations[exploration].labels)},
          {"distance", distance}});
   }
   return nearest;
 }
 
-Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::string& map,
+Result<std::string> Inquiries::neuron(const InquiredSystem& system, const std::string& map,
                                       std::size_t neuron) {
   const std::scoped_lock lock(mutex_);
-  turn_to(asked);
+  turn_to(system);
   KnownMap* known = find(map);
   if (known == nullptr) return fail(ErrorKind::kUsage, "unknown map");
-  const Som& som = *som_of(asked_.model->system, known->module);
+  const Som& som = *som_of(current_.model->system, known->module);
   if (neuron >= som.neurons()) {
     return fail(ErrorKind::kUsage, fmt::format("the map has {} neurons", som.neurons()));
   }
   SOMATO_TRY_VOID(find_inputs(*known));
-  const auto& answer = asked_.model->answer;
+  const auto& answer = current_.model->answer;
   const bool answers = answer && answer->map == map && answer->labels[neuron];
   Json planes = Json::array();
   for (const ChannelPlanes& one : known->planes) planes.push_back(plane_json(one, neuron));
@@ -113,9 +113,9 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& asked, const std::st
                     {"nearest", nearest(*known, neuron)}});
 }
 
-Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t element) {
+Result<std::string> Inquiries::taxel(const InquiredSystem& system, std::size_t element) {
   const std::scoped_lock lock(mutex_);
-  turn_to(asked);
+  turn_to(system);
   Json maps = Json::object();
   std::string name;
   for (const KnownMap& one : maps_) {
@@ -127,7 +127,7 @@ Result<std::string> Inquiries::taxel(const InquiredSystem& asked, std::size_t el
         const double weight = planes.values(neuron, element);
         weights.push_back(std::isfinite(weight) ? weight : 0.0);
       }
-      maps[asked_.model->system.modules()[one.module].name] = std::move(weights);
+      maps[current_.model->system.modules()[one.module].name] = std::move(weights);
     }
   }
   if (maps.empty())

@@ -31,14 +31,14 @@ class Inquiries {
   explicit Inquiries(std::function<bool()> is_over = [] { return false; })
       : is_over_(std::move(is_over)) {}
 
-  /// What a neuron of a map stands for, and which explorations are nearest to it, of the first two
+  /// Describes a neuron of a map, and the explorations that are nearest to it, of the first two
   /// thousand. Errors (kUsage): no such map or neuron; all is over.
-  Result<std::string> neuron(const InquiredSystem& asked, const std::string& map,
+  Result<std::string> neuron(const InquiredSystem& system, const std::string& map,
                              std::size_t neuron);
 
   /// For each map the weights of its neurons for an element of the channel `touch`. Errors
   /// (kUsage): no map knows such an element.
-  Result<std::string> taxel(const InquiredSystem& asked, std::size_t element);
+  Result<std::string> taxel(const InquiredSystem& system, std::size_t element);
 
  private:
   struct ExplorationInput {
@@ -52,14 +52,14 @@ class Inquiries {
     std::vector<ExplorationInput> inputs;  ///< None where they come with every frame.
   };
 
-  void turn_to(const InquiredSystem& asked);
+  void turn_to(const InquiredSystem& system);
   KnownMap* find(const std::string& map);
   Result<void> find_inputs(KnownMap& map) const;
   Json nearest(const KnownMap& map, std::size_t neuron) const;
 
   std::function<bool()> is_over_;
   std::mutex mutex_;
-  InquiredSystem asked_;
+  InquiredSystem current_;
   std::vector<KnownMap> maps_;
 };
 

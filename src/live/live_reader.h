@@ -25,7 +25,7 @@ class LiveReader {
   /// Follows the exploration until the channels have given so many frames each.
   void follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
 
-  /// What there is to say, or nullptr; where that is costly it is what was said up to a quarter of
+  /// The present reading, or nullptr; if reading is costly, it is the reading of up to a quarter of
   /// a second ago, or ten times as long as it took to say, unless it is wanted `now`. Nothing is
   /// computed twice for the same frames.
   const Reading* read(bool now);

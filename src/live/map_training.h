@@ -21,8 +21,9 @@ struct TrainingSnapshot {
   std::uint64_t steps = 0;
   double radius = 0.0;
   double learning_rate = 0.0;
-  std::vector<std::size_t> winners;  ///< Of the first samples; none while other modules learn.
-  std::vector<std::string> classes;  ///< Of the same samples.
+  std::vector<std::size_t>
+      winners;  ///< The winners of the first samples; none while other modules learn.
+  std::vector<std::string> classes;  ///< The classes of the same samples.
   std::vector<double> u_matrix;      ///< Or none.
   bool done = false;
 };

@@ -236,7 +236,7 @@ Result<void> Player::place(const Placement& placement) {
   return {};
 }
 
-// What the body was exploring ends first.
+// The exploration in progress ends first.
 Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
   if (!source_.plan.empty()) return not_now("the explorations of this session are fixed");
@@ -355,7 +355,7 @@ void Player::finish(std::future<Result<Exploration>> explored) {
   publish_state();
 }
 
-// What the system says of the last moments is passed on before they are forgotten.
+// The readings of the last moments are passed on before they are forgotten.
 void Player::catch_up() {
   if (!replay_.tap().is_open() || replay_.moments() == 0) return;
   replay_.show(replay_.moments() - 1);

@@ -35,7 +35,8 @@ class Player {
   /// it.
   void run();
 
-  /// What follows is for the thread of run(), by tasks. Errors (kUsage): what cannot be done now.
+  /// The following functions are for the thread of run(), by tasks. Errors (kUsage): an impossible
+  /// command.
   Result<void> handle(const ViewCommand& command);
 
   const ViewSource& source() const { return source_; }
@@ -43,7 +44,7 @@ class Player {
   /// The system that is chosen, or nullptr.
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
 
-  /// What the strips over time show of the exploration that is played, or nothing.
+  /// The strips over time of the exploration that is played, or nothing.
   std::optional<Strips> strips() const;
 
   /// A system that was trained; it is used when it is the one that is chosen.
@@ -93,7 +94,7 @@ class Player {
   bool closed_ = false;
   bool had_viewer_ = false;
 
-  // Of a body.
+  // The state of a body.
   Placement placement_;
   std::size_t thing_ = 0;
   std::size_t trials_ = 0;

@@ -10,7 +10,7 @@
 
 namespace somato::live {
 
-/// What a system says after a moment of an exploration.
+/// The reading of a system after a moment of an exploration.
 struct SaidReading {
   std::size_t exploration = 0;  ///< Counting from 0.
   std::size_t moments = 0;      ///< So far, with this one.

@@ -65,14 +65,14 @@ void Replay::follow(std::chrono::milliseconds patience) {
     reader_.follow(*played_->exploration, come);
     tap_.say(*played_, followed_, reader_);
   }
-  tell(*std::exchange(wanted_, std::nullopt));
+  publish_moment(*std::exchange(wanted_, std::nullopt));
 }
 
 std::size_t Replay::frames(std::size_t channel, std::size_t moments) const {
   return moments == 0 ? 0 : played_->timeline->frames(channel, moments - 1);
 }
 
-// What is shown when so many moments have passed.
+// The moment that is shown when so many moments have passed.
 ShownMoment Replay::shown_after(std::size_t moments) const {
   const Timeline& timeline = *played_->timeline;
   ShownMoment shown;
@@ -90,7 +90,7 @@ ShownMoment Replay::shown_after(std::size_t moments) const {
   return shown;
 }
 
-void Replay::tell(std::size_t moment) {
+void Replay::publish_moment(std::size_t moment) {
   ShownMoment shown = shown_after(moment + 1);
   shown.time = played_->timeline->time(moment);
   if (played_->scene) {

@@ -32,7 +32,7 @@ class Replay {
   /// Shows nothing any more.
   void end();
 
-  /// Shows a moment. What the system remembers depends on every moment before, so that this may
+  /// Shows a moment. The system's memory depends on every moment before, so that this may
   /// take long: it ends early, and is_behind() holds until follow() has shown the moment.
   void show(std::size_t moment);
 
@@ -55,7 +55,7 @@ class Replay {
   ReadingTap& tap() { return tap_; }
   const ReadingTap& tap() const { return tap_; }
 
-  /// What is played; nullptr without anything.
+  /// The exploration that is played; nullptr without one.
   const PlayedExploration* played() const { return played_ ? &*played_ : nullptr; }
 
   std::size_t moments() const { return played_ ? played_->timeline->moments() : 0; }
@@ -71,7 +71,7 @@ class Replay {
   void publish_scene() const;
   std::size_t frames(std::size_t channel, std::size_t moments) const;
   ShownMoment shown_after(std::size_t moments) const;
-  void tell(std::size_t moment);
+  void publish_moment(std::size_t moment);
   void publish(const ShownMoment& shown);
 
   EventHub& hub_;

@@ -19,8 +19,8 @@ struct Strips {
 
   std::size_t exploration = 0;
   std::optional<std::size_t> frames = {};  ///< None while a body still explores.
-  std::vector<std::size_t> frame = {};     ///< Of each moment.
-  std::vector<double> time = {};           ///< Of each moment, s.
+  std::vector<std::size_t> frame = {};     ///< The frame of each moment.
+  std::vector<double> time = {};           ///< The time of each moment, s.
   std::vector<Channel> channels = {};
 };
 

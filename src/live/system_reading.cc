@@ -49,13 +49,12 @@ Result<SystemReading> SystemReading::build(std::shared_ptr<const SystemModel> mo
     return fail(ErrorKind::kData, "the system has no output map", {},
                 "use one saved by 'somato run'");
   }
-  auto map = model->system.find(model->answer->map);
-  if (!map) return fail(std::move(map.error()));
-  if (model->system.modules()[*map].output.rate == Rate::kFrame) {
+  SOMATO_TRY(auto map, model->system.find(model->answer->map));
+  if (model->system.modules()[map].output.rate == Rate::kFrame) {
     return fail(ErrorKind::kData, "the output map receives one input per frame", {},
                 "use a system whose map receives one input per exploration");
   }
-  return SystemReading(std::move(model), *map);
+  return SystemReading(std::move(model), map);
 }
 
 void SystemReading::start() {

@@ -18,17 +18,17 @@ namespace somato::live {
 /// A map's answer to an input.
 struct MapReading {
   std::size_t winner = 0;
-  double distance = 0.0;        ///< Of the winner.
+  double distance = 0.0;        ///< The distance of the winner.
   std::vector<float> activity;  ///< A value a neuron; the greatest is 1, unless all are 0.
 };
 
 /// A class and how far its nearest neuron is.
 struct Candidate {
-  std::size_t number = 0;  ///< Of the class.
+  std::size_t number = 0;  ///< The number of the class.
   double distance = 0.0;
 };
 
-/// What a system says of an exploration as far as it went.
+/// The reading of a system for an exploration up to a moment.
 struct Reading {
   std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
   std::vector<std::pair<std::size_t, MapReading>> maps;
@@ -45,7 +45,7 @@ class SystemReading {
   /// Errors (kData): a system without a map that answers, or whose answer comes with every frame.
   static Result<SystemReading> build(std::shared_ptr<const SystemModel> model);
 
-  /// Whether saying something costs as much as evaluating the exploration so far.
+  /// Whether a reading costs as much as evaluating the exploration so far.
   bool is_costly() const { return walk_.is_costly(); }
 
   const SystemModel& model() const { return *model_; }
@@ -58,7 +58,7 @@ class SystemReading {
   /// frames each. Errors (kData) name channel or module.
   Result<void> follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
 
-  /// What there is to say; nothing before each channel gave a frame. Errors (kData): those of the
+  /// The present reading; nothing before each channel gave a frame. Errors (kData): those of the
   /// modules, which may need more frames.
   Result<std::optional<Reading>> read();
 

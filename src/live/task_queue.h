@@ -9,7 +9,7 @@
 
 namespace somato::live {
 
-/// What others want one thread to do, and that thread's waiting for it.
+/// Tasks of other threads for one thread, and that thread's waiting for them.
 class TaskQueue {
  public:
   using Clock = std::chrono::steady_clock;

@@ -32,7 +32,7 @@ class TrainingThread {
              Done done);
 
   /// Requests a stop, which takes effect soon.
-  void ask_to_stop() { stopping_ = true; }
+  void request_stop() { stopping_ = true; }
 
   /// Stops and waits.
   void stop();

@@ -11,7 +11,7 @@
 
 namespace somato::live {
 
-/// What a page may ask for; see docs/formats/view.md.
+/// A request of a page; see docs/formats/view.md.
 struct PlayCommand {};
 struct PauseCommand {};
 struct StepCommand {

@@ -39,8 +39,8 @@ struct ShownMoment {
 /// Whether the channel comes too fast for frames at `rate` a second.
 bool comes_in_stretches(const Channel& channel, double rate);
 
-/// What is shown of a channel of which so many frames have come: the latest, or of what comes in
-/// stretches the latest one.
+/// The values that are shown of a channel with `come` frames so far: the latest frame or, for a
+/// channel that comes in stretches, the latest stretch.
 std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come);
 
 /// The JSON as text; what is no UTF-8 is replaced.

@@ -175,17 +175,17 @@ class ViewServer::Impl {
     HttpResponse response;
     response.type = "text/event-stream";
     response.stream = [subscription](const HttpResponse::Write& write) {
-      tell(*subscription, write);
+      send(*subscription, write);
     };
     return response;
   }
 
-  static void tell(EventHub::Subscription& subscription, const HttpResponse::Write& write) {
+  static void send(EventHub::Subscription& subscription, const HttpResponse::Write& write) {
     while (const auto events = subscription.next(kBetweenPings)) {
       if (events->empty() && !write("event: ping\ndata: {}\n\n")) return;
       for (const auto& [kind, text] : *events) {
-        const std::string told = fmt::format("event: {}\ndata: {}\n\n", name_of(kind), *text);
-        if (!write(told)) return;
+        const std::string event = fmt::format("event: {}\ndata: {}\n\n", name_of(kind), *text);
+        if (!write(event)) return;
       }
     }
   }
@@ -202,12 +202,12 @@ class ViewServer::Impl {
 Result<std::unique_ptr<ViewServer>> ViewServer::start(ViewSession& session,
                                                       std::vector<ViewPage> pages,
                                                       const ViewServerSettings& settings) {
-  auto works = std::make_unique<Impl>(session, std::move(pages), settings);
-  SOMATO_TRY_VOID(works->start());
-  return std::unique_ptr<ViewServer>(new ViewServer(std::move(works)));
+  auto impl = std::make_unique<Impl>(session, std::move(pages), settings);
+  SOMATO_TRY_VOID(impl->start());
+  return std::unique_ptr<ViewServer>(new ViewServer(std::move(impl)));
 }
 
-ViewServer::ViewServer(std::unique_ptr<Impl> works) : impl_(std::move(works)) {}
+ViewServer::ViewServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 ViewServer::~ViewServer() {
   impl_->stop();

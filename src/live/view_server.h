@@ -21,7 +21,7 @@ struct ViewPage {
 struct ViewServerSettings {
   std::string address = "127.0.0.1";  ///< To be reached at, in digits.
   std::uint16_t port = 0;             ///< 0: any that is free.
-  std::size_t viewers = 16;           ///< That look on at most.
+  std::size_t viewers = 16;           ///< At most.
   std::size_t connections = 64;       ///< At most at a time, those of the viewers among them.
   unsigned patience = 5000;           ///< Milliseconds for a request, or any part of an answer.
 };
@@ -50,7 +50,7 @@ class ViewServer {
 
  private:
   class Impl;
-  explicit ViewServer(std::unique_ptr<Impl> works);
+  explicit ViewServer(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -52,7 +52,7 @@ class ViewSession::Impl {
   Result<void> command(std::string_view json) {
     auto command = live::parse_view_command(json);
     if (!command) return fail(std::move(command.error()));
-    return ask<void>([this, command = std::move(*command)] {
+    return run_task<void>([this, command = std::move(*command)] {
       auto handled = handle(command);
       player_.publish_state();
       return handled;
@@ -61,16 +61,16 @@ class ViewSession::Impl {
 
   // Long computations run in the calling thread.
   Result<std::string> neuron(const std::string& map, std::size_t neuron) {
-    return asked_system().and_then(
-        [&](const live::InquiredSystem& asked) { return inquiries_.neuron(asked, map, neuron); });
+    return inquired_system().and_then(
+        [&](const live::InquiredSystem& system) { return inquiries_.neuron(system, map, neuron); });
   }
   Result<std::string> taxel(std::size_t element) {
-    return asked_system().and_then(
-        [&](const live::InquiredSystem& asked) { return inquiries_.taxel(asked, element); });
+    return inquired_system().and_then(
+        [&](const live::InquiredSystem& system) { return inquiries_.taxel(system, element); });
   }
 
   Result<std::string> strips() {
-    return ask<std::optional<live::Strips>>([this] { return player_.strips(); })
+    return run_task<std::optional<live::Strips>>([this] { return player_.strips(); })
         .map([](const auto& strips) { return strips ? live::strips_text(*strips) : "null"; });
   }
 
@@ -82,12 +82,12 @@ class ViewSession::Impl {
 
   // Has the player's thread do something, and waits until it has.
   template <typename T>
-  Result<T> ask(std::function<Result<T>()> question) {
+  Result<T> run_task(std::function<Result<T>()> task) {
     auto answer = std::make_shared<std::promise<Result<T>>>();
     auto result = answer->get_future();
     auto forgotten = std::make_shared<std::atomic<bool>>(false);
-    const bool posted = queue_.post([answer, forgotten, question = std::move(question)] {
-      if (!*forgotten) answer->set_value(answer_to(question));
+    const bool posted = queue_.post([answer, forgotten, task = std::move(task)] {
+      if (!*forgotten) answer->set_value(result_of(task));
     });
     if (!posted || result.wait_for(kPatience) != std::future_status::ready) {
       *forgotten = true;
@@ -98,16 +98,16 @@ class ViewSession::Impl {
 
   // An internal error must not end the program.
   template <typename T>
-  static Result<T> answer_to(const std::function<Result<T>()>& question) {
+  static Result<T> result_of(const std::function<Result<T>()>& task) {
     try {
-      return question();
+      return task();
     } catch (const std::exception& error) {
       return fail(ErrorKind::kData, fmt::format("internal error: {}", error.what()));
     }
   }
 
-  Result<live::InquiredSystem> asked_system() {
-    return ask<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
+  Result<live::InquiredSystem> inquired_system() {
+    return run_task<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
       const ViewSystem* system = player_.system();
       if (system != nullptr && system->trained) {
         return live::InquiredSystem{system->trained, to_learn_from()};
@@ -119,13 +119,13 @@ class ViewSession::Impl {
   Result<void> handle(const live::ViewCommand& command) {
     if (std::holds_alternative<live::TrainCommand>(command)) return train();
     if (std::holds_alternative<live::StopTrainingCommand>(command)) {
-      training_.ask_to_stop();
+      training_.request_stop();
       return {};
     }
     return player_.handle(command);
   }
 
-  // What a body has explored grows meanwhile; a recording stays as it is.
+  // The explorations of a body grow meanwhile; a recording does not change.
   std::shared_ptr<const Recording> to_learn_from() {
     const ViewSource& source = player_.source();
     if (!source.explorer) return {std::shared_ptr<const Recording>(), &source.recording};

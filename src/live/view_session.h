@@ -32,7 +32,7 @@ class ViewSession {
   /// Ends everything and waits for it; nothing is published any more.
   void stop();
 
-  /// What was viewed: with all that a body has explored so far. After stop().
+  /// The recording that was viewed, with all that a body has explored so far. After stop().
   const Recording& recording() const;
 
   /// Does what a command in JSON says. From any thread. Errors (kUsage): no such command, or one

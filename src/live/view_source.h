@@ -20,10 +20,10 @@ namespace somato {
 /// A system that may be chosen: trained already, or to be trained on what is viewed.
 struct ViewSystem {
   std::string name;
-  std::string text;                            ///< One line.
-  SystemDescription description = {};          ///< Of one that is still to be trained.
-  std::string label = {};                      ///< The label to be predicted, such as "object".
-  std::string map = {};                        ///< The module that answers; empty: its last map.
+  std::string text;                    ///< One line.
+  SystemDescription description = {};  ///< The description of one that is still to be trained.
+  std::string label = {};              ///< The label to be predicted, such as "object".
+  std::string map = {};                ///< The module that answers; empty: its last map.
   std::shared_ptr<const SystemModel> trained;  ///< Or nullptr.
 };
 
@@ -33,16 +33,16 @@ struct PlannedExploration {
   std::size_t trial = 0;
 };
 
-/// What is viewed: a recording, or a body that explores, simulated or real.
+/// The source of the view: a recording, or a body that explores, simulated or real.
 struct ViewSource {
   std::string name;          ///< The file's name, or the body's.
   Recording recording = {};  ///< Valid; of a body what was explored before, if any.
   std::unique_ptr<const Explorer> explorer = {};  ///< With the body; or nullptr.
   std::size_t thing = 0;                          ///< That the body explores first.
-  /// What the body explores, one after the other, each object placed at random; it then explores
-  /// nothing else. Empty: one thing, and what commands say.
+  /// The explorations of the body, one after the other, each object placed at random; it then
+  /// explores nothing else. Empty: one thing, and what commands say.
   std::vector<PlannedExploration> plan = {};
-  std::uint64_t seed = 1;     ///< Of what is trained.
+  std::uint64_t seed = 1;     ///< The seed of training.
   ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
   SceneFinder scenes = {};    ///< For recordings; may be empty.
   /// Takes what the first of the systems says, which is then the only one; may be empty.

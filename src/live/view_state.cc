@@ -36,7 +36,7 @@ void add_length(const PlayedExploration* played, Json& json) {
   json["duration"] = moments > 0 ? Json(played->timeline->time(moments - 1)) : Json();
 }
 
-// Of a recording there is nothing to choose.
+// A recording offers no choice.
 void add_things(const ViewState& state, Json& json) {
   json["things"] = Json::array();
   json["thing"] = nullptr;

@@ -75,7 +75,7 @@ std::size_t chunk_for(std::size_t columns) {
   return is_short ? kShort : kernels::kChunk;
 }
 
-// Of a sum in chunks, and of what else is rounded (see above).
+// The error of a sum in chunks, and of other roundings (see above).
 double relative_error(std::size_t columns, std::size_t chunk) {
   constexpr std::size_t kElse = 40;
   const std::size_t roundings = chunk + columns / chunk + kElse;
@@ -307,7 +307,7 @@ void DenseLearner::multiply_block(std::size_t block, const float* input, std::si
   }
 }
 
-// Of the weights after the updates.
+// Bounds the weights after the updates.
 void DenseLearner::bound_magnitudes(std::size_t block) {
   for (std::size_t neuron = block * kFloatLanes; neuron < (block + 1) * kFloatLanes; ++neuron) {
     double bound = std::fabs(kept_[neuron]) * rounded_.greatest(neuron);
@@ -414,8 +414,8 @@ void DenseLearner::compute_scores() {
   }
 }
 
-// What the best score may be at most, and those of neurons that are not farther from it than their
-// own errors allow.
+// An upper bound for the exact best score in terms of the computed ones: any neuron with a higher
+// score is not the winner, whatever its rounding errors are.
 double DenseLearner::score_limit() const {
   const std::size_t columns = som_.weights().columns();
   const double best = *std::min_element(scores_.begin(), scores_.end());

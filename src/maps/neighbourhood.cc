@@ -18,7 +18,7 @@ constexpr double kBubbleTolerance = 1e-9;
 template <typename Real>
 constexpr double kSmallestFactor = sizeof(Real) == sizeof(float) ? 0x1p-100 : 0x1p-1000;
 
-// Of the Gaussian, which is its exponential.
+// The exponent of the Gaussian.
 double exponent(double difference, double radius) {
   if (difference == 0.0) return 0.0;
   if (radius == 0.0) return -std::numeric_limits<double>::infinity();

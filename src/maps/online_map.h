@@ -13,8 +13,8 @@ namespace somato {
 /// An input to learn.
 struct OnlineInput {
   SignalView values;
-  std::optional<std::size_t> lesson;  ///< Its number among the samples that a map learns by their
-                                      ///< inner products.
+  std::optional<std::size_t> item;  ///< Its number among the samples that a map learns by their
+                                    ///< inner products.
 };
 
 /// The result of learning several inputs.

@@ -9,9 +9,9 @@ Learned ProductLearner::learn(std::span<const OnlineInput> inputs,
                               std::span<const LearningStep> steps) {
   learned_ = true;
   Learned learned;
-  for (; learned.inputs < inputs.size() && inputs[learned.inputs].lesson; ++learned.inputs) {
+  for (; learned.inputs < inputs.size() && inputs[learned.inputs].item; ++learned.inputs) {
     const LearningStep& step = steps[learned.inputs];
-    learned.winner = state_.learn(*inputs[learned.inputs].lesson, step.learning_rate, step.radius);
+    learned.winner = state_.learn(*inputs[learned.inputs].item, step.learning_rate, step.radius);
   }
   return learned;
 }

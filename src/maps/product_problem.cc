@@ -31,19 +31,18 @@ Result<std::shared_ptr<const ProductProblem>> ProductProblem::prepare(
                       [&](std::size_t sample) { return sample < known.count(); }),
           "a sample to train on does not exist");
   SOMATO_TRY_VOID(check_samples(training.size(), known.size()));
-  Result<SomParameters> resolved = resolve(parameters, training.size(), known.size());
-  if (!resolved) return fail(std::move(resolved.error()));
-  if (resolved->arithmetic != Arithmetic::kInnerProducts) return nullptr;
+  SOMATO_TRY(auto resolved, resolve(parameters, training.size(), known.size()));
+  if (resolved.arithmetic != Arithmetic::kInnerProducts) return nullptr;
   std::shared_ptr<ProductProblem> problem(new ProductProblem());
-  problem->known_ = SampleProducts::of(known, *resolved->normalize_input, threads);
-  problem->parameters_ = std::move(*resolved);
+  problem->known_ = SampleProducts::of(known, *resolved.normalize_input, threads);
+  problem->parameters_ = std::move(resolved);
   double longest = 0.0;
   problem->trained_.resize(known.count());
-  problem->lessons_.resize(known.count());
-  for (std::size_t lesson = 0; lesson < training.size(); ++lesson) {
-    const std::size_t sample = training[lesson];
+  problem->items_.resize(known.count());
+  for (std::size_t item = 0; item < training.size(); ++item) {
+    const std::size_t sample = training[item];
     problem->trained_[sample] = true;
-    problem->lessons_[sample] = lesson;
+    problem->items_[sample] = item;
     longest = std::max(longest, problem->known_->products()(sample, sample));
   }
   SOMATO_TRY_VOID(check_longest(std::sqrt(longest)));
@@ -111,7 +110,7 @@ InitialRanges ProductProblem::dense_ranges() const {
   return {std::move(low), std::move(high)};
 }
 
-// Of elements that a training sample uses; zeros count.
+// The ranges of elements that a training sample uses; zeros count.
 InitialRanges ProductProblem::sparse_ranges(const std::vector<std::uint32_t>& elements) const {
   const SampleColumns& columns = known_->columns();
   const auto trained = static_cast<std::size_t>(std::count(trained_.begin(), trained_.end(), true));

@@ -20,8 +20,9 @@ namespace somato {
 /// The initial state of training by products: initial weights as their products with all known
 /// samples.
 struct ProductStart {
-  AlignedVector<double> products;         ///< Known samples x padded neurons.
-  AlignedVector<double> squared_lengths;  ///< Of the initial weights, before scaling to length 1.
+  AlignedVector<double> products;  ///< Known samples x padded neurons.
+  AlignedVector<double>
+      squared_lengths;  ///< The squared lengths of the initial weights, before scaling to length 1.
 };
 
 /// A map to be trained by products: parameters all decided, known samples as it sees them, those
@@ -40,8 +41,8 @@ class ProductProblem {
   const std::vector<std::size_t>& training() const { return training_; }
 
   /// The number of a sample among those that the map is trained on; nothing for one held out.
-  std::optional<std::size_t> lesson_of(std::size_t sample) const {
-    return trained_[sample] ? std::optional(lessons_[sample]) : std::nullopt;
+  std::optional<std::size_t> item_of(std::size_t sample) const {
+    return trained_[sample] ? std::optional(items_[sample]) : std::nullopt;
   }
   const StoredElements& elements() const { return elements_; }
 
@@ -75,9 +76,9 @@ class ProductProblem {
   SomParameters parameters_;
   std::shared_ptr<const SampleProducts> known_;
   std::vector<std::size_t> training_;
-  std::vector<bool> trained_;         // of each known sample, whether it is among them
-  std::vector<std::size_t> lessons_;  // and if so, its number there
-  std::vector<std::uint32_t> used_;   // elements where sparse samples to train on have values
+  std::vector<bool> trained_;        // of each known sample, whether it is among them
+  std::vector<std::size_t> items_;   // and if so, its number there
+  std::vector<std::uint32_t> used_;  // elements where sparse samples to train on have values
   StoredElements elements_;
 };
 

@@ -55,7 +55,7 @@ ProductState::ProductState(std::shared_ptr<const ProductProblem> problem, std::s
     : problem_(std::move(problem)),
       grid_(problem_->parameters().grid()),
       padded_(problem_->padded()),
-      lesson_products_(std::make_shared<const Matrix<double>>(
+      item_products_(std::make_shared<const Matrix<double>>(
           products_of(problem_->training(), problem_->known().products()))),
       of_start_(padded_),
       factors_(padded_, 1.0),
@@ -99,7 +99,7 @@ void ProductState::start_at_samples() {
   const auto samples = initial_samples(problem_->parameters(), problem_->training().size());
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
     coefficients_[samples[neuron] * padded_ + neuron] = 1.0;
-    squared_lengths_[neuron] = lesson_products(samples[neuron])[samples[neuron]];
+    squared_lengths_[neuron] = item_products(samples[neuron])[samples[neuron]];
   }
 }
 
@@ -108,28 +108,28 @@ kernels::ProductMap ProductState::map() {
           factors_.data(), squared_lengths_.data(),     coefficients_.data()};
 }
 
-const double* ProductState::lesson_products(std::size_t lesson) const {
+const double* ProductState::item_products(std::size_t item) const {
   const Matrix<double>& products =
-      lesson_products_->empty() ? problem_->known().products() : *lesson_products_;
-  return products.row(lesson).data();
+      item_products_->empty() ? problem_->known().products() : *item_products_;
+  return products.row(item).data();
 }
 
 const double* ProductState::initial_products(std::size_t sample) const {
   return start_->products.data() + (problem_->starts_at_random() ? sample * padded_ : 0);
 }
 
-void ProductState::products_with_lesson(std::size_t lesson, std::span<double> out) {
-  kernels::product_table().products_with(map(), initial_products(problem_->training()[lesson]),
-                                         lesson_products(lesson), out.data());
+void ProductState::products_with_item(std::size_t item, std::span<double> out) {
+  kernels::product_table().products_with(map(), initial_products(problem_->training()[item]),
+                                         item_products(item), out.data());
 }
 
 void ProductState::products_with(std::size_t sample, std::span<double> out) {
-  std::vector<double> with_lessons;
-  with_lessons.reserve(problem_->training().size());
-  for (const std::size_t lesson : problem_->training()) {
-    with_lessons.push_back(problem_->known().products()(sample, lesson));
+  std::vector<double> with_items;
+  with_items.reserve(problem_->training().size());
+  for (const std::size_t item : problem_->training()) {
+    with_items.push_back(problem_->known().products()(sample, item));
   }
-  kernels::product_table().products_with(map(), initial_products(sample), with_lessons.data(),
+  kernels::product_table().products_with(map(), initial_products(sample), with_items.data(),
                                          out.data());
 }
 
@@ -141,38 +141,38 @@ std::size_t ProductState::winner(const double* products) {
                                         scores_.data());
 }
 
-std::size_t ProductState::learn(std::size_t lesson, double learning_rate, double radius) {
-  products_with_lesson(lesson, products_);
+std::size_t ProductState::learn(std::size_t item, double learning_rate, double radius) {
+  products_with_item(item, products_);
   const std::size_t nearest = winner(products_.data());
   neighbourhood_.around(nearest, radius, gains_);
   for (double& gain : gains_) gain *= learning_rate;
-  kernels::product_table().move(map(), lesson, lesson_products(lesson)[lesson], products_.data(),
+  kernels::product_table().move(map(), item, item_products(item)[item], products_.data(),
                                 gains_.data(), dot_product());
   return nearest;
 }
 
 void ProductState::learn_all(double radius) {
-  const std::size_t lessons = problem_->training().size();
+  const std::size_t items = problem_->training().size();
   const Matrix<double> shares = neighbourhoods(winners(), radius);
   AlignedVector<double> totals(padded_);
-  for (std::size_t lesson = 0; lesson < lessons; ++lesson) {
-    const auto row = shares.row(lesson);
+  for (std::size_t item = 0; item < items; ++item) {
+    const auto row = shares.row(item);
     for (std::size_t j = 0; j < padded_; ++j) totals[j] += row[j];
   }
   become_means(shares, totals);
   measure_means(totals);
 }
 
-// Of all inputs.
+// The winners of all inputs.
 std::vector<std::size_t> ProductState::winners() {
-  const std::size_t lessons = problem_->training().size();
+  const std::size_t items = problem_->training().size();
   const bool known = !all_products_.empty();
-  all_products_.resize(lessons * padded_);
+  all_products_.resize(items * padded_);
   std::vector<std::size_t> found;
-  found.reserve(lessons);
-  for (std::size_t lesson = 0; lesson < lessons; ++lesson) {
-    const std::span<double> products(&all_products_[lesson * padded_], padded_);
-    if (!known) products_with_lesson(lesson, products);
+  found.reserve(items);
+  for (std::size_t item = 0; item < items; ++item) {
+    const std::span<double> products(&all_products_[item * padded_], padded_);
+    if (!known) products_with_item(item, products);
     found.push_back(winner(products.data()));
   }
   return found;
@@ -197,9 +197,9 @@ Matrix<double> ProductState::neighbourhoods(const std::vector<std::size_t>& winn
 
 // A neuron that no winner reaches keeps its weights.
 void ProductState::become_means(const Matrix<double>& shares, std::span<const double> totals) {
-  for (std::size_t lesson = 0; lesson < shares.rows(); ++lesson) {
-    double* values = &coefficients_[lesson * padded_];
-    const auto row = shares.row(lesson);
+  for (std::size_t item = 0; item < shares.rows(); ++item) {
+    double* values = &coefficients_[item * padded_];
+    const auto row = shares.row(item);
     for (std::size_t j = 0; j < padded_; ++j) {
       values[j] = totals[j] > 0.0 ? row[j] / totals[j] : factors_[j] * values[j];
     }
@@ -211,12 +211,12 @@ void ProductState::become_means(const Matrix<double>& shares, std::span<const do
 }
 
 void ProductState::measure_means(std::span<const double> totals) {
-  const std::size_t lessons = problem_->training().size();
+  const std::size_t items = problem_->training().size();
   AlignedVector<double> squares(padded_);
-  for (std::size_t lesson = 0; lesson < lessons; ++lesson) {
-    const std::span<double> products(&all_products_[lesson * padded_], padded_);
-    products_with_lesson(lesson, products);
-    const double* values = &coefficients_[lesson * padded_];
+  for (std::size_t item = 0; item < items; ++item) {
+    const std::span<double> products(&all_products_[item * padded_], padded_);
+    products_with_item(item, products);
+    const double* values = &coefficients_[item * padded_];
     for (std::size_t j = 0; j < padded_; ++j) {
       squares[j] = std::fma(values[j], products[j], squares[j]);
     }
@@ -226,8 +226,8 @@ void ProductState::measure_means(std::span<const double> totals) {
     squared_lengths_[neuron] = squares[neuron];
     if (!dot_product()) continue;
     scale_to_length_one(neuron);
-    for (std::size_t lesson = 0; lesson < lessons; ++lesson) {
-      all_products_[lesson * padded_ + neuron] *= factors_[neuron];
+    for (std::size_t item = 0; item < items; ++item) {
+      all_products_[item * padded_ + neuron] *= factors_[neuron];
     }
   }
 }
@@ -235,10 +235,10 @@ void ProductState::measure_means(std::span<const double> totals) {
 LaneMatrix<float> ProductState::form(std::size_t threads) const {
   const auto& training = problem_->training();
   AlignedVector<double> coefficients(problem_->known().samples().count() * padded_);
-  for (std::size_t lesson = 0; lesson < training.size(); ++lesson) {
+  for (std::size_t item = 0; item < training.size(); ++item) {
     for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
-      coefficients[training[lesson] * padded_ + neuron] +=
-          factors_[neuron] * coefficients_[lesson * padded_ + neuron];
+      coefficients[training[item] * padded_ + neuron] +=
+          factors_[neuron] * coefficients_[item * padded_ + neuron];
     }
   }
   return problem_->form(of_start_, coefficients, threads);

@@ -14,7 +14,7 @@
 namespace somato {
 
 /// A map while it is trained by products; see the source for the mathematics. A `sample` is a
-/// number among the known ones, a `lesson` one among those it is trained on.
+/// number among the known ones, an `item` one among those it is trained on.
 class ProductState {
  public:
   ProductState(std::shared_ptr<const ProductProblem> problem, std::size_t threads);
@@ -22,10 +22,10 @@ class ProductState {
   const ProductProblem& problem() const { return *problem_; }
   std::size_t neurons() const { return grid_.size(); }
 
-  /// The winner of the lesson, which moves with its neighbours.
-  std::size_t learn(std::size_t lesson, double learning_rate, double radius);
+  /// The winner of the item, which moves with its neighbours.
+  std::size_t learn(std::size_t item, double learning_rate, double radius);
 
-  /// All lessons at once: every weight becomes their mean, weighted by the neighbourhood around
+  /// All items at once: every weight becomes their mean, weighted by the neighbourhood around
   /// their winners.
   void learn_all(double radius);
 
@@ -42,9 +42,9 @@ class ProductState {
   void start_at_random(std::size_t threads);
   void start_at_samples();
   kernels::ProductMap map();
-  const double* lesson_products(std::size_t lesson) const;
+  const double* item_products(std::size_t item) const;
   const double* initial_products(std::size_t sample) const;
-  void products_with_lesson(std::size_t lesson, std::span<double> out);
+  void products_with_item(std::size_t item, std::span<double> out);
   void scale_to_length_one(std::size_t neuron);
   std::size_t winner(const double* products);
   std::vector<std::size_t> winners();
@@ -58,18 +58,18 @@ class ProductState {
   // G(0); if initial weights are samples, a row of zeros. Shared by copies, like the following
   // members.
   std::shared_ptr<const ProductStart> start_;
-  // K of the lessons; empty where they are all the samples.
-  std::shared_ptr<const Matrix<double>> lesson_products_;
+  // K of the items; empty where they are all the samples.
+  std::shared_ptr<const Matrix<double>> item_products_;
   AlignedVector<double> of_start_;         // c
   AlignedVector<double> factors_;          // f
   AlignedVector<double> squared_lengths_;  // n
-  AlignedVector<double> coefficients_;     // A / f, lessons x padded
+  AlignedVector<double> coefficients_;     // A / f, items x padded
   Neighbourhood neighbourhood_;
   AlignedVector<double> gains_;
   AlignedVector<double> products_;
   AlignedVector<double> scores_;
   AlignedVector<double> zeros_;
-  AlignedVector<double> all_products_;  // with each lesson, while all are learned at once
+  AlignedVector<double> all_products_;  // with each item, while all are learned at once
 };
 
 }  // namespace somato

@@ -23,14 +23,14 @@ class SampleProducts {
 
   const Samples& samples() const { return samples_; }
 
-  /// Of sparse samples; else empty.
+  /// The columns of sparse samples; else empty.
   const SampleColumns& columns() const { return columns_; }
 
   /// Samples x samples.
   const Matrix<double>& products() const { return products_; }
 
-  /// Of dense samples, the values of elements first .. first + count - 1: element by element, and
-  /// within it sample by sample.
+  /// For dense samples, writes the values of elements first .. first + count - 1: element by
+  /// element, and within it sample by sample.
   void write_elements(std::size_t first, std::size_t count, std::span<double> out) const;
 
  private:

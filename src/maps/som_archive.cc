@@ -67,13 +67,12 @@ Result<StoredElements> read_elements(const Archive& archive, const std::string& 
   if (!archive.find(prefix + "elements") && !archive.find(prefix + "input_size")) {
     return StoredElements(columns);
   }
-  const auto size = read_input_size(archive, prefix + "input_size", where);
-  if (!size) return fail(size.error());
-  SOMATO_TRY(auto listed, read_list(archive, prefix + "elements", *size, where));
+  SOMATO_TRY(const auto size, read_input_size(archive, prefix + "input_size", where));
+  SOMATO_TRY(auto listed, read_list(archive, prefix + "elements", size, where));
   if (listed.size() != columns) {
     return damaged_model("'" + prefix + "elements' does not fit the map's weights", where);
   }
-  return StoredElements(*size, std::move(listed));
+  return StoredElements(size, std::move(listed));
 }
 
 }  // namespace
@@ -86,13 +85,12 @@ void add_som(Archive& archive, const std::string& prefix, const Som& som) {
 
 Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where) {
   SOMATO_TRY(auto parameters, read_decided(archive, prefix + "parameters", where));
-  auto weights = matrix_from(archive, prefix + "weights", where);
-  if (!weights) return fail(std::move(weights.error()));
-  if (weights->rows() != parameters.grid().size()) {
+  SOMATO_TRY(auto weights, matrix_from(archive, prefix + "weights", where));
+  if (weights.rows() != parameters.grid().size()) {
     return damaged_model("the map's weights do not fit its grid", where);
   }
-  SOMATO_TRY(auto elements, read_elements(archive, prefix, weights->columns(), where));
-  return Som(parameters, LaneMatrix<float>(*weights), std::move(elements));
+  SOMATO_TRY(auto elements, read_elements(archive, prefix, weights.columns(), where));
+  return Som(parameters, LaneMatrix<float>(weights), std::move(elements));
 }
 
 }  // namespace somato

@@ -46,7 +46,7 @@ Som SomLearner::look() const {
 // Selects the form. A stream keeps its initial form, except if the map is read after nearly every
 // input, or if inputs have more elements.
 SomLearner::Form SomLearner::form_for(const OnlineInput& input) const {
-  if (input.lesson) return Form::kProducts;
+  if (input.item) return Form::kProducts;
   const SignalView& x = input.values;
   const bool is_empty_enough =
       x.sparse && x.size <= kMostElements && x.values.size() * kEmptyEnough < x.size;
@@ -113,7 +113,7 @@ void SomLearner::learn(const Samples& samples, std::span<const std::size_t> numb
   all.reserve(numbers.size());
   for (const std::size_t number : numbers) {
     require(number < samples.count(), "a sample to learn does not exist");
-    all.push_back({samples[number], known ? som_.products()->state().problem().lesson_of(number)
+    all.push_back({samples[number], known ? som_.products()->state().problem().item_of(number)
                                           : std::optional<std::size_t>()});
   }
   learn_all(all, steps);

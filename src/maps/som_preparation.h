@@ -9,7 +9,7 @@
 
 namespace somato {
 
-/// What a map is trained on: parameters all decided; of the samples as the map sees them, the
+/// The input of a map's training: parameters all decided; of the samples as the map sees them, the
 /// elements for which it has weights.
 struct PreparedTraining {
   SomParameters parameters;

@@ -41,7 +41,8 @@ std::vector<std::size_t> SomQualityMeasurement::add(const Samples& samples) {
     distances_ += distances[i];
     first.push_back(winners[i].first);
     ++hits_[winners[i].first];
-    if (som_.neurons() > 1 && !som_.grid().adjacent(winners[i].first, winners[i].second)) ++torn_;
+    if (som_.neurons() > 1 && !som_.grid().adjacent(winners[i].first, winners[i].second))
+      ++topographic_errors_;
   }
   samples_ += samples.count();
   return first;
@@ -53,7 +54,7 @@ SomQuality SomQualityMeasurement::quality() const {
   if (samples_ == 0) return quality;
   const auto count = static_cast<double>(samples_);
   quality.quantization_error = distances_ / count;
-  quality.topographic_error = static_cast<double>(torn_) / count;
+  quality.topographic_error = static_cast<double>(topographic_errors_) / count;
   return quality;
 }
 

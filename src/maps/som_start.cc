@@ -34,10 +34,9 @@ Som initial_som(const PreparedTraining& prepared) {
 
 Result<SomStart> start_plain(const SomParameters& parameters, const Samples& samples) {
   Samples storage;
-  auto ready = prepare_training(parameters, samples, storage);
-  if (!ready) return fail(std::move(ready.error()));
-  return SomStart{initial_som(*ready), *ready->samples, every_one(samples),
-                  std::move(ready->elements)};
+  SOMATO_TRY(auto ready, prepare_training(parameters, samples, storage));
+  return SomStart{initial_som(ready), *ready.samples, every_one(samples),
+                  std::move(ready.elements)};
 }
 
 }  // namespace

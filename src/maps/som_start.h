@@ -11,12 +11,12 @@
 
 namespace somato {
 
-/// What training begins with, in the arithmetic that its parameters and samples are for.
+/// The start of training, in the arithmetic that its parameters and samples require.
 struct SomStart {
   Som som;          ///< Before any learning; by plain arithmetic with the stored elements only.
   Samples samples;  ///< As this map takes them.
   std::vector<std::size_t> training;  ///< Their numbers that it learns from.
-  StoredElements elements;            ///< Of whole inputs.
+  StoredElements elements;            ///< The elements of whole inputs.
 
   /// `trained` as a map of whole inputs.
   Som whole(Som trained) const;

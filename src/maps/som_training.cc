@@ -187,17 +187,16 @@ Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samp
 
 Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
                       const TrainingOptions& options) {
-  const auto resolved = resolve(parameters, 1, samples.size());
-  if (!resolved) return fail(resolved.error());
-  if (resolved->training != Training::kBatch) {
+  SOMATO_TRY(const auto resolved, resolve(parameters, 1, samples.size()));
+  if (resolved.training != Training::kBatch) {
     return fail(ErrorKind::kUsage, "online training needs all samples in memory", {},
                 "set 'training' to batch");
   }
-  SOMATO_TRY_VOID(check_memory(*resolved, samples.size()));
-  if (!*resolved->normalize_input) return train_on_prepared(parameters, samples, options);
+  SOMATO_TRY_VOID(check_memory(resolved, samples.size()));
+  if (!*resolved.normalize_input) return train_on_prepared(parameters, samples, options);
   ChangedSamples normalized(samples, [&](const Samples& part) {
     Samples storage;
-    prepared_samples(*resolved, part, storage);
+    prepared_samples(resolved, part, storage);
     return storage;
   });
   return train_on_prepared(parameters, normalized, options);

@@ -10,7 +10,7 @@
 
 namespace somato {
 
-/// What going once through the samples of a map, as it sees them, finds out.
+/// The result of one pass through the samples of a map, as it sees them.
 struct SampleSurvey {
   std::size_t count = 0;
   std::size_t parts = 0;

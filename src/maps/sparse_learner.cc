@@ -89,7 +89,7 @@ SparseLearner::SparseLearner(Som& som, ThreadTeam& team)
   load();
 }
 
-// Of the lanes of so many rows.
+// Calls `work` for parts of the lanes of so many rows.
 template <typename Work>
 void SparseLearner::for_each_part(std::size_t rows, const Work& work) {
   if (rows * rows_padded_ < kSparseWorthSharing) {
@@ -277,7 +277,7 @@ void SparseLearner::normalize() {
   }
 }
 
-// Of a map of some elements, those of inputs as well.
+// For a map of some elements, those of inputs as well.
 StoredElements SparseLearner::elements_to_store() const {
   const StoredElements& before = som_.elements();
   if (before.all()) return before;

@@ -12,7 +12,7 @@ namespace somato {
 /// The values of sparse samples in a few columns, sample by sample; scratch memory of a thread.
 class StripRows {
  public:
-  /// Of `samples` samples the values in `count` columns.
+  /// Reads the values of `samples` samples in `count` columns.
   void read(const kernels::ListedValues& columns, std::size_t count, std::size_t samples) {
     starts_.assign(samples + 2, 0);
     std::size_t values = 0;

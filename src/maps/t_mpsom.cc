@@ -150,7 +150,7 @@ void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace
                         std::span<float> out) const {
   check(inputs, workspace);
   require(out.size() == neurons(), "T-MPSOM: the activity needs one value per neuron");
-  hear(inputs, workspace);
+  find_activity(inputs, workspace);
   std::transform(workspace.activity_.begin(), workspace.activity_.end(), out.begin(),
                  [](double activity) { return static_cast<float>(activity); });
 }
@@ -158,7 +158,7 @@ void TMpsom::activation(std::span<const SignalView> inputs, Workspace& workspace
 bool TMpsom::learn(std::span<const SignalView> inputs, double alpha, Workspace& workspace) {
   check(inputs, workspace);
   require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be from 0 to 1");
-  hear(inputs, workspace);
+  find_activity(inputs, workspace);
   if (!find_gains(alpha, workspace)) return false;
   state_ = new_state();
   for (std::size_t a = 0; a < inputs_.size(); ++a) {
@@ -218,7 +218,7 @@ bool TMpsom::is_silent(const Workspace& workspace) const {
 
 // y. An input that is the same again, for weights that are the same, too, has its partial
 // activations already.
-void TMpsom::hear(std::span<const SignalView> inputs, Workspace& workspace) const {
+void TMpsom::find_activity(std::span<const SignalView> inputs, Workspace& workspace) const {
   take(inputs, workspace);
   if (is_silent(workspace)) {
     std::fill(workspace.activity_.begin(), workspace.activity_.end(), 0.0);

@@ -57,7 +57,7 @@ void TMpsomLearner::activation(std::span<const SignalView> inputs, std::span<flo
   if (!puts_off_) return map_.activation(inputs, workspace_, out);
   map_.check(inputs, workspace_);
   require(out.size() == map_.neurons(), "T-MPSOM: the activity needs one value per neuron");
-  hear(inputs);
+  find_activity(inputs);
   std::transform(workspace_.activity_.begin(), workspace_.activity_.end(), out.begin(),
                  [](double activity) { return static_cast<float>(activity); });
 }
@@ -66,7 +66,7 @@ bool TMpsomLearner::learn(std::span<const SignalView> inputs, double alpha) {
   if (!puts_off_) return map_.learn(inputs, alpha, workspace_);
   map_.check(inputs, workspace_);
   require(alpha >= 0.0 && alpha <= 1.0, "T-MPSOM: alpha must be from 0 to 1");
-  hear(inputs);
+  find_activity(inputs);
   if (!map_.find_gains(alpha, workspace_)) return false;
   map_.state_ = TMpsom::new_state();
   for (std::size_t a = 0; a < parts_.size(); ++a) put_off(a);
@@ -85,8 +85,8 @@ void TMpsomLearner::settle() {
   }
 }
 
-// As TMpsom::hear(). Updates remain deferred as long as there is no input.
-void TMpsomLearner::hear(std::span<const SignalView> inputs) {
+// As TMpsom::find_activity(). Updates remain deferred as long as there is no input.
+void TMpsomLearner::find_activity(std::span<const SignalView> inputs) {
   map_.take(inputs, workspace_);
   if (map_.is_silent(workspace_)) {
     std::fill(workspace_.activity_.begin(), workspace_.activity_.end(), 0.0);

@@ -39,7 +39,7 @@ class TMpsomLearner {
   void settle();
 
  private:
-  // What is known of one input: values of a padded neuron each, but for the samples.
+  // The values known for one input: one for each padded neuron, except for the samples.
   struct Part {
     Part(std::size_t elements, std::size_t padded_neurons, std::size_t groups);
     kernels::Moves moves(std::size_t neuron);
@@ -55,7 +55,7 @@ class TMpsomLearner {
     std::vector<bool> waits;  // whether a group's move does
   };
 
-  void hear(std::span<const SignalView> inputs);
+  void find_activity(std::span<const SignalView> inputs);
   void pass(std::size_t input);
   void put_off(std::size_t input);
   bool find_moves(std::size_t input, std::size_t group);

@@ -9,10 +9,10 @@
 
 namespace somato {
 
-/// What weights move towards, and how far.
+/// The target of weights, and the step towards it.
 struct TMpsomMove {
   std::span<const float> sample;
-  float squared_length = 0.0F;   ///< Of `sample`.
+  float squared_length = 0.0F;   ///< The squared length of `sample`.
   std::span<const float> gains;  ///< In 0 .. 1, one a padded neuron, on a cache line.
   bool all_rows = false;         ///< Normalizes rows whose gains are zero, too.
 };

@@ -7,10 +7,11 @@
 
 namespace somato {
 
-// What the papers read off a trained map, as counts over the samples' winners: `winners[i]` is the
-// neuron of sample i and `classes[i]` its class, numbered from 0. All throw InvalidArgument when
-// the two differ in number, when there is no sample, or when a winner is not on the grid they get.
-// docs/reference/results.md says which sentence of which paper each stands for.
+// The measures that the papers derive from a trained map, as counts over the samples' winners:
+// `winners[i]` is the neuron of sample i and `classes[i]` its class, numbered from 0. All throw
+// InvalidArgument when the two differ in number, when there is no sample, or when a winner is not
+// on the grid they get. docs/reference/results.md says which sentence of which paper each stands
+// for.
 
 /// For each class up to the greatest number, whether it is separated: it has samples, and no winner
 /// of its samples is the winner of a sample of another class. P11's materials "perfectly

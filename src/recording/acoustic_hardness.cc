@@ -34,25 +34,20 @@ class SampleReader {
   Result<std::string> sample_id() const { return text("/metadata/sample_id"); }
 
   Result<std::vector<Label>> labels() const {
-    auto hardness = text("/metadata/class");
-    if (!hardness) return fail(std::move(hardness.error()));
-    auto material = text("/metadata/material");
-    if (!material) return fail(std::move(material.error()));
-    auto release = this->release();
-    if (!release) return fail(std::move(release.error()));
-    return std::vector<Label>{
-        {"hardness", *hardness}, {"material", *material}, {"release", *release}};
+    SOMATO_TRY(auto hardness, text("/metadata/class"));
+    SOMATO_TRY(auto material, text("/metadata/material"));
+    SOMATO_TRY(auto release, this->release());
+    return std::vector<Label>{{"hardness", hardness}, {"material", material}, {"release", release}};
   }
 
   Result<Channel> sound() const {
     SOMATO_TRY_VOID(refuse_overflow());
-    auto rate = sample_rate();
-    if (!rate) return fail(std::move(rate.error()));
+    SOMATO_TRY(auto rate, sample_rate());
     SOMATO_TRY(auto values, samples());
     Channel channel{"sound", "counts", {}, {}, {}};
     const std::size_t count = values.size();
     channel.frames = Matrix<float>(count, 1, std::move(values));
-    channel.rate = *rate;
+    channel.rate = rate;
     return channel;
   }
 
@@ -155,16 +150,15 @@ Result<Impact> read_impact(const std::string& file) {
 }  // namespace
 
 Result<Recording> import_acoustic_hardness(const std::filesystem::path& folder) {
-  const auto files = files_below(folder, ".json");
-  if (!files) return fail(files.error());
-  if (files->empty()) {
+  SOMATO_TRY(const auto files, files_below(folder, ".json"));
+  if (files.empty()) {
     return fail(ErrorKind::kData, "there are no JSON files", folder.string(),
                 "use the folder of the data set, or one of its phases");
   }
   Recording recording;
-  recording.explorations.reserve(files->size());
+  recording.explorations.reserve(files.size());
   std::map<std::string, std::string> seen;
-  for (const std::string& name : *files) {
+  for (const std::string& name : files) {
     const std::string file = (folder / name).string();
     SOMATO_TRY(auto impact, read_impact(file));
     const auto [twin, is_new] = seen.emplace(impact.id, file);

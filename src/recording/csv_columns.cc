@@ -176,9 +176,8 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description) {
     layout.named.insert(columns.begin(), columns.end());
     layout.channels.push_back(std::move(columns));
   }
-  auto ignored = expand_columns(description.trials.ignore);
-  if (!ignored) return fail(std::move(ignored.error()));
-  for (std::string& column : *ignored) {
+  SOMATO_TRY(auto ignored, expand_columns(description.trials.ignore));
+  for (std::string& column : ignored) {
     auto& patterns = layout.ignored_patterns;
     if (is_column_pattern(column)) patterns.push_back(column);
     layout.ignored.insert(std::move(column));

@@ -26,7 +26,7 @@ enum class CsvUse { kNothing, kTime, kLabel, kValue };
 /// Destination of the fields of a column.
 struct CsvColumn {
   CsvUse use = CsvUse::kNothing;
-  std::size_t channel = 0;  ///< Of a value.
+  std::size_t channel = 0;  ///< The channel of a value.
   std::size_t element =
       0;  ///< Index of a value; for a label its index among the labels of columns.
 };

@@ -122,12 +122,11 @@ Result<void> check_channel(const CsvChannel& channel, const CsvTrials& trials,
   if (!names.insert(channel.name).second) {
     return wrong(fmt::format("there are two channels '{}'", channel.name), "rename one of them");
   }
-  const auto columns = expand_columns(channel.columns);
-  if (!columns) return fail(columns.error());
-  SOMATO_TRY_VOID(check_untaken(*columns, trials, taken));
+  SOMATO_TRY(const auto columns, expand_columns(channel.columns));
+  SOMATO_TRY_VOID(check_untaken(columns, trials, taken));
   SOMATO_TRY_VOID(check_label(channel, csv_label_names(trials)));
-  if (std::any_of(columns->begin(), columns->end(), is_column_pattern)) return {};
-  return check_csv_shape(channel, channel.columns.empty() ? 1 : columns->size());
+  if (std::any_of(columns.begin(), columns.end(), is_column_pattern)) return {};
+  return check_csv_shape(channel, channel.columns.empty() ? 1 : columns.size());
 }
 
 Result<void> check_ignored(const CsvTrials& trials, const std::set<std::string>& taken) {

@@ -240,7 +240,7 @@ class TrialReader {
     return fail(ErrorKind::kData, "there are no rows of numbers", where_, "remove the file");
   }
 
-  // Of the last record.
+  // The place of the last record.
   std::string line_place() const { return fmt::format("{}:{}", where_, fields_[0].line); }
 
   std::vector<Channel> channels() {
@@ -274,10 +274,10 @@ class TrialReader {
   char separator_ = ',';
   std::vector<CsvField> fields_;
   CsvColumns columns_;
-  std::vector<std::string> labels_;  // Of the last row.
+  std::vector<std::string> labels_;  // The labels of the last row.
   std::vector<LabelledRows> parts_;
   std::size_t rows_ = 0;
-  std::vector<Values> read_;  // Of each channel.
+  std::vector<Values> read_;  // The values of each channel.
   std::vector<double> times_;
   double first_time_ = 0.0;
 };

@@ -196,10 +196,9 @@ Result<std::vector<std::filesystem::path>> text_files(const std::filesystem::pat
 }
 
 Result<std::vector<Trial>> find_trials(const std::filesystem::path& folder) {
-  const Result<std::vector<std::filesystem::path>> files = text_files(folder);
-  if (!files) return fail(files.error());
+  SOMATO_TRY(const auto files, text_files(folder));
   std::vector<Trial> trials;
-  for (const std::filesystem::path& file : *files) {
+  for (const std::filesystem::path& file : files) {
     SOMATO_TRY(Trial trial, trial_of(file));
     trials.push_back(std::move(trial));
   }

@@ -283,9 +283,8 @@ Result<void> McapReader::check_summary() {
   SOMATO_TRY(const std::uint32_t crc, pass_summary());
   SOMATO_TRY(const std::uint64_t length, record_length());
   const std::size_t whole = kMcapRecordHead + static_cast<std::size_t>(length);
-  const Result<std::string_view> record = whole_record(std::min(whole, kSmallRecord));
-  if (!record) return fail(record.error());
-  const std::optional<McapFooter> footer = parse_mcap_footer(record->substr(kMcapRecordHead));
+  SOMATO_TRY(const auto record, whole_record(std::min(whole, kSmallRecord)));
+  const std::optional<McapFooter> footer = parse_mcap_footer(record.substr(kMcapRecordHead));
   if (!footer) return bad_at(place_, "the footer does not fill its record");
   if (footer->summary_crc != 0 && footer->summary_crc != crc) {
     return bad("the checksum of the summary does not match");

@@ -82,7 +82,7 @@ class McapReader {
 
   McapInput input_;
   McapHeader header_;
-  std::size_t place_ = 0;  // Of the next record outside chunks.
+  std::size_t place_ = 0;  // The place of the next record outside chunks.
   bool in_chunk_ = false;
   std::string chunk_;
   std::size_t chunk_place_ = 0;

@@ -60,9 +60,8 @@ Result<RecordingInterpreter::Stream*> RecordingInterpreter::stream_of(std::uint1
     foreign_ = file_->header().profile != kRecordingProfile;
   }
   if (stream.frames) {
-    Result<ChannelDescription> description = describe(file_->channel(id), *stream.frames);
-    if (!description) return fail(std::move(description.error()));
-    stream.description = std::move(*description);
+    SOMATO_TRY(auto description, describe(file_->channel(id), *stream.frames));
+    stream.description = std::move(description);
   }
   return &streams_.emplace(id, std::move(stream)).first->second;
 }
@@ -166,9 +165,8 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frame(
     exploration_.zero = static_cast<std::int64_t>(message.log_time);
     open_ = true;
   }
-  const Result<InterpretedChannel*> channel = channel_for(stream, message, *frame);
-  if (!channel) return fail(channel.error());
-  return take_frame(**channel, *stream.frames, message, *frame).map([&] {
+  SOMATO_TRY(const auto channel, channel_for(stream, message, *frame));
+  return take_frame(*channel, *stream.frames, message, *frame).map([&] {
     frame_.channel = stream.channel;
     return Meaning::kFrame;
   });

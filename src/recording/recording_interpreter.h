@@ -20,7 +20,7 @@ struct InterpretedChannel {
   ChannelDescription description;
   std::optional<std::uint16_t> id;  ///< In the file, once there is a frame.
   std::size_t frames = 0;
-  std::size_t elements = 0;  ///< Of every frame.
+  std::size_t elements = 0;  ///< The number of elements of every frame.
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
 };
 

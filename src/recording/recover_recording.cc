@@ -73,7 +73,7 @@ class Recovery {
   Result<bool> go_on(const Error& damage) {
     if (damage.kind != ErrorKind::kData) return fail(damage);
     if (from_->has_all_messages()) {
-      tell(damage);
+      report(damage);
       return false;
     }
     Result<bool> more = from_->go_on();
@@ -83,13 +83,13 @@ class Recovery {
     return more;
   }
 
-  void tell(const Error& damage) {
+  void report(const Error& damage) {
     ++report_.damaged_places;
     if (report_.damage.size() < kMostPlaces) report_.damage.push_back(damage);
   }
 
   void lose(const Error& damage) {
-    tell(damage);
+    report(damage);
     report_.lossless = false;
     complete_ = false;
   }

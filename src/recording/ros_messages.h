@@ -28,8 +28,8 @@ std::string float_array_message(const std::vector<std::size_t>& shape,
 
 /// The frame in a message. Views refer to the message.
 struct RosFrame {
-  std::vector<std::string_view> names;  ///< Of joints.
-  std::vector<std::size_t> shape;       ///< Of an array; empty: flat.
+  std::vector<std::string_view> names;  ///< The names of joints.
+  std::vector<std::size_t> shape;       ///< The shape of an array; empty: flat.
   std::vector<double> values;
 };
 

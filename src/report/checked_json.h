@@ -19,7 +19,7 @@ Result<nlohmann::ordered_json> parse_results_json(std::string_view text, const s
 /// path, and reading continues with zeros and empty texts: call ok() before using values.
 class CheckedJson {
  public:
-  /// Of the whole text, which must outlive it and all its parts, as must `trouble`.
+  /// Reads the whole text, which must outlive it and all its parts, as must `trouble`.
   CheckedJson(const nlohmann::ordered_json& whole, std::optional<Error>& trouble)
       : CheckedJson(whole, {}, trouble) {}
 

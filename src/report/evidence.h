@@ -11,17 +11,18 @@
 
 namespace somato::detail {
 
-/// What there is to look at beside the results of a part.
+/// The data that a report reads in addition to the results of a part.
 struct Evidence {
   const PartResults* part = nullptr;
   std::optional<StudyDescription> study;
   std::optional<ReportModel> model;
   std::shared_ptr<const Recording> recording;
-  std::size_t recording_number = 0;       ///< Of `recording`, among those of the part.
-  std::vector<std::size_t> explorations;  ///< Of `recording`, those that are samples, in order.
-  std::optional<System> built;            ///< Without a model, from `study`.
-  std::optional<std::size_t> map;         ///< The module that answers, of system().
-  std::vector<std::string> missing;       ///< Sentences.
+  std::size_t recording_number = 0;  ///< The number of `recording` among those of the part.
+  std::vector<std::size_t>
+      explorations;                ///< The explorations of `recording` that are samples, in order.
+  std::optional<System> built;     ///< Without a model, from `study`.
+  std::optional<std::size_t> map;  ///< The module that answers, of system().
+  std::vector<std::string> missing;  ///< Sentences.
 
   /// The trained system, or one that has learned nothing, or nullptr.
   const System* system() const;

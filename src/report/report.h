@@ -51,7 +51,8 @@ struct ReportSources {
   std::string named_recordings =
       {};  ///< The path in which the user searched for them; empty: none.
   std::vector<ReportThing> things;
-  std::map<std::string, std::string> units;  ///< Of settings, such as "explore.simulation.noise".
+  std::map<std::string, std::string>
+      units;  ///< The units of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;
 };
 

@@ -249,10 +249,9 @@ Results results_of(const CheckedJson& root) {
 }  // namespace
 
 Result<Results> parse_results(std::string_view text, const std::string& path) {
-  const auto json = detail::parse_results_json(text, path);
-  if (!json) return fail(json.error());
+  SOMATO_TRY(const auto json, detail::parse_results_json(text, path));
   std::optional<Error> trouble;
-  const CheckedJson root(*json, trouble);
+  const CheckedJson root(json, trouble);
   if (!root.has("version") || !(root.has("parts") || root.has("systems"))) {
     return fail(ErrorKind::kData, "not a results.json of a study or a reproduction", path,
                 "use a file written by 'somato run' or 'somato reproduce'");

@@ -22,7 +22,7 @@ std::string label_or_nothing(const Exploration& exploration, const std::string& 
   return find_label(exploration, name).value_or(std::string());
 }
 
-// What was explored: an object, or else a material.
+// The name of the explored thing: an object, or else a material.
 std::string name_of(const Exploration& exploration, const std::string& studied) {
   for (const std::string& label : {std::string("object"), std::string("material"), studied}) {
     if (std::string name = label_or_nothing(exploration, label); !name.empty()) return name;

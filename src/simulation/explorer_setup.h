@@ -17,7 +17,7 @@ enum class Draws : std::uint32_t { kPlacement, kHand, kTexture, kHardness };
 struct ExplorerSetup {
   ExploringParameters parameters;
   std::uint64_t seed = 1;
-  std::string source;                 ///< Of each exploration.
+  std::string source;                 ///< The source of each exploration.
   GraspPictures* pictures = nullptr;  ///< Destination of pictures of grasps, or nullptr.
 
   /// The seed of these draws in one exploration; far apart from all others.

@@ -34,19 +34,18 @@ class HandExplorer : public Explorer {
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
                                     const ExploreOptions& options) const override {
     const HandScene& scene = scenes_[thing];
-    auto hand =
-        SimulatedHand::create(scene, options.placement.value_or(setup_.placement_of(thing, trial)),
-                              setup_.seed_of(thing, trial, Draws::kHand));
-    if (!hand) return fail(std::move(hand.error()));
+    SOMATO_TRY(auto hand, SimulatedHand::create(
+                              scene, options.placement.value_or(setup_.placement_of(thing, trial)),
+                              setup_.seed_of(thing, trial, Draws::kHand)));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
       if (setup_.pictures == nullptr) return {};
-      setup_.pictures->save(**hand, scene.object().name, trial, grasp);
+      setup_.pictures->save(*hand, scene.object().name, trial, grasp);
       return {};
     };
     auto exploration =
         prepare_body(
-            **hand, options, [&] { return scene_of(scene); }, [&] { return poses_of(**hand); })
-            .and_then([&] { return explore_with(**hand, draw); });
+            *hand, options, [&] { return scene_of(scene); }, [&] { return poses_of(*hand); })
+            .and_then([&] { return explore_with(*hand, draw); });
     if (exploration) exploration->labels = labels_of(scene.object(), trial);
     return exploration;
   }

@@ -180,16 +180,16 @@ Result<HandScene> HandScene::build(Hand hand, const Object& object,
   SOMATO_TRY_VOID(check_size(measured.object));
   const auto mjcf = detail::object_mjcf(
       measured, {parameters.free, parameters.friction.value_or(object.material.friction)});
-  auto model = detail::compile_model(
-      detail::scene_mjcf(detail::embedded_text(model_file(hand)), mjcf.assets, mjcf.bodies),
-      object.name);
-  if (!model) return fail(std::move(model.error()));
-  settle_model(hand, object.material, parameters, **model);
+  SOMATO_TRY(auto model,
+             detail::compile_model(detail::scene_mjcf(detail::embedded_text(model_file(hand)),
+                                                      mjcf.assets, mjcf.bodies),
+                                   object.name));
+  settle_model(hand, object.material, parameters, *model);
   auto parts = std::make_shared<Impl>();
   parts->hand = hand;
   parts->object = std::move(measured.object);
   parts->parameters = parameters;
-  parts->model = std::move(*model);
+  parts->model = std::move(model);
   find_indices(*parts);
   parts->description = describe(*parts);
   return HandScene(std::move(parts));

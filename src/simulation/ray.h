@@ -17,7 +17,7 @@ T* entry(T* table, std::ptrdiff_t size, std::ptrdiff_t index) {
 
 struct Ray {
   Vector3 from{};
-  Vector3 direction{};  ///< Of length 1.
+  Vector3 direction{};  ///< The direction, of length 1.
 };
 
 /// The first intersection of the ray with the geom: metres from its start, or below 0 without an

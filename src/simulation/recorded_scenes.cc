@@ -70,8 +70,8 @@ class RecordedScenes {
       if (scene == nullptr || is_contradicted(scene->object(), exploration)) continue;
       return play_hand(*scene);
     }
-    const HandScene* alone = built(hand, taxels, nothing_);
-    return alone != nullptr ? play_hand(*alone, false) : nullptr;
+    const HandScene* empty = built(hand, taxels, nothing_);
+    return empty != nullptr ? play_hand(*empty, false) : nullptr;
   }
 
   // Explorations of one thing follow each other, and people go back: to build a hand takes some

@@ -28,7 +28,7 @@ class ServoDriver {
 
   std::vector<double> positions_;
   std::vector<double> targets_;
-  std::vector<double> directions_;  // Of the last move: -1, 0, 1.
+  std::vector<double> directions_;  // The directions of the last move: -1, 0, 1.
   std::vector<double> offsets_;     // Due to the backlash, drawn again whenever a servo reverses.
   double play_;
   Random random_;

@@ -131,10 +131,9 @@ Result<std::unique_ptr<SimulatedHand>> SimulatedHand::create(const HandScene& sc
                                                              const Placement& placement,
                                                              std::uint64_t seed) {
   const auto& parts = scene.shared_impl();
-  auto data = detail::make_data(parts->model);
-  if (!data) return fail(std::move(data.error()));
+  SOMATO_TRY(auto data, detail::make_data(parts->model));
   auto impl = std::make_unique<Impl>(
-      Impl{parts, std::move(*data),
+      Impl{parts, std::move(data),
            detail::ServoDriver(*parts->model, parts->start, parts->parameters.servo_play,
                                Random(seed, Stream::kServoPlay)),
            detail::PiezoElements(parts->taxels.names.size(), parts->parameters.piezo_time),

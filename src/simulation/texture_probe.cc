@@ -125,7 +125,7 @@ class Microphone {
         convert_(parameters),
         random_(random) {}
 
-  void hear(double edge, double whine, std::vector<float>& frames) {
+  void record(double edge, double whine, std::vector<float>& frames) {
     double signal = low_end_(sensitivity_ * edge + whine);
     for (detail::Biquad& section : anti_aliasing_) signal = section(signal);
     if (++ticks_ < ticks_per_frame_) return;
@@ -159,7 +159,7 @@ class TextureProbe : public detail::ProbeBody {
   void tick() override {
     const bool moves = is_driven();
     const double edge = edge_.move_to(drive());
-    microphone_.hear(edge, moves ? whine_.next() : 0.0, frames_);
+    microphone_.record(edge, moves ? whine_.next() : 0.0, frames_);
   }
 
   Matrix<float> read() override {

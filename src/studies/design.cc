@@ -20,8 +20,8 @@ std::vector<std::size_t> random_order(std::size_t count, Random& random) {
   return order;
 }
 
-// Of 24 bits: with a number of up to 20 bits before the point nothing is rounded into the next
-// stratum.
+// A fraction of 24 bits: with a number of up to 20 bits before the point nothing is rounded into
+// the next stratum.
 double place_within(Random& random) {
   return (random.next() >> 8) * 0x1p-24;
 }

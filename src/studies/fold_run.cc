@@ -124,9 +124,8 @@ class Naming {
 
 Result<TrainedFold> train_fold(const StudyDescription& description, const PreparedStudy& prepared,
                                const Fold& fold, std::uint64_t seed, const Progress& progress) {
-  auto system = prepared.system(description);
-  if (!system) return fail(std::move(system.error()));
-  TrainedFold trained{std::move(*system), {}, {}, {}, {}};
+  SOMATO_TRY(auto system, prepared.system(description));
+  TrainedFold trained{std::move(system), {}, {}, {}, {}};
   Activations activations = prepared.fixed;
   const Numbers tested = prepared.tested_by(fold);
   const SystemTraining training{seed, 1, progress, {}, tested};

@@ -32,12 +32,12 @@ struct AlteredOutcome {
 
 /// The results of one training, from which all metrics are computed, for any label.
 struct FoldOutcome {
-  std::vector<std::size_t> training_winners;  ///< Of the training samples.
-  std::vector<std::size_t> winners;           ///< Of the test samples.
+  std::vector<std::size_t> training_winners;  ///< The winners of the training samples.
+  std::vector<std::size_t> winners;           ///< The winners of the test samples.
   std::vector<std::size_t> named_by;         ///< The neurons that name the tested samples: the most
                                              ///< similar of those that training samples won, with a
                                              ///< recall the strongest of these.
-  Neighbours nearest;                        ///< Of the test samples.
+  Neighbours nearest;                        ///< The neighbours of the test samples.
   double summed_distance = 0.0;              ///< Distances of the test samples from their winners.
   double topographic_errors = 0.0;           ///< Tested samples whose two winners do not touch.
   std::vector<AlteredOutcome> altered = {};  ///< One for each alteration.
@@ -51,7 +51,7 @@ struct FoldOutcome {
 /// A trained system with what its map sees: of the explorations learned or tested at least.
 struct TrainedFold {
   System system;
-  ExplorationValues inputs;                    ///< Of the map.
+  ExplorationValues inputs;                    ///< The inputs of the map.
   ExplorationValues vectors;                   ///< For the baseline.
   std::optional<ExplorationValues> recalled;   ///< The activities called up, of those tested.
   std::vector<PredictionOutcome> predictions;  ///< For each prediction of the study.

@@ -18,12 +18,13 @@ struct Fold {
 
 /// The samples to be divided.
 struct FoldSamples {
-  std::size_t samples = 0;                ///< Numbered from 0.
-  std::size_t test_samples = 0;           ///< Of a separate recording, numbered after the others.
+  std::size_t samples = 0;  ///< Numbered from 0.
+  std::size_t test_samples =
+      0;  ///< The size of a separate recording, whose samples are numbered after the others.
   std::vector<std::size_t> groups = {};   ///< One per sample, for leave_group_out.
   std::vector<std::size_t> classes = {};  ///< One per sample, for folds.
   std::size_t folds = 10;                 ///< For folds.
-  std::uint64_t seed = 1;                 ///< Of the assignment to folds.
+  std::uint64_t seed = 1;                 ///< The seed of the assignment to folds.
 };
 
 /// The folds of a protocol; every test sample is tested in exactly one. Throws InvalidArgument if

@@ -75,9 +75,8 @@ Result<void> check_fixed(const System& system, std::size_t vectors, std::size_t 
 // The module that outputs the vectors.
 Result<std::size_t> find_vectors(const System& system, const StudyDescription& description,
                                  const std::string& map_name) {
-  const auto map = find_first_map(system, map_name, description.where);
-  if (!map) return fail(map.error());
-  std::size_t vectors = system.modules()[*map].inputs.front();
+  SOMATO_TRY(const auto map, find_first_map(system, map_name, description.where));
+  std::size_t vectors = system.modules()[map].inputs.front();
   if (system.modules()[vectors].type->name == "standardization") {
     vectors = system.modules()[vectors].inputs.front();
   }
@@ -87,9 +86,9 @@ Result<std::size_t> find_vectors(const System& system, const StudyDescription& d
                           "this map receives one input per frame; one per exploration is required",
                           {},
                           "combine the frames first, for example with 'last'"},
-                         *map));
+                         map));
   }
-  SOMATO_TRY_VOID(check_fixed(system, vectors, *map));
+  SOMATO_TRY_VOID(check_fixed(system, vectors, map));
   return vectors;
 }
 
@@ -102,7 +101,7 @@ Result<Samples> vectors_of(const System& system, const Recording& recording, std
   return activations.values_of(module).samples;
 }
 
-Error nothing_to_tell(const std::string& label) {
+Error too_few_classes(const std::string& label) {
   return {ErrorKind::kData,
           "every exploration has the same '" + label + "'",
           {},
@@ -117,7 +116,7 @@ Result<LabelInformation> about_label(const std::string& name, const Recording& r
                                      const Matrix<double>& distances, const Numbers& individuals) {
   SOMATO_TRY(const auto labels, labels_of(recording, name));
   const Classes classes = Classes::from_names(labels);
-  if (classes.names.size() < 2) return fail(nothing_to_tell(name));
+  if (classes.names.size() < 2) return fail(too_few_classes(name));
   Numbers each(individuals.size());
   std::iota(each.begin(), each.end(), std::size_t{0});
   const NeighbourAccuracy left_out = neighbour_accuracy(distances, classes.of_sample, each);
@@ -206,7 +205,7 @@ Result<Information> measure_information(const StudyDescription& description,
                 "a comparison requires at least two");
   }
   SOMATO_TRY(const auto individuals, numbers_of(recording, parameters.individual));
-  if (all_equal(individuals)) return fail(nothing_to_tell(parameters.individual));
+  if (all_equal(individuals)) return fail(too_few_classes(parameters.individual));
   SOMATO_TRY(const auto vectors, vectors_of(system, recording, module, threads));
 
   const SystemModule& gives = system.modules()[module];
@@ -218,9 +217,8 @@ Result<Information> measure_information(const StudyDescription& description,
     information.labels.push_back(std::move(about));
   }
   if (parameters.order.empty()) return information;
-  auto order = order_of_individuals(recording, parameters, individuals, vectors);
-  if (!order) return fail(std::move(order.error()));
-  information.order = std::move(*order);
+  SOMATO_TRY(auto order, order_of_individuals(recording, parameters, individuals, vectors));
+  information.order = std::move(order);
   return information;
 }
 

@@ -106,7 +106,7 @@ void read_pairs(const StudyParameters& study, const Classes& classes, const Numb
   }
 }
 
-void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winners,
+void read_order(const StudiedOrder& order, const Grid& grid, const Numbers& winners,
                 std::uint64_t seed, Readings& values) {
   constexpr std::size_t kShuffles = 100;
   const Numbers individuals = first_of(order.individuals, winners.size());
@@ -132,7 +132,7 @@ void read_order(const AskedOrder& order, const Grid& grid, const Numbers& winner
   values.push_back({"order_along_chance", along.shuffled});
 }
 
-std::vector<SizedThing> things(const AskedOrder& order, const Numbers& individuals) {
+std::vector<SizedThing> things(const StudiedOrder& order, const Numbers& individuals) {
   std::vector<SizedThing> things;
   things.reserve(individuals.size());
   for (const std::size_t individual : individuals) {
@@ -213,7 +213,7 @@ std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy&
 std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcome& outcome,
                                  std::uint64_t seed) {
   if (!prepared.order) return {};
-  const AskedOrder& order = *prepared.order;
+  const StudiedOrder& order = *prepared.order;
   const std::size_t learned = prepared.samples.samples;
   const Numbers tested(order.individuals.begin() + static_cast<std::ptrdiff_t>(learned),
                        order.individuals.end());

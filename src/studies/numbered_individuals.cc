@@ -45,11 +45,10 @@ Result<std::vector<NumberedIndividual>> numbered_individuals(
   }
   std::map<std::size_t, NumberedIndividual> found;
   for (std::size_t sample = 0; sample < texts.size(); ++sample) {
-    const auto number = number_from(texts[sample], labels.order);
-    if (!number) return fail(number.error());
-    const NumberedIndividual first{groups[sample], *number, {}};
+    SOMATO_TRY(const auto number, number_from(texts[sample], labels.order));
+    const NumberedIndividual first{groups[sample], number, {}};
     NumberedIndividual& individual = found.emplace(individuals[sample], first).first->second;
-    if (individual.number != *number) return fail(differs(labels.individual, labels.order));
+    if (individual.number != number) return fail(differs(labels.individual, labels.order));
     if (individual.group != groups[sample]) return fail(differs(labels.individual, labels.within));
     individual.samples.push_back(sample);
   }

@@ -47,8 +47,8 @@ Result<Numbers> individuals_of(const Classes& classes, const Numbers& individual
   return class_of.size() == classes.names.size() ? each_separate(individuals.size()) : individuals;
 }
 
-Result<StudiedLabel> ask(const Recording& recording, const std::string& label,
-                         const StudyParameters& study, const Numbers& individuals) {
+Result<StudiedLabel> studied_label(const Recording& recording, const std::string& label,
+                                   const StudyParameters& study, const Numbers& individuals) {
   SOMATO_TRY(const auto names, labels_of(recording, label));
   StudiedLabel studied{label, Classes::from_names(names), {}};
   SOMATO_TRY(auto dealt, individuals_of(studied.classes, individuals, label, study.individual));
@@ -56,12 +56,12 @@ Result<StudiedLabel> ask(const Recording& recording, const std::string& label,
   return studied;
 }
 
-Result<void> ask_labels(const StudyParameters& study, const Numbers& individuals,
+Result<void> add_labels(const StudyParameters& study, const Numbers& individuals,
                         PreparedStudy& prepared) {
   std::vector<std::string> names{study.label};
   names.insert(names.end(), study.labels.begin(), study.labels.end());
   for (const std::string& name : names) {
-    SOMATO_TRY(auto studied, ask(prepared.recording, name, study, individuals));
+    SOMATO_TRY(auto studied, studied_label(prepared.recording, name, study, individuals));
     prepared.labels.push_back(std::move(studied));
   }
   return {};
@@ -69,8 +69,8 @@ Result<void> ask_labels(const StudyParameters& study, const Numbers& individuals
 
 // Sizes within their groups are treated like a label: small and large ones of each. Sizes are
 // defined by the training individuals; others are large if they are not below a large one of these.
-StudiedLabel ask_size_groups(const AskedOrder& order, const std::vector<std::string>& group_names,
-                             std::size_t learned) {
+StudiedLabel size_group_label(const StudiedOrder& order,
+                              const std::vector<std::string>& group_names, std::size_t learned) {
   const auto last = order.individuals.begin() + static_cast<std::ptrdiff_t>(learned);
   const std::size_t known = *std::max_element(order.individuals.begin(), last) + 1;
   std::vector<SizedThing> things;
@@ -95,14 +95,14 @@ StudiedLabel ask_size_groups(const AskedOrder& order, const std::vector<std::str
   return {"size_group", Classes::from_names(names), order.individuals};
 }
 
-Result<void> ask_order(const StudyParameters& study, const Numbers& individuals,
+Result<void> add_order(const StudyParameters& study, const Numbers& individuals,
                        std::size_t learned, PreparedStudy& prepared) {
   if (study.order.empty()) return {};
   SOMATO_TRY(const auto members,
              numbered_individuals(prepared.recording, {study.individual, study.order, study.within},
                                   individuals));
   if (!has_an_order(members)) return fail(no_order(study.order));
-  AskedOrder order{individuals, {}, {}};
+  StudiedOrder order{individuals, {}, {}};
   std::vector<std::string> names;
   for (const NumberedIndividual& member : members) {
     order.numbers.push_back(member.number);
@@ -110,7 +110,7 @@ Result<void> ask_order(const StudyParameters& study, const Numbers& individuals,
   }
   const Classes groups = Classes::from_names(names);
   order.groups = groups.of_sample;
-  prepared.labels.push_back(ask_size_groups(order, groups.names, learned));
+  prepared.labels.push_back(size_group_label(order, groups.names, learned));
   prepared.order = std::move(order);
   return {};
 }
@@ -169,14 +169,13 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
   prepared.samples.classes = prepared.classes().of_sample;
   prepared.samples.classes.resize(learned);
   for (const std::string& label : study.groups) {
-    auto groups = numbers_of(prepared.recording, label);
-    if (!groups) return fail(std::move(groups.error()));
-    groups->resize(learned);
-    if (count_different(*groups) < 2) {
+    SOMATO_TRY(auto groups, numbers_of(prepared.recording, label));
+    groups.resize(learned);
+    if (count_different(groups) < 2) {
       return fail(ErrorKind::kData, "every exploration has the same '" + label + "'", {},
                   "there are no groups to leave out; use another label in 'groups'");
     }
-    prepared.groups[label] = std::move(*groups);
+    prepared.groups[label] = std::move(groups);
   }
   for (const Protocol protocol : study.protocols) {
     if (protocol == Protocol::kFolds && study.folds > learned) {
@@ -200,23 +199,22 @@ bool answers(const System& system, std::size_t module) {
 
 Result<void> find_modules(const System& system, const StudyDescription& description,
                           PreparedStudy& prepared) {
-  const auto map = find_map(system, description.study.map, description.where);
-  if (!map) return fail(map.error());
-  prepared.map = *map;
-  const SystemModule& input = system.modules()[system.modules()[*map].inputs.front()];
+  SOMATO_TRY(const auto map, find_map(system, description.study.map, description.where));
+  prepared.map = map;
+  const SystemModule& input = system.modules()[system.modules()[map].inputs.front()];
   if (input.output.rate == Rate::kFrame) {
     return fail(system.at_module(
         {ErrorKind::kUsage,
          "a study requires one input per exploration, but this map receives one per frame",
          {},
          "combine the frames first, for example with 'last'"},
-        *map));
+        map));
   }
-  prepared.vectors = {vectors_of_map(system, *map)};
-  prepared.grid = grid_of(system, *map);
+  prepared.vectors = {vectors_of_map(system, map)};
+  prepared.grid = grid_of(system, map);
   if (!description.study.recall.empty()) {
     SOMATO_TRY(prepared.recall,
-               find_recall(system, *map, description.study.recall, description.where));
+               find_recall(system, map, description.study.recall, description.where));
     prepared.vectors = vectors_behind(system, *prepared.recall);
   }
   SOMATO_TRY(prepared.predictions,
@@ -320,9 +318,9 @@ Result<PreparedStudy> prepare_study(const StudyDescription& description, const R
   const StudyParameters& study = description.study;
   SOMATO_TRY(const auto individuals, numbers_of(prepared.recording, study.individual));
   Result<void> ready =
-      ask_labels(study, individuals, prepared)
+      add_labels(study, individuals, prepared)
           .and_then([&] { return check_classes(prepared, study.label, learned); })
-          .and_then([&] { return ask_order(study, individuals, learned, prepared); })
+          .and_then([&] { return add_order(study, individuals, learned, prepared); })
           .and_then([&] { return divide(study, learned, prepared); })
           .and_then([&] { return find_modules(system, description, prepared); })
           .and_then([&] { return append_altered(description, prepared); });

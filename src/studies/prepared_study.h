@@ -22,15 +22,15 @@ namespace somato {
 /// A studied label, and the units that are reassigned to its classes in wrong groupings.
 struct StudiedLabel {
   std::string name;
-  Classes classes;  ///< Of all explorations.
+  Classes classes;  ///< The classes of all explorations.
   std::vector<std::size_t> individuals;
 };
 
 /// Individuals with a number each, such as objects with their girth, and their groups.
-struct AskedOrder {
-  std::vector<std::size_t> individuals;  ///< Of each exploration.
-  std::vector<double> numbers;           ///< Of each individual.
-  std::vector<std::size_t> groups;       ///< Of each individual.
+struct StudiedOrder {
+  std::vector<std::size_t> individuals;  ///< The individual of each exploration.
+  std::vector<double> numbers;           ///< The number of each individual.
+  std::vector<std::size_t> groups;       ///< The group of each individual.
 };
 
 /// The content of a study: explorations, their classes, and the individuals behind them; and the
@@ -41,13 +41,13 @@ struct PreparedStudy {
   FoldSamples samples;  ///< The division.
   std::vector<StudiedLabel> labels;                        ///< The study's own first.
   std::map<std::string, std::vector<std::size_t>> groups;  ///< For leave_group_out, by label.
-  std::optional<AskedOrder> order;
+  std::optional<StudiedOrder> order;
   RecordingLayout layout;
   std::size_t map = 0;                ///< The module that answers.
   std::optional<std::size_t> recall;  ///< The module that calls up its activity, if any.
   std::vector<std::size_t> vectors;   ///< The modules whose outputs the baseline compares.
   std::vector<Prediction> predictions;
-  Grid grid;  ///< Of the map.
+  Grid grid;  ///< The grid of the map.
   Activations fixed;
   std::optional<ExplorationValues>
       fixed_inputs;  ///< Inputs of the map, if nothing before it learns.

@@ -60,11 +60,10 @@ Result<void> check_modules(const SystemDescription& system) {
 
 Result<ReproductionPart> part_of(const Table& file, const std::string& question,
                                  const std::string& variation, std::optional<std::size_t> pairs) {
-  auto description = read_study(file);
-  if (!description) return fail(std::move(description.error()));
-  SOMATO_TRY_VOID(check_modules(description->system));
-  ReproductionPart part{question, description->study.name, variation, {}, {}, pairs};
-  part.description = std::move(*description);
+  SOMATO_TRY(auto description, read_study(file));
+  SOMATO_TRY_VOID(check_modules(description.system));
+  ReproductionPart part{question, description.study.name, variation, {}, {}, pairs};
+  part.description = std::move(description);
   if (const Table* explore = table_named(file, "explore")) part.explore = *explore;
   return part;
 }
@@ -166,9 +165,8 @@ bool compares_with_itself(const Claim& claim) {
 // Claims of a file are about the parts that it added.
 Result<void> add_claims(const Table& file, std::size_t first_part, const std::string& question,
                         ReproductionPlan& plan) {
-  auto claims = read_claims(file);
-  if (!claims) return fail(std::move(claims.error()));
-  for (Claim& claim : *claims) {
+  SOMATO_TRY(auto claims, read_claims(file));
+  for (Claim& claim : claims) {
     complete(claim, plan.parts[first_part].system);
     if (compares_with_itself(claim)) {
       return fail(ErrorKind::kUsage, "the claim compares a metric with itself", claim.where,

@@ -111,14 +111,13 @@ Result<Results> run_reproduction(const ReproductionPlan& plan, PartRunner& runne
                                  const std::function<PartEvents(std::size_t part)>& events) {
   Results results;
   for (std::size_t i = 0; i < plan.parts.size(); ++i) {
-    auto ran = runner.run(plan.parts[i], events(i));
-    if (!ran) return fail(std::move(ran.error()));
-    if (!ran->misfit) {
-      results.parts.push_back(std::move(ran->results));
+    SOMATO_TRY(auto ran, runner.run(plan.parts[i], events(i)));
+    if (!ran.misfit) {
+      results.parts.push_back(std::move(ran.results));
     } else if (pass_over_misfits) {
-      results.not_applicable.push_back({title_of(plan.parts[i]), to_string(*ran->misfit)});
+      results.not_applicable.push_back({title_of(plan.parts[i]), to_string(*ran.misfit)});
     } else {
-      return fail(std::move(*ran->misfit));
+      return fail(std::move(*ran.misfit));
     }
   }
   results.claims = judge(plan.claims, results.parts);

@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-// Of pairs of samples.
+// The mean over pairs of samples.
 class Mean {
  public:
   void add(double value) {

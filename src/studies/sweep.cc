@@ -212,9 +212,8 @@ Result<SweepDescription> read_sweep(const Table& file) {
   }
   SOMATO_TRY(auto parameters, read_parameters<SweepParameters>(*table));
   sweep.sweep = parameters;
-  auto unknowns = read_unknowns(file);
-  if (!unknowns) return fail(std::move(unknowns.error()));
-  sweep.unknowns = std::move(*unknowns);
+  SOMATO_TRY(auto unknowns, read_unknowns(file));
+  sweep.unknowns = std::move(unknowns);
   sweep.changes.where = file.where;
   for (const Table::Entry& other : file.entries) {
     if (other.name != kSweep && other.name != kUnknown) sweep.changes.entries.push_back(other);

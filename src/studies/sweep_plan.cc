@@ -102,7 +102,7 @@ Result<std::string> own_value(const Table& file, const std::string& key, const s
   return fail(unknown_name("key", key, where, all));
 }
 
-// Of several keys, each value once.
+// The values of several keys, each value once.
 Result<std::string> own_values_of(const Table& file, const Unknown& unknown,
                                   const std::map<std::string, std::string>& explore_defaults) {
   std::vector<std::string> values;
@@ -164,10 +164,9 @@ Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const NamedFile& s
 }
 
 Result<ReproductionPlan> plan_of_point(const SystemSweep& sweep, const SweepPoint& point) {
-  const auto file = with_changes(sweep.file.content, changes_at(sweep.sweep, point));
-  if (!file) return fail(file.error());
+  SOMATO_TRY(const auto file, with_changes(sweep.file.content, changes_at(sweep.sweep, point)));
   ReproductionPlan plan;
-  SOMATO_TRY_VOID(add_to_plan({sweep.file.name, *file}, {}, plan));
+  SOMATO_TRY_VOID(add_to_plan({sweep.file.name, file}, {}, plan));
   plan.claims = sweep.claims;
   std::erase_if(plan.parts, [&](const ReproductionPart& part) {
     return !is_claimed(sweep.claims, part.variation);

@@ -93,8 +93,8 @@ class SystemRunner {
   std::vector<std::size_t> tested_;                     ///< All tested samples, ascending.
   std::vector<std::unique_ptr<FoldOutcome>> outcomes_;  // those that are known
   std::vector<std::vector<Neighbours>>
-      neighbours_;                         ///< Of folds whose vectors do not depend on the seed.
-  std::vector<std::once_flag> are_known_;  ///< Of neighbours_.
+      neighbours_;  ///< The neighbours of folds whose vectors do not depend on the seed.
+  std::vector<std::once_flag> are_known_;  ///< The state of neighbours_.
 };
 
 }  // namespace somato

@@ -7,7 +7,7 @@
 
 namespace somato::wire {
 
-/// Which numbers a magnetometer can report. What lies outside is taken for damage.
+/// Which numbers a magnetometer can report. Values outside are taken for damage.
 struct AnySkinLimits {
   float least_temperature = -20.0F;  ///< Degrees Celsius.
   float most_temperature = 85.0F;

@@ -110,7 +110,7 @@ class DynamixelWriter {
 struct DynamixelPacket {
   std::uint8_t id = 0;
   DynamixelInstruction instruction = DynamixelInstruction::kStatus;
-  std::uint8_t error = 0;  ///< Of a status: an error number and the bit kAlert.
+  std::uint8_t error = 0;  ///< The error of a status: an error number and the bit kAlert.
   std::span<const std::uint8_t> parameters;
 };
 

@@ -108,8 +108,8 @@ class FeetechWriter {
   std::size_t size_ = 0;
 };
 
-/// A packet: of the host, `code` is an instruction; of a servo, its error bits. The bytes do not
-/// tell which.
+/// A packet: of the host, `code` is an instruction; of a servo, its error bits. The bytes do
+/// not distinguish the two.
 struct FeetechPacket {
   std::uint8_t id = 0;
   std::uint8_t code = 0;

@@ -110,7 +110,7 @@ void SensorFrameDecoder::unpack(std::uint8_t byte) {
   zero_follows_ = left_ < kLongestBlock;
 }
 
-// What does not fit is counted only, so that the frame has a wrong length.
+// A byte that does not fit is only counted, so that the frame has a wrong length.
 void SensorFrameDecoder::put(std::uint8_t byte) {
   if (size_ < body_.size()) body_[size_] = byte;
   ++size_;

@@ -15,7 +15,7 @@ namespace somato::wire {
 class SerialLines : public Lines {
  public:
   struct Port {
-    std::string path;           ///< Of a serial port, or a source; see open_sound().
+    std::string path;           ///< The path of a serial port, or a source; see open_sound().
     std::size_t baud = 115200;  ///< 0: a source of sound.
     double rate = 0.0;          ///< Samples per second of a source of sound.
   };

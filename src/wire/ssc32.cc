@@ -157,15 +157,15 @@ Result<void> Ssc32Commands::offset(int channel, int microseconds) {
   return put_for_channel("#", channel, Ssc32Text().add("PO").add(microseconds).add("\r").view());
 }
 
-Result<void> Ssc32Commands::ask_moving() {
+Result<void> Ssc32Commands::query_moving() {
   return put("Q\r");
 }
 
-Result<void> Ssc32Commands::ask_pulse(int channel) {
+Result<void> Ssc32Commands::query_pulse(int channel) {
   return put_for_channel("QP", channel, "\r");
 }
 
-Result<void> Ssc32Commands::ask_version() {
+Result<void> Ssc32Commands::query_version() {
   return put("VER\r");
 }
 

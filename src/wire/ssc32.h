@@ -47,13 +47,13 @@ class Ssc32Commands {
   Result<void> offset(int channel, int microseconds);
 
   /// The answer is decoded by ssc32_moving().
-  Result<void> ask_moving();
+  Result<void> query_moving();
 
   /// The answer is decoded by ssc32_pulse().
-  Result<void> ask_pulse(int channel);
+  Result<void> query_pulse(int channel);
 
   /// The answer is decoded by Ssc32Version.
-  Result<void> ask_version();
+  Result<void> query_version();
 
   /// ESC and CR: cancels a line that was cut short, so that it does not run on into the next one.
   Result<void> resynchronize();
@@ -75,15 +75,16 @@ class Ssc32Commands {
   std::size_t size_ = 0;
 };
 
-/// The answer to ask_moving(): whether a channel of the last group still moves. Empty: other bytes.
+/// The answer to query_moving(): whether a channel of the last group still moves. Empty: other
+/// bytes.
 std::optional<bool> ssc32_moving(std::uint8_t byte);
 
-/// The answer to ask_pulse(): the commanded pulse in us, in steps of 10, never the servo's
+/// The answer to query_pulse(): the commanded pulse in us, in steps of 10, never the servo's
 /// position; 0: the channel has no pulse. Empty: a byte that is no such answer. No answer of
 /// ssc32_moving() is one.
 std::optional<int> ssc32_pulse(std::uint8_t byte);
 
-/// The answer to ask_version(): text that ends with CR.
+/// The answer to query_version(): text that ends with CR.
 class Ssc32Version {
  public:
   /// Takes bytes that arrived; returns whether the text is complete. Further bytes are ignored.
@@ -91,7 +92,8 @@ class Ssc32Version {
 
   bool complete() const { return complete_; }
 
-  /// What has arrived, at most 64 characters. Other characters than printable ASCII are `?`.
+  /// The text received so far, at most 64 characters. Other characters than printable ASCII are
+  /// `?`.
   std::string_view text() const { return {text_.data(), size_}; }
 
   /// Whether characters arrived that no version contains: a wrong baud rate yields such.

@@ -33,8 +33,8 @@ void skip_spaces(std::string_view& rest) {
   while (!rest.empty() && is_ssc32_space(rest.front())) rest.remove_prefix(1);
 }
 
-// What does not fit is replaced by a mark that no command contains, so that no long name becomes
-// a short one.
+// A letter that does not fit is replaced by a mark that no command contains, so that no long name
+// becomes a short one.
 void add_letter(Ssc32Token& token, char letter) {
   if (token.length < token.letters.size()) {
     token.letters[token.length++] = in_upper_case(letter);

@@ -383,7 +383,7 @@ TEST(SpectrumThreads, GivesEveryThreadTheSame) {
   const Spectrum spectrum(parameters);
   Random random(5);
   const Matrix<float> frames = noise(random, 3000, 4);
-  const Signal alone = spectrum.apply(frames, 0.0).value();
+  const Signal single = spectrum.apply(frames, 0.0).value();
   std::vector<Signal> found(4);
   std::vector<std::thread> threads;
   threads.reserve(found.size());
@@ -393,7 +393,7 @@ TEST(SpectrumThreads, GivesEveryThreadTheSame) {
     });
   }
   for (std::thread& thread : threads) thread.join();
-  for (const Signal& mine : found) EXPECT_EQ(mine, alone);
+  for (const Signal& mine : found) EXPECT_EQ(mine, single);
 }
 
 }  // namespace

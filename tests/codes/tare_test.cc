@@ -63,7 +63,8 @@ TEST(Tare, IsThatOfItsDefinition) {
   }
 }
 
-// What a sensor reads at rest does not matter, nor how it differs from one exploration to another.
+// The values of a sensor at rest do not matter, nor how they differ from one exploration to
+// another.
 TEST(Tare, IsIndependentOfTheZero) {
   Matrix<float> frames(50, 2);
   Random random(6);

@@ -43,9 +43,9 @@ const Declarations<Settings>& Settings::declarations() {
           .add("title", &Settings::title, "", Range::any(), "A name.")
           .add("topology", &Settings::topology, "", Range::any(), "How the borders meet.")
           .add("radius", &Settings::radius, "neurons", Range::at_least(0),
-               "Of the neighbourhood; automatic: half the grid.")
+               "Radius of the neighbourhood; automatic: half the grid.")
           .add("weights", &Settings::weights, "", Range::at_least(0), "One an input.")
-          .add("channel", &Settings::channel, "", Range::any(), "Of the sensor.");
+          .add("channel", &Settings::channel, "", Range::any(), "Name of the sensor.");
   return kAll;
 }
 
@@ -233,7 +233,7 @@ struct Walls {
 
   static const Declarations<Walls>& declarations() {
     static const auto kAll = Declarations<Walls>()
-                                 .add("shapes", &Walls::shapes, "", Range::any(), "Of all.")
+                                 .add("shapes", &Walls::shapes, "", Range::any(), "Shapes of all.")
                                  .add("floor", &Walls::floor, "", Range::any(), "Below.");
     return kAll;
   }
@@ -260,10 +260,10 @@ struct Drive {
   static const Declarations<Drive>& declarations() {
     static const auto kAll =
         Declarations<Drive>()
-            .add("speed", &Drive::speed, "mm/s", Range::above(0), "Of the hand.")
+            .add("speed", &Drive::speed, "mm/s", Range::above(0), "Speed of the hand.")
             .add(
                 "title", [](Drive& d) -> auto& { return d.settings.title; }, "", Range::any(),
-                "Of the map.")
+                "Settings of the map.")
             .add_from(&Drive::settings, Settings::declarations(), {"topology", "rows"});
     return kAll;
   }

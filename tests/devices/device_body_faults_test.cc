@@ -1,4 +1,4 @@
-// What can go wrong with a device while it moves, on each bus: when the body stops, what it says,
+// Faults of a device while it moves, on each bus: when the body stops, what it says,
 // and what its servos did until then.
 
 #include <fmt/format.h>
@@ -164,8 +164,8 @@ Outcome outcome_of(FaultyFingers& fingers, const std::function<void()>& fault) {
   return {true, fingers.device.lines.now() - moment, stepped.error()};
 }
 
-// The body moves to and fro for some seconds and goes on.
-void expect_goes_on(FaultyFingers& fingers, const std::function<void()>& fault) {
+// The body moves to and fro for some seconds and continues.
+void expect_continues(FaultyFingers& fingers, const std::function<void()>& fault) {
   const auto body = DeviceBody::start(fingers.device.file, fingers.device.lines);
   ASSERT_TRUE(body) << to_string(body.error());
   for (int i = 0; i < 10; ++i) {
@@ -248,7 +248,7 @@ TEST_P(DeviceFaults, SilenceIsNoticedAfterThreeMissedPolls) {
 }
 
 TEST_P(DeviceFaults, GarbageIsSkipped) {
-  expect_goes_on(fingers_, [&] {
+  expect_continues(fingers_, [&] {
     fingers_.servo_line().garbage = {0xFF, 0xFF, 0xFD, 0x00, 0x01, 0xFF, 0x7F, 0x55, 'Q', '\r'};
     fingers_.sensor_line().garbage = {0x00, 0x05, 0xFF, '1', ',', '\n', 0x00};
   });
@@ -257,7 +257,7 @@ TEST_P(DeviceFaults, GarbageIsSkipped) {
 
 // An SSC-32 has no checksum, so that it may drive a servo anywhere: what the host sends is right.
 TEST_P(DeviceFaults, OneByteInAThousandMayBeFlipped) {
-  expect_goes_on(fingers_, [&] {
+  expect_continues(fingers_, [&] {
     fingers_.servo_line().flipped = 0.001;
     fingers_.sensor_line().flipped = 0.001;
   });
@@ -270,14 +270,14 @@ TEST_P(DeviceFaults, AnEchoIsNoAnswer) {
     EXPECT_TRUE(outcome_of(fingers_, [&] { fingers_.servo_line().echo = true; }).stopped);
     return;
   }
-  expect_goes_on(fingers_, [&] { fingers_.servo_line().echo = true; });
+  expect_continues(fingers_, [&] { fingers_.servo_line().echo = true; });
   EXPECT_LE(fingers_.beyond(), kResolution);
 }
 
 // A controller whose supply fails for a moment has forgotten where its servos are, and drives none.
 TEST_P(DeviceFaults, ABrownOutStopsTheBody) {
   const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servos().restart(); });
-  ASSERT_TRUE(outcome.stopped) << "the servos are off, and the body goes on";
+  ASSERT_TRUE(outcome.stopped) << "the servos are off, and the body continues";
   EXPECT_LT(outcome.after, 0.5 + 0.2);
   EXPECT_TRUE(fingers_.are_off());
 }
@@ -411,12 +411,12 @@ TEST_P(SensorFaults, ASlowLineStopsTheBody) {
 }
 
 TEST_P(SensorFaults, ABoardThatRestartsIsReadOn) {
-  expect_goes_on(fingers_, [&] { fingers_.sensors().restart(); });
+  expect_continues(fingers_, [&] { fingers_.sensors().restart(); });
 }
 
 // Without a checksum a wrong value may arrive; one above the limit stops the body.
 TEST_P(SensorFaults, FramesAfterGarbageAreRead) {
-  expect_goes_on(fingers_, [&] {
+  expect_continues(fingers_, [&] {
     fingers_.sensor_line().garbage = {0x00, 0x05, 0xFF, '1', ',', '\n', 0x00, 0x0D};
   });
 }

@@ -136,11 +136,11 @@ TEST(DeviceBody, HoldsAndRelaxesWhenTheForceIsTooLarge) {
 TEST(DeviceBody, IsRelaxedAtOnceWhenItIsInterrupted) {
   Fingers fingers;
   const auto body = DeviceBody::start(fingers.device.file, fingers.device.lines);
-  bool goes_on = true;
-  (*body)->keep_to({.should_continue = [&] { return goes_on; }});
+  bool should_continue = true;
+  (*body)->keep_to({.should_continue = [&] { return should_continue; }});
   ASSERT_TRUE((*body)->step(0.1));
   const double before = fingers.device.lines.now();
-  fingers.device.at = [&](double now) { goes_on = now < before + 0.1; };
+  fingers.device.at = [&](double now) { should_continue = now < before + 0.1; };
   const auto stopped = (*body)->step(5.0);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);

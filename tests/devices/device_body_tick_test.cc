@@ -95,7 +95,7 @@ TEST_P(DeviceTick, AllocatesNothing) {
   });
 }
 
-// Whatever system call follows, except the end, ends the process.
+// Any following system call, except the end, ends the process.
 bool forbid_system_calls() {
   std::array<sock_filter, 4> code{
       sock_filter{BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},

@@ -112,7 +112,7 @@ TEST(DynamixelBus, StartWarnsOfSettingsThatItDoesNotChange) {
   EXPECT_EQ(hand.servos.eeprom_writes(), 0u);
 }
 
-// What start() returns after `change`, and that no servo holds.
+// Returns the error of start() after `change`, and checks that no servo holds.
 template <typename Change>
 Error dynamixel_start_error(const Change& change) {
   DynamixelHand hand(2);
@@ -272,8 +272,8 @@ TEST(DynamixelBus, AnErrorThatCannotBeReadDoesNotHideTheStates) {
   EXPECT_EQ(hand.bus.reports()[0].time, hand.line.now());
 }
 
-// What a simple servo reads last: it trusts each length that its memory can hold, and drops a
-// packet with a wrong CRC whole.
+// The packet that a simple servo reads last: it trusts each length that its memory can hold, and
+// drops a packet with a wrong CRC whole.
 Bytes last_packet_of_simple_servo(const Bytes& bytes) {
   Bytes last;
   for (std::size_t at = 0; at + 7 <= bytes.size();) {

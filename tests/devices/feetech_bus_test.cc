@@ -106,7 +106,7 @@ TEST(FeetechBus, StartWarnsOfAReturnDelay) {
   EXPECT_EQ(hand.servos.eeprom_writes(), 0u);
 }
 
-// What start() returns after `change`, and that no servo holds.
+// Returns the error of start() after `change`, and checks that no servo holds.
 template <typename Change>
 Error feetech_start_error(FeetechSeries series, const Change& change) {
   FeetechHand hand(series, 2);
@@ -289,7 +289,8 @@ TEST(FeetechBus, AnOverloadIsReportedAndARebootEndsIt) {
   }
 }
 
-// What a simple servo reads last: it trusts each length, and drops a packet with a wrong sum whole.
+// The packet that a simple servo reads last: it trusts each length, and drops a packet with a wrong
+// sum whole.
 Bytes last_packet_of_simple_feetech(const Bytes& bytes) {
   Bytes last;
   for (std::size_t at = 0; at + 4 <= bytes.size();) {

@@ -54,7 +54,7 @@ TEST(SafeMotion, HoldsWhereItIs) {
   EXPECT_EQ(motion.positions()[0], 6.0);
 }
 
-// Whatever is commanded: 10^6 targets, of which a part is not finite or far outside.
+// The commands are 10^6 targets, of which a part is not finite or far outside.
 TEST(SafeMotion, StaysWithinItsLimitsWhateverIsCommanded) {
   const std::vector servos{servo(-30.0, 30.0, 60.0), servo(0.0, 140.0, 148.9)};
   SafeMotion motion(servos);

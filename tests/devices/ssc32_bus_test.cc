@@ -125,7 +125,7 @@ TEST_F(Ssc32BusTest, ReachesPositionsWithTheTicks) {
   EXPECT_EQ(board_.driven_position(0), 1500.0);
   EXPECT_EQ(bus_.answers(), 49U);
   EXPECT_EQ(bus_.resynchronizations(), 0U);
-  EXPECT_NEAR(bus_.reports()[0].position, 1500.0, 40.0);  // asked up to three ticks before
+  EXPECT_NEAR(bus_.reports()[0].position, 1500.0, 40.0);  // queried up to three ticks before
   EXPECT_EQ(bus_.reports()[2].position, 2000.0);
 }
 

@@ -50,7 +50,7 @@ struct Drawn {
   Box box;
 };
 
-/// What the groups around an element do to its points.
+/// The transformation of an element's points by the groups around it.
 struct Placement {
   Point offset{0.0, 0.0};
   Point scale{1.0, 1.0};

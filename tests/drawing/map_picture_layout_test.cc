@@ -25,7 +25,7 @@ using test::grid_of;
 using test::group;
 using test::two_classes;
 
-// Of all kinds and sizes, with texts that fill all lines.
+// The panels have all kinds and sizes, with texts that fill all lines.
 std::vector<Panel> various_panels() {
   const Grid torus = grid_of(8, 9, Lattice::kHexagonal, Topology::kTorus);
   LabelPanel crowded = two_classes();

@@ -47,7 +47,7 @@ std::set<std::pair<int, int>> corner_set(MarkerShape shape) {
   return mapped(shape, 1, 0, 0, 1);
 }
 
-// Of a polygon, by the formula of Gauss.
+// The area of a polygon, by the formula of Gauss.
 double area_in_radii(MarkerShape shape) {
   const auto corners = outline(shape);
   double twice = 0.0;

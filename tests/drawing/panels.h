@@ -36,7 +36,7 @@ inline Element group(const Element& root, const std::string& name) {
   return found[0];
 }
 
-/// What is written below `root`, in the order of the document.
+/// The texts below `root`, in the order of the document.
 inline std::vector<std::string> texts(const Element& root) {
   std::vector<std::string> found;
   for (const Element& text : elements(root, "text")) found.push_back(text.text);

@@ -12,7 +12,7 @@
 namespace somato {
 namespace {
 
-// What characters take in Helvetica, in thousandths of the font size (Adobe's metrics).
+// The widths of characters in Helvetica, in thousandths of the font size (Adobe's metrics).
 const std::map<std::string, int> kHelvetica{
     {"a", 556}, {"b", 556}, {"c", 500}, {"e", 556}, {"f", 278}, {"i", 222}, {"j", 222},
     {"k", 500}, {"l", 222}, {"m", 833}, {"n", 556}, {"o", 556}, {"r", 333}, {"s", 500},

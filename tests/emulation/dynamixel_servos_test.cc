@@ -20,7 +20,7 @@ struct DynamixelTalk {
   DynamixelTalk(const std::vector<EmulatedDynamixel>& servos, bool echo) : chain(servos, echo) {}
 
   template <typename Fill>
-  Bytes tell(const Fill& fill, double seconds = 0.01) {
+  Bytes exchange(const Fill& fill, double seconds = 0.01) {
     Bytes memory(4096);
     wire::DynamixelWriter writer(memory);
     fill(writer);
@@ -36,7 +36,7 @@ struct DynamixelTalk {
   }
 
   void write(std::uint8_t id, std::uint16_t address, const Bytes& data) {
-    tell([&](auto& to) { to.write(id, address, data); });
+    exchange([&](auto& to) { to.write(id, address, data); });
   }
 
   DynamixelServos chain;
@@ -69,21 +69,21 @@ TEST(DynamixelServos, APingIsAnsweredAsInTheManual) {
   talk.chain.store(1, dynamixel_x::kFirmware, 1, 38);
   const Bytes one{0xFF, 0xFF, 0xFD, 0, 1, 7, 0, 0x55, 0, 6, 4, 0x26, 0x65, 0x5D};
   const Bytes two{0xFF, 0xFF, 0xFD, 0, 2, 7, 0, 0x55, 0, 6, 4, 0x26, 0x6F, 0x6D};
-  EXPECT_EQ(talk.tell([](auto& to) { to.ping(1); }), one);
+  EXPECT_EQ(talk.exchange([](auto& to) { to.ping(1); }), one);
   Bytes both = one;
   both.insert(both.end(), two.begin(), two.end());
-  EXPECT_EQ(talk.tell([](auto& to) { to.ping(wire::kDynamixelEveryone); }), both);
-  EXPECT_TRUE(talk.tell([](auto& to) { to.ping(3); }).empty());
+  EXPECT_EQ(talk.exchange([](auto& to) { to.ping(wire::kDynamixelEveryone); }), both);
+  EXPECT_TRUE(talk.exchange([](auto& to) { to.ping(3); }).empty());
 }
 
 TEST(DynamixelServos, ReadAndSyncReadAreAnsweredAsInTheManual) {
   DynamixelTalk talk({{.id = 1, .position = 166}, {.id = 2, .position = 2079}}, false);
   const Bytes one{0xFF, 0xFF, 0xFD, 0, 1, 8, 0, 0x55, 0, 0xA6, 0, 0, 0, 0x8C, 0xC0};
   const Bytes two{0xFF, 0xFF, 0xFD, 0, 2, 8, 0, 0x55, 0, 0x1F, 8, 0, 0, 0xBA, 0xBE};
-  EXPECT_EQ(talk.tell([](auto& to) { to.read(1, 132, 4); }), one);
+  EXPECT_EQ(talk.exchange([](auto& to) { to.read(1, 132, 4); }), one);
   Bytes both = one;
   both.insert(both.end(), two.begin(), two.end());
-  EXPECT_EQ(talk.tell([](auto& to) { to.sync_read(132, 4, Bytes{1, 7, 2}); }), both);
+  EXPECT_EQ(talk.exchange([](auto& to) { to.sync_read(132, 4, Bytes{1, 7, 2}); }), both);
 }
 
 TEST(DynamixelServos, AGoalDrivesOnlyWithTorque) {
@@ -101,7 +101,7 @@ TEST(DynamixelServos, TorqueStartsFromTheMeasuredPosition) {
   DynamixelTalk talk({{.id = 1, .position = 1500}}, false);
   talk.write(1, dynamixel_x::kVelocity, {1, 0, 0, 0});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
-  talk.tell([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); }, 0.0);
+  talk.exchange([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); }, 0.0);
   EXPECT_EQ(talk.chain.driven_position(0), 1500.0);
   Bytes sent;
   talk.pass(1.0, sent);
@@ -115,7 +115,7 @@ TEST(DynamixelServos, TheProfileVelocityRampsTheGoal) {
     talk.write(id, dynamixel_x::kTorqueEnable, {1});
   }
   // 10 units of 0.229 rev/min are 2.29 / 60 * 4096 = 156.33 steps/s.
-  talk.tell(
+  talk.exchange(
       [](auto& to) {
         to.begin_sync_write(dynamixel_x::kVelocity, 8);
         to.put8(1), to.put32(10), to.put32(2000);
@@ -135,7 +135,7 @@ TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
   talk.write(1, dynamixel_x::kDriveMode, {dynamixel_x::kTimeBasedProfile});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
-  talk.tell(
+  talk.exchange(
       [](auto& to) {
         to.begin_sync_write(dynamixel_x::kVelocity, 8);
         to.put8(1), to.put32(500), to.put32(2000);
@@ -148,8 +148,8 @@ TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
 TEST(DynamixelServos, MeasuredValuesAreReadInUnitsOfTheServo) {
   DynamixelTalk talk({{.id = 1, .current_unit = 2.69}}, false);
   talk.chain.set_measured(0, -3.4, -269.0);
-  const auto all =
-      dynamixel_answers(talk.tell([](auto& to) { to.read(1, dynamixel_x::kPresentCurrent, 10); }));
+  const auto all = dynamixel_answers(
+      talk.exchange([](auto& to) { to.read(1, dynamixel_x::kPresentCurrent, 10); }));
   EXPECT_EQ(all, (DynamixelAnswers{{1, 0, {0x9C, 0xFF, 0, 0, 0, 0, 0xFD, 0xFF, 0xFF, 0xFF}}}));
 }
 
@@ -158,14 +158,14 @@ TEST(DynamixelServos, AnOverloadEndsOnlyWithAReboot) {
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
   talk.chain.overload(0);
   EXPECT_FALSE(talk.chain.driven_position(0));
-  EXPECT_EQ(
-      dynamixel_answers(talk.tell([](auto& to) { to.read(1, dynamixel_x::kHardwareError, 1); })),
-      (DynamixelAnswers{{1, dynamixel_error::kAlert, {dynamixel_x::kOverload}}}));
   EXPECT_EQ(dynamixel_answers(
-                talk.tell([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); })),
+                talk.exchange([](auto& to) { to.read(1, dynamixel_x::kHardwareError, 1); })),
+            (DynamixelAnswers{{1, dynamixel_error::kAlert, {dynamixel_x::kOverload}}}));
+  EXPECT_EQ(dynamixel_answers(
+                talk.exchange([](auto& to) { to.write(1, dynamixel_x::kTorqueEnable, Bytes{1}); })),
             (DynamixelAnswers{{1, dynamixel_error::kAlert | dynamixel_error::kResult, {}}}));
-  EXPECT_EQ(dynamixel_answers(talk.tell([](auto& to) { to.reboot(1); })).size(), 1u);
-  EXPECT_TRUE(talk.tell([](auto& to) { to.ping(1); }).empty());  // it boots
+  EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.reboot(1); })).size(), 1u);
+  EXPECT_TRUE(talk.exchange([](auto& to) { to.ping(1); }).empty());  // it boots
   Bytes sent;
   talk.pass(1.0, sent);
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
@@ -175,7 +175,8 @@ TEST(DynamixelServos, AnOverloadEndsOnlyWithAReboot) {
 TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
   DynamixelTalk talk({{.id = 1}}, false);
   const auto refusal = [&](std::uint16_t address, const Bytes& data) {
-    const auto all = dynamixel_answers(talk.tell([&](auto& to) { to.write(1, address, data); }));
+    const auto all =
+        dynamixel_answers(talk.exchange([&](auto& to) { to.write(1, address, data); }));
     return all.size() == 1 ? all[0].error : -1;
   };
   EXPECT_EQ(refusal(dynamixel_x::kPresentPosition, {0, 0, 0, 0}), dynamixel_error::kAccess);
@@ -187,17 +188,17 @@ TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
   EXPECT_EQ(refusal(dynamixel_x::kTorqueEnable, {1}), 0);
   EXPECT_EQ(refusal(dynamixel_x::kReturnDelay, {1}), dynamixel_error::kAccess);
   EXPECT_EQ(talk.chain.eeprom_writes(), 1u);
-  EXPECT_EQ(dynamixel_answers(talk.tell([](auto& to) { to.read(1, 300, 4); })),
+  EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.read(1, 300, 4); })),
             (DynamixelAnswers{{1, dynamixel_error::kAccess, {}}}));
-  EXPECT_EQ(dynamixel_answers(talk.tell([](auto& to) { to.action(1); })),
+  EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.action(1); })),
             (DynamixelAnswers{{1, dynamixel_error::kInstruction, {}}}));
 }
 
 TEST(DynamixelServos, ARegisteredWriteWaitsForTheAction) {
   DynamixelTalk talk({{.id = 1}}, false);
-  talk.tell([](auto& to) { to.reg_write(1, dynamixel_x::kTorqueEnable, Bytes{1}); });
+  talk.exchange([](auto& to) { to.reg_write(1, dynamixel_x::kTorqueEnable, Bytes{1}); });
   EXPECT_FALSE(talk.chain.driven_position(0));
-  talk.tell([](auto& to) { to.action(wire::kDynamixelEveryone); });
+  talk.exchange([](auto& to) { to.action(wire::kDynamixelEveryone); });
   EXPECT_TRUE(talk.chain.driven_position(0));
 }
 
@@ -206,7 +207,7 @@ TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {
   std::vector<std::size_t> counts;
   for (const std::uint32_t level : {0U, 1U, 2U}) {
     talk.chain.store(0, dynamixel_x::kStatusReturn, 1, level);
-    const Bytes sent = talk.tell([](auto& to) {
+    const Bytes sent = talk.exchange([](auto& to) {
       to.ping(1);
       to.read(1, 132, 4);
       to.write(1, 65, Bytes{1});
@@ -219,7 +220,7 @@ TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {
 TEST(DynamixelServos, AnswersWaitForTheReturnDelay) {
   DynamixelTalk talk({{.id = 1, .return_delay = 250}, {.id = 2, .return_delay = 100}}, false);
   const auto request = [](auto& to) { to.sync_read(132, 4, Bytes{1, 2}); };
-  EXPECT_TRUE(talk.tell(request, 0.000499).empty());
+  EXPECT_TRUE(talk.exchange(request, 0.000499).empty());
   Bytes sent;
   talk.pass(0.000002, sent);
   EXPECT_EQ(dynamixel_answers(sent).size(), 1u);
@@ -231,7 +232,7 @@ TEST(DynamixelServos, AnswersWaitForTheReturnDelay) {
 
 TEST(DynamixelServos, AnEchoComesBeforeTheAnswer) {
   DynamixelTalk talk({{.id = 1}}, true);
-  const Bytes sent = talk.tell([](auto& to) { to.ping(1); });
+  const Bytes sent = talk.exchange([](auto& to) { to.ping(1); });
   const Bytes echo{0xFF, 0xFF, 0xFD, 0, 1, 3, 0, 1, 0x19, 0x4E};
   ASSERT_GT(sent.size(), echo.size());
   EXPECT_TRUE(std::equal(echo.begin(), echo.end(), sent.begin()));
@@ -242,14 +243,15 @@ TEST(DynamixelServos, ASilentServoAndARestartedChainDoNotAnswer) {
   DynamixelTalk talk({{.id = 1}, {.id = 2}}, false);
   talk.chain.set_silent(0, true);
   EXPECT_EQ(
-      dynamixel_answers(talk.tell([](auto& to) { to.sync_read(132, 4, Bytes{1, 2}); })).size(), 1u);
+      dynamixel_answers(talk.exchange([](auto& to) { to.sync_read(132, 4, Bytes{1, 2}); })).size(),
+      1u);
   talk.write(2, dynamixel_x::kTorqueEnable, {1});
   talk.chain.restart();
   EXPECT_FALSE(talk.chain.driven_position(1));
-  EXPECT_TRUE(talk.tell([](auto& to) { to.ping(2); }).empty());
+  EXPECT_TRUE(talk.exchange([](auto& to) { to.ping(2); }).empty());
   Bytes sent;
   talk.pass(1.0, sent);
-  EXPECT_EQ(dynamixel_answers(talk.tell([](auto& to) { to.ping(2); })).size(), 1u);
+  EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.ping(2); })).size(), 1u);
 }
 
 // Packets with any instruction and parameters, and noise between them.
@@ -258,7 +260,7 @@ TEST(DynamixelServos, NoPacketDoesHarm) {
   DynamixelTalk talk({{.id = 1}, {.id = 2}}, true);
   std::size_t answered = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Bytes sent = talk.tell([&](auto& to) {
+    const Bytes sent = talk.exchange([&](auto& to) {
       const std::uint8_t ids[] = {1, 2, 3, wire::kDynamixelEveryone};
       const std::uint8_t common[] = {1, 2, 3, 4, 5, 8, 0x82, 0x83, 0x10};
       const auto instruction = static_cast<wire::DynamixelInstruction>(common[random.below(9)]);

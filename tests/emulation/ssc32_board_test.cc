@@ -20,14 +20,14 @@ class Ssc32BoardTest : public ::testing::Test {
     board_.receive({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   }
 
-  // What the board sends until `milliseconds`.
+  // The board's bytes until `milliseconds`.
   std::string until(double milliseconds) {
     std::vector<std::uint8_t> sent;
     board_.advance(milliseconds / 1e3, sent);
     return {sent.begin(), sent.end()};
   }
 
-  std::string asked(std::string_view text) {
+  std::string answer_to(std::string_view text) {
     send(text);
     now_ += 1e-6;
     return until(now_);
@@ -63,10 +63,10 @@ TEST_F(Ssc32BoardTest, EndsAGroupTogether) {
   EXPECT_EQ(at(240, 0), 1480.0);
   EXPECT_EQ(board_.driven_position(1), 1048.0);
   EXPECT_EQ(at(480, 0), 1960.0);
-  EXPECT_EQ(asked("Q\r"), "+");
+  EXPECT_EQ(answer_to("Q\r"), "+");
   EXPECT_EQ(at(500, 0), 2000.0);
   EXPECT_EQ(board_.driven_position(1), 1100.0);
-  EXPECT_EQ(asked("Q\r"), ".");
+  EXPECT_EQ(answer_to("Q\r"), ".");
 }
 
 TEST_F(Ssc32BoardTest, UsesTheTimeWhereItIsLonger) {
@@ -83,17 +83,17 @@ TEST_F(Ssc32BoardTest, MovesAtTheNextStepWithoutTimeAndSpeed) {
 TEST_F(Ssc32BoardTest, ReportsTheLastGroupOnly) {
   send("#0P1000#1P1000\r#0P2000T1000\r#1P1000\r");
   EXPECT_EQ(at(40, 1), 1000.0);
-  EXPECT_EQ(asked("q\r"), ".");
+  EXPECT_EQ(answer_to("q\r"), ".");
   EXPECT_EQ(at(1000, 0), 2000.0);
 }
 
 TEST_F(Ssc32BoardTest, ReportsTheCommandedPulse) {
   board_.set_measured(0, 777.0, 5.0);
-  EXPECT_EQ(asked("QP0\r"), std::string(1, '\0'));
+  EXPECT_EQ(answer_to("QP0\r"), std::string(1, '\0'));
   send("#0P1519\r#0PO100\r");
   EXPECT_EQ(board_.driven_position(0), 1619.0);
-  EXPECT_EQ(asked("QP 0\r"), "\x97");  // 151
-  EXPECT_EQ(asked("QP0 QP1\r"), std::string("\x97\0", 2));
+  EXPECT_EQ(answer_to("QP 0\r"), "\x97");  // 151
+  EXPECT_EQ(answer_to("QP0 QP1\r"), std::string("\x97\0", 2));
 }
 
 TEST_F(Ssc32BoardTest, SwitchesPulsesOff) {
@@ -116,20 +116,20 @@ TEST_F(Ssc32BoardTest, StopsAChannel) {
 TEST_F(Ssc32BoardTest, AnswersInputsAndVersion) {
   board_.set_analog(1, 128);
   board_.set_digital(2, true);
-  EXPECT_EQ(asked("VA VB\r"), std::string("\0\x80", 2));
-  EXPECT_EQ(asked("A B C D\r"), "0010");
-  EXPECT_EQ(asked("ver\r"), "SSC32-V2.01XE\r");
+  EXPECT_EQ(answer_to("VA VB\r"), std::string("\0\x80", 2));
+  EXPECT_EQ(answer_to("A B C D\r"), "0010");
+  EXPECT_EQ(answer_to("ver\r"), "SSC32-V2.01XE\r");
   send("#1:170\r");
   EXPECT_EQ(board_.outputs(1), 170);
 }
 
 TEST_F(Ssc32BoardTest, DropsWhatItDoesNotUnderstandWithoutASign) {
-  EXPECT_EQ(asked("HELLO\rVAVB\r#0P1500 X\r"), "");
+  EXPECT_EQ(answer_to("HELLO\rVAVB\r#0P1500 X\r"), "");
   EXPECT_EQ(board_.driven_position(0), std::nullopt);
 }
 
 TEST_F(Ssc32BoardTest, CancelsALineAtEscape) {
-  EXPECT_EQ(asked("#0P15\x1BVER\r"), "SSC32-V2.01XE\r");
+  EXPECT_EQ(answer_to("#0P15\x1BVER\r"), "SSC32-V2.01XE\r");
   send("#0P15");
   send("00\r");
   EXPECT_EQ(board_.driven_position(0), 1500.0);
@@ -146,11 +146,11 @@ TEST_F(Ssc32BoardTest, DropsALineThatOverflowsTheQueue) {
 
 TEST_F(Ssc32BoardTest, FallsSilentAtGoboot) {
   send("#0P1500\rgoboot\r");
-  EXPECT_EQ(asked("VER\rQ\r"), "");
+  EXPECT_EQ(answer_to("VER\rQ\r"), "");
   EXPECT_TRUE(board_.silenced());
   EXPECT_EQ(board_.driven_position(0), std::nullopt);
   board_.restart();
-  EXPECT_EQ(asked("Q\r"), ".");
+  EXPECT_EQ(answer_to("Q\r"), ".");
 }
 
 TEST_F(Ssc32BoardTest, CountsRegisterWrites) {

@@ -8,7 +8,8 @@
 namespace somato {
 namespace {
 
-// Of a column of `count` numbers that begin at `first`, `step` apart, as they stand in the file.
+// The error for a column of `count` numbers that begin at `first`, `step` apart, as they stand in
+// the file.
 std::string precision_error(double first, double step, int count) {
   ColumnPrecision precision;
   for (int i = 0; i < count; ++i) {

@@ -287,12 +287,12 @@ TEST(ChannelPlanes, ATMpsomDistributesWeightsLikeItsInputs) {
     double all = 0.0;
     double dealt = 0.0;
     for (std::size_t n = 0; n < 72; ++n) {
-      double heard = 0.0;
-      for (std::size_t k = 0; k < 4; ++k) heard += double{weights(n, k)} * double{arbor(n, k)};
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) sum += double{weights(n, k)} * double{arbor(n, k)};
       const double weight = double{problem.som().weight(neuron, n)};
       all += weight;
       for (std::size_t k = 0; k < 4; ++k) {
-        expected[k] += weight * double{weights(n, k)} * double{arbor(n, k)} / heard;
+        expected[k] += weight * double{weights(n, k)} * double{arbor(n, k)} / sum;
       }
     }
     for (std::size_t k = 0; k < 4; ++k) {

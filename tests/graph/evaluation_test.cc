@@ -41,7 +41,7 @@ TEST(Evaluation, WhatNeverLearnsIsComputedOnceWhereLearnersListen) {
   EXPECT_EQ(more->find(also[1], 4), nullptr);  // it learns
 }
 
-// What is known is taken as it is, even when it could be computed.
+// Known values are taken as they are, even when they could be computed.
 TEST(Evaluation, StartsFromWhatIsKnown) {
   const Recording recording = hand_recording(5, 3);
   const System system = build(kText, recording);

@@ -21,7 +21,7 @@ std::string one_hot(const std::string& name) {
                 "input = '" + name + "'\nlow = 0\nhigh = 1\nelements = 4");
 }
 
-// Of sparse frames, with elements that are never met while learning.
+// The frames are sparse, with elements that never occur while learning.
 std::string crossed() {
   return channels() + one_hot("height") + one_hot("wrist") + one_hot("joints") +
          module("crossed", "tensor_product",
@@ -63,7 +63,7 @@ std::vector<std::span<const float>> frame_of(const LiveSystem& live, const Recor
   return values;
 }
 
-// What the map sees of the exploration as far as it went, evaluated as a whole.
+// The map's input for the exploration so far, evaluated as a whole.
 Signal seen(const System& system, const Recording& so_far, std::size_t map,
             std::size_t exploration) {
   const std::string& input = system.modules()[system.modules()[map].inputs.front()].name;

@@ -32,7 +32,7 @@ std::string all_channels() {
   return testing::channels({"height", "wrist", "joints", "touch", "sound"});
 }
 
-// What a module `m` of that text gives, for every exploration of a recording.
+// Compares the output of a module `m` of that text for every exploration of a recording.
 void expect_gives(const std::string& text,
                   const std::function<Matrix<float>(const Recording&, std::size_t)>& oracle) {
   const Recording recording = hand_recording(5, 7);
@@ -605,7 +605,8 @@ TEST(Module, ASparseSignalComesOutOfALoopsDelayDense) {
   }
 }
 
-// What leaves the range of single precision is an error with module and frame, never an infinity.
+// A value that leaves the range of single precision is an error with module and frame, never an
+// infinity.
 TEST(Module, NothingThatIsNotFiniteComesOut) {
   Recording recording = hand_recording(2, 11);
   recording.explorations[1].channels[2].frames = Matrix<float>(2, 3, {1, 1, 1, 3e38F, 1, 1});

@@ -128,7 +128,7 @@ TEST(SystemDescription, TheBuilderMakesWhatTheTextDoes) {
             saved(trained(build(text, recording), recording, 4)));
 }
 
-// What only a builder can say wrong.
+// Only a builder can make these errors.
 TEST(SystemDescription, WhatNoTextCouldSayIsRefused) {
   const Recording recording = hand_recording(2, 1);
   const auto refused = [&](const SystemBuilder& builder, const std::string& because) {

@@ -20,7 +20,8 @@ using testing::RandomSystem;
 using testing::try_build;
 using testing::try_train;
 
-constexpr std::size_t kLearnedModules = 4;  // Of six explorations; the others are held out.
+constexpr std::size_t kLearnedModules =
+    4;  // The first four of six explorations; the others are held out.
 constexpr int kGraphs = 2200;
 constexpr std::size_t kMostFrames = 20;  // of hand_recording()
 
@@ -29,7 +30,7 @@ void expect_place(const Error& error, const std::string& text) {
   EXPECT_NE(error.where.find("system.toml"), std::string::npos) << to_string(error) << "\n" << text;
 }
 
-// What all modules give for the explorations held out, or an error of the data.
+// The outputs of all modules for the explorations held out, or an error of the data.
 Result<Activations> held_out(const System& system, const Recording& recording) {
   std::vector<std::size_t> all = first_explorations(system.modules().size());
   Activations activations(system.modules().size(), recording.explorations.size());

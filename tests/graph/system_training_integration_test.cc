@@ -121,7 +121,7 @@ TEST(LeakyNeurons, TheWinnerHasTheHighestPotential) {
   EXPECT_GE(std::unique(winners.begin(), winners.end()) - winners.begin(), 3);
 }
 
-// What is known before the phase, from another module that uses the memory, is the value at the
+// The value known before the phase, from another module that uses the memory, is the one at the
 // end; the phase needs those in between.
 TEST(LeakyNeurons, LearnFromFramesThoughTheEndIsKnown) {
   const Recording recording = hand_recording(6, 5);
@@ -162,8 +162,8 @@ TEST(LeakyNeurons, NeedModulesThatFollowTheFrames) {
 
 TEST(LeakyNeurons, NeedFramesThatAreRecordedTogether) {
   const Recording recording = hand_recording(6, 5);
-  const std::string sums = module("heard", "accumulate", "input = \"sound\"") +
-                           module("both", "concatenation", "inputs = [\"memory\", \"heard\"]");
+  const std::string sums = module("sound_sum", "accumulate", "input = \"sound\"") +
+                           module("both", "concatenation", "inputs = [\"memory\", \"sound_sum\"]");
   std::string text = leaky_neurons(kOfFrames);
   text.replace(text.find("input = \"memory\""), 16, "input = \"both\"");
   System system = build(channels({"sound"}) + sums + text, recording);

@@ -86,7 +86,7 @@ std::string coded_map(const std::string& more) {
          module("map", "som", "input = \"sum\"" + std::string(kThreeByTwo) + "\n" + more);
 }
 
-// What the map is tested with decides nothing of it; but it knows these inputs by their products.
+// The test inputs do not affect training; but the map knows them by their products.
 TEST(SystemTraining, AMapKnowsWhatItIsTestedWith) {
   const Recording recording = hand_recording(9, 5);
   const std::string text = coded_map("arithmetic = \"inner_products\"\n");
@@ -303,7 +303,7 @@ TEST(SystemTraining, TwoMapsLearnExplorationsTogetherAsInAnObviousLoop) {
 }
 
 // Two maps in one phase, of which the first has constant inputs for each exploration.
-std::string heard_map(const std::string& more) {
+std::string channel_map(const std::string& more) {
   return channels() +
          module("code", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 7") +
          module("stm", "accumulate", "input = \"code\"") +
@@ -333,11 +333,12 @@ TEST(SystemTraining, MapsLearnTogetherByInnerProductsAsByPlainArithmetic) {
         std::string("normalize_input = true\ninitial_weights = \"samples\"\n"),
         std::string("similarity = \"dot_product\"\ninitial_weights = \"uniform\"\n")}) {
     const System plain =
-        trained(build(heard_map(more + "arithmetic = \"plain\"\n"), recording), recording, 6, 9);
+        trained(build(channel_map(more + "arithmetic = \"plain\"\n"), recording), recording, 6, 9);
     EXPECT_EQ(map_of(plain, "a").parameters().arithmetic, Arithmetic::kPlain);
     for (const std::string& arithmetic :
          {std::string(), std::string("arithmetic = \"inner_products\"")}) {
-      const System fast = trained(build(heard_map(more + arithmetic), recording), recording, 6, 9);
+      const System fast =
+          trained(build(channel_map(more + arithmetic), recording), recording, 6, 9);
       EXPECT_EQ(map_of(fast, "a").parameters().arithmetic, Arithmetic::kInnerProducts);
       EXPECT_EQ(map_of(fast, "b").parameters().arithmetic, Arithmetic::kPlain);
       EXPECT_EQ(map_of(fast, "a").elements(), map_of(plain, "a").elements());
@@ -505,23 +506,23 @@ TEST(SystemTraining, AProgressMayStopEveryPhase) {
 TEST(SystemTraining, AProgressReportsTheNumberOfDraws) {
   using Numbers = std::vector<std::uint64_t>;
   const Recording recording = hand_recording(6, 5);
-  for (const std::string heard : {"joints", "closed"}) {
+  for (const std::string channel : {"joints", "closed"}) {
     for (const Numbers& expected : {Numbers{63}, Numbers{64}, Numbers{64, 128, 130}}) {
       const std::uint64_t draws = expected.back();
       System system =
           build(channels() + module("closed", "last", "input = \"joints\"") +
-                    module("a", "som", "input = \"" + heard + "\"" + kSmall) +
+                    module("a", "som", "input = \"" + channel + "\"" + kSmall) +
                     module("b", "som", "input = \"a\"" + kSmall) +
                     "[[phase]]\nlearn = [\"b\", \"a\"]\ndraws = " + std::to_string(draws) + "\n",
                 recording);
       Numbers reported;
-      const auto tell = [&](std::uint64_t done, std::uint64_t all) {
+      const auto report = [&](std::uint64_t done, std::uint64_t all) {
         EXPECT_EQ(all, draws);
         reported.push_back(done);
         return true;
       };
-      ASSERT_TRUE(try_train(system, recording, 6, {1, 1, tell}));
-      EXPECT_EQ(reported, expected) << heard;
+      ASSERT_TRUE(try_train(system, recording, 6, {1, 1, report}));
+      EXPECT_EQ(reported, expected) << channel;
     }
   }
 }

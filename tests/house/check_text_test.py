@@ -43,9 +43,16 @@ class Text(TreeTest):
             self.assertEqual(self.problems("docs/a.md", place + "\n"), [], place)
 
     def test_refuses_wording_that_reads_as_translated(self):
-        for words in ("Whoever reads this", "the classes are told apart", "nobody knows", "told exactly"):
+        for words in ("Whoever reads this", "the classes are told apart", "nobody knows", "one map alone",
+                      "asked_files(names)", "the body goes on"):
             self.assertEqual(len(self.problems("docs/a.md", words + "\n")), 1, words)
-        self.assertEqual(self.problems("docs/a.md", "The map separates the classes.\n"), [])
+        self.assertEqual(self.problems("docs/a.md", "The map separates the classes; `asked` is a key.\n"), [])
+
+    def test_refuses_comments_that_begin_with_a_fragment(self):
+        for comment in ("// What the map learns.", "int a;  ///< Of the last row.", "/** Of a frame. */"):
+            self.assertEqual(len(self.problems("src/maps/a.h", comment + "\n")), 1, comment)
+        for comment in ("// The samples of the map.", "// Office hours.", "// What if it fails?"):
+            self.assertEqual(self.problems("src/maps/a.h", comment + "\n"), [], comment)
 
     def test_notes_long_files(self):
         self.write("src/maps/a.cc", "\n" * 401)

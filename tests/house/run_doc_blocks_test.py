@@ -43,7 +43,7 @@ class DocBlocks(TreeTest):
         self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg differs from")
         self.assert_fails(fenced("sh", "true\n") + made, "map.svg differs from")
 
-    def test_leaves_the_source_tree_alone(self):
+    def test_does_not_change_the_source_tree(self):
         self.assert_passes(fenced("sh", "touch new\n"))
         self.assertFalse((self.tree / "source/new").exists())
 

@@ -1,4 +1,4 @@
-"""What the tests of the scripts share."""
+"""Code that the tests of the scripts share."""
 
 import sys
 import tempfile

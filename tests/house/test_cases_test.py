@@ -9,7 +9,7 @@ from support import TreeTest
 
 import test_cases
 
-# A stand-in for ctest: writes what it was asked to run beside the reports of a build.
+# A stand-in for ctest: writes the tests that it was to run beside the reports of a build.
 CTEST = """#!/usr/bin/env python3
 import json, os, sys
 words = sys.argv[1:]

@@ -265,7 +265,7 @@ TEST(ProductKernels, FindTheFirstOfTheLeast) {
   });
 }
 
-// What one neuron becomes, step by step.
+// Moves one neuron, step by step.
 void move_neuron(MapProblem& p, std::size_t j, std::size_t sample, double squared_length,
                  double product, double gain, bool normalize) {
   const double kept = 1.0 - gain;

@@ -11,7 +11,7 @@
 namespace somato::testing {
 
 /// Explores without physics, with the channels of hand_recording() but for the sound: steps of a
-/// tenth of a second, of which it records every other one. What it feels depends on the thing and
+/// tenth of a second, of which it records every other one. Its sensations depend on the thing and
 /// the trial only.
 class FakeExplorer : public Explorer {
  public:

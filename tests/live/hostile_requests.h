@@ -16,7 +16,7 @@ struct HostileRequest {
   bool ends = true;  ///< Nothing follows; else the connection stays open and silent.
 };
 
-/// What it takes to come close: the address and the token, which is right unless it says so.
+/// The conditions for a request: the address and the token, which is right unless it says so.
 class HostileRequests {
  public:
   HostileRequests(std::uint16_t port, std::string token)

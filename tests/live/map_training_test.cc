@@ -83,14 +83,14 @@ TEST(MapTraining, StopsOnRequest) {
 TEST(MapTraining, StopsBetweenExplorationsThatItEvaluates) {
   const Recording recording = testing::hand_recording(6, 2);
   int looks = 0;
-  int asked = 0;
+  int checks = 0;
   const auto trained = train_visibly(
       testing::view_system(testing::crossed_system()), recording, 1,
-      [&](const TrainingSnapshot&) { return ++looks > 0; }, [&] { return ++asked < 3; });
+      [&](const TrainingSnapshot&) { return ++looks > 0; }, [&] { return ++checks < 3; });
   ASSERT_FALSE(trained);
   EXPECT_EQ(trained.error().kind, ErrorKind::kInterrupted);
   EXPECT_EQ(looks, 0);
-  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(checks, 3);
 }
 
 TEST(MapTraining, NeedsTwoClasses) {

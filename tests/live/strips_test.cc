@@ -119,13 +119,13 @@ TEST(Strips, TellWhatABodyHasFeltSoFar) {
   growing.append({{7.0, {}, {counted(1, 1), {}}}, {}, Readings::kLeftOut});
   growing.append({{7.5, {}, {counted(1, 1), {}}}, {}, Readings::kRecorded});
   growing.append({{8.0, {}, {counted(1, 1), counted(1, 4)}}, {}, Readings::kRecorded});
-  const json told = json::parse(checked_text(strips_of(growing.played())));
-  EXPECT_EQ(told["exploration"], 2);
-  EXPECT_EQ(told["frames"], nullptr);
-  EXPECT_EQ(told["frame"], (json{0, 1}));
-  EXPECT_EQ(told["time"], (json{0.5, 1.0}));
-  EXPECT_EQ(told["channels"]["height"], json::parse("[[0],[0]]"));
-  EXPECT_EQ(told["channels"]["touch"], json::parse("[[],[0,1,2,3]]"));
+  const json strips = json::parse(checked_text(strips_of(growing.played())));
+  EXPECT_EQ(strips["exploration"], 2);
+  EXPECT_EQ(strips["frames"], nullptr);
+  EXPECT_EQ(strips["frame"], (json{0, 1}));
+  EXPECT_EQ(strips["time"], (json{0.5, 1.0}));
+  EXPECT_EQ(strips["channels"]["height"], json::parse("[[0],[0]]"));
+  EXPECT_EQ(strips["channels"]["touch"], json::parse("[[],[0,1,2,3]]"));
 }
 
 TEST(Strips, WriteWhatIsNotFiniteAsNull) {

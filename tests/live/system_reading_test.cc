@@ -29,7 +29,7 @@ Exploration cut_at(Exploration exploration, const std::vector<std::size_t>& fram
   return exploration;
 }
 
-// What the map sees of an exploration, by evaluating it as a whole.
+// The map's input of an exploration, by evaluating it as a whole.
 struct Whole {
   const System& system;
   Recording recording;

@@ -33,7 +33,7 @@ TEST(Timeline, GathersFastFramesInStretches) {
   EXPECT_EQ(timeline.frames(0, 0), 512U);
   EXPECT_EQ(timeline.frames(0, 15), 8192U);
   EXPECT_NEAR(timeline.time(7), 0.5, 1e-3);
-  // What there is one of comes at the end.
+  // A single value comes at the end.
   EXPECT_EQ(timeline.frames(1, 14), 0U);
   EXPECT_EQ(timeline.frames(1, 15), 1U);
 }

@@ -67,8 +67,8 @@ TEST_F(ServerThread, RefusesEachHostileRequestWhileAGoodOneGetsFrames) {
     frame = 1 - frame;
     ASSERT_TRUE(viewing_.session().command(
         fmt::format(R"({{"command":"seek","exploration":0,"frame":{}}})", frame)));
-    const std::string told = fmt::format(R"({{"exploration":0,"frame":{},)", frame);
-    EXPECT_NE(good.until(told).find(told), std::string::npos);
+    const std::string event = fmt::format(R"({{"exploration":0,"frame":{},)", frame);
+    EXPECT_NE(good.until(event).find(event), std::string::npos);
   }
 }
 
@@ -151,8 +151,8 @@ TEST_F(ServerThread, SurvivesManyWhoAreSlow) {
     slow.back()->send("GET / HTTP/1.1\r\nHost: ");
   }
   ASSERT_TRUE(viewing_.session().command(R"({"command":"seek","exploration":0,"frame":1})"));
-  const std::string told = R"({"exploration":0,"frame":1,)";
-  EXPECT_NE(good.until(told).find(told), std::string::npos);
+  const std::string event = R"({"exploration":0,"frame":1,)";
+  EXPECT_NE(good.until(event).find(event), std::string::npos);
   // They are sent away after their second, and others come in again.
   std::size_t turned_away = 0;
   for (const auto& one : slow) {

@@ -61,7 +61,7 @@ TEST(BodySessionThread, ReturnsNoStripsWithoutAnExploration) {
   EXPECT_FALSE(session.strips());
 }
 
-// What a body explores until it has done so three times.
+// The explorations of a body until there are three.
 struct Explored {
   Recording recording;
   json last_frame;
@@ -91,8 +91,8 @@ ViewSource reading_body() {
 }
 
 TEST(BodySessionThread, YieldsTheSameBitsWithEightViewersOfWhomOneIsStalledAsWithNone) {
-  ViewSession alone(reading_body(), testing::at_once());
-  const Explored expected = explore_three_times(alone);
+  ViewSession unwatched(reading_body(), testing::at_once());
+  const Explored expected = explore_three_times(unwatched);
   ViewSession watched(reading_body(), testing::at_once());
   const auto server = ViewServer::start(watched, {}).value();
   const std::string events =
@@ -176,7 +176,7 @@ TEST(BodySessionThread, ExploresWhatIsChosen) {
   command(session, R"({"command":"explore"})");
   ASSERT_TRUE(eventually([&] { return state_of(session)["problem"] != nullptr; }));
   EXPECT_EQ(state_of(session)["problem"], "cube: the object is out of reach.");
-  // What was explored before can still be looked at, as it was seen.
+  // Earlier explorations can still be viewed, with their scenes.
   command(session, R"({"command":"seek","exploration":0,"frame":1})");
   EXPECT_EQ(frame_of(session)["poses"][0], 3.0);
 }

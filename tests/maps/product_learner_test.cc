@@ -55,10 +55,10 @@ TEST(ProductLearner, LearnsAndAnswersAsPlainArithmetic) {
       std::vector<float> expected(plain.neurons());
       std::vector<float> activity(plain.neurons());
       for (int step = 0; step < 100; ++step) {
-        const std::size_t heard = random.below(5);
+        const std::size_t sum = random.below(5);
         by_plain.settle();
-        plain.activity(samples[heard], workspace, expected);
-        by_products.activity(samples, heard, activity);
+        plain.activity(samples[sum], workspace, expected);
+        by_products.activity(samples, sum, activity);
         for (std::size_t n = 0; n < expected.size(); ++n) {
           ASSERT_NEAR(activity[n], expected[n], 1e-4 * (1.0 + expected[n]))
               << testing::name_of(variant) << " step " << step;

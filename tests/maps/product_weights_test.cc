@@ -232,7 +232,7 @@ TEST(ProductWeights, AreNotForWhatIsTrainedByPlainArithmetic) {
   SomParameters p;
   const Samples narrow = testing::random_samples(6, 7, false, random);
   EXPECT_FALSE(trained_on(p, narrow, {0, 1, 2, 3, 4, 5}).knows(narrow));
-  // What is held out does not count.
+  // Held-out samples do not count.
   EXPECT_TRUE(trained_on(p, narrow, {0, 2, 4}).knows(narrow));
   p.arithmetic = Arithmetic::kPlain;
   const Som plain = trained_on(p, narrow, {0, 2, 4});

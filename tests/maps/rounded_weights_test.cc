@@ -33,7 +33,7 @@ double greatest_of(const LaneMatrix<float>& weights, std::size_t neuron) {
   return greatest;
 }
 
-// Of weights and what stands for them.
+// The difference between weights and their rounded values.
 double difference(const LaneMatrix<float>& weights, const RoundedWeights& rounded,
                   std::size_t neuron) {
   double squares = 0.0;

@@ -30,7 +30,7 @@ double cancellation(std::span<const double> w, std::span<const double> x, double
          (testing::length(sum) + 1e-300);
 }
 
-// What a learner is fed with, and a map to begin with.
+// The input of a learner, and a map to begin with.
 struct SampleStream {
   SomParameters parameters;
   Samples samples;
@@ -408,7 +408,8 @@ TEST(SomLearnerThreads, GiveTheSameBitsWithEveryInstructionSet) {
   }
 }
 
-// What one step rounds must not add up, nor what has decayed slow it down or be lost.
+// Rounding errors of single steps must not add up, and decayed weights must neither slow it down
+// nor be lost.
 TEST(SomLearner, StaysAccurateForLong) {
   Random random(86);
   for (const bool sparse : {false, true}) {

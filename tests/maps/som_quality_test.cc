@@ -19,8 +19,8 @@ Som row_of_four() {
 }
 
 TEST(SomQuality, IsAsByHand) {
-  // 0.25: winner 0 at 0.25, second 3, torn. 14: winner 1 at 4, second 2. 18: winner 2 at 2,
-  // second 1. 7: winner 1 at 3, second 3 at 6 (0 is at 7), torn.
+  // 0.25: winner 0 at 0.25, second 3, not adjacent. 14: winner 1 at 4, second 2. 18: winner 2 at 2,
+  // second 1. 7: winner 1 at 3, second 3 at 6 (0 is at 7), not adjacent.
   const SomQuality quality =
       measure_quality(row_of_four(), Samples(Matrix<float>(4, 1, {0.25F, 14, 18, 7})));
   EXPECT_DOUBLE_EQ(quality.quantization_error, (0.25 + 4 + 2 + 3) / 4);

@@ -128,7 +128,7 @@ TEST(SomStoredElements, AnswerAsAllElements) {
     const Som some = train_som(problem.parameters, problem.samples).value();
     const Som all = stored_everywhere(some);
     expect_same_weights(some, all, problem.name);
-    // Of all elements, so that some of them have no weights; sparse or not.
+    // The inputs have all elements, so that some of them have no weights; sparse or not.
     const Samples inputs =
         testing::random_samples(6, some.input_size(), random.below(2) == 0, random);
     SomWorkspace workspace;

@@ -81,12 +81,12 @@ TEST(SomTraining, FromASourceReportsItsPartsAndStopsBetweenThem) {
   p.epochs = 3;
   SamplesInMemory source(samples, 3);
   std::vector<std::uint64_t> reported;
-  const auto tell = [&](std::uint64_t done, std::uint64_t total) {
+  const auto report = [&](std::uint64_t done, std::uint64_t total) {
     reported.push_back(done);
     EXPECT_EQ(total, 12u);
     return true;
   };
-  ASSERT_TRUE(train_som(p, source, {1, tell}));
+  ASSERT_TRUE(train_som(p, source, {1, report}));
   EXPECT_EQ(reported, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
   for (const std::uint64_t last : {2U, 4U, 12U}) {
     const auto stop = [&](std::uint64_t done, std::uint64_t) { return done < last; };

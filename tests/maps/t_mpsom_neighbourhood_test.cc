@@ -71,7 +71,7 @@ TEST(GridGaussian, SpreadsAsTheSumOverAllPairs) {
   }
 }
 
-// What is cut off: values between 0 and 1 over many orders, so that far places matter where
+// The cut-off parts: values between 0 and 1 over many orders, so that far places matter where
 // near ones are small. The bound is the one of the class comment, and rounding.
 TEST(GridGaussian, IsWithinItsBoundOfTheSumOverAllPairs) {
   Random random(3);

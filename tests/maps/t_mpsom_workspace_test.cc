@@ -36,7 +36,7 @@ TMpsomParameters small_parameters() {
   return p;
 }
 
-// Of two kinds of inputs, maps and forms, in any order; learning in between.
+// The problems have two kinds of inputs, maps and forms, in any order; learning in between.
 TEST(TMpsomWorkspace, GivesWhatAFreshOneGives) {
   Random random(51);
   for (int problem = 0; problem < 300; ++problem) {

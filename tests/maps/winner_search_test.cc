@@ -83,9 +83,9 @@ void expect_obvious_winners(const Som& som, const Samples& samples, const std::s
       }
     }
     for (std::size_t i = 0; i < samples.count(); i += 10) {
-      const Winners alone = som.winners(samples[i], workspace);
-      ASSERT_EQ(alone.first, expected[i].first) << what << ", sample " << i;
-      ASSERT_EQ(alone.second, expected[i].second) << what << ", sample " << i;
+      const Winners single = som.winners(samples[i], workspace);
+      ASSERT_EQ(single.first, expected[i].first) << what << ", sample " << i;
+      ASSERT_EQ(single.second, expected[i].second) << what << ", sample " << i;
     }
   });
 }

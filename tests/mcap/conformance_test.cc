@@ -25,7 +25,7 @@ std::string run_script(std::vector<std::string> arguments) {
   return run.out;
 }
 
-// What stands in the file as the official reader sees it must be what is in the recording.
+// The content of the file, as the official reader sees it, must equal the recording.
 void expect_frames(const Channel& channel, const std::vector<Json>& messages) {
   ASSERT_EQ(messages.size(), channel.frames.rows());
   const bool joints = channel.name == "joints";
@@ -81,7 +81,7 @@ void expect_exploration(const Exploration& exploration, std::size_t index, const
   }
 }
 
-// Of the messages of each topic in order: the indexed reader may mix topics of the same time.
+// The messages of each topic in order: the indexed reader may mix topics of the same time.
 std::map<std::string, std::vector<Json>> by_topic(const Json& messages) {
   std::map<std::string, std::vector<Json>> topics;
   for (const Json& message : messages) topics[message["topic"]].push_back(message);

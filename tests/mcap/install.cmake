@@ -15,6 +15,6 @@ execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund WORKING_
                 RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "npm cannot install the official MCAP reader (${status}); is its registry "
-                      "within reach? 'npm config get registry' tells which it is")
+                      "within reach? 'npm config get registry' shows which it is")
 endif()
 file(WRITE ${stamp} "${wanted}")

@@ -28,7 +28,7 @@ class Chain:
 
 
 class Port:
-    """What the libraries of both makers expect of a port. Whatever the servos answer is there at once;
+    """The port that the libraries of both makers expect. The servos' answers are available at once;
     when it is used up, the time is over."""
 
     def __init__(self, chain=None):

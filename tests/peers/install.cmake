@@ -17,6 +17,6 @@ if(status EQUAL 0)
 endif()
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the makers' libraries cannot be installed (${status}); is python3-venv "
-                      "installed, and the package index within reach? 'pip config list' tells which it is")
+                      "installed, and the package index within reach? 'pip config list' shows which it is")
 endif()
 file(WRITE ${stamp} "${wanted}")

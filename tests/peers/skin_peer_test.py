@@ -26,15 +26,15 @@ class Stream:
     discard everything when more than 4000 bytes are waiting."""
 
     stream = b""
-    asked = 0
+    requests = 0
 
     def flush(self):
         pass
 
     @property
     def in_waiting(self):
-        self.asked += 1
-        if self.asked > 10:
+        self.requests += 1
+        if self.requests > 10:
             raise EOFError("it waits for more than is sent")
         return len(self.stream)
 
@@ -42,7 +42,7 @@ class Stream:
         self.stream = b""
 
     def read(self, size=1):
-        self.asked = 0
+        self.requests = 0
         taken, self.stream = self.stream[:size], self.stream[size:]
         return taken
 

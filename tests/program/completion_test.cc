@@ -26,7 +26,7 @@ class Completion : public ProgramTest {
     return found;
   }
 
-  // What a shell makes of its script, which it finds in the file "script".
+  // The words that a shell makes of its script, which it finds in the file "script".
   Words in_shell(const std::string& shell, const std::string& code) const {
     write("script", output_of({"completions", shell}));
     const ProgramRun done = run_other({shell, "-c", code});

@@ -183,7 +183,7 @@ TEST_F(HostileExploring, CtrlCEndsAnExplorationAtOnce) {
   EXPECT_FALSE(fs::exists(path("x.mcap")));
 }
 
-// What was felt is worth more than a picture of it.
+// Sensor readings are worth more than a picture.
 TEST_F(HostileExploring, APictureThatCannotBeSavedDropsNoExploration) {
   write("s.toml", "");
   write(

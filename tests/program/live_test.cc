@@ -264,7 +264,7 @@ void explore_once(const std::string& said) {
 TEST_F(Live, TheViewShowsWhatIsWritten) {
   learn_by_hand();
   const Words one{"--body", "lucs2", "--object", "boule", "--explorations", "1"};
-  const std::string alone = output_of(live(one));
+  const std::string single = output_of(live(one));
   ProgramWorld world;
   world.interrupt_at = "Press Ctrl-C to end.";
   world.before_interrupt = explore_once;
@@ -273,7 +273,7 @@ TEST_F(Live, TheViewShowsWhatIsWritten) {
   const ProgramRun viewed = run(words, world);
   if (has_no_pages(viewed)) GTEST_SKIP() << "the program was built without npm";
   EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
-  EXPECT_EQ(viewed.out, alone);
+  EXPECT_EQ(viewed.out, single);
 }
 
 TEST_F(Live, WhatWasExploredBeforeAnInterruptionIsSaved) {

@@ -22,8 +22,8 @@ class MissingValues : public ProgramTest {
                       more);
   }
 
-  // Means of the known values: 3, 20, 5. Of the third row the nearest complete one is the first (by
-  // b: 10 and 3), of the fourth the last (by a).
+  // Means of the known values: 3, 20, 5. For the third row, the nearest complete one is the first
+  // (by b: 10 and 3), of the fourth the last (by a).
   void write_tables() const {
     write("holes.csv", "a,b,c\n1,10,2\n2,23,9\n,13,NA\n5,nan,4\n4,34,5\n");
     write("mean.csv", "a,b,c\n1,10,2\n2,23,9\n3,13,5\n5,20,4\n4,34,5\n");

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Gives damaged inputs to every command that reads them, and judges what comes of it.
 
-Whatever is damaged: no signal, no memory above four times the input and 100 MB more than the whole
+For any damaged input: no signal, no memory above four times the input and 100 MB more than the whole
 input takes, no time above 20 s, no success with a number in the output that is not finite. The same
 seed damages alike.
 
@@ -204,7 +204,7 @@ class Inputs:
         return memory
 
     def judge(self, name, words, number, draw):
-        """What is wrong with a damaged input's run, or None."""
+        """Describes the failure of a damaged input's run, or None."""
         content = damaged((self.folder / name).read_bytes(), draw)
         if name in MODELS and draw.random() < 0.75:
             content = with_right_checksum(content)

@@ -99,7 +99,7 @@ TEST_F(Outputs, OfAFolderAreNotWhatIsRead) {
                  {"out/map.svg: ", "would overwrite it", "--data"});
 }
 
-// What lies beside it is of no concern.
+// Other files in the folder do not matter.
 TEST_F(Outputs, MayReplaceOtherFiles) {
   write("answers.csv", "old");
   output_of({"apply", "out/system.somato", "grasps.mcap", "-o", "answers.csv"});

@@ -174,7 +174,7 @@ TEST_F(RecordingFiles, TenThousandEmptyExplorationsAreCounted) {
   EXPECT_NE(out.find("\"19\" 1, and 9980 others\n"), std::string::npos) << out;
 }
 
-// Whatever can be recorded can be recovered: a frame may be as large as a chunk.
+// Every valid recording can be recovered: a frame may be as large as a chunk.
 TEST_F(RecordingFiles, LargeFramesAreRecovered) {
   constexpr std::size_t kElements = 5'750'000;  // 23 MB
   Channel large{"touch", "", {}, Matrix<float>(1, kElements), {}, 10.0};

@@ -27,7 +27,7 @@ class Report : public Reproduce {
     output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
   }
 
-  // What the page holds.
+  // The data in the page.
   Json data_of(const std::string& page) const {
     const std::string text = read(page);
     const std::string mark = "id=\"report-data\">";

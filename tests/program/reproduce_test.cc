@@ -40,17 +40,17 @@ TEST_F(Reproduce, SpreadsPairsOverRecordings) {
   EXPECT_EQ(made[4], "systems/press.somato");
 }
 
-// What each pair gives is what 'run' gives on its recording with its seeds.
+// Each pair gives the results of 'run' on its recording with its seeds.
 TEST_F(Reproduce, FindsWhatRunFinds) {
   write("press.toml", press());
   output_of(reproduce("press.toml", "out"));
   const Json found = results("out");
   const Json system = found["parts"][0];
-  std::string alone = press();
-  alone.insert(alone.find("label"), "first_seed = 2011\nseeds = 2\n");
-  write("alone.toml", alone);
+  std::string single = press();
+  single.insert(single.find("label"), "first_seed = 2011\nseeds = 2\n");
+  write("single.toml", single);
   const std::string recording = found["recordings"][0]["name"];
-  output_of({"run", "alone.toml", "--data", "out/recordings/" + recording, "--out", "run"});
+  output_of({"run", "single.toml", "--data", "out/recordings/" + recording, "--out", "run"});
   const Json expected = results("run")["parts"][0]["protocols"];
   for (std::size_t p = 0; p < 2; ++p) {
     const Json& protocol = system["protocols"][p];
@@ -128,12 +128,12 @@ TEST_F(Reproduce, JudgesClaims) {
   write("press.toml",
         press() +
             "[variation.single]\nmodule.map.rows = 1\nmodule.map.columns = 1\n"
-            "[[claim]]\ntext = 'One neuron tells nothing exactly.'\n"
+            "[[claim]]\ntext = 'One neuron separates no class.'\n"
             "paper = 'P11'\nvariation = 'single'\nmetric = 'classes_separated'\nat_most = 0\n"
-            "[[claim]]\ntext = 'Nine neurons tell more.'\nthan_variation = 'single'\n"
+            "[[claim]]\ntext = 'Nine neurons separate more.'\nthan_variation = 'single'\n"
             "metric = 'classes_separated'\nat_least = 1\nat_most = 8\n");
   const std::string shown = output_of(reproduce("press.toml", "out"));
-  EXPECT_NE(shown.find("press, single: One neuron tells nothing exactly."), std::string::npos);
+  EXPECT_NE(shown.find("press, single: One neuron separates no class."), std::string::npos);
   const Json json = results("out");
   ASSERT_EQ(json["parts"].size(), 2U);
   EXPECT_EQ(json["parts"][1]["variation"], "single");
@@ -147,8 +147,8 @@ TEST_F(Reproduce, JudgesClaims) {
   EXPECT_EQ(json["claims"][0]["chance_share"], 1.0);
   EXPECT_TRUE(json["claims"][1]["chance_share"].is_null());
   EXPECT_NE(shown.find("Claims of papers"), std::string::npos);
-  EXPECT_LT(shown.find("One neuron tells"), shown.find("Comparisons of our own"));
-  EXPECT_GT(shown.find("Nine neurons tell more. (classes_separated between 1 and 8)"),
+  EXPECT_LT(shown.find("One neuron separates"), shown.find("Comparisons of our own"));
+  EXPECT_GT(shown.find("Nine neurons separate more. (classes_separated between 1 and 8)"),
             shown.find("Comparisons of our own"));
   EXPECT_NE(shown.find("cannot be decided here       1\n"), std::string::npos);
   // With all samples at one neuron nothing is separated, so the difference is the metric itself.

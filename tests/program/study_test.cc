@@ -161,7 +161,7 @@ TEST_F(Study, ItsResultsNameWhatTheyAreMadeOf) {
   EXPECT_EQ(results["claims"][0]["reason"], "2 pairs; 20 are needed");
 }
 
-// What results say of a study is a study: it gives the same results, byte by byte.
+// The study in the results gives the same results, byte by byte.
 TEST_F(Study, RunsAgainFromItsResults) {
   write_study("2");
   run_study("out");

@@ -127,7 +127,7 @@ TEST_F(Sweep, WithoutPartRunsWhatIsMissingAndMorePointsRunTheNewOnesOnly) {
   expect_same("out", "new");
 }
 
-// What was found with other pairs, seeds, settings or recordings is not taken for this.
+// Results of other pairs, seeds, settings or recordings are not reused.
 TEST_F(Sweep, AnotherSweepInTheSameFolderFindsItsOwn) {
   write_system();
   write_sweep();

@@ -37,7 +37,7 @@ TEST_F(View, RefusesWhatItCannotShow) {
                      {{"view", "nothing.mcap"}, {"nothing.mcap"}}});
 }
 
-// Of the address that is printed, such as http://127.0.0.1:8080/?token=...
+// The port of the address that is printed, such as http://127.0.0.1:8080/?token=...
 std::uint16_t port_in(const std::string& out) {
   const std::string host = "http://127.0.0.1:";
   return static_cast<std::uint16_t>(std::stoi(out.substr(out.find(host) + host.size())));
@@ -77,7 +77,7 @@ TEST_F(View, PrintsWhereItIsServesItsPagesAndEndsPolitely) {
   }
 }
 
-// Of the same address.
+// The token of the same address.
 std::string token_in(const std::string& out) {
   const std::string before = "?token=";
   const std::size_t begin = out.find(before) + before.size();

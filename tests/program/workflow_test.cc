@@ -149,17 +149,17 @@ class Workflow : public ProgramTest {
   void expect_quality(const std::string& output, const PlainMap& map) const {
     const Rows rows = points();
     double distances = 0.0;
-    double torn = 0.0;
+    double errors = 0.0;
     std::vector<bool> hit(30);
     for (const auto& row : rows) {
       const Found found = map.find(map.prepared(row));
       distances += found.distance;
-      torn += map.touch(found.winner, found.second) ? 0.0 : 1.0;
+      errors += map.touch(found.winner, found.second) ? 0.0 : 1.0;
       hit[found.winner] = true;
     }
     const auto count = static_cast<double>(rows.size());
     EXPECT_NEAR(measure(output, "quantization_error"), distances / count, 1e-4 * distances / count);
-    EXPECT_NEAR(measure(output, "topographic_error"), torn / count, 1e-5);
+    EXPECT_NEAR(measure(output, "topographic_error"), errors / count, 1e-5);
     EXPECT_EQ(measure(output, "samples"), count);
     EXPECT_EQ(measure(output, "neurons"), 30);
     EXPECT_EQ(measure(output, "neurons_hit"), std::count(hit.begin(), hit.end(), true));

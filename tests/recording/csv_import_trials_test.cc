@@ -286,7 +286,7 @@ TEST_F(ImportCsvTrials, ReadsTenThousandSmallFiles) {
   }
 }
 
-// What is not noticed of a cut are whole rows, and digits at the end of a file without line end.
+// Only two cuts remain unnoticed: whole rows, and digits at the end of a file without line end.
 TEST_F(ImportCsvTrials, ReadsCutFilesAsFarAsRowsAreWholeOrNotAtAll) {
   const std::string text = "a,b\n11,22\n33,44\n";
   const std::string last_row = "33,";

@@ -71,7 +71,7 @@ TEST(RecognizeFormat, SaysWhatCannotBeRead) {
   EXPECT_EQ(format.error().what, "there is no such file or folder");
 }
 
-// What a study leaves is no data set.
+// The output folder of a study is no data set.
 TEST(RecognizeFormat, AdvisesToUseOneOfTheRecordingsInAFolder) {
   const TemporaryFolder folder;
   add(folder, "run/results.json", "{}");

@@ -62,7 +62,7 @@ class MadeFile {
   McapWriter file_;
 };
 
-// What is wrong with a file that `make` puts together.
+// The error for a file that `make` puts together.
 Error refusal(const std::function<void(MadeFile&)>& make) {
   const TemporaryFolder folder;
   MadeFile file;
@@ -158,7 +158,7 @@ TEST(RecordingReader, RefusesWhatMessagesOfExplorationsCannotSay) {
   expect_refused("two channels", [](MadeFile& f) { f.say(Event::kBegin, 0, {"a", "a"}); });
 }
 
-// What is wrong with the file after `spoil` did something to its bytes.
+// The error for the file after `spoil` changed its bytes.
 std::string error_after(const std::function<void(std::string&)>& spoil) {
   const TemporaryFolder folder;
   RecordingFileParameters parameters;

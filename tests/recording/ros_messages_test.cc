@@ -39,7 +39,7 @@ class WrittenArray {
   std::string bytes_{'\0', '\1', '\0', '\0'};
 };
 
-// Of two axes, with `count` zeros.
+// An array of two axes, with `count` zeros.
 RosFrame array_of(std::uint32_t rows, std::uint32_t columns, std::uint32_t count) {
   WrittenArray written;
   written.number(2).text("row").number(rows).number(rows * columns);

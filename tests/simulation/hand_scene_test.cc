@@ -10,7 +10,7 @@
 namespace somato {
 namespace {
 
-std::shared_ptr<mjModel> alone(const std::string& path) {
+std::shared_ptr<mjModel> model_of(const std::string& path) {
   auto model = detail::compile_model(std::string(detail::embedded_text(path)), path);
   EXPECT_TRUE(model) << to_string(model.error());
   return *model;
@@ -25,7 +25,7 @@ HandScene scene_of(Hand hand, const Object& object, const SimulationParameters& 
 TEST(HandScene, ModelsStandByThemselvesForAnyViewer) {
   for (const char* path : {"models/lucs_haptic_hand_2.xml", "models/lucs_haptic_hand_3.xml"}) {
     SCOPED_TRACE(path);
-    const auto model = alone(path);
+    const auto model = model_of(path);
     EXPECT_GE(detail::find_in(*model, mjOBJ_CAMERA, "view"), 0);
     EXPECT_GE(detail::find_in(*model, mjOBJ_GEOM, "table"), 0);
     EXPECT_GT(model->nlight, 0);
@@ -36,13 +36,13 @@ TEST(HandScene, ModelsStandByThemselvesForAnyViewer) {
 }
 
 TEST(HandScene, HandTwoHasThePapersNumbers) {
-  const auto model = alone("models/lucs_haptic_hand_2.xml");
+  const auto model = model_of("models/lucs_haptic_hand_2.xml");
   EXPECT_EQ(model->nu, 8);
   EXPECT_EQ(detail::find_taxels(*model).names.size(), 45U);
 }
 
 TEST(HandScene, HandThreeHasThePapersNumbers) {
-  const auto model = alone("models/lucs_haptic_hand_3.xml");
+  const auto model = model_of("models/lucs_haptic_hand_3.xml");
   EXPECT_EQ(model->nu, 12);
   EXPECT_EQ(model->nsensor, 11);
   EXPECT_EQ(detail::find_in(*model, mjOBJ_SENSOR, "wrist"), -1);

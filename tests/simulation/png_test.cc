@@ -27,7 +27,7 @@ std::string as_text(const Image& image) {
   return text + "\n";
 }
 
-// What a reader that shares nothing with the writer finds in the file.
+// The content of the file according to a reader that shares nothing with the writer.
 std::string read_independently(const std::string& path) {
   const std::string command =
       "python3 '" SOMATO_SOURCE_DIR "/tests/simulation/read_png.py' '" + path + "'";

@@ -34,7 +34,7 @@ std::array<double, 4> slab_colour(const Scene& scene) {
   return {};
 }
 
-// What was seen of a body whenever it felt something, with the frames that it had felt till then.
+// The poses of a body at each reading, with the frames until then.
 struct Looking {
   Scene scene;
   std::vector<std::pair<std::size_t, std::vector<ScenePose>>> felt_poses;
@@ -96,8 +96,8 @@ TEST(ProbePoses, ShowBothProbesBesideEachOther) {
   for (const std::size_t frame : {0U, 4095U, 8191U, 9000U}) {
     const auto poses = player->poses(recorded, frame);
     ASSERT_EQ(poses.size(), 2U);
-    const double heard = std::min(static_cast<double>(frame + 1), 8192.0);
-    EXPECT_NEAR(lever_degrees(poses[0]), 36.0 * heard / 8192.0, 1e-9);
+    const double seen = std::min(static_cast<double>(frame + 1), 8192.0);
+    EXPECT_NEAR(lever_degrees(poses[0]), 36.0 * seen / 8192.0, 1e-9);
     EXPECT_NEAR(stick_millimetres(poses[1]), 10.0 * counts / 262143.0, 1e-9);
     EXPECT_NE(poses[0].position, poses[1].position);
   }

@@ -1,5 +1,5 @@
 """Prints width, height and the bytes (in hexadecimal) of an RGB PNG file, by the format's
-specification and zlib alone: an independent reader for png_test.cc."""
+specification and zlib only: an independent reader for png_test.cc."""
 
 import struct
 import sys

@@ -27,7 +27,7 @@ Exploration of_hand(const Object& object, std::size_t joints = 6) {
   return exploration;
 }
 
-// What is shown before the hand; a geom of no size where there is nothing.
+// The geom that is shown before the hand; a geom of no size if there is none.
 SceneGeom shown_object(const std::unique_ptr<ScenePlayer>& player) {
   if (player == nullptr) return {};
   const auto& geoms = player->scene().geoms;

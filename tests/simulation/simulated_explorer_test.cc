@@ -48,9 +48,9 @@ std::vector<std::string> names_of(const Explorer& explorer) {
 Exploration explored(const Explorer& explorer, std::size_t thing, std::size_t trial) {
   auto exploration = explorer.explore(thing, trial);
   EXPECT_TRUE(exploration) << to_string(exploration.error());
-  Recording alone;
-  alone.explorations.push_back(*exploration);
-  EXPECT_TRUE(validate(alone));
+  Recording single;
+  single.explorations.push_back(*exploration);
+  EXPECT_TRUE(validate(single));
   return *exploration;
 }
 
@@ -200,10 +200,10 @@ TEST(SimulatedExplorer, ThreadsGiveTheSameRecording) {
     EXPECT_TRUE(outcome);
     return explorations;
   };
-  const auto alone = recorded(1);
-  EXPECT_EQ(alone.size(), 4U);
-  EXPECT_EQ(recorded(2), alone);
-  EXPECT_EQ(recorded(4), alone);
+  const auto single = recorded(1);
+  EXPECT_EQ(single.size(), 4U);
+  EXPECT_EQ(recorded(2), single);
+  EXPECT_EQ(recorded(4), single);
 }
 
 TEST(SimulatedExplorer, HalvingTheTimeStepHardlyChangesWhatIsFelt) {

@@ -103,10 +103,10 @@ TEST(SimulatedHand, ServosArriveWhereTheyAreDriven) {
   const std::vector<double> expected{150, 30, 5, -40, 5, -40, 5, -40};
   for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(hand->state().positions[i], expected[i], 1e-9);
   // The servos are springs: gravity and friction leave the joints off by a little.
-  const auto& works = hand->impl();
-  EXPECT_NEAR(works.data->qpos[0], 0.150, 0.002);
-  EXPECT_NEAR(works.data->qpos[1], 30 * std::numbers::pi / 180, 0.005);
-  EXPECT_NEAR(works.data->qpos[3], -40 * std::numbers::pi / 180, 0.02);
+  const auto& impl = hand->impl();
+  EXPECT_NEAR(impl.data->qpos[0], 0.150, 0.002);
+  EXPECT_NEAR(impl.data->qpos[1], 30 * std::numbers::pi / 180, 0.005);
+  EXPECT_NEAR(impl.data->qpos[3], -40 * std::numbers::pi / 180, 0.02);
 }
 
 TEST(SimulatedHand, AnEmptyHandFeelsNothing) {
@@ -135,15 +135,15 @@ TEST(SimulatedHand, AGraspIsFeltAndComesToRest) {
 }
 
 TEST(SimulatedHand, ForcesOfAHeldGraspBalanceThoseOfTheServos) {
-  // What the taxels and bare plates of a finger press with must be what turns its joints: the
+  // The forces on the taxels and bare plates of a finger must balance its joints: the
   // torque about the distal hinge that its contacts make equals its servo's, but for its own weight
   // and friction.
   const auto hand = hand_with(cylinder_thing());
   grasp(*hand);
   go(*hand, posture(130, 21, 0), 2.0);
-  const auto& works = hand->impl();
-  const mjModel& model = *works.scene->model;
-  const mjData& data = *works.data;
+  const auto& impl = hand->impl();
+  const mjModel& model = *impl.scene->model;
+  const mjData& data = *impl.data;
   const int joint = mj_name2id(&model, mjOBJ_JOINT, "finger1_distal");
   double torque = 0.0;
   for (int i = 0; i < data.ncon; ++i) {
@@ -171,7 +171,7 @@ TEST(SimulatedHand, ServosNeverExceedTheirTorqueAndSpeed) {
     SimulationParameters parameters;
     parameters.free = free;
     const auto hand = hand_with(cylinder_thing(), parameters);
-    const auto& works = hand->impl();
+    const auto& impl = hand->impl();
     double fastest = 0.0;
     double strongest = 0.0;
     const auto watch = [&](const std::vector<double>& targets) {
@@ -179,8 +179,8 @@ TEST(SimulatedHand, ServosNeverExceedTheirTorqueAndSpeed) {
       for (int step = 0; step < 1500; ++step) {
         ASSERT_TRUE(hand->step(0.001));
         for (int i = 2; i < 8; ++i) {
-          strongest = std::max(strongest, std::abs(works.data->actuator_force[i]));
-          fastest = std::max(fastest, std::abs(works.data->actuator_velocity[i]));
+          strongest = std::max(strongest, std::abs(impl.data->actuator_force[i]));
+          fastest = std::max(fastest, std::abs(impl.data->actuator_velocity[i]));
         }
       }
     };

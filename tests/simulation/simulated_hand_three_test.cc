@@ -1,4 +1,4 @@
-// What is true of Hand III in particular: tendons, potentiometers, an object against its palm.
+// Properties of Hand III in particular: tendons, potentiometers, an object against its palm.
 
 #include <gtest/gtest.h>
 
@@ -91,8 +91,8 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
     SimulationParameters parameters = quiet_three();
     parameters.free = free;
     const auto hand = three_with(tube(70), parameters);
-    const auto& works = hand->impl();
-    const mjModel& model = *works.scene->model;
+    const auto& impl = hand->impl();
+    const mjModel& model = *impl.scene->model;
     const auto& servos = hand->description().degrees_of_freedom;
     std::vector<double> targets(servos.size(), 0.0);
     double fastest = 0.0;
@@ -105,14 +105,14 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
         ASSERT_TRUE(hand->step(0.001));
         for (int i = 0; i < static_cast<int>(model.nu); ++i) {
           const double most = detail::row_of(model.actuator_forcerange, i, 2)[1];
-          pressed = std::max(pressed, std::abs(works.data->actuator_force[i]) / most);
-          fastest = std::max(fastest, std::abs(works.data->actuator_velocity[i]));
+          pressed = std::max(pressed, std::abs(impl.data->actuator_force[i]) / most);
+          fastest = std::max(fastest, std::abs(impl.data->actuator_velocity[i]));
         }
       }
     }
     EXPECT_LE(pressed, 1.0 + 1e-12);
     EXPECT_GT(pressed, 0.9);
-    // What the motor reaches by itself is 2.33 rad/s; a finger that snaps off an edge adds a
+    // The motor's own limit is 2.33 rad/s; a finger that snaps off an edge adds a
     // little.
     EXPECT_LE(fastest, 2.5);
     EXPECT_GT(fastest, 1.0);
@@ -122,17 +122,17 @@ TEST(SimulatedHandThree, ServosNeverExceedTheirTorqueAndSpeed) {
 TEST(SimulatedHandThree, NoTaxelReadsWithoutContactOfItsOwn) {
   const auto hand = three_with(thing(Shape::kBlock, 70, 45, 120));
   close(*hand);
-  const auto& works = hand->impl();
-  std::vector<bool> has_contact(works.forces.size(), false);
-  for (int i = 0; i < works.data->ncon; ++i) {
-    for (const int geom : detail::contact_geoms(works.data->contact[i])) {
-      const int taxel = works.scene->taxels.taxel_of_geom[static_cast<std::size_t>(geom)];
+  const auto& impl = hand->impl();
+  std::vector<bool> has_contact(impl.forces.size(), false);
+  for (int i = 0; i < impl.data->ncon; ++i) {
+    for (const int geom : detail::contact_geoms(impl.data->contact[i])) {
+      const int taxel = impl.scene->taxels.taxel_of_geom[static_cast<std::size_t>(geom)];
       if (taxel >= 0) has_contact[static_cast<std::size_t>(taxel)] = true;
     }
   }
   for (std::size_t i = 0; i < has_contact.size(); ++i) {
     if (!has_contact[i]) {
-      EXPECT_EQ(works.forces[i], 0.0) << i;
+      EXPECT_EQ(impl.forces[i], 0.0) << i;
     }
   }
   EXPECT_GT(std::count(has_contact.begin(), has_contact.end(), true), 2);

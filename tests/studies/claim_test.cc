@@ -223,7 +223,7 @@ TEST(ClaimVerdict, HasItsNames) {
   EXPECT_EQ(choice_name(ClaimVerdict::kUndecided), "cannot be decided here");
 }
 
-// Of the first pair 3 of 4 wrong groupings lie within 4 to 6, of the second 1 of 4.
+// In the first pair 3 of 4 wrong groupings lie within 4 to 6, in the second 1 of 4.
 TEST(Claim, ChanceIsTheMeanShareOfWrongGroupingsWithinTheBounds) {
   Claim claim;
   claim.at_least = 4.0;

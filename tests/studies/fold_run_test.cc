@@ -32,9 +32,9 @@ Recording fold_recording() {
   return testing::objects_apart(3, kSamples / 3, 150.0, 7);
 }
 
-PreparedStudy question_of(const Recording& asked,
+PreparedStudy question_of(const Recording& recording,
                           const StudyDescription& description = small_study()) {
-  return prepare_study(description, asked, nullptr, 1).value();
+  return prepare_study(description, recording, nullptr, 1).value();
 }
 
 TrainedFold trained_on(const PreparedStudy& prepared, const Fold& fold,
@@ -47,13 +47,13 @@ std::vector<Fold> folds_of(const PreparedStudy& prepared, Protocol protocol) {
   return folds(protocol, prepared.divided_by(groups ? prepared.groups.begin()->first : ""));
 }
 
-// What the map is to see, put together by hand: joints of the last frame, standardized.
+// The map's inputs, put together by hand: joints of the last frame, standardized.
 Samples seen_by_hand(const Fold& fold) {
   Matrix<float> joints(kSamples, 3);
-  const Recording asked = fold_recording();
+  const Recording recording = fold_recording();
   for (std::size_t i = 0; i < kSamples; ++i) {
     for (std::size_t joint = 0; joint < 3; ++joint) {
-      joints(i, joint) = asked.explorations[i].channels[0].frames(0, joint);
+      joints(i, joint) = recording.explorations[i].channels[0].frames(0, joint);
     }
   }
   const Samples raw(std::move(joints));
@@ -76,7 +76,7 @@ std::vector<float> input_of(const TrainedFold& trained, std::size_t exploration)
   return values;
 }
 
-// What a fold is to give, put together step by step from the map.
+// The expected results of a fold, put together step by step from the map.
 class Recomputed {
  public:
   Recomputed(const Fold& fold, const Numbers& classes, std::uint64_t seed)
@@ -123,7 +123,7 @@ class Recomputed {
   std::map<std::size_t, std::map<std::size_t, std::size_t>> votes_;
 };
 
-// What is tested of a training, as test_fold() and nearest_neighbours() give it together.
+// The results of a training's tests, as test_fold() and nearest_neighbours() give them together.
 FoldOutcome outcome_of(const TrainedFold& trained, const PreparedStudy& prepared,
                        const Fold& fold) {
   return test_fold(trained, prepared, fold, nearest_neighbours(trained.vectors, prepared, fold));
@@ -134,10 +134,10 @@ std::map<std::string, double> metrics_by_name(const PreparedStudy& prepared, con
   StudyParameters study = small_study().study;
   study.wrong_groupings = kGroupings;
   const std::vector<Fold> folds{fold};
-  // Of one fold of one seed: what the whole protocol averages.
-  const MeasuredStudy asked{study, prepared, Protocol::kLeaveOneOut, folds};
+  // The values of one fold of one seed: the whole protocol averages them.
+  const MeasuredStudy measured{study, prepared, Protocol::kLeaveOneOut, folds};
   std::map<std::string, double> found;
-  for (const Metric& metric : metrics_of(asked, {{kSeed, {&outcome}}})) {
+  for (const Metric& metric : metrics_of(measured, {{kSeed, {&outcome}}})) {
     found[metric.name] = metric.values.at(0);
   }
   return found;
@@ -230,9 +230,9 @@ Samples equal_samples(const Samples& samples) {
 
 // The direct way: weights are formed and evaluated.
 TEST(FoldRun, InnerProductsAnswerAsTheFormedMapDoes) {
-  const Recording asked = testing::grasps(3, 4, 11);
+  const Recording recording = testing::grasps(3, 4, 11);
   const StudyDescription description = by_products("inner_products");
-  const PreparedStudy prepared = question_of(asked, description);
+  const PreparedStudy prepared = question_of(recording, description);
   for (const Protocol protocol : {Protocol::kTrainIsTest, Protocol::kLeaveOneOut}) {
     for (const Fold& fold : folds_of(prepared, protocol)) {
       TrainedFold trained = trained_on(prepared, fold, description);
@@ -248,9 +248,9 @@ TEST(FoldRun, InnerProductsAnswerAsTheFormedMapDoes) {
 
 // All folds and seeds find what was computed of the samples.
 TEST(FoldRun, FoldsShareTheSamplesProducts) {
-  const Recording asked = testing::grasps(3, 4, 11);
+  const Recording recording = testing::grasps(3, 4, 11);
   const StudyDescription description = by_products("inner_products");
-  const PreparedStudy prepared = question_of(asked, description);
+  const PreparedStudy prepared = question_of(recording, description);
   const auto folds = folds_of(prepared, Protocol::kLeaveOneOut);
   const TrainedFold first = trained_on(prepared, folds[0], description);
   const TrainedFold second = trained_on(prepared, folds[1], description);
@@ -259,9 +259,9 @@ TEST(FoldRun, FoldsShareTheSamplesProducts) {
 }
 
 TEST(FoldRun, PlainArithmeticKnowsNoSamples) {
-  const Recording asked = testing::grasps(3, 4, 11);
+  const Recording recording = testing::grasps(3, 4, 11);
   const StudyDescription description = by_products("plain");
-  const PreparedStudy prepared = question_of(asked, description);
+  const PreparedStudy prepared = question_of(recording, description);
   const Fold fold = folds_of(prepared, Protocol::kTrainIsTest).front();
   const TrainedFold trained = trained_on(prepared, fold, description);
   EXPECT_FALSE(som_of(trained.system, prepared.map)->knows(trained.inputs.samples));
@@ -275,8 +275,8 @@ TEST(FoldRun, WithoutWrongGroupingsSaysNothingAboutChance) {
   const FoldOutcome outcome = outcome_of(trained_on(prepared, all[0]), prepared, all[0]);
   StudyParameters study = small_study().study;
   study.wrong_groupings = 0;
-  const MeasuredStudy asked{study, prepared, Protocol::kTrainIsTest, all};
-  const std::vector<Metric> metrics = metrics_of(asked, {{kSeed, {&outcome}}});
+  const MeasuredStudy measured{study, prepared, Protocol::kTrainIsTest, all};
+  const std::vector<Metric> metrics = metrics_of(measured, {{kSeed, {&outcome}}});
   ASSERT_FALSE(metrics.empty());
   for (const Metric& metric : metrics) {
     if (metric.name == "on_border_chance") continue;  // of neurons, not of groupings
@@ -312,12 +312,12 @@ void expect_same_answers(const FoldOutcome& a, const FoldOutcome& b) {
 
 // Changes every exploration that a fold tests, and expects that nothing learned from them: the same
 // saved bits, and the same for all that was learned from.
-void expect_nothing_leaks(const StudyDescription& description, const Recording& asked,
+void expect_nothing_leaks(const StudyDescription& description, const Recording& recording,
                           Protocol protocol) {
   SCOPED_TRACE(choice_name(protocol) + " of " + description.study.name);
-  const PreparedStudy prepared = question_of(asked, description);
+  const PreparedStudy prepared = question_of(recording, description);
   for (const Fold& fold : folds_of(prepared, protocol)) {
-    const PreparedStudy other = question_of(with_extreme(asked, fold.test), description);
+    const PreparedStudy other = question_of(with_extreme(recording, fold.test), description);
     const TrainedFold before = trained_on(prepared, fold, description);
     const TrainedFold after = trained_on(other, fold, description);
     EXPECT_TRUE(saved_bits(after) == saved_bits(before));
@@ -339,25 +339,25 @@ TEST(HeldOut, NothingIsLearnedFromTheValuesOfWhatIsTested) {
 TEST(HeldOut, NothingThatLearnsLearnsFromTheValuesOfWhatIsTested) {
   StudyDescription description = learning_study();
   description.study.groups = {"trial"};
-  const Recording asked = testing::grasps(3, 3, 4);
-  expect_nothing_leaks(description, asked, Protocol::kLeaveGroupOut);
-  expect_nothing_leaks(description, asked, Protocol::kLeaveOneOut);
+  const Recording recording = testing::grasps(3, 3, 4);
+  expect_nothing_leaks(description, recording, Protocol::kLeaveGroupOut);
+  expect_nothing_leaks(description, recording, Protocol::kLeaveOneOut);
 }
 
 // The tested sample is far from the others in one element. If it is scaled by the others only, that
 // element decides the nearest neighbour; if scaled by the sample as well, its weight would be
 // negligible.
 TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
-  Recording asked;
+  Recording recording;
   for (const auto& [object, joints] :
        std::vector<std::pair<std::string, std::vector<float>>>{{"x", {1000.0F, 0.0F}},
                                                                {"x", {2.0F, 10.0F}},
                                                                {"y", {0.0F, 0.0F}},
                                                                {"y", {0.5F, 1.0F}},
                                                                {"x", {1.9F, 9.0F}}}) {
-    asked.explorations.push_back(testing::exploration_of(object, joints));
+    recording.explorations.push_back(testing::exploration_of(object, joints));
   }
-  const PreparedStudy prepared = question_of(asked, small_study("none"));
+  const PreparedStudy prepared = question_of(recording, small_study("none"));
   const Fold first = folds_of(prepared, Protocol::kLeaveOneOut)[0];
   const TrainedFold trained = trained_on(prepared, first, small_study("none"));
   const Neighbours nearest = nearest_neighbours(trained.vectors, prepared, first).front();
@@ -366,9 +366,9 @@ TEST(HeldOut, TheBaselineIsStandardizedByWhatWasLearnedFrom) {
 
 // The same change does reach the folds that train on the sample: the tests above can fail.
 TEST(HeldOut, TheOtherFoldsDoLearnFromIt) {
-  const Recording asked = testing::grasps(3, 3, 4);
-  const PreparedStudy prepared = question_of(asked, learning_study());
-  const PreparedStudy changed = question_of(with_extreme(asked, {0}), learning_study());
+  const Recording recording = testing::grasps(3, 3, 4);
+  const PreparedStudy prepared = question_of(recording, learning_study());
+  const PreparedStudy changed = question_of(with_extreme(recording, {0}), learning_study());
   const auto folds = folds_of(prepared, Protocol::kLeaveOneOut);
   for (std::size_t fold = 1; fold < folds.size(); ++fold) {
     EXPECT_FALSE(saved_bits(trained_on(changed, folds[fold], learning_study())) ==

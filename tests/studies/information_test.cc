@@ -98,9 +98,9 @@ TEST(Information, NewIndividualsMayBeTakenForAnotherKind) {
 }
 
 TEST(Information, EachExplorationIsAnIndividualUnlessOneIsNamed) {
-  InformationParameters alone = default_parameters();
-  alone.individual.clear();
-  const auto found = measure_information(raw_study(), recording_of(kThings), alone).value();
+  InformationParameters single = default_parameters();
+  single.individual.clear();
+  const auto found = measure_information(raw_study(), recording_of(kThings), single).value();
   EXPECT_DOUBLE_EQ(found.labels[1].accuracy, 1.0);
   EXPECT_FALSE(found.labels[1].accuracy_new_individuals.has_value());
 }
@@ -212,7 +212,7 @@ TEST(Information, RequiresTheNameOfOneOfTheFirstMaps) {
   EXPECT_EQ(found.module, "joints_last");
 }
 
-// Whatever the order of the description.
+// The order of the description does not matter.
 TEST(Information, FindsAMapThatIsDescribedFirst) {
   const auto study = testing::study_from(
       "[study]\nname = 's'\n"
@@ -311,7 +311,7 @@ TEST(Information, StandsInJsonThatPeopleRead) {
 }
 
 TEST(Information, WorksWithoutShuffles) {
-  const auto table = parse_toml("shuffles = 0\nseed = 0\n", "asked");
+  const auto table = parse_toml("shuffles = 0\nseed = 0\n", "parameters");
   const auto parameters = read_parameters<InformationParameters>(*table);
   ASSERT_TRUE(parameters) << to_string(parameters.error());
   EXPECT_EQ(parameters->shuffles, 0U);

@@ -87,7 +87,7 @@ TEST_F(JournalFile, ContinuesWhereItWas) {
   EXPECT_EQ(*journal.find(1, 4), outcome_number(4));
 }
 
-// Whatever was cut off, the whole lines before are known, and it can go on.
+// For any cut, the whole lines before are known, and the journal can be continued.
 TEST_F(JournalFile, MayBeCutAtEveryByte) {
   const std::string whole = write_some();
   for (std::size_t size = 0; size < whole.size(); ++size) {

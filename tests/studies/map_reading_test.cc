@@ -37,7 +37,7 @@ ByName read(const StudyParameters& study, const PreparedStudy& prepared, const N
 
 const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
 
-// C alone at 8; A and B share 4; the nearest to the first A is the B beside it.
+// only C at 8; A and B share 4; the nearest to the first A is the B beside it.
 //   neuron  0 1 . . 4 . . . 8
 //   sample  A B     AB      CC
 TEST(ReadMap, CountsSeparatedClassesAndNeighboursOfTheSameClass) {
@@ -148,7 +148,7 @@ TEST(ReadMap, UsesOnlyTheTrainingSamples) {
   PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABBAB")});
   prepared.samples.samples = 4;
   prepared.samples.test_samples = 2;
-  prepared.order = AskedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
+  prepared.order = StudiedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
   const ByName values = read(study_reading({}), prepared, {0, 0, 8, 8});
   EXPECT_EQ(values.at("neighbours_same_class"), 4.0);
   EXPECT_EQ(values.at("neighbours_same_class_chance"), 0.0);
@@ -166,7 +166,7 @@ class ReadOrder : public ::testing::Test {
     const Grid square(3, 3, Lattice::kRectangular, Topology::kPlane);
     PreparedStudy prepared =
         testing::study_on(square, {testing::letter_label("object", "AABBCCDD")});
-    prepared.order = AskedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
+    prepared.order = StudiedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
     return read(study_reading({}), prepared, {0, 0, 2, 2, 8, 8, 6, 6});
   }
 };
@@ -193,11 +193,11 @@ TEST_F(ReadOrder, ByChanceIsBetweenTheWorstAndTheBest) {
 }
 
 // From left to right 4 2 3 1: the squared differences from 1 to 4 are 9 + 9, and 1 - 6 * 18 / 60 is
-// -0.8. Of the 24 orders of four numbers the absolute correlation is 1 in 2, 0.8 in 6, 0.6 in 2,
+// -0.8. In the 24 orders of four numbers the absolute correlation is 1 in 2, 0.8 in 6, 0.6 in 2,
 // 0.4 in 8, 0.2 in 4 and 0 in 2.
 TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndComparedWithChance) {
   PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABCD")});
-  prepared.order = AskedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
+  prepared.order = StudiedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
   const ByName values = read(study_reading({}), prepared, {0, 3, 4, 8});
   EXPECT_DOUBLE_EQ(values.at("order_along"), 0.8);
   EXPECT_NEAR(values.at("order_along_chance"), 12.0 / 24, 0.1);
@@ -209,7 +209,7 @@ TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndComparedWithChance) {
 //   sample  A A C C D B B
 TEST_F(ReadOrder, FindsOutliersOfTheRightSize) {
   PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AACCDBB")});
-  prepared.order = AskedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
+  prepared.order = StudiedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
   const ByName values = read(study_reading({}), prepared, {0, 0, 1, 5, 6, 8, 8});
   EXPECT_EQ(values.at("right_size_wrong_group"), 1.0);
   EXPECT_GT(values.at("right_size_wrong_group_chance"), 0.0);
@@ -229,7 +229,7 @@ class ReadPlaced : public ::testing::Test {
     prepared_.grid = kRow;
     prepared_.samples.samples = 4;
     prepared_.samples.test_samples = 4;
-    prepared_.order = AskedOrder{
+    prepared_.order = StudiedOrder{
         {0, 1, 2, 2, 3, 4, 5, 6}, {1.0, 2.0, 1.2, 1.4, 1.5, 9.0, 1.0}, {0, 0, 1, 0, 0, 1, 2}};
     outcome_.training_winners = {0, 3, 6, 6};
     outcome_.winners = {1, 2, 5, 8};
@@ -293,7 +293,8 @@ std::map<std::string, std::string> size_groups(const PreparedStudy& prepared) {
   return found;
 }
 
-// Of five two are small and three large. Many new large ones would shift the median, and must not.
+// In a group of five, two are small and three large. Many new large ones would shift the median,
+// and must not.
 TEST(SizeGroups, OfTheKnownStayWhateverIsTestedWith) {
   const StudyDescription description = testing::study_from(
       "[study]\nname = 'sizes'\nindividual = 'object'\norder = 'size'\nwithin = 'shape'\n" +
@@ -301,14 +302,14 @@ TEST(SizeGroups, OfTheKnownStayWhateverIsTestedWith) {
   const Recording known = sized({{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}, {"e", "5"}});
   const Recording fresh =
       sized({{"p", "2.9"}, {"q", "3"}, {"r", "30"}, {"s", "31"}, {"t", "32"}, {"u", "33"}});
-  const auto alone = size_groups(prepare_study(description, known, nullptr, 1).value());
-  EXPECT_EQ(alone, (std::map<std::string, std::string>{{"a", "small round"},
-                                                       {"b", "small round"},
-                                                       {"c", "large round"},
-                                                       {"d", "large round"},
-                                                       {"e", "large round"}}));
+  const auto single = size_groups(prepare_study(description, known, nullptr, 1).value());
+  EXPECT_EQ(single, (std::map<std::string, std::string>{{"a", "small round"},
+                                                        {"b", "small round"},
+                                                        {"c", "large round"},
+                                                        {"d", "large round"},
+                                                        {"e", "large round"}}));
   auto with_new = size_groups(prepare_study(description, known, &fresh, 1).value());
-  for (const auto& [name, group] : alone) EXPECT_EQ(with_new.at(name), group) << name;
+  for (const auto& [name, group] : single) EXPECT_EQ(with_new.at(name), group) << name;
   EXPECT_EQ(with_new.at("p"), "small round");
   for (const char* name : {"q", "r", "u"}) EXPECT_EQ(with_new.at(name), "large round") << name;
 }

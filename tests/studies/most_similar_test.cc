@@ -59,18 +59,18 @@ TEST(MostSimilar, AgreeWithWholeNumbers) {
       tenths.push_back(static_cast<long>(random.below(60)) - 20);
       known.push_back({static_cast<double>(tenths.back()) / 10.0, random.below(3)});
     }
-    const long asked = static_cast<long>(random.below(60)) - 20;
+    const long target = static_cast<long>(random.below(60)) - 20;
     const std::size_t group = random.below(3);
     std::vector<std::size_t> expected;
     for (std::size_t i = 0; i < known.size(); ++i) {
       bool is_nearest = known[i].group == group;
       for (std::size_t j = 0; j < known.size(); ++j) {
-        const bool nearer = std::labs(tenths[j] - asked) < std::labs(tenths[i] - asked);
+        const bool nearer = std::labs(tenths[j] - target) < std::labs(tenths[i] - target);
         if (known[j].group == group && nearer) is_nearest = false;
       }
       if (is_nearest) expected.push_back(i);
     }
-    EXPECT_EQ(most_similar(known, {{static_cast<double>(asked) / 10.0, group}})[0], expected);
+    EXPECT_EQ(most_similar(known, {{static_cast<double>(target) / 10.0, group}})[0], expected);
   }
 }
 

@@ -21,7 +21,7 @@ using Texts = std::vector<std::string>;
 
 constexpr const char* kMark = "not given in the paper";
 
-// What the list says of one system.
+// The entries of the list for one system.
 struct PaperList {
   std::map<std::string, Value> given;
   std::map<std::string, Value> neurons;  ///< By the module's name.
@@ -116,7 +116,7 @@ std::string joined(const Texts& lines) {
       [](const std::string& all, const std::string& line) { return all + line + "\n"; });
 }
 
-// What decides results: how things are explored, modules and phases.
+// The settings that decide results: how things are explored, modules and phases.
 bool is_setting(const std::string& key) {
   return key.starts_with("explore.") || key.starts_with("module.") || key.starts_with("phase.");
 }
@@ -132,7 +132,7 @@ WrittenKeys written_keys(const Texts& lines, const Table& file) {
   return keys;
 }
 
-// What is connected to what, and which channels are read.
+// The connections of modules, and the channels that are read.
 bool is_connection(const std::string& key) {
   static const Keys kNames{"type", "input", "inputs", "channel", "shape", "learn"};
   return kNames.contains(key.substr(key.rfind('.') + 1));
@@ -179,7 +179,7 @@ std::int64_t neurons_of(const WrittenKeys& keys, const std::string& module) {
   return neurons;
 }
 
-// What is wrong with the text of a system.
+// The errors in the text of a system.
 class Complaints {
  public:
   Complaints(const std::string& text, const PaperList& list)

@@ -130,7 +130,7 @@ TEST(OrderAlong, IsNoneWithoutThreeNumbersOrAtOnePlace) {
   EXPECT_EQ(order_along({}, 10, kMeasureSeed).shuffled, 0.0);
 }
 
-// Of three numbers two of six orders are perfect; the other four have 1 - 6 * 6 / 24, absolute:
+// Two of the six orders of three numbers are perfect; the other four have 1 - 6 * 6 / 24, absolute:
 // 1/2.
 TEST(OrderAlong, ByChanceIsTheMeanOfAllOrders) {
   const RankOrder order =

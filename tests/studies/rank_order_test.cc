@@ -53,7 +53,7 @@ TEST(PrincipalPositions, TakeTheWiderDirection) {
                {0, 0, 1, -1});
 }
 
-// Whatever rounding leaves of them.
+// Rounding may leave small differences.
 TEST(PrincipalPositions, AreNoneOfEqualVectors) {
   Random random(2);
   for (int problem = 0; problem < 50; ++problem) {
@@ -104,7 +104,7 @@ TEST(RankOrder, IsTheMeanOfTheGroupsWhateverTheirDirection) {
   EXPECT_THROW((void)rank_order({}, 0, 1), InvalidArgument);
 }
 
-// Of the six orders of three, two have the absolute correlation 1, four have 1/2: 2/3 by chance,
+// Two of the six orders of three have the absolute correlation 1, four have 1/2: 2/3 by chance,
 // and one of three comes as high.
 TEST(RankOrder, ComparesWithShuffledNumbers) {
   const RankOrder order = rank_order({{{1, 2, 3}, {4, 5, 6}}}, 20000, 7);

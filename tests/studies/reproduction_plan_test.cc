@@ -33,7 +33,7 @@ class Plan : public ::testing::Test {
   }
 
   void expect_refused(const std::string& toml, const std::string& message) {
-    const auto added = add("asked", toml);
+    const auto added = add("request", toml);
     ASSERT_FALSE(added) << message;
     EXPECT_EQ(added.error().kind, ErrorKind::kUsage);
     EXPECT_EQ(to_string(added.error()), message);
@@ -48,7 +48,7 @@ class Plan : public ::testing::Test {
     return names;
   }
 
-  // What a module of a part says of a key.
+  // The value of a key of a part's module.
   std::string setting(std::size_t part, const std::string& module, const std::string& key) const {
     for (const ModuleDescription& one : plan_.parts.at(part).description.system.modules) {
       if (one.name != module) continue;
@@ -93,7 +93,7 @@ module.map.rows = 20
 )"));
   EXPECT_EQ(parts(), (Names{"how_wide/small/", "how_wide/small/wide", "how_wide/large/",
                             "how_wide/large/wide", "how_wide/large/high"}));
-  // What the question changes for all, and what a variation changes on top.
+  // The question's changes for all, and a variation's changes in addition.
   EXPECT_EQ(setting(0, "map", "columns"), "3");
   EXPECT_EQ(setting(1, "map", "columns"), "9");
   EXPECT_EQ(setting(2, "map", "columns"), "3");
@@ -173,7 +173,7 @@ at_least = 0
 
 TEST_F(Plan, RefusesClaimsAboutWhatIsNotRun) {
   const auto place = [](int line) {
-    return "asked.toml:" + std::to_string(line) +
+    return "request.toml:" + std::to_string(line) +
            ": the claim refers to a system or variation that is not run; use systems and "
            "variations of this file";
   };
@@ -204,42 +204,42 @@ TEST_F(Plan, RefusesComparisonsOfAMetricWithItself) {
 
 TEST_F(Plan, RefusesQuestionsAboutNothing) {
   expect_refused("[question]\nname = 'q'\nsystems = ['small', 'lagre']\n",
-                 "asked.toml:1: unknown system 'lagre'; did you mean 'large'?");
+                 "request.toml:1: unknown system 'lagre'; did you mean 'large'?");
   expect_refused(
       "[question]\nsystems = ['small']\n",
-      "asked.toml:1: a question needs a name and systems; add name = \"...\" and systems "
+      "request.toml:1: a question needs a name and systems; add name = \"...\" and systems "
       "= [\"...\"] to [question]");
   expect_refused(
       "[question]\nname = 'q'\n",
-      "asked.toml:1: a question needs a name and systems; add name = \"...\" and systems "
+      "request.toml:1: a question needs a name and systems; add name = \"...\" and systems "
       "= [\"...\"] to [question]");
   expect_refused("question = 'why'\n",
-                 "asked.toml:1: 'question' must be a table; write [question] on a separate line, "
+                 "request.toml:1: 'question' must be a table; write [question] on a separate line, "
                  "its keys below");
   expect_refused("[question]\nname = 'q'\nsystem = ['small']\n",
-                 "asked.toml:3: unknown key 'system'; did you mean 'systems'?");
+                 "request.toml:3: unknown key 'system'; did you mean 'systems'?");
   expect_refused(
       "[question]\nname = 'q'\nsystems = ['small']\n[variation.v]\nsystems = ['large']\n",
-      "asked.toml:4: unknown system of the question 'large'; known are: small");
+      "request.toml:4: unknown system of the question 'large'; known are: small");
 }
 
 // Wherever a change leads astray, its own line is named.
 TEST_F(Plan, RefusesChangesThatDoNotFit) {
   const std::string question = "[question]\nname = 'q'\nsystems = ['small']\n";
   expect_refused(question + "[module.mpa]\nrows = 3\n",
-                 "asked.toml:4: unknown module 'mpa'; did you mean 'map'?");
+                 "request.toml:4: unknown module 'mpa'; did you mean 'map'?");
   expect_refused(question + "[variation.v]\nmodule.mpa.rows = 3\n",
-                 "asked.toml:5: unknown module 'mpa'; did you mean 'map'?");
+                 "request.toml:5: unknown module 'mpa'; did you mean 'map'?");
   expect_refused(question + "[studdy]\nlabel = 'x'\n",
-                 "asked.toml:4: unknown table 'studdy'; did you mean 'study'?");
+                 "request.toml:4: unknown table 'studdy'; did you mean 'study'?");
   expect_refused(question + "[variation.v]\nstudy.lable = 'x'\n",
-                 "asked.toml:5: unknown key 'lable'; did you mean 'label'?");
+                 "request.toml:5: unknown key 'lable'; did you mean 'label'?");
   expect_refused(system_text("small") + "[variation.v]\nstudy.seeds = 0\n",
-                 "asked.toml:" + std::to_string(kLines + 2) +
+                 "request.toml:" + std::to_string(kLines + 2) +
                      ": 'seeds' must be a whole number, 1 to 1000000, not 0");
 }
 
-// What is wrong in a module can be known without a recording where the channels state their shapes.
+// An error in a module can be found without a recording if the channels state their shapes.
 TEST_F(Plan, BuildsWhatStatesItsShapes) {
   std::string shaped = system_text("small");
   shaped.insert(shaped.find("[module.closed]"), "shape = [3]\n");
@@ -247,9 +247,9 @@ TEST_F(Plan, BuildsWhatStatesItsShapes) {
   const std::string none =
       "'rows' must be a whole number, 1 to 16777216, not 0; \"automatic\" is also accepted";
   expect_refused(shaped + "[variation.v]\nmodule.map.rows = 0\n",
-                 "asked.toml:" + line + ", module 'map': " + none);
-  EXPECT_TRUE(add("asked", shaped));
-  EXPECT_TRUE(add("asked", system_text("other") + "[variation.v]\nmodule.map.rows = 0\n"));
+                 "request.toml:" + line + ", module 'map': " + none);
+  EXPECT_TRUE(add("request", shaped));
+  EXPECT_TRUE(add("request", system_text("other") + "[variation.v]\nmodule.map.rows = 0\n"));
 }
 
 TEST_F(Plan, ExplorationIsListedInTheSettings) {

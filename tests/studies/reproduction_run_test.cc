@@ -181,7 +181,7 @@ TEST(RunReproduction, JudgesClaimsAndListsWhatDoesNotFit) {
   EXPECT_EQ(reproduced(plan, none, {2, 1}).not_applicable.size(), 2U);
 }
 
-// What a part explored for itself has to fit it, and what was named has to be run.
+// The recording that a part explored for itself must fit it, and a named recording must be run.
 TEST(RunReproduction, AMisfitIsAnErrorWhereNothingIsPassedOver) {
   const ReproductionPlan plan{{part("deaf", "sound")}, {}};
   const PairOptions options{2, 1};

@@ -232,9 +232,9 @@ TEST(Judge, ComparesDifferentMetrics) {
 
 TEST(Judge, KeepsQuestionsApart) {
   const std::vector<PartResults> parts{part("", "small", "", 1), part("why", "small", "", 2)};
-  Claim asked = claim("small", "accuracy", 0);
-  asked.question = "why";
-  EXPECT_EQ(judge({asked}, parts).at(0).values, (Values{2, 3, 102, 103}));
+  Claim questioned = claim("small", "accuracy", 0);
+  questioned.question = "why";
+  EXPECT_EQ(judge({questioned}, parts).at(0).values, (Values{2, 3, 102, 103}));
   EXPECT_EQ(judge({claim("small", "accuracy", 0)}, parts).at(0).values, (Values{1, 2, 101, 102}));
 }
 

@@ -45,7 +45,7 @@ TEST(NeighbourAccuracy, LeavesEachSampleOut) {
   EXPECT_DOUBLE_EQ(found.chance, 1.0 / 3.0);
 }
 
-// Of class 0 are 0, 1 and 10, and 0 and 1 are one thing. Left of it for both: 3 and 10, and 3 is
+// In class 0 are 0, 1 and 10, and 0 and 1 are one thing. Left of it for both: 3 and 10, and 3 is
 // nearer: wrong, wrong. The neighbour of 3 is 1: wrong. That of 10 is 3: wrong; by chance 2 of 3.
 TEST(NeighbourAccuracy, LeavesTheSamplesOfAGroupOut) {
   const NeighbourAccuracy found = neighbour_accuracy(line(), {0, 0, 1, 0}, {0, 0, 1, 2});

@@ -112,9 +112,9 @@ TEST_F(StudyJournal, ServesAnyNumberOfSeeds) {
             json_of(outcome_of(fewer, journal_recording())));
 }
 
-void expect_other_study(const StudyDescription& description, const Recording& asked,
+void expect_other_study(const StudyDescription& description, const Recording& recording,
                         const StudyOptions& options) {
-  const auto outcome = run_study(description, asked, options);
+  const auto outcome = run_study(description, recording, options);
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().kind, ErrorKind::kUsage);
   EXPECT_EQ(outcome.error().where, options.journal);

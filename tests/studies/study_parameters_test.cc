@@ -117,7 +117,7 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
                        "'leave_one_out'?");
 }
 
-// What stood for a system before there were any.
+// The tables that described a system before there were modules.
 TEST(ReadStudy, RefusesTheTablesVectorAndMap) {
   expect_study_refused(kLeast + "[vector]\nchannels = [\"joints\"]\n",
                        "study.toml:5: unknown table 'vector'; known are: system, module, phase, "

@@ -64,7 +64,7 @@ TEST(TestData, LearnsFromAllOfTheOneAndNothingOfTheOther) {
   }
 }
 
-// Whatever one tested exploration holds, the others' answers are the same.
+// The content of one test exploration does not affect the answers for the others.
 TEST(TestData, NothingThatLearnsLearnsFromIt) {
   const Recording recording = testing::grasps(3, 3, 4);
   Recording test = testing::grasps(3, 2, 8);
@@ -151,7 +151,7 @@ TEST(TestData, IsRefusedWhenItDoesNotFit) {
   for (Exploration& exploration : other.explorations) exploration.channels[0].unit = "rad";
   expect_test_data_refused(good, other, "is in 'rad', but in 'deg'");
   expect_test_data_refused(good, {}, "no explorations");
-  // What is learned from must have two classes by itself.
+  // The training data must have two classes by themselves.
   expect_test_data_refused(objects_apart(1, 3, 1.0, 1), good, "every exploration has the same");
   expect_test_data_refused(objects_apart(1, 1, 1.0, 1), good, "only one exploration");
 }

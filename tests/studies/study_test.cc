@@ -245,7 +245,7 @@ TEST(Study, SaysEverySetting) {
   EXPECT_EQ(setting(results, "phase.3", "draws"), "none");
 }
 
-// What a map leaves automatic stands as it was decided on all that was learned from.
+// A map's automatic settings are those decided on all training data.
 TEST(Study, SaysHowAMapsAutomaticSettingsWereDecided) {
   const StudyDescription description = study_from(
       "[study]\nname = 'small'\nseeds = 1\n[module.joints]\ntype = 'channel'\n"
@@ -277,7 +277,7 @@ TEST(Study, UsesTheNamedMap) {
   EXPECT_EQ(outcome_of(description, recording).map().neurons(), 25U);
 }
 
-// What share of groupings into wrong classes has connected areas on the map of the first seed.
+// The share of groupings into wrong classes that have connected areas on the map of the first seed.
 double share_connected(const StudyOutcome& outcome, const std::vector<std::size_t>& individuals) {
   const WinnerAreas areas(outcome.map().grid(), outcome.winners);
   const auto wrong = wrong_groupings(outcome.classes.of_sample, individuals, 50, 5);

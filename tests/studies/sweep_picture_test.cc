@@ -59,7 +59,7 @@ TEST(SweepPicture, ShowsEachClaimOverEachUnknownAndMarksTheSystem) {
   // The triangle stands above the middle of the second of three cells.
   ASSERT_EQ(elements(strips[0], "polygon").size(), 1U);
   EXPECT_EQ(elements(strips[0], "polygon")[0]["points"], "235,-10 245,-10 240,-1");
-  // What no part was run for is said, not drawn.
+  // A part that was not run is stated, not drawn.
   EXPECT_TRUE(groups(panels[1], "strip").empty());
   EXPECT_NE(texts_in(panels[1])[1].find("could not be judged"), std::string::npos);
 }

@@ -33,7 +33,7 @@ body = "hardness"
 [variation.small]
 module.map.columns = 2
 
-[variation.nobody_asks]
+[variation.not_requested]
 module.map.columns = 3
 
 [[claim]]

@@ -50,7 +50,7 @@ inline DamagedStream damaged_stream(const std::vector<Bytes>& packets, double ra
   return stream;
 }
 
-/// What became of the packets of a damaged stream.
+/// The fate of the packets of a damaged stream.
 struct DamageCount {
   std::size_t damaged = 0;   ///< Packets that did not stay whole.
   std::size_t lost = 0;      ///< Whole packets that were not found.

@@ -18,7 +18,7 @@ struct EmulatedDevice {
         body(file, std::move(simulated)),
         lines(body.wires(), [this](double now) { advance(now); }) {}
 
-  /// What happens at a moment of the emulation, such as a fault.
+  /// An event at a moment of the emulation, such as a fault.
   std::function<void(double now)> at;
 
   devices::DeviceFile file;

@@ -34,7 +34,7 @@ class FakeHand : public Body {
   std::vector<double> stops;
   /// The step, counting from 1, that fails; 0: none does.
   std::size_t failing_step = 0;
-  /// What was commanded, and where the servos were after each step.
+  /// The commands, and the positions of the servos after each step.
   std::vector<std::vector<double>> commands;
   std::vector<std::vector<double>> path;
   std::vector<double> steps;

@@ -34,7 +34,7 @@ class HttpClient {
   int socket_;
 };
 
-/// What a browser would ask for, with its headers.
+/// A browser's request, with its headers.
 std::string get_request(std::uint16_t port, const std::string& target,
                         const std::vector<std::string>& headers = {});
 std::string post_request(std::uint16_t port, const std::string& target, const std::string& body,
@@ -43,7 +43,7 @@ std::string post_request(std::uint16_t port, const std::string& target, const st
 /// The status of a response; 0 when it is none.
 int status_of(const std::string& response);
 
-/// What stands behind its headers.
+/// The part behind its headers.
 std::string body_of(const std::string& response);
 
 /// One request and its response.

@@ -55,7 +55,7 @@ std::vector<std::string> types_of(const Json& keyword) {
   return keyword.get<std::vector<std::string>>();
 }
 
-// Of additionalProperties.
+// The values that additionalProperties admits.
 bool admits_nothing(const Json& keyword) {
   return keyword.is_boolean() && !keyword.get<bool>();
 }
@@ -124,7 +124,7 @@ class SchemaCheck {
   const Files& files_;
 };
 
-// What is wrong with a value.
+// The errors in a value.
 class Validation {
  public:
   explicit Validation(const Files& files) : files_(files) {}

@@ -54,7 +54,7 @@ inline std::vector<double> random_times(std::size_t count, std::int64_t start, R
   return times;
 }
 
-/// What all explorations of a recording agree on.
+/// The properties that all explorations of a recording share.
 struct RandomLayout {
   std::vector<std::string> labels;
   std::vector<Channel> channels;  ///< Without frames; a frame of one element gives their number.

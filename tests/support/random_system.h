@@ -132,7 +132,7 @@ class RandomSystem {
     }
   }
 
-  // What a type needs to be quick and, mostly, right.
+  // The parameters that make a type quick and, mostly, valid.
   std::string fitting_parameters(const std::string& type) {
     if (type == "som") return fmt::format("rows = {}\ncolumns = 2\n", 1 + random_.below(3));
     if (type == "t_mpsom") return inputs_ == 1 ? "shape = [3]\n" : "shape = [2, 3]\n";

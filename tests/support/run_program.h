@@ -26,7 +26,7 @@ struct ProgramWorld {
   int seconds = 120;             ///< After which it is killed.
 };
 
-/// What became of it.
+/// The results of the run.
 struct ProgramRun {
   int exit_code = -1;  ///< -1 when a signal ended it.
   int signal = 0;      ///< The signal that ended it, or 0.

@@ -103,7 +103,7 @@ inline System trained(System system, const Recording& recording, std::size_t cou
   return system;
 }
 
-/// What the module of that name gives for an exploration.
+/// The output of the module of that name for an exploration.
 inline Result<Sequence> try_output(const System& system, const Recording& recording,
                                    const std::string& module, std::size_t exploration) {
   const auto number = system.find(module);

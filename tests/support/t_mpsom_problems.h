@@ -55,7 +55,7 @@ inline double cosine(std::span<const float> a, std::span<const float> b) {
   return product / (length(a) * length(b));
 }
 
-/// Of random values.
+/// The sign of random values.
 enum class Sign { kPositive, kEither };
 
 /// A small T-MPSOM of any kind, signals (zero, dense, sparse) and weights for it.

@@ -178,7 +178,7 @@ testing::DamagedSensorStream damaged_anyskin() {
   return stream;
 }
 
-// The format has no checksum. Of 20,000 frames with about 820 changed bytes, the naive parser
+// The format has no checksum. In 20,000 frames with about 820 changed bytes, the naive parser
 // accepts 718 wrong ones and loses 1,125 whole ones; ours accepts 599, all with a byte changed
 // within a value that stays plausible, and loses 410, most of them because garbage stood directly
 // before them.

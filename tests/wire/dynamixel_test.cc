@@ -32,7 +32,7 @@ Bytes written_by(const DynamixelWriter& writer) {
   return {writer.written().begin(), writer.written().end()};
 }
 
-// What `fill` writes.
+// The bytes that `fill` writes.
 template <typename Fill>
 Bytes dynamixel_bytes(const Fill& fill) {
   Bytes memory(4096);

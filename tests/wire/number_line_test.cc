@@ -72,7 +72,7 @@ TEST(NumberLine, SkipsEmptyLines) {
 
 TEST(NumberLine, DoesNotTakeTheRestOfALineForALine) {
   NumberLineDecoder decoder(3);
-  EXPECT_EQ(lines_in(decoder, "3,4,5\n"), 0U);  // Of 123,4,5.
+  EXPECT_EQ(lines_in(decoder, "3,4,5\n"), 0U);  // The rest of 123,4,5.
   EXPECT_EQ(lines_in(decoder, "6,7,8\n"), 1U);
 }
 

@@ -18,7 +18,7 @@ constexpr int LOW = 0;
 constexpr std::uint8_t A0 = 54, A1 = 55, A2 = 56, A3 = 57, A4 = 58, A5 = 59, A6 = 60, A7 = 61,
                        A8 = 62, A9 = 63, A10 = 64, A11 = 65, A12 = 66, A13 = 67;
 
-// What is connected to the pins.
+// The parts connected to the pins.
 std::array<int, 70> pins{};
 unsigned long clock_in_microseconds = 0;
 

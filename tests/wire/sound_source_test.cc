@@ -29,7 +29,7 @@ std::string wav(std::uint32_t rate, std::uint32_t channels, const std::string& s
   return "RIFF" + little(static_cast<std::uint32_t>(rest.size()), 4) + rest;
 }
 
-std::string heard(const Descriptor& from, std::size_t count) {
+std::string received(const Descriptor& from, std::size_t count) {
   std::string all;
   while (all.size() < count) {
     pollfd polled{from.number(), POLLIN, 0};
@@ -48,7 +48,7 @@ TEST(SoundSource, PlaysTheSamplesOfAWavFile) {
   const std::string path = folder.with("a.wav", wav(8192, 1, samples));
   const auto opened = open_sound("wav:" + path, 8192.0);
   ASSERT_TRUE(opened) << to_string(opened.error());
-  EXPECT_EQ(heard(*opened, samples.size()), samples);
+  EXPECT_EQ(received(*opened, samples.size()), samples);
 }
 
 TEST(SoundSource, RefusesOtherFiles) {
@@ -68,7 +68,7 @@ TEST(SoundSource, ReadsSamplesWithoutAHeader) {
   const TemporaryFolder folder;
   const auto opened = open_sound("raw:" + folder.with("a.raw", "abcd"), 8192.0);
   ASSERT_TRUE(opened);
-  EXPECT_EQ(heard(*opened, 4), "abcd");
+  EXPECT_EQ(received(*opened, 4), "abcd");
 }
 
 }  // namespace

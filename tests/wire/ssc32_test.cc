@@ -48,12 +48,12 @@ TEST(Ssc32, WritesAGroupMove) {
 TEST(Ssc32, WritesTheOtherCommands) {
   Ssc32Commands commands;
   ASSERT_TRUE(commands.resynchronize());
-  ASSERT_TRUE(commands.ask_version());
+  ASSERT_TRUE(commands.query_version());
   ASSERT_TRUE(commands.stop(7));
   ASSERT_TRUE(commands.pulse_off(12));
   ASSERT_TRUE(commands.offset(3, -100));
-  ASSERT_TRUE(commands.ask_moving());
-  ASSERT_TRUE(commands.ask_pulse(31));
+  ASSERT_TRUE(commands.query_moving());
+  ASSERT_TRUE(commands.query_pulse(31));
   ASSERT_TRUE(commands.line("VA VB"));
   EXPECT_EQ(text_of(commands), "\x1B\rVER\rSTOP7\r#12P0\r#3PO-100\rQ\rQP31\rVA VB\r");
 }
@@ -146,7 +146,7 @@ TEST(Ssc32, RefusesNumbersOutsideTheirRanges) {
   EXPECT_FALSE(commands.offset(32, 0));
   EXPECT_FALSE(commands.stop(-1));
   EXPECT_FALSE(commands.pulse_off(32));
-  EXPECT_FALSE(commands.ask_pulse(32));
+  EXPECT_FALSE(commands.query_pulse(32));
   EXPECT_TRUE(commands.bytes().empty());
 }
 
@@ -182,7 +182,7 @@ TEST(Ssc32, AcceptsOtherLines) {
 TEST(Ssc32, KeepsWhatIsThereWhenSomethingDoesNotFit) {
   Ssc32Commands commands;
   while (commands.bytes().size() + 30 <= Ssc32Commands::kCapacity) {
-    ASSERT_TRUE(commands.ask_version());
+    ASSERT_TRUE(commands.query_version());
   }
   const std::size_t before = commands.bytes().size();
   std::vector<Ssc32Move> group;
@@ -235,7 +235,7 @@ TEST(Ssc32, AllocatesNothing) {
   Ssc32Commands commands;
   Ssc32Version version;
   const testing::AllocationCounter allocations;
-  const bool moved = commands.move(group, 20) && commands.ask_pulse(1) && commands.offset(1, 5) &&
+  const bool moved = commands.move(group, 20) && commands.query_pulse(1) && commands.offset(1, 5) &&
                      commands.line("VA VB");
   const bool complete = version.take(bytes_of("SSC32\r"));
   EXPECT_EQ(allocations.count(), 0U);

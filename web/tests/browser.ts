@@ -1,4 +1,4 @@
-// What tests of pages share: Debian's Chromium, the built pages, and where screenshots go.
+// Common code of the tests of pages: Debian's Chromium, the built pages, and where screenshots go.
 
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -46,7 +46,7 @@ export function screenshotPath(name: string): string {
   return join(folder, `${name}.png`);
 }
 
-/** What axe-core has against the page as it is now, by all its rules or those named: [] when nothing. */
+/** The violations that axe-core finds in the page as it is now, by all its rules or those named: [] without any. */
 export async function accessibilityViolations(page: Page, rules: string[] = []): Promise<string[]> {
   const source = readFileSync(join(kHere, "..", "node_modules", "axe-core", "axe.min.js"), "utf8");
   await page.evaluate(source);

@@ -184,7 +184,7 @@ const kGraph: GraphData = {
     module(
       "memory",
       "accumulate",
-      "The sum of what came in during an exploration",
+      "The sum of the inputs of an exploration",
       [10, 10, 60, 45],
       ["crossed"],
       { sparse: true },
@@ -228,7 +228,7 @@ export function fakeState(): State {
     placement: null,
     systems: [
       { name: "tensor_chain", text: "Tensor products", learns: true },
-      { name: "shape_and_size", text: "Joints alone", learns: false },
+      { name: "shape_and_size", text: "Joints only", learns: false },
     ],
     system: "tensor_chain",
     system_problem: null,

@@ -1,5 +1,5 @@
 // Speaks the protocol of src/view/data.ts without a body or a system: it plays made-up frames, notes
-// every command, and can stall, vanish and come back when a test tells it to.
+// every command, and can stall, vanish and come back when a test requires it.
 
 import { readFile } from "node:fs/promises";
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from "node:http";

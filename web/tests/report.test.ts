@@ -52,7 +52,7 @@ describe("what it shows", () => {
     await page.close();
   });
 
-  test("tells at a neuron how many samples of which class it won", async () => {
+  test("shows for a neuron how many samples of which class it won", async () => {
     const { page } = await report.open(data);
     const figure = figureOf(await goTo(page, 1), "Winners");
     const run = hand.protocols[0]!.runs[0]!;
@@ -180,7 +180,7 @@ describe("what is chosen", () => {
     await page.close();
   });
 
-  test("a module tells its settings", async () => {
+  test("a module shows its settings", async () => {
     const { page } = await report.open(data);
     const section = await goTo(page, 1);
     await section.getByRole("button", { name: /^hand/ }).press("Enter");
@@ -192,7 +192,7 @@ describe("what is chosen", () => {
 });
 
 describe("what is saved", () => {
-  test("SVG stands alone and PNG is a picture", async () => {
+  test("SVG is self-contained and PNG is a picture", async () => {
     const { page } = await report.open(data, { colorScheme: "dark" });
     const section = await goTo(page, 1);
     for (const title of [
@@ -221,14 +221,14 @@ describe("what is saved", () => {
   test("a saved picture opens as an image without the page", async () => {
     const { page } = await report.open(data);
     const { bytes } = await saved(figureOf(await goTo(page, 1), "Winners"), "SVG");
-    const alone = await report.browser.newPage();
-    await alone.setContent(`<img src="data:image/svg+xml;base64,${bytes.toString("base64")}">`);
-    const width = await alone
+    const separate = await report.browser.newPage();
+    await separate.setContent(`<img src="data:image/svg+xml;base64,${bytes.toString("base64")}">`);
+    const width = await separate
       .locator("img")
       .evaluate(async (image: HTMLImageElement) => (await image.decode(), image.naturalWidth));
     expect(width).toBeGreaterThan(300);
-    await alone.locator("img").screenshot({ path: screenshotPath("report-saved-winners") });
-    await alone.close();
+    await separate.locator("img").screenshot({ path: screenshotPath("report-saved-winners") });
+    await separate.close();
     await page.close();
   });
 });

@@ -1,4 +1,4 @@
-// What the tests of the report do with its page.
+// Common steps of the tests of the report's page.
 
 import { readFileSync } from "node:fs";
 

@@ -146,7 +146,7 @@ test("explains no sign that it does not draw", async () => {
   expect(await page.locator(legend).textContent()).not.toContain("paper");
 });
 
-test("tells systems of one name by their files", async () => {
+test("distinguishes systems of one name by their files", async () => {
   const data = reportFixture();
   const [system, claim] = [data.systems[0]!, data.claims[0]!];
   const files = ["out/noise0/results.json", "out/noise8/results.json"];

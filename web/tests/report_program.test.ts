@@ -1,4 +1,4 @@
-// What `somato report` writes, in a browser: the page has the numbers of results.json. A probe
+// The output of `somato report`, in a browser: the page has the numbers of results.json. A probe
 // explores, a system of a few lines is trained and reported; nothing but the program is needed.
 
 import { execFileSync } from "node:child_process";

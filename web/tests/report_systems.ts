@@ -121,7 +121,7 @@ export function claim(
 ): ClaimReport {
   const values = system.protocols[0]?.metrics[name]?.values ?? [];
   const isMet = (value: number | null) => value !== null && value >= least;
-  const luck = system.protocols[0]?.metrics[`${name}_chance`]?.mean ?? null;
+  const chance = system.protocols[0]?.metrics[`${name}_chance`]?.mean ?? null;
   return {
     file: system.file,
     system: system.name,
@@ -138,7 +138,7 @@ export function claim(
     at_least: least,
     at_most: null,
     values,
-    by_chance: luck,
+    by_chance: chance,
     chance_share: null,
     verdict: values.every(isMet) ? "holds" : "mostly",
     reason: "",

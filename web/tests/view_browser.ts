@@ -1,4 +1,4 @@
-// What the tests of the view read off its page.
+// Common readings of the view's page for its tests.
 
 import { fileURLToPath } from "node:url";
 
@@ -21,15 +21,15 @@ export async function screenshot(page: Page, name: string): Promise<void> {
   await page.screenshot({ path: screenshotPath(name) });
 }
 
-/** Tells of everything that goes wrong in a page, for tests to expect none. */
+/** Collects everything that goes wrong in a page, for tests to expect nothing. */
 export function complaints(page: Page): string[] {
-  const heard: string[] = [];
-  page.on("pageerror", (error) => heard.push(error.message));
+  const problems: string[] = [];
+  page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => {
     if (message.type() === "error" && !/Failed to load resource|ERR_CONNECTION/.test(message.text()))
-      heard.push(message.text());
+      problems.push(message.text());
   });
-  return heard;
+  return problems;
 }
 
 export async function words(page: Page, selector: string): Promise<string> {

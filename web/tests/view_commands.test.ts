@@ -1,4 +1,4 @@
-// The view page against a server that speaks its protocol: what it tells the program, by mouse and by
+// The view page against a server that speaks its protocol: the commands that it sends to the program, by mouse and by
 // keyboard.
 
 import { describe, expect, it } from "vitest";
@@ -10,34 +10,34 @@ import { soon, ViewedPage } from "./viewed_page";
 
 const view = new ViewedPage();
 
-describe("what it tells the program", () => {
+describe("the commands that it sends", () => {
   it("plays, pauses, steps, scrubs and chooses", async () => {
     await view.open();
     await view.page.getByRole("button", { name: "Play", exact: true }).click();
-    await view.told({ command: "play" });
+    await view.received({ command: "play" });
     await view.page.getByRole("button", { name: "Pause", exact: true }).click();
-    await view.told({ command: "pause" });
+    await view.received({ command: "pause" });
     await view.page.getByRole("button", { name: "Step forward" }).click();
-    await view.told({ command: "step", frames: 1 });
+    await view.received({ command: "step", frames: 1 });
     await view.page.getByRole("slider", { name: "Frame" }).fill("30");
-    await view.told({ command: "seek", exploration: 0, frame: 30 });
+    await view.received({ command: "seek", exploration: 0, frame: 30 });
     await frameShown(view.page, 30);
     await view.page.getByLabel("Speed").selectOption("4");
-    await view.told({ command: "speed", speed: 4 });
+    await view.received({ command: "speed", speed: 4 });
     await view.page.getByLabel("Exploration", { exact: true }).selectOption("4");
-    await view.told({ command: "seek", exploration: 4, frame: 0 });
+    await view.received({ command: "seek", exploration: 4, frame: 0 });
     await view.page.getByLabel("System", { exact: true }).selectOption("shape_and_size");
-    await view.told({ command: "system", name: "shape_and_size" });
+    await view.received({ command: "system", name: "shape_and_size" });
     const learn = view.page.getByRole("button", { name: "Learn", exact: true });
     await soon(() => learn.isDisabled()).toBe(true); // it was given as it has learned
   });
 
-  it("scrubs through what is shown, though the state that tells of it has not come yet", async () => {
+  it("scrubs through what is shown, though the state with it has not arrived yet", async () => {
     await view.open();
     view.server.show(2, 5);
     await frameShown(view.page, 5);
     await view.page.getByRole("slider", { name: "Frame" }).fill("30");
-    await view.told({ command: "seek", exploration: 2, frame: 30 });
+    await view.received({ command: "seek", exploration: 2, frame: 30 });
   });
 
   it("goes back in what a body still explores", async () => {
@@ -50,12 +50,12 @@ describe("what it tells the program", () => {
       }).toContain(`frame ${frame + 1},`);
     await explored(20); // once the page listens
     await slider.fill("5");
-    await view.told({ command: "seek", exploration: 0, frame: 5 });
+    await view.received({ command: "seek", exploration: 0, frame: 5 });
     await explored(5);
     expect(await slider.getAttribute("max")).toBe("20");
   });
 
-  it("asks for no place where a body takes none", async () => {
+  it("offers no place where a body takes none", async () => {
     await view.open({ ...bodyState(), name: "texture", placement: null });
     await view.page.getByLabel("Object", { exact: true }).waitFor();
     expect(await view.page.getByLabel("turn (°)").isVisible()).toBe(false);
@@ -65,13 +65,13 @@ describe("what it tells the program", () => {
     await view.open(bodyState());
     await soon(() => words(view.page, ".scene-note")).toContain("There is no exploration yet");
     await view.page.getByLabel("Object", { exact: true }).selectOption("block");
-    await view.told({ command: "thing", name: "block" });
+    await view.received({ command: "thing", name: "block" });
     await view.page.getByLabel("turn (°)").fill("15");
     await view.page.getByLabel("x (mm)").fill("-4");
     await view.page.getByLabel("y (mm)").focus();
-    await view.told({ command: "placement", x: -4, y: 0, turn: 15 });
+    await view.received({ command: "placement", x: -4, y: 0, turn: 15 });
     await view.page.getByRole("button", { name: "Explore again" }).click();
-    await view.told({ command: "explore" });
+    await view.received({ command: "explore" });
     view.server.refusal = "The hand cannot hold that.";
     await view.page.getByRole("button", { name: "Explore again" }).click();
     await view.page.getByRole("alert").getByText("The hand cannot hold that.").waitFor();
@@ -80,10 +80,10 @@ describe("what it tells the program", () => {
   it("lets one watch a map learn, and stops it", async () => {
     await view.open();
     await view.page.getByRole("button", { name: "Learn", exact: true }).click();
-    await view.told({ command: "train" });
+    await view.received({ command: "train" });
     await view.page.getByText(/map learns: step \d+ of 1000, radius/).waitFor();
     await view.page.getByRole("button", { name: "Stop learning" }).click();
-    await view.told({ command: "stop_training" });
+    await view.received({ command: "stop_training" });
     await screenshot(view.page, "view-learning");
     expect(await view.page.locator(".training .marker").count()).toBeGreaterThan(3);
   });
@@ -101,7 +101,7 @@ describe("what it tells the program", () => {
     ];
     for (const [key, command] of keys) {
       await view.page.keyboard.press(key);
-      await view.told(command);
+      await view.received(command);
     }
     await view.page.keyboard.press("5");
     expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");

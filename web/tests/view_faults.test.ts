@@ -10,7 +10,7 @@ import { soon, ViewedPage } from "./viewed_page";
 const view = new ViewedPage(launchFlatBrowser);
 
 describe("when things go wrong", () => {
-  it("says that the connection is lost, and goes on when it is back", async () => {
+  it("says that the connection is lost, and continues when it is back", async () => {
     await view.open();
     await view.page.locator(".panel-map [data-cell='101']").click();
     await view.page.waitForSelector(".closer-answer");

@@ -38,7 +38,7 @@ vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
 
 let browser: Browser;
 let page: Page;
-let heard: string[];
+let problems: string[];
 let view: ChildProcess;
 let messages: Message[];
 let predictions: string[];
@@ -56,7 +56,7 @@ beforeAll(async () => {
   const address = await startAddress(view);
   browser = await launchBrowser();
   page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-  heard = complaints(page);
+  problems = complaints(page);
   await page.goto(address);
   await firstFrame(page);
   await page.getByRole("button", { name: "Pause", exact: true }).click(); // it plays when somebody looks
@@ -67,7 +67,7 @@ afterAll(async () => {
   await browser?.close();
   view?.kill();
   rmSync(folder, { recursive: true });
-  expect(heard ?? []).toEqual([]);
+  expect(problems ?? []).toEqual([]);
 });
 
 function somato(...flags: string[]): void {
@@ -176,7 +176,7 @@ it("plays and pauses", async () => {
   await soon(() => page.getByRole("button", { name: "Play", exact: true }).count()).toBe(1);
 });
 
-it("tells what neurons and touch sensors stand for", async () => {
+it("shows what neurons and touch sensors represent", async () => {
   await page.locator(".panel-map [data-cell='112']").click();
   await page.waitForSelector(".nearest li");
   await page.getByLabel("Touch sensor", { exact: true }).selectOption("20");

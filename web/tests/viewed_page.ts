@@ -16,7 +16,7 @@ export class ViewedPage {
   browser!: Browser;
   server!: FakeServer;
   page!: Page;
-  private heard: string[] = [];
+  private problems: string[] = [];
 
   /**
    * A browser for a file of tests; a test fails when its page complains. Drawing in three dimensions takes
@@ -31,7 +31,7 @@ export class ViewedPage {
     afterEach(async () => {
       await this.page.close();
       await this.server.stop();
-      expect(this.heard).toEqual([]);
+      expect(this.problems).toEqual([]);
     });
   }
 
@@ -51,10 +51,10 @@ export class ViewedPage {
   /** A new page that has not gone anywhere. */
   async visit(options: Parameters<Browser["newPage"]>[0], browser = this.browser): Promise<void> {
     this.page = await browser.newPage(options);
-    this.heard = complaints(this.page);
+    this.problems = complaints(this.page);
   }
 
-  async told(command: object): Promise<void> {
+  async received(command: object): Promise<void> {
     await soon(() => this.server.commands).toContainEqual(command);
   }
 }

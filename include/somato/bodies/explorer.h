@@ -25,7 +25,7 @@ struct ExploredThing {
 /// One step of an exploring body.
 struct ExplorationStep {
   const BodyState& state;
-  std::vector<ScenePose> poses;  ///< Of each body of the scene, after the step.
+  std::vector<ScenePose> poses;  ///< The poses of the scene's bodies after the step.
   Readings readings = Readings::kLeftOut;
 };
 
@@ -41,8 +41,9 @@ struct ExplorationObserver {
 
 /// Options of an exploration.
 struct ExploreOptions {
-  BodyLimits limits = {};                   ///< For each exploring body.
-  std::optional<Placement> placement = {};  ///< Of an object; drawn at random by default.
+  BodyLimits limits = {};  ///< For each exploring body.
+  std::optional<Placement> placement =
+      {};  ///< The placement of an object; drawn at random by default.
   ExplorationObserver observer = {};
 };
 

@@ -45,8 +45,8 @@ struct SceneGeom {
   std::array<double, 4> colour{0.7, 0.7, 0.7, 1.0};  ///< Red, green, blue, opacity; 0 to 1.
   GeomRole role = GeomRole::kHand;
   std::optional<std::size_t> taxel = {};  ///< Element of the channel `touch`.
-  std::vector<float> vertices = {};       ///< Of a mesh, three numbers each, m.
-  std::vector<std::uint32_t> faces = {};  ///< Of a mesh, three vertices each.
+  std::vector<float> vertices = {};       ///< The vertices of a mesh, three numbers each, m.
+  std::vector<std::uint32_t> faces = {};  ///< The faces of a mesh, three vertices each.
 };
 
 /// The three-dimensional scene of an exploring body.

@@ -41,7 +41,7 @@ class SomQualityMeasurement {
   const Som& som_;
   std::size_t threads_;
   std::size_t samples_ = 0;
-  std::size_t torn_ = 0;
+  std::size_t topographic_errors_ = 0;
   double distances_ = 0.0;
   std::vector<std::size_t> hits_;
 };

@@ -19,8 +19,8 @@ namespace somato {
 struct TrainingMoment {
   std::uint64_t step = 0;
   std::uint64_t steps = 0;
-  double learning_rate = 0.0;  ///< Of the last iteration; 0 in batch training.
-  double radius = 0.0;         ///< Of the last iteration or epoch.
+  double learning_rate = 0.0;  ///< The rate of the last iteration; 0 in batch training.
+  double radius = 0.0;         ///< The radius of the last iteration or epoch.
   std::size_t weights = 0;     ///< Number of elements with stored weights.
   std::function<Som()> map;    ///< Returns the current map; training continues with the same bits.
 };

@@ -198,7 +198,7 @@ class TMpsom {
   static std::uint64_t new_state();
   void take(std::span<const SignalView> inputs, Workspace& workspace) const;
   bool is_silent(const Workspace& workspace) const;
-  void hear(std::span<const SignalView> inputs, Workspace& workspace) const;
+  void find_activity(std::span<const SignalView> inputs, Workspace& workspace) const;
   void combine(Workspace& workspace) const;
   void find_partial(const Input& input, TMpsomReceptiveInput& receptive) const;
   bool find_gains(double alpha, Workspace& workspace) const;

@@ -12,7 +12,7 @@ namespace somato {
 struct ChannelLayout {
   std::string name;
   std::string unit;
-  std::vector<std::size_t> shape;  ///< Of a frame, in row-major order.
+  std::vector<std::size_t> shape;  ///< The shape of a frame, in row-major order.
   std::vector<std::string> element_names;
   /// The first channel that has the same number of frames as this one in every exploration: their
   /// frames can be combined.

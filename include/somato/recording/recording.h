@@ -15,13 +15,14 @@ namespace somato {
 /// `times` or by `rate`, or by neither if they are unknown.
 struct Channel {
   std::string name;  ///< Such as "height", "wrist", "joints", "touch", "sound".
-  std::string unit;  ///< Of all elements, such as "deg" or "counts"; empty if there is none.
+  std::string
+      unit;  ///< The unit of all elements, such as "deg" or "counts"; empty if there is none.
   std::vector<std::string> element_names;  ///< One per element, or empty.
   Matrix<float> frames;                    ///< frames x elements, in order of time.
   std::vector<double> times;               ///< Seconds, one per frame; or empty.
   double rate = 0.0;                       ///< Frames per second, evenly spaced from 0 s; or 0.
   std::vector<std::size_t> shape =
-      {};  ///< Of a frame, in row-major order, such as {5, 12}; empty: flat.
+      {};  ///< The shape of a frame, in row-major order, such as {5, 12}; empty: flat.
   Matrix<std::uint8_t> valid = {};  ///< frames x elements: 0 for a missing value (the value is then
                                     ///< 0), else 1; empty if all values are valid.
 

@@ -41,7 +41,7 @@ class HandScene {
 /// an object.
 ///
 /// Sensors of Hand II: `height` (mm), `wrist` (deg) and `joints` (6, deg) according to the driver;
-/// of Hand III: `joints` (11, deg), the potentiometers of its servos. Of a hand with taxels:
+/// of Hand III: `joints` (11, deg), the potentiometers of its servos. A hand with taxels has:
 /// `touch` (N), the normal force on each taxel, not below 0; `touch_change` (N), the same measured
 /// by a piezo element with an amplifier: the change within piezo_time. With `silhouette` pixels:
 /// `silhouette`, pixels x pixels, the share of each pixel that the object covers, seen by a camera.
@@ -74,7 +74,7 @@ class SimulatedHand : public Body {
   Result<void> pass(double seconds) override;
 
  private:
-  explicit SimulatedHand(std::unique_ptr<Impl> works);
+  explicit SimulatedHand(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -30,8 +30,9 @@ struct InformationParameters {
 struct LabelInformation {
   std::string label;
   std::size_t classes = 0;
-  double accuracy = 0.0;  ///< Of the nearest neighbour, with each exploration left out in turn.
-  double chance = 0.0;    ///< The same for a randomly drawn neighbour.
+  double accuracy =
+      0.0;  ///< The nearest neighbour's accuracy, with each exploration left out in turn.
+  double chance = 0.0;  ///< The same for a randomly drawn neighbour.
   std::optional<double>
       accuracy_new_individuals;  ///< For the nearest exploration of another individual.
   std::optional<double> chance_new_individuals;
@@ -59,7 +60,7 @@ struct Information {
   InformationParameters parameters;
   std::string module;            ///< The module whose output the vectors are.
   std::size_t explorations = 0;  ///< One vector each.
-  std::size_t elements = 0;      ///< Of a vector.
+  std::size_t elements = 0;      ///< The length of a vector.
   std::vector<LabelInformation> labels;
   std::optional<OrderInformation> order;
 };

@@ -21,7 +21,7 @@ using Distribution = std::map<double, std::size_t>;
 struct Metric {
   std::string name;
   std::vector<double> values;
-  /// Of a metric `_chance`: for each pair the values whose mean is in `values`, one for each wrong
+  /// For a metric `_chance`: for each pair the values whose mean is in `values`, one for each wrong
   /// grouping or shuffle. Empty for other metrics.
   std::vector<Distribution> of_each = {};
 
@@ -43,7 +43,7 @@ struct Run {
 /// A system under one protocol.
 struct ProtocolResults {
   std::string protocol;
-  std::string group;  ///< Of leave_group_out.
+  std::string group;  ///< The group that leave_group_out holds out.
   std::string label;
   std::size_t samples = 0;
   std::vector<Metric> metrics;
@@ -72,7 +72,7 @@ std::string to_toml(const Settings& settings);
 struct RecordingInfo {
   std::string name;
   std::string source;      ///< The explorer, with engine and seed; "given" for a file.
-  std::uint64_t seed = 0;  ///< Of the exploration; 0 for a given recording.
+  std::uint64_t seed = 0;  ///< The seed of the exploration; 0 for a given recording.
   std::string hash;        ///< See content_hash().
   std::size_t explorations = 0;
 
@@ -89,7 +89,7 @@ struct Pair {
 /// The file of a trained system, trained on all samples of the part's first recording.
 struct ModelFile {
   std::string path;  ///< Relative to the folder of results.json.
-  std::string hash;  ///< Of its bytes: `fnv1a64:` and 16 hexadecimal digits.
+  std::string hash;  ///< The hash of its bytes: `fnv1a64:` and 16 hexadecimal digits.
   std::uint64_t seed = 0;
 };
 
@@ -102,7 +102,8 @@ struct PartResults {
   std::vector<Settings> parameters;  ///< All of them, as resolved for the first recording.
   std::optional<ModelFile> model;    ///< Empty if none was saved.
   std::vector<RecordingInfo> recordings;
-  std::vector<RecordingInfo> test_recordings;  ///< Of test_data: one for each of `recordings`.
+  std::vector<RecordingInfo>
+      test_recordings;  ///< The recordings of test_data: one for each of `recordings`.
   std::vector<Pair> pairs;
   std::vector<ProtocolResults>
       protocols;  ///< Metrics with one value per pair, runs with one per pair.

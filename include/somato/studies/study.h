@@ -29,8 +29,8 @@ struct StudyOptions {
 struct StudyOutcome {
   PartResults results;               ///< Its recordings have no name and no source.
   SystemModel model;                 ///< Trained on all samples with the first seed.
-  std::vector<std::size_t> winners;  ///< Of all samples on the output map.
-  Classes classes;                   ///< Of all samples.
+  std::vector<std::size_t> winners;  ///< The winners of all samples on the output map.
+  Classes classes;                   ///< The classes of all samples.
 
   /// The name of the output map.
   const Som& map() const;

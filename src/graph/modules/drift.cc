@@ -52,7 +52,7 @@ class TareModule : public Module {
   std::size_t elements_ = 0;
 };
 
-// Of the channels that come together; 0 if unknown.
+// The rate of the channels that share the clock; 0 if unknown.
 double rate_of(const std::string& clock, const RecordingLayout& layout) {
   for (std::size_t i = 0; i < layout.rates.size(); ++i) {
     if (layout.channels[i].clock == clock && layout.rates[i] > 0.0) return layout.rates[i];

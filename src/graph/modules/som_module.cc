@@ -117,11 +117,10 @@ Result<void> SomModule::learn(const LearningPlan& plan, const TrainingInputs& ex
   const bool known = plan.known.count() > 0;
   TrainingOptions options{1, plan.progress, plan.observer, {}};
   if (known) options.training = plan.training;
-  auto trained =
-      train_som(parameters_for(plan), known ? plan.known : all_values(explorations), options);
-  if (!trained) return fail(std::move(trained.error()));
+  SOMATO_TRY(auto trained, train_som(parameters_for(plan),
+                                     known ? plan.known : all_values(explorations), options));
   learner_.reset();
-  som_ = std::move(*trained);
+  som_ = std::move(trained);
   return {};
 }
 

@@ -69,9 +69,8 @@ ModuleType describe(std::string name, std::string text, std::vector<InputPort> p
           learns,
           Parameters::declarations().infos(),
           [](const Table& table) -> Result<std::unique_ptr<Module>> {
-            Result<Parameters> parameters = read_parameters<Parameters>(table);
-            if (!parameters) return fail(std::move(parameters.error()));
-            return std::make_unique<M>(std::move(*parameters));
+            SOMATO_TRY(auto parameters, read_parameters<Parameters>(table));
+            return std::make_unique<M>(std::move(parameters));
           }};
 }
 

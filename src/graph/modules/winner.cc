@@ -35,7 +35,7 @@ class WinnerModule : public MappedModule {
     return first_zero(input).value_or(stored < input.indices.size() ? input.indices[stored] : 0);
   }
 
-  // Of a sparse signal, stored or not.
+  // The first zero of a sparse signal, stored or not.
   static std::optional<std::uint32_t> first_zero(const SignalView& input) {
     std::uint32_t place = 0;
     while (place < input.indices.size() && input.indices[place] == place &&

@@ -34,7 +34,7 @@ export interface ModuleData {
   /** One line about modules of that type. */
   text: string;
   inputs: ModuleInput[];
-  /** Of one output value; [] for a single number. */
+  /** The shape of one output value; [] for a single number. */
   shape: number[];
   sparse: boolean;
   rate: "frame" | "exploration";
@@ -67,11 +67,11 @@ export interface GraphData {
 /** A channel of a recording. */
 export interface ChannelData {
   name: string;
-  /** Of its values; "" without one. */
+  /** The unit of its values; "" without one. */
   unit: string;
   /** Names of the elements; "1", "2", ... by default. */
   elements: string[];
-  /** Of a frame. */
+  /** The shape of a frame. */
   shape: number[];
 }
 
@@ -85,7 +85,7 @@ export interface ThingData {
   shape: string | null;
   /** Width, depth and height in mm. */
   size: [number, number, number] | null;
-  /** Of a cone, in mm. */
+  /** The diameter of the top of a cone, in mm. */
   top_diameter: number;
   /** "" if unknown. */
   material: string;
@@ -104,7 +104,7 @@ export interface ThingData {
  */
 export interface ChannelPlanes {
   channel: ChannelData;
-  /** Of the values; "" for weights without one. */
+  /** The unit of the values; "" for weights without one. */
   unit: string;
   /** values[neuron][element]; null where the weights determine no value. */
   values: NumberOrNull[][];

@@ -31,9 +31,9 @@ export function handMap(channel: ChannelData, options: HandOptions): HandPicture
   const colour = options.colour ?? sequenceColour;
   const drawn = draw(layout, options, colour, hand !== null);
   let shown: readonly (number | null)[] = [];
-  const tell = (i: number) =>
+  const describe = (i: number) =>
     `${channel.elements[i] ?? ""}: ${withUnit(readable(shown[i]), options.unit ?? "")}`;
-  const picture = cellPicture(drawn.place, "hand-map", tell, options);
+  const picture = cellPicture(drawn.place, "hand-map", describe, options);
   const paint = painter(drawn.place.cells, colour);
   return {
     ...picture,

@@ -26,15 +26,15 @@ export interface CellPicture {
   refresh(): void; // says again what is pointed at, after values have changed
 }
 
-/** The picture with a readout below it, which says what `tell` has for the cell that is pointed at. */
+/** The picture with a readout below it, which says what `describe` has for the cell that is pointed at. */
 export function cellPicture(
   place: CursorPlace,
   kind: string | null, // its class in the style sheet
-  tell: (cell: number) => string,
+  describe: (cell: number) => string,
   options: CursorOptions,
 ): CellPicture {
   const readout = element("output", { class: "readout", "aria-live": "polite" });
-  const cursor = new CellCursor(place, readout, tell, options);
+  const cursor = new CellCursor(place, readout, describe, options);
   return {
     element: element("div", { class: kind }, [place.svg, readout]),
     svg: place.svg,
@@ -57,7 +57,7 @@ class CellCursor {
   constructor(
     private readonly place: CursorPlace,
     private readonly readout: HTMLElement,
-    private readonly tell: (cell: number) => string,
+    private readonly describe: (cell: number) => string,
     private readonly options: CursorOptions,
   ) {
     prepare(place, options);
@@ -72,7 +72,7 @@ class CellCursor {
 
   say(): void {
     const at = this.pointed ?? this.selected;
-    const words = at === null ? "" : this.tell(at);
+    const words = at === null ? "" : this.describe(at);
     if (this.readout.textContent !== words) this.readout.textContent = words;
   }
 

@@ -15,8 +15,8 @@ export function hitsPicture(
   const frame = mapFrame(grid, options, 0);
   const most = Math.max(1, ...hits.map((count) => count ?? 0));
   hits.forEach((count, neuron) => drawHits(frame, neuron, count ?? 0, most));
-  const tell = (neuron: number) => `${placeOf(grid, neuron)}: ${countOf(hits[neuron] ?? 0, "sample")}`;
-  return cellPicture(frame, "map-picture", tell, options);
+  const describe = (neuron: number) => `${placeOf(grid, neuron)}: ${countOf(hits[neuron] ?? 0, "sample")}`;
+  return cellPicture(frame, "map-picture", describe, options);
 }
 
 const kNumberSize = 15; // pixels a cell needs for a number in its disc

@@ -28,14 +28,14 @@ export function labelsPicture(grid: GridData, options: LabelsOptions): CellPictu
   setFootHeight(frame, legend.height);
   if (options.areas && won.size > 0) drawAreas(frame, areasOf(grid, options.winners, options.classes), won);
   for (const [neuron, counts] of won) drawWon(frame, neuron, counts);
-  return cellPicture(frame, "map-picture", (neuron) => tell(grid, neuron, won, options.names), options);
+  return cellPicture(frame, "map-picture", (neuron) => describe(grid, neuron, won, options.names), options);
 }
 
 function countsOf(options: LabelsOptions): number[] {
   return options.names.map((_, number) => options.classes.filter((one) => one === number).length);
 }
 
-function tell(grid: GridData, neuron: number, won: Won, names: readonly string[]): string {
+function describe(grid: GridData, neuron: number, won: Won, names: readonly string[]): string {
   const counts = [...(won.get(neuron) ?? [])].sort(([one], [other]) => one - other);
   const words = counts.map(([number, samples]) => `${samples} × ${names[number] ?? "?"}`);
   return `${placeOf(grid, neuron)}: ${words.join(", ") || "no sample"}`;

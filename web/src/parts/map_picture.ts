@@ -26,7 +26,7 @@ export interface ValuesOptions extends MapOptions {
   unit?: string;
   colour?: (share: number) => string;
   legend?: boolean; // a bar with its ends; unless false
-  tell?: (neuron: number) => string; // more words for the readout
+  describe?: (neuron: number) => string; // more words for the readout
 }
 
 export interface ValuesPicture extends CellPicture {
@@ -43,13 +43,13 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
   let shown: readonly (number | null)[] = [];
   let names: readonly string[] = [];
   let marks: readonly (number | null)[] = [];
-  const tell = (neuron: number) => {
+  const describe = (neuron: number) => {
     const value = withUnit(readable(shown[neuron]), options.unit ?? "");
     const mark = marks[neuron];
     const name = mark === null || mark === undefined ? "" : `, ${names[mark] ?? ""}`;
-    return `${placeOf(grid, neuron)}: ${value}${name}${options.tell ? `, ${options.tell(neuron)}` : ""}`;
+    return `${placeOf(grid, neuron)}: ${value}${name}${options.describe ? `, ${options.describe(neuron)}` : ""}`;
   };
-  const picture = cellPicture(frame, "map-picture", tell, options);
+  const picture = cellPicture(frame, "map-picture", describe, options);
   const paint = painter(frame.cells, options.colour ?? sequenceColour);
   return {
     ...picture,

@@ -106,6 +106,6 @@ export function saveFile(name: string, blob: Blob): void {
   link.href = address;
   link.download = name;
   link.click();
-  // The browser reads the address asynchronously, before it asks for the file name.
+  // The browser reads the address asynchronously, before it requests the file name.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

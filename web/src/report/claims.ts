@@ -72,9 +72,9 @@ function bodiesBySystem(claims: ClaimReport[]): HTMLElement[] {
 }
 
 function claimedSystem({ system, variation, question, place }: Placed<ClaimReport>): string {
-  const asked = question ? ` (${question.replaceAll("_", " ")})` : "";
+  const ofQuestion = question ? ` (${question.replaceAll("_", " ")})` : "";
   const of = place === undefined ? "" : ` (${place})`;
-  return `${variation === "" ? system : `${system}, ${variation}`}${asked}${of}`;
+  return `${variation === "" ? system : `${system}, ${variation}`}${ofQuestion}${of}`;
 }
 
 const kColumns = ["claim", "paper", "published", "here", "by chance", "holds in"];

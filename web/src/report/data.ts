@@ -74,7 +74,7 @@ export interface SystemReport {
   recordings: string[];
   protocols: ProtocolData[];
   graph: GraphData | null;
-  /** Of the output map. */
+  /** The grid of the output map. */
   grid: GridData | null;
   /**
    * The labels of each exploration, in the order of the samples (of all protocols except
@@ -108,7 +108,7 @@ export interface NotGiven {
 /** The output map of the trained system. */
 export interface TrainedData {
   file: string;
-  /** Of the run in which it was trained; null: unknown. */
+  /** The seed of the run in which it was trained; null: unknown. */
   seed: number | null;
   classes: string[];
   neuron_classes: NeuronClasses;
@@ -133,7 +133,7 @@ export interface ReceptiveFields {
   input: string;
   /** The axis of the neurons along which the input lies. */
   axis: 0 | 1;
-  /** Of the input. */
+  /** The size of the input. */
   elements: number;
   /** Numbers of the neurons in `weights`. */
   neurons: number[];
@@ -154,11 +154,11 @@ export interface MomentChannel {
   rate: number;
   /** The moment: the frame with the greatest sum of `touch`, else the last. */
   frame: number;
-  /** Of that frame, as in `times`. */
+  /** The time of that frame, as in `times`. */
   time: number;
   /** At that frame, one for each element. */
   values: NumberOrNull[];
-  /** Of the chosen frames, in seconds; the number of the frame if times are unknown. */
+  /** The times of the chosen frames, in seconds; the number of the frame if times are unknown. */
   times: number[];
   /** series[frame][element]; [] for more than 64 elements. */
   series: NumberOrNull[][];
@@ -185,7 +185,7 @@ export interface ClaimReport {
   published: number | null;
   at_least: number | null;
   at_most: number | null;
-  /** Of the metric, or of the difference, one for each pair of recording and seed. */
+  /** The values of the metric, or of the difference, one for each pair of recording and seed. */
   values: NumberOrNull[];
   /** Mean of the metric on wrong groupings. */
   by_chance: number | null;
@@ -218,7 +218,7 @@ export interface CurveReport {
   title: string;
   /** Name of the setting. */
   x: string;
-  /** Of the setting; "" without one. */
+  /** The unit of the setting; "" without one. */
   unit: string;
   metric: string;
   lines: CurveLine[];

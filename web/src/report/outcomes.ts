@@ -70,7 +70,7 @@ function stripOf(
     metric,
     name: metricName(metric),
     values: data.values,
-    luck: other(`${name}_chance`)?.values ?? [],
+    chance: other(`${name}_chance`)?.values ?? [],
     baseline: name === "accuracy" ? (other("baseline_accuracy")?.mean ?? null) : null,
     published: claim?.published ?? null,
     range,
@@ -85,7 +85,7 @@ function isOf(claim: ClaimReport, protocol: ProtocolData): boolean {
 function stripsTable(strips: Strip[], seeds: number[]): Table {
   const rows = strips.flatMap((strip) => [
     ...strip.values.map((value, i) => [strip.metric, "here", seeds[i] ?? null, value]),
-    ...strip.luck.map((value, i) => [strip.metric, "by chance", seeds[i] ?? null, value]),
+    ...strip.chance.map((value, i) => [strip.metric, "by chance", seeds[i] ?? null, value]),
     ...(strip.baseline === null ? [] : [[strip.metric, "nearest neighbour", null, strip.baseline]]),
     ...(strip.published === null ? [] : [[strip.metric, "paper", null, strip.published]]),
   ]);

@@ -33,24 +33,24 @@ export class Selection {
     this.protocolIndex = index;
     this.labelIndex = Math.max(0, this.labels.indexOf(label));
     this.runIndex = Math.max(0, Math.min(this.runIndex, (this.protocol?.runs.length ?? 1) - 1));
-    this.tell();
+    this.notify();
   }
 
   setLabel(index: number): void {
     this.labelIndex = index;
-    this.tell();
+    this.notify();
   }
 
   setRun(index: number): void {
     this.runIndex = index;
-    this.tell();
+    this.notify();
   }
 
   listen(listener: () => void): void {
     this.listeners.push(listener);
   }
 
-  private tell(): void {
+  private notify(): void {
     this.listeners.forEach((listener) => listener());
   }
 }

@@ -9,7 +9,7 @@ export interface Strip {
   metric: string;
   name: string;
   values: (number | null)[];
-  luck: (number | null)[];
+  chance: (number | null)[];
   baseline: number | null;
   published: number | null;
   range: [number, number] | null; // null: as far as the values go
@@ -31,7 +31,7 @@ function legend(strips: readonly Strip[]): SVGGElement {
   const entries: [string, SVGElement, (strip: Strip) => boolean][] = [
     ["run", dot(0, 0, 4.5, "run"), () => true],
     ["median", shape("path", { d: "M0 -8V8", class: "median" }), () => true],
-    ["wrong groupings", dot(0, 0, 3.5, "luck"), ({ luck }) => luck.length > 0],
+    ["wrong groupings", dot(0, 0, 3.5, "chance"), ({ chance }) => chance.length > 0],
     ["paper", shape("path", { d: diamond(0, 0), class: "published" }), ({ published }) => published !== null],
     [
       "nearest neighbour",
@@ -65,7 +65,7 @@ function row(strip: Strip, y: number): SVGGElement {
     text(kNames, 46, readable(low), { class: "muted note" }),
     text(kNames + kWidth, 46, readable(high), { class: "muted note end" }),
   ]);
-  group.append(...dots(strip.luck, x, 27, 3, "luck"), ...dots(strip.values, x, 14, 3.2, "run"));
+  group.append(...dots(strip.chance, x, 27, 3, "chance"), ...dots(strip.values, x, 14, 3.2, "run"));
   if (middle !== null) group.append(shape("path", { d: `M${rounded(x(middle))} 2V26`, class: "median" }));
   if (strip.baseline !== null)
     group.append(shape("path", { d: `M${rounded(x(strip.baseline))} -1V29`, class: "baseline" }));
@@ -80,7 +80,7 @@ function numbers(values: (number | null)[]): number[] {
 
 function domainOf(strip: Strip): [number, number] {
   const marks = [strip.baseline, strip.published];
-  const seen = rangeOf([...strip.values, ...strip.luck, ...marks, ...(strip.range ?? [0])]) ?? [0, 1];
+  const seen = rangeOf([...strip.values, ...strip.chance, ...marks, ...(strip.range ?? [0])]) ?? [0, 1];
   return seen[0] === seen[1] ? [seen[0], seen[0] + 1] : seen;
 }
 

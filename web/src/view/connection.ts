@@ -26,7 +26,7 @@ export class Connection {
   private silent = 0;
   private countdown = 0;
   private full = false;
-  private known = false; // whether the scene has been told since connecting
+  private known = false; // whether the scene was requested since connecting
 
   constructor(
     private readonly server: Server,
@@ -41,7 +41,7 @@ export class Connection {
     events.onerror = () => void this.lose();
     events.onopen = () => this.greet();
     this.listen(events);
-    this.heard();
+    this.restartTimeout();
   }
 
   close(): void {
@@ -52,10 +52,10 @@ export class Connection {
   }
 
   private listen(events: EventSource): void {
-    const on = (name: keyof Events, tell: (text: string) => void) =>
+    const on = (name: keyof Events, take: (text: string) => void) =>
       events.addEventListener(name, (event: MessageEvent<string>) => {
-        this.heard();
-        tell(event.data);
+        this.restartTimeout();
+        take(event.data);
       });
     on("state", (text) => this.listener.state(JSON.parse(text) as Events["state"]));
     on("scene", (text) => this.tellScene(JSON.parse(text) as Events["scene"]));
@@ -84,7 +84,7 @@ export class Connection {
     this.listener.scene(scene);
   }
 
-  private heard(): void {
+  private restartTimeout(): void {
     window.clearTimeout(this.silent);
     this.silent = window.setTimeout(() => void this.lose(), silence);
   }
@@ -102,12 +102,12 @@ export class Connection {
 
   private wait(seconds: number): void {
     let left = seconds;
-    const tell = () => this.listener.link({ kind: "lost", seconds: left, full: this.full });
-    tell();
+    const report = () => this.listener.link({ kind: "lost", seconds: left, full: this.full });
+    report();
     this.countdown = window.setInterval(() => {
       left -= 1;
       if (left <= 0) this.open();
-      else tell();
+      else report();
     }, 1000);
   }
 }

@@ -33,11 +33,11 @@ export interface Events {
 export interface Answers {
   state: State;
   scene: Scene | null;
-  /** Of ?map=NAME&neuron=NUMBER. */
+  /** The answer to ?map=NAME&neuron=NUMBER. */
   neuron: NeuronAnswer;
-  /** Of ?element=NUMBER. */
+  /** The answer to ?element=NUMBER. */
   taxel: TaxelAnswer;
-  /** Of the current exploration; null without one. */
+  /** The strips of the current exploration; null without one. */
   strips: Strips | null;
 }
 
@@ -52,11 +52,11 @@ export interface Refusal {
   error: string;
 }
 
-/** What is viewed, and with which system. */
+/** The source of the view, and the system that reads it. */
 export interface State {
   version: 1;
   source: "recording" | "body";
-  /** Of the file or the body. */
+  /** The name of the file or the body. */
   name: string;
   /** Those of the recording, or those that the body has completed. */
   explorations: ExplorationLabels[];
@@ -64,9 +64,9 @@ export interface State {
   exploration: number | null;
   /** Index of the next frame. */
   frame: number;
-  /** Of this exploration; null while a body explores it. */
+  /** The number of frames of this exploration; null while a body explores it. */
   frames: number | null;
-  /** Of this exploration in seconds; null while a body explores it. */
+  /** The duration of this exploration in seconds; null while a body explores it. */
   duration: number | null;
   playing: boolean;
   /** 1: the original speed. */
@@ -161,9 +161,9 @@ export interface Geom {
   role: "hand" | "object" | "table";
   /** Element of the channel `touch`. */
   taxel: number | null;
-  /** Of a mesh: three numbers for each vertex, in metres. */
+  /** The vertices of a mesh: three numbers for each, in metres. */
   vertices?: number[];
-  /** Of a mesh: three vertices for each face. */
+  /** The faces of a mesh: three vertices for each. */
   faces?: number[];
 }
 
@@ -172,7 +172,7 @@ export interface Frame {
   exploration: number;
   /** Its index. */
   frame: number;
-  /** Of the exploration; null while a body explores it. */
+  /** The number of frames of the exploration; null while a body explores it. */
   frames: number | null;
   /** In seconds. */
   time: number;
@@ -203,7 +203,7 @@ export interface ModuleOutput {
 /** The response of a map. */
 export interface MapActivity {
   winner: number;
-  /** Of each neuron, divided by the greatest: 0 to 1. */
+  /** The activity of each neuron, divided by the greatest: 0 to 1. */
   activity: NumberOrNull[];
 }
 
@@ -225,11 +225,11 @@ export interface Candidate {
 /** The channels over an exploration: at each moment, or at evenly chosen moments. */
 export interface Strips {
   exploration: number;
-  /** Of the exploration; null while a body explores it. */
+  /** The number of frames of the exploration; null while a body explores it. */
   frames: number | null;
   /** Index of each moment, as in its frame. */
   frame: number[];
-  /** Of each moment, in seconds. */
+  /** The time of each moment, in seconds. */
   time: number[];
   /** channel[moment][element]; without channels whose frames cover an interval. */
   channels: Record<string, NumberOrNull[][]>;
@@ -242,10 +242,10 @@ export interface Training {
   module: string;
   step: number;
   steps: number;
-  /** Of the neighbourhood, in neurons. */
+  /** The radius of the neighbourhood, in neurons. */
   radius: number;
   learning_rate: number;
-  /** Of the first 500 samples; [] before the map learns. */
+  /** The winners of the first 500 samples; [] before the map learns. */
   winners: SampleWinner[];
   /**
    * For each neuron the mean distance between its weights and those of its neighbours; [] before

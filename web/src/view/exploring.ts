@@ -26,16 +26,16 @@ export class Exploring {
     this.root = element("div", label, [labelled("Object", this.thing), ...this.fields, this.again]);
     this.thing.addEventListener(
       "change",
-      () => void model.tell({ command: "thing", name: this.thing.value }),
+      () => void model.send({ command: "thing", name: this.thing.value }),
     );
-    this.again.addEventListener("click", () => void model.tell({ command: "explore" }));
+    this.again.addEventListener("click", () => void model.send({ command: "explore" }));
     for (const number of this.numbers) number.addEventListener("change", () => this.place());
     model.shownState.watch((state) => this.show(state));
   }
 
   private place(): void {
     const [x, y, turn] = this.numbers.map((number) => Number(number.value) || 0) as [number, number, number];
-    void this.model.tell({ command: "placement", x, y, turn });
+    void this.model.send({ command: "placement", x, y, turn });
   }
 
   private show(state: State | null): void {

@@ -17,7 +17,7 @@ const remembered = 120;
 
 export class FrameLoop {
   private waiting: string | null = null;
-  private asked = false;
+  private requested = false;
   private drawn = 0;
   private dropped = 0;
   private readonly times = new Times();
@@ -25,23 +25,23 @@ export class FrameLoop {
 
   constructor(
     private readonly draw: (text: string) => void,
-    private readonly tell: (work: Work) => void,
+    private readonly report: (work: Work) => void,
   ) {}
 
   take(text: string): void {
     if (this.waiting !== null) this.dropped += 1;
     this.waiting = text;
-    this.ask();
+    this.request();
   }
 
-  private ask(): void {
-    if (this.asked) return;
-    this.asked = true;
+  private request(): void {
+    if (this.requested) return;
+    this.requested = true;
     window.requestAnimationFrame(() => this.picture());
   }
 
   private picture(): void {
-    this.asked = false;
+    this.requested = false;
     const text = this.waiting;
     this.waiting = null;
     if (text === null) return;
@@ -57,7 +57,7 @@ export class FrameLoop {
     this.times.add(time);
     this.drawings.add(drawing);
     const { drawn, dropped, times, drawings } = this;
-    this.tell({ drawn, dropped, usual: times.middle, most: times.most, drawing: drawings.middle });
+    this.report({ drawn, dropped, usual: times.middle, most: times.most, drawing: drawings.middle });
   }
 }
 

@@ -1,6 +1,6 @@
 // The browser's renderer for three dimensions, determined once with a hidden canvas.
 
-let asked: string | null | undefined;
+let found: string | null | undefined;
 
 export function drawsAtAll(): boolean {
   return renderer() !== null;
@@ -12,11 +12,11 @@ export function drawsInSoftware(): boolean {
 }
 
 function renderer(): string | null {
-  if (asked === undefined) asked = ask();
-  return asked;
+  if (found === undefined) found = findRenderer();
+  return found;
 }
 
-function ask(): string | null {
+function findRenderer(): string | null {
   const context = document.createElement("canvas").getContext("webgl2");
   if (context === null) return null;
   const known = context.getExtension("WEBGL_debug_renderer_info");

@@ -119,10 +119,10 @@ export class HandPanel {
   private point(taxel: number | null): void {
     this.pointed = taxel;
     this.place.classList.toggle("at-taxel", taxel !== null);
-    this.tell();
+    this.describe();
   }
 
-  private tell(): void {
+  private describe(): void {
     const channel = this.model.shownState.value?.channels.find(({ name }) => name === "touch");
     const value =
       this.pointed === null ? undefined : this.model.frame.value?.channels["touch"]?.[this.pointed];
@@ -141,7 +141,7 @@ export class HandPanel {
     if (this.isFlat) this.unfolded.draw(touch);
     else this.view?.draw(frame.poses, (element) => scale.share(touch[element] ?? 0));
     this.legend.draw();
-    if (this.pointed !== null) this.tell();
+    if (this.pointed !== null) this.describe();
   }
 }
 

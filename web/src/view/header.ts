@@ -35,7 +35,7 @@ function systemChoice(model: Model): HTMLSelectElement {
   const choice = element("select", { "aria-label": "System", class: "system-choice" });
   let listed = "";
   choice.addEventListener("change", () => {
-    if (choice.value !== kNone) void model.tell({ command: "system", name: choice.value });
+    if (choice.value !== kNone) void model.send({ command: "system", name: choice.value });
   });
   model.shownState.watch((state) => {
     const text = JSON.stringify([state?.systems ?? [], state?.system === null]);

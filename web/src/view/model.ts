@@ -15,9 +15,9 @@ export type Question =
   | { about: "neuron"; map: string; neuron: number; answer: NeuronAnswer | null }
   | { about: "taxel"; element: number; answer: TaxelAnswer | null };
 
-type Tell = Pick<Listener, "link" | "state" | "scene">;
+type Source = Pick<Listener, "link" | "state" | "scene">;
 
-export class Model implements Tell {
+export class Model implements Source {
   readonly shownState = new Observable<State | null>(null);
   readonly shownScene = new Observable<Scene | null>(null);
   readonly sceneKnown = new Observable(false);
@@ -42,8 +42,8 @@ export class Model implements Tell {
     this.shownLink.set(link);
   }
 
-  state(told: State): void {
-    const state = { ...told, channels: told.channels.map(named) };
+  state(sent: State): void {
+    const state = { ...sent, channels: sent.channels.map(named) };
     const before = this.shownState.value;
     if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
     if (before?.name !== state.name) this.history.clear();
@@ -73,7 +73,7 @@ export class Model implements Tell {
     this.frame.set(frame);
   }
 
-  async tell(command: Command): Promise<void> {
+  async send(command: Command): Promise<void> {
     try {
       await this.server.command(command);
     } catch (problem) {
@@ -83,16 +83,16 @@ export class Model implements Tell {
 
   async askNeuron(map: string, neuron: number): Promise<void> {
     const question: Question = { about: "neuron", map, neuron, answer: null };
-    await this.ask(question, async () => ({ ...question, answer: await this.server.neuron(map, neuron) }));
+    await this.answer(question, async () => ({ ...question, answer: await this.server.neuron(map, neuron) }));
   }
 
   async askTaxel(element: number): Promise<void> {
     const question: Question = { about: "taxel", element, answer: null };
-    await this.ask(question, async () => ({ ...question, answer: await this.server.taxel(element) }));
+    await this.answer(question, async () => ({ ...question, answer: await this.server.taxel(element) }));
   }
 
   /** An answer that arrives after the next request is discarded. */
-  private async ask(question: Question, answer: () => Promise<Question>): Promise<void> {
+  private async answer(question: Question, answer: () => Promise<Question>): Promise<void> {
     this.question.set(question);
     try {
       const answered = await answer();

@@ -38,13 +38,13 @@ export class ModulePicture {
     const name = this.model.module.value;
     const module = this.model.shownState.value?.graph?.modules.find((one) => one.name === name);
     if (module === undefined) return;
-    this.tell(module);
+    this.describe(module);
     const values = frame?.modules[module.name];
     this.numbers.textContent = values === undefined ? notHere(module) : wordsOf(module, values);
     this.paint(values);
   }
 
-  private tell({ name, text }: ModuleData): void {
+  private describe({ name, text }: ModuleData): void {
     if (this.name.textContent === name && this.about.title === text) return;
     this.name.textContent = name;
     this.about.textContent = this.about.title = text;

@@ -25,11 +25,11 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
   return [head, element("p", { class: "closer-answer" }, [says]), ...nearest(answer, state.label, model), ...planes];
 }
 
-function nearest({ nearest: near }: NeuronAnswer, told: string | null, model: Model): HTMLElement[] {
+function nearest({ nearest: near }: NeuronAnswer, label: string | null, model: Model): HTMLElement[] {
   if (near.length === 0) return [];
   const items = near.slice(0, kMostNear).map(({ exploration, labels, distance }) => {
-    const go = () => void model.tell({ command: "seek", exploration, frame: 0 });
-    const words = describe(labels, told) || `exploration ${exploration + 1}`;
+    const go = () => void model.send({ command: "seek", exploration, frame: 0 });
+    const words = describe(labels, label) || `exploration ${exploration + 1}`;
     const button = element(
       "button",
       { type: "button", class: "quiet link-button", title: "Play it", onclick: go },

@@ -39,12 +39,12 @@ export class ReadingPanel {
     ]);
     fill(this.shown, [this.question, this.answer, confidence, this.candidates.root]);
     this.panel.add(this.shown, this.nothing, this.speaker.root);
-    model.shownState.watch((state) => state && this.ask(state));
+    model.shownState.watch((state) => state && this.showQuestion(state));
     model.frame.watch((frame) => this.panel.isOpen.value && this.draw(frame));
     this.panel.whenOpen(() => this.draw(model.frame.value));
   }
 
-  private ask(state: State): void {
+  private showQuestion(state: State): void {
     this.question.textContent =
       state.label === null ? "Best guess so far" : `Best guess so far (${state.label})`;
     this.draw(this.model.frame.value);

@@ -43,13 +43,13 @@ export class SceneView {
   private readonly retired: SceneParts[] = [];
   private parts: SceneParts | null = null;
   private chosen: number | null = null;
-  private asked = false;
+  private requested = false;
   private ready = false; // its shaders are compiled
 
   constructor(
     private readonly host: HTMLElement,
     private readonly renderer: WebGLRenderer,
-    private readonly told: Pointing,
+    private readonly pointing: Pointing,
   ) {
     this.simple = drawsInSoftware();
     renderer.setPixelRatio(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
@@ -57,7 +57,7 @@ export class SceneView {
     renderer.shadowMap.enabled = !this.simple;
     renderer.shadowMap.type = PCFSoftShadowMap;
     this.scene.add(lamps(this.simple), this.lines);
-    this.orbit = new Orbit(this.camera, host, () => this.ask());
+    this.orbit = new Orbit(this.camera, host, () => this.request());
     host.append(renderer.domElement);
     new ResizeObserver(() => this.resize()).observe(host);
     this.watchClicks();
@@ -83,7 +83,7 @@ export class SceneView {
     else await new Promise((done) => window.setTimeout(done)); // everything else is drawn first
     this.ready = true;
     this.retire(null);
-    this.ask();
+    this.request();
   }
 
   /** Materials must not be disposed of during compilation. */
@@ -95,7 +95,7 @@ export class SceneView {
   dress({ table, line }: Surroundings): void {
     this.parts?.colourTable(table);
     this.lines.material.color.set(line);
-    this.ask();
+    this.request();
   }
 
   /** Shows a frame immediately. */
@@ -110,23 +110,23 @@ export class SceneView {
     const mesh = taxel === null ? undefined : this.parts?.taxels.get(taxel);
     if (mesh === undefined) this.ring.removeFromParent();
     else mesh.add(this.ring);
-    this.ask();
+    this.request();
   }
 
   colourRing(colour: string): void {
     (this.ring.material as MeshBasicMaterial).color.set(colour);
   }
 
-  private ask(): void {
-    if (this.asked) return;
-    this.asked = true;
+  private request(): void {
+    if (this.requested) return;
+    this.requested = true;
     window.requestAnimationFrame(() => {
-      if (this.asked) this.render();
+      if (this.requested) this.render();
     });
   }
 
   private render(): void {
-    this.asked = false;
+    this.requested = false;
     if (!this.ready) return;
     const begin = performance.now();
     this.renderer.render(this.scene, this.camera);
@@ -149,11 +149,11 @@ export class SceneView {
     this.host.addEventListener("pointerup", (event) => {
       if (Math.hypot(event.clientX - x, event.clientY - y) > kClick) return;
       const taxel = this.taxelAt(event.clientX, event.clientY);
-      if (taxel !== null) this.told.picked(taxel);
+      if (taxel !== null) this.pointing.picked(taxel);
     });
-    this.host.addEventListener("pointerleave", () => this.told.pointed(null));
+    this.host.addEventListener("pointerleave", () => this.pointing.pointed(null));
     this.host.addEventListener("pointermove", (event) => {
-      if (event.buttons === 0) this.told.pointed(this.taxelAt(event.clientX, event.clientY));
+      if (event.buttons === 0) this.pointing.pointed(this.taxelAt(event.clientX, event.clientY));
     });
   }
 

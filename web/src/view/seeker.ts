@@ -23,7 +23,7 @@ export class Seeker {
     while (this.wanted !== null) {
       const next = this.wanted;
       this.wanted = null;
-      await this.model.tell({ command: "seek", ...next });
+      await this.model.send({ command: "seek", ...next });
     }
     this.running = false;
   }

@@ -12,7 +12,7 @@ export class StatusLine {
   private readonly clients = element("span");
   private readonly frames = element("span", { class: "status-frames" }, ["no frames yet"]);
   private readonly time = element("span", { class: "status-time" });
-  private told = 0;
+  private updated = 0;
 
   constructor(model: Model) {
     const label = { class: "status", role: "group", "aria-label": "State of the page" };
@@ -36,8 +36,8 @@ export class StatusLine {
       drawing: drawing.toFixed(2),
     });
     const now = performance.now();
-    if (now - this.told < 250) return;
-    this.told = now;
+    if (now - this.updated < 250) return;
+    this.updated = now;
     this.frames.textContent = `frames: ${drawn} drawn, ${dropped} dropped`;
     this.time.textContent = `page ${fixed(usual, 1)} ms per frame, at most ${fixed(most, 1)} ms; 3D drawing ${fixed(drawing, 1)} ms`;
   }

@@ -113,7 +113,7 @@ export class Strip {
     const { exploration, frames, duration } = this.model.shownState.value ?? {};
     if (exploration === null || exploration === undefined || !frames || !duration) return;
     const frame = Math.round((time / duration) * (frames - 1));
-    void this.model.tell({ command: "seek", exploration, frame: Math.min(frames - 1, Math.max(0, frame)) });
+    void this.model.send({ command: "seek", exploration, frame: Math.min(frames - 1, Math.max(0, frame)) });
   }
 
   private resize(): void {

@@ -32,7 +32,7 @@ export class StripsPanel {
     this.panel.addTools(this.buttons);
     this.panel.add(this.place);
     model.shownState.watch((state) => state && this.take(state));
-    model.frame.watch(() => this.ask());
+    model.frame.watch(() => this.schedule());
     model.theme.watch(() => this.rebuild());
     this.panel.whenOpen(() => this.rebuild());
   }
@@ -44,7 +44,7 @@ export class StripsPanel {
       this.chosen = new Set(preferred(state.channels));
       this.rebuild();
     }
-    this.ask();
+    this.schedule();
   }
 
   private rebuild(): void {
@@ -62,7 +62,7 @@ export class StripsPanel {
     ]);
     fill(this.place, this.strips.length === 0 ? [empty] : this.strips.map(({ root }) => root));
     this.place.dataset["count"] = String(this.strips.length);
-    this.ask();
+    this.schedule();
   }
 
   private button({ name }: ChannelData): HTMLButtonElement {
@@ -77,7 +77,7 @@ export class StripsPanel {
   }
 
   /** Draws now if the last drawing is old enough, otherwise soon; new strips are created one by one. */
-  private ask(): void {
+  private schedule(): void {
     window.clearTimeout(this.timer);
     const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();
     if (wait <= 0 && this.strips.every(({ isMade }) => isMade)) this.draw();

@@ -28,7 +28,7 @@ export class TrainingView {
 
   private press(): void {
     const running = this.model.shownState.value?.training ?? false;
-    void this.model.tell({ command: running ? "stop_training" : "train" });
+    void this.model.send({ command: running ? "stop_training" : "train" });
   }
 
   private showButton(state: State | null): void {

@@ -45,11 +45,11 @@ export class Transport {
 
   togglePlaying(): void {
     const playing = this.model.shownState.value?.playing ?? false;
-    void this.model.tell({ command: playing ? "pause" : "play" });
+    void this.model.send({ command: playing ? "pause" : "play" });
   }
 
   step(frames: number): void {
-    void this.model.tell({ command: "step", frames });
+    void this.model.send({ command: "step", frames });
   }
 
   /** To the first (0) or last (1) frame. */
@@ -65,7 +65,7 @@ export class Transport {
       0,
     );
     const speed = kSpeeds[Math.min(kSpeeds.length - 1, Math.max(0, nearest + steps))] ?? 1;
-    void this.model.tell({ command: "speed", speed });
+    void this.model.send({ command: "speed", speed });
   }
 
   move(explorations: number): void {
@@ -95,7 +95,7 @@ export class Transport {
     );
     this.speed.addEventListener(
       "change",
-      () => void this.model.tell({ command: "speed", speed: Number(this.speed.value) }),
+      () => void this.model.send({ command: "speed", speed: Number(this.speed.value) }),
     );
   }
 
@@ -176,8 +176,8 @@ export function labelled(words: string, control: HTMLElement): HTMLElement {
   return element("label", { class: "labelled" }, [element("span", {}, [words]), control]);
 }
 
-function option({ index, labels }: State["explorations"][number], told: string | null): HTMLOptionElement {
-  return element("option", { value: index }, [`${index + 1}  ${describe(labels, told)}`]);
+function option({ index, labels }: State["explorations"][number], label: string | null): HTMLOptionElement {
+  return element("option", { value: index }, [`${index + 1}  ${describe(labels, label)}`]);
 }
 
 function showSpeed(select: HTMLSelectElement, speed: number): void {

@@ -126,7 +126,7 @@ describe("the layout of a hand", () => {
     });
   });
 
-  test("is a grid where names do not tell of a hand", () => {
+  test("is a grid where names do not describe a hand", () => {
     expect(handLayout(["height", "wrist"])).toBeNull();
     expect(handLayout([])).toBeNull();
     expect(gridLayout(6, [2, 3])).toMatchObject({ width: 3, height: 2 });
@@ -148,7 +148,7 @@ describe("the layout of a hand", () => {
   });
 });
 
-test("a hull goes around all points and through corners alone", () => {
+test("a hull goes around all points and through corners only", () => {
   const square = [
     [0, 0],
     [2, 0],

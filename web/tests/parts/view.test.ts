@@ -1,4 +1,4 @@
-// What the view works out without a browser.
+// The computations of the view that need no browser.
 
 import { describe, expect, test } from "vitest";
 
@@ -59,17 +59,17 @@ describe("the scale of touch", () => {
   });
 });
 
-describe("what was told over an exploration", () => {
-  const strips = (frames: number | null, told: number[]): Strips => ({
+describe("the strips over an exploration", () => {
+  const strips = (frames: number | null, shown: number[]): Strips => ({
     exploration: 0,
     frames,
-    frame: told,
-    time: told.map((index) => frame(0, index).time),
-    channels: { touch: told.map((index) => frame(0, index).channels["touch"]!) },
+    frame: shown,
+    time: shown.map((index) => frame(0, index).time),
+    channels: { touch: shown.map((index) => frame(0, index).channels["touch"]!) },
   });
   const live = (index: number) => ({ ...frame(0, index), frames: null });
 
-  test("is asked for once an exploration", () => {
+  test("are requested once per exploration", () => {
     const history = new History();
     history.add(frame(0, 5));
     expect(history.isLacking).toBe(true);
@@ -91,7 +91,7 @@ describe("what was told over an exploration", () => {
     expect(history.times).toEqual([0.5]);
   });
 
-  test("goes on while a body explores, until it begins anew", () => {
+  test("continues while a body explores, until it begins anew", () => {
     const history = new History();
     history.add(live(3));
     history.add(live(4));
@@ -156,7 +156,7 @@ test("a mesh of few faces has flat ones", () => {
   expect([0, 1, 2].map((i) => geometry.getAttribute("normal").getZ(i))).toEqual([-1, -1, -1]);
 });
 
-// Of the tests' own hand: straight fingers hang two segments below their pivots.
+// The tests' own hand: straight fingers hang two segments below their pivots.
 test("the made-up hand hangs together", () => {
   const poses = fakePoses(0.2, 0, [0, 0, 0, 0, 0, 0]);
   const at = (body: number) => poses.slice(body * 7, body * 7 + 3);
