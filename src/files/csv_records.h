@@ -68,7 +68,7 @@ class CsvRecords {
   std::string_view text_;
   std::string where_;
   Position position_;
-  std::optional<Error> failure_;  // Of the window; no further text is read.
+  std::optional<Error> failure_;  // The error of the window; no further text is read.
 };
 
 }  // namespace somato

@@ -163,10 +163,9 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
     return refuse(where, fmt::format("arrays of type {} are not supported", shown(header.type)),
                   "convert it first: array.astype('float32')");
   }
-  const Result<Size> size = size_of(header, where);
-  if (!size) return fail(size.error());
-  SOMATO_TRY_VOID(check_length(*size, type->size, file_size - start, where));
-  return NpyLayout{type, size->rows, size->columns, header.fortran_order, start};
+  SOMATO_TRY(const auto size, size_of(header, where));
+  SOMATO_TRY_VOID(check_length(size, type->size, file_size - start, where));
+  return NpyLayout{type, size.rows, size.columns, header.fortran_order, start};
 }
 
 Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,

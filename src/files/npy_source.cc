@@ -9,9 +9,8 @@ namespace {
 Result<std::string> header_of(const UnchangedFile& file) {
   std::string bytes(std::min(kNpyStart, file.size()), '\0');
   SOMATO_TRY_VOID(file.read(0, bytes.data(), bytes.size()));
-  const Result<std::size_t> size = npy_header_size(bytes, file.size(), file.path());
-  if (!size) return fail(size.error());
-  bytes.resize(std::max(*size, bytes.size()));
+  SOMATO_TRY(const auto size, npy_header_size(bytes, file.size(), file.path()));
+  bytes.resize(std::max(size, bytes.size()));
   SOMATO_TRY_VOID(file.read(0, bytes.data(), bytes.size()));
   return bytes;
 }

@@ -48,6 +48,17 @@ Outcome<OpenFile> OpenFile::open(FileSystem& files, const std::string& path, Ope
   });
 }
 
+Result<FileToRead> open_to_read(FileSystem& files, const std::string& path) {
+  Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kRead);
+  if (!file) return system_failure("cannot open", path, file.error());
+  const Outcome<FileStatus> status = file->status();
+  if (!status) return system_failure("cannot read", path, status.error());
+  if (status->kind == FileStatus::Kind::kDirectory) {
+    return system_failure("cannot read", path, EISDIR);
+  }
+  return FileToRead{std::move(*file), *status};
+}
+
 Outcome<FileStatus> OpenFile::status() const {
   return uninterrupted([&] { return files_->status(number_); });
 }

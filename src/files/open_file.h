@@ -54,4 +54,12 @@ class OpenFile {
   int number_;
 };
 
+struct FileToRead {
+  OpenFile file;
+  FileStatus status;
+};
+
+/// Opens a file for reading. Errors: kSystem with the system's reason, also for a folder.
+Result<FileToRead> open_to_read(FileSystem& files, const std::string& path);
+
 }  // namespace somato

@@ -1,22 +1,14 @@
 #include "files/unchanged_file.h"
 
-#include <cerrno>
-
 namespace somato {
 
 Result<UnchangedFile> UnchangedFile::open(FileSystem& files, const std::string& path) {
-  Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kRead);
-  if (!file) return system_failure("cannot open", path, file.error());
-  const Outcome<FileStatus> status = file->status();
-  if (!status) return system_failure("cannot read", path, status.error());
-  if (status->kind == FileStatus::Kind::kDirectory) {
-    return system_failure("cannot read", path, EISDIR);
-  }
-  if (status->kind != FileStatus::Kind::kRegular) {
+  SOMATO_TRY(auto opened, open_to_read(files, path));
+  if (opened.status.kind != FileStatus::Kind::kRegular) {
     return fail(ErrorKind::kSystem, "only a regular file can be read repeatedly", path,
                 "save it as a file first");
   }
-  return UnchangedFile(std::move(*file), path, *status);
+  return UnchangedFile(std::move(opened.file), path, opened.status);
 }
 
 tl::unexpected<Error> UnchangedFile::changed() const {

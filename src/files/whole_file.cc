@@ -23,24 +23,18 @@ tl::unexpected<Error> too_large(const std::string& path, std::size_t limit) {
 namespace detail {
 
 Result<std::string> read_whole(FileSystem& files, const std::string& path, std::size_t limit) {
-  const Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kRead);
-  if (!file) return system_failure("cannot open", path, file.error());
-  const Outcome<FileStatus> status = file->status();
-  if (!status) return system_failure("cannot read", path, status.error());
-  if (status->kind == FileStatus::Kind::kDirectory) {
-    return system_failure("cannot read", path, EISDIR);
-  }
-  if (status->size > limit) return too_large(path, limit);
+  SOMATO_TRY(const auto opened, open_to_read(files, path));
+  if (opened.status.size > limit) return too_large(path, limit);
 
   // The size is a hint (0 for a pipe); the end is where nothing more comes.
-  std::string bytes(status->size, '\0');
+  std::string bytes(opened.status.size, '\0');
   std::size_t count = 0;
   for (;;) {
     char probe[4096];
     const bool full = count == bytes.size();
     char* const place = full ? probe : bytes.data() + count;
     const std::size_t room = full ? sizeof probe : std::min(kReadAtOnce, bytes.size() - count);
-    const auto got = file->read(place, room);
+    const auto got = opened.file.read(place, room);
     if (!got) return system_failure("cannot read", path, got.error());
     if (*got == 0) break;
     count += *got;

@@ -11,17 +11,11 @@ constexpr std::size_t kLeastWindow = std::size_t{1} << 16;
 }  // namespace
 
 Result<McapInput> McapInput::open(FileSystem& files, const std::string& path) {
-  Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kRead);
-  if (!file) return system_failure("cannot open", path, file.error());
-  const Outcome<FileStatus> status = file->status();
-  if (!status) return system_failure("cannot read", path, status.error());
-  if (status->kind == FileStatus::Kind::kDirectory) {
-    return system_failure("cannot read", path, EISDIR);
-  }
-  if (status->kind != FileStatus::Kind::kRegular) {
+  SOMATO_TRY(auto opened, open_to_read(files, path));
+  if (opened.status.kind != FileStatus::Kind::kRegular) {
     return fail(ErrorKind::kUsage, "not a regular file", path, "copy it to a regular file first");
   }
-  return McapInput(std::move(*file), path, status->size);
+  return McapInput(std::move(opened.file), path, opened.status.size);
 }
 
 Result<std::string_view> McapInput::view(std::size_t place, std::size_t count) {
