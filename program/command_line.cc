@@ -13,6 +13,7 @@
 #include "help_format.h"
 #include "kernels/instruction_set.h"
 #include "output.h"
+#include "somato/core/check.h"
 #include "terminal.h"
 #include "usage.h"
 #include "version.h"
@@ -226,6 +227,12 @@ int report_parse_error(const CLI::App& root, const CLI::ParseError& error) {
   return report(left.empty() ? missing(app, error) : unexpected_argument(app, left.front()));
 }
 
+std::string text_of_group(const std::string& group) {
+  if (group == "som") return "Self-organizing maps of any data";
+  SOMATO_ASSERT(group == "device");
+  return "Real hands and probes at serial lines: check, monitor and calibrate them";
+}
+
 // The parser of the command named `words`, below groups such as "som".
 CLI::App& place_of(CLI::App& root, const std::string& words, const std::string& text) {
   const std::size_t blank = words.find(' ');
@@ -233,8 +240,8 @@ CLI::App& place_of(CLI::App& root, const std::string& words, const std::string& 
   const std::string group = words.substr(0, blank);
   const auto is_group = [&](const CLI::App* app) { return app->get_name() == group; };
   const std::vector<CLI::App*> found = root.get_subcommands(is_group);
-  CLI::App* parent = found.empty() ? root.add_subcommand(group, "Self-organizing maps of any data")
-                                   : found.front();
+  CLI::App* parent =
+      found.empty() ? root.add_subcommand(group, text_of_group(group)) : found.front();
   parent->require_subcommand(1);
   return *parent->add_subcommand(words.substr(blank + 1), text);
 }
@@ -315,7 +322,7 @@ Result<void> run_chosen(const std::vector<Parser>& parsers) {
 }
 
 // The requested command: no argument and "help" request help, "help run" that of a command.
-std::vector<std::string> asked_words(int argc, char** argv) {
+std::vector<std::string> command_words(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const bool asks_help = words.empty() || words.front() == "help";
   if (!asks_help) return words;
@@ -350,7 +357,7 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
       "  somato som quality my.map data.csv\n"
       "  somato som plot my.map data.csv -o my.svg\n"
       "All flags of a command: somato som train --help");
-  std::vector<std::string> words = asked_words(argc, argv);
+  std::vector<std::string> words = command_words(argc, argv);
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     root.parse(std::move(words));

@@ -121,6 +121,15 @@ TEST_F(Usage, VersionAndHelpGoToStandardOutput) {
   }
 }
 
+TEST_F(Usage, HelpDescribesEachGroupByItsCommands) {
+  const auto first_line = [&](const std::string& group) {
+    const std::string help = output_of({group, "--help"});
+    return help.substr(0, help.find('\n'));
+  };
+  EXPECT_NE(first_line("som").find("maps"), std::string::npos);
+  EXPECT_NE(first_line("device").find("hands and probes"), std::string::npos);
+}
+
 TEST_F(Usage, HelpComesWithoutDashesToo) {
   EXPECT_EQ(output_of({}), output_of({"--help"}));
   EXPECT_EQ(output_of({"help"}), output_of({"--help"}));
