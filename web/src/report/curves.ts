@@ -11,7 +11,7 @@ import { shortened } from "../parts/svg";
 import type { CurveReport, ReportData } from "./data";
 import { lazy } from "./lazy";
 import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
-import { metricName, metricRange } from "./words";
+import { isShare, metricName } from "./words";
 
 export function curvesSection(data: ReportData): HTMLElement {
   return element("section", { id: "curves", "aria-labelledby": "curves-title" }, [
@@ -61,7 +61,6 @@ function curvePlot(curve: CurveReport): HTMLElement {
   const dots = curve.lines.flatMap(({ points: all }, line) =>
     all.flatMap(({ x, values }) => values.map((y) => ({ line, x, y }))),
   );
-  const range = metricRange(curve.metric, 0, 0);
   const unit = curve.unit === "" ? "" : ` (${curve.unit})`;
   return plotFigure(curve.title, {
     height: 280,
@@ -69,8 +68,7 @@ function curvePlot(curve: CurveReport): HTMLElement {
     y: {
       label: shortened(metricName(curve.metric), 380, 12),
       grid: true,
-      ...(range ? { domain: range } : {}),
-      clamp: true,
+      ...(isShare(curve.metric) ? { domain: [0, 1], clamp: true } : { zero: true }),
     },
     marks: [
       Plot.areaY(points, {

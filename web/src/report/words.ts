@@ -34,11 +34,14 @@ const kMetrics: Record<string, string> = {
   individuals_apart: "No neuron wins two classes",
   areas_connected: "One connected area per class",
   classes_separated: "Classes separated",
-  undetermined: "Ambiguous samples",
+  samples_ambiguous: "Ambiguous samples",
   neighbours_same_class: "Samples with neighbours of the same class",
+  winner_shared_within_class: "Samples that share a winner with their class",
   on_border: "Winners on the border",
   order_around: "Order around the map",
   order_within: "Order within a group",
+  order_along: "Order along a line",
+  right_size_wrong_group: "Right size, wrong group",
   placed_with_most_similar: "Placed near the most similar",
   quantization_error: "Quantization error",
   topographic_error: "Topographic error",
@@ -57,16 +60,23 @@ export function metricName(metric: string): string {
   return kMetrics[own] ?? own.replaceAll("_", " ");
 }
 
-const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|similar)/;
+const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|along|similar)/;
+const kCountsOfSamples =
+  /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
+
+/** Whether the range of a metric is 0 to 1, whatever the numbers of samples and classes are. */
+export function isShare(metric: string): boolean {
+  const [, own] = splitMetric(metric);
+  const counts = kCountsOfSamples.test(own) || /^(classes_separated|mapped_with|quantization_error)/.test(own);
+  return !counts && kShares.test(own);
+}
 
 /** The range of a metric, if known. */
 export function metricRange(metric: string, samples: number, classes: number): [number, number] | null {
   const [, own] = splitMetric(metric);
-  if (own === "quantization_error") return null;
-  if (own.startsWith("mapped_with")) return null;
   if (own.startsWith("classes_separated")) return [0, Math.max(1, classes)];
-  if (/^(undetermined|neighbours_same_class)/.test(own)) return [0, Math.max(1, samples)];
-  return kShares.test(own) ? [0, 1] : null;
+  if (kCountsOfSamples.test(own)) return [0, Math.max(1, samples)];
+  return isShare(metric) ? [0, 1] : null;
 }
 
 export type VerdictKind = "good" | "neutral" | "middling" | "bad";
