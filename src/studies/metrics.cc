@@ -96,7 +96,7 @@ class MetricsMaker {
     });
   }
 
-  // Of the tested samples as they are, or as altered: FoldOutcome or AlteredOutcome.
+  // The accuracies of the tested samples as they are, or as altered: FoldOutcome or AlteredOutcome.
   template <typename Tested>
   void add_accuracies(const Classes& classes, const Tested& tested) {
     add_share_right("accuracy", classes, [&](const Fold& fold, const FoldOutcome& outcome) {

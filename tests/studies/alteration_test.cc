@@ -162,7 +162,7 @@ TEST(Alteration, NamesWhatItDoesNotFind) {
   EXPECT_EQ(alike.error().kind, ErrorKind::kData);
 }
 
-// Objects far apart, whose joints alone tell them apart.
+// Objects far apart, which the joints are sufficient to distinguish.
 StudyDescription altered_study() {
   return study_from(
       "[study]\nname = 'small'\nseeds = 2\n"

@@ -194,7 +194,7 @@ TEST_F(Plan, RefusesComparisonsOfAMetricWithItself) {
   const std::string start = system_text("small") +
                             "[variation.wide]\n[[claim]]\ntext = 't'\nmetric = 'accuracy'\n"
                             "at_least = 0\n";
-  const std::string refusal = "asked.toml:" + std::to_string(kLines + 2) +
+  const std::string refusal = "request.toml:" + std::to_string(kLines + 2) +
                               ": the claim compares a metric with itself; use another "
                               "than_system, than_variation or than_metric";
   expect_refused(start + "than_metric = 'accuracy'\n", refusal);

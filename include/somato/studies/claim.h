@@ -47,11 +47,11 @@ struct Claim {
   }
   /// The metric that is subtracted in a comparison: `than_metric`, by default `metric`.
   const std::string& other_metric() const { return than_metric.empty() ? metric : than_metric; }
-  /// What it compares with, as text: the other system, the other variation, or both; empty if it
-  /// compares with nothing.
+  /// The other side of its comparison, as text: the other system, the other variation, or both;
+  /// empty if it compares with nothing.
   std::string other() const;
-  /// What is measured, as text: "accuracy", "accuracy less that of hardness, small" or "accuracy
-  /// less baseline_accuracy of small".
+  /// The measured quantity, as text: "accuracy", "accuracy less that of hardness, small" or
+  /// "accuracy less baseline_accuracy of small".
   std::string measured() const;
 
   static const Declarations<Claim>& declarations();

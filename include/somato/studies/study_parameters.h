@@ -64,7 +64,7 @@ struct StudyDescription {
   std::string text = {};   ///< The text of its file, for the results; empty: to_toml().
   StudyParameters study;
   RecordingParameters recording;
-  std::vector<Alteration> altered = {};  ///< Of the test explorations.
+  std::vector<Alteration> altered = {};  ///< Alterations of the test explorations.
   SystemDescription system;
 };
 
