@@ -33,21 +33,18 @@ ReportThing thing_of(const Material& material) {
 
 void append(const ObjectTable& table, std::vector<ReportThing>& things) {
   for (const Object& object : table.objects) things.push_back(thing_of(object));
+  for (const Material& material : table.materials) things.push_back(thing_of(material));
 }
 
 }  // namespace
 
 Result<std::vector<ReportThing>> report_things() {
   std::vector<ReportThing> things;
-  for (const auto& [body, name] : Choices<ExploringBody>::all()) {
-    SOMATO_TRY(auto table, default_things(body));
-    append(table, things);
-  }
-  for (const char* name : {"lucs3_new", "lucs3_sides"}) {
+  for (const std::string& name : own_object_tables()) {
     SOMATO_TRY(auto table, own_object_table(name, declared_materials()));
     append(table, things);
   }
-  for (const Material& material : declared_materials()) things.push_back(thing_of(material));
+  append({{}, declared_materials()}, things);
   return things;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/contains.h"
 #include "files/embedded.h"
 #include "files/text.h"
 #include "files/toml_file.h"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr Range kSize{0.0, 1000.0, true};  // mm; a hand's things, in no unit but mm
 constexpr std::size_t kLargestMesh = std::size_t{64} << 20;
+constexpr std::string_view kFolder = "objects/";
+constexpr std::string_view kEnding = ".toml";
 
 tl::unexpected<Error> refuse(std::string what, const std::string& where, std::string advice) {
   return fail(ErrorKind::kUsage, std::move(what), where, std::move(advice));
@@ -298,18 +301,23 @@ Result<ObjectTable> read_object_table(const std::string& path, std::span<const M
       [&](const Table& root) { return TableReader(path, declared).read(root); });
 }
 
-Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared) {
-  constexpr std::string_view kFolder = "objects/";
-  constexpr std::string_view kEnding = ".toml";
-  std::vector<std::string> known;
+std::vector<std::string> own_object_tables() {
+  std::vector<std::string> names;
   for (const detail::EmbeddedFile& file : detail::embedded_files()) {
     if (!file.path.starts_with(kFolder) || file.path == "objects/materials.toml") continue;
-    const std::string_view own =
-        file.path.substr(kFolder.size(), file.path.size() - kFolder.size() - kEnding.size());
-    if (own == name) return parse_object_table(file.text, file.path, declared);
-    known.emplace_back(own);
+    names.emplace_back(
+        file.path.substr(kFolder.size(), file.path.size() - kFolder.size() - kEnding.size()));
   }
-  return fail(unknown_name("table of objects", name, "objects", known));
+  return names;
+}
+
+Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared) {
+  const std::vector<std::string> known = own_object_tables();
+  if (!contains(known, std::string(name))) {
+    return fail(unknown_name("table of objects", name, "objects", known));
+  }
+  const std::string path = fmt::format("{}{}{}", kFolder, name, kEnding);
+  return parse_object_table(detail::embedded_text(path), path, declared);
 }
 
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared) {

@@ -15,7 +15,7 @@ namespace {
 
 // The program's own come last.
 std::vector<Object> known_objects(std::vector<Object> own) {
-  for (const char* name : {"lucs2", "lucs3", "lucs3_new", "lucs3_sides"}) {
+  for (const std::string& name : own_object_tables()) {
     auto table = own_object_table(name, declared_materials());
     if (!table) continue;
     std::move(table->objects.begin(), table->objects.end(), std::back_inserter(own));

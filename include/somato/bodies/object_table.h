@@ -55,6 +55,10 @@ Result<ObjectTable> parse_object_table(std::string_view text, std::string_view w
 /// The table in the file at `path`; see parse_object_table() and read_toml().
 Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared);
 
+/// The names of the built-in tables of objects, the files of `objects/` except materials.toml, in
+/// alphabetical order: "all_senses", "lucs2", and so on.
+std::vector<std::string> own_object_tables();
+
 /// The built-in table with that name, such as "lucs3_new": a file of `objects/`. Errors (kUsage):
 /// an unknown name, with the nearest known one; those of parse_object_table().
 Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared);

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "core/contains.h"
+#include "support/object_tables.h"
+
+namespace somato {
+namespace {
+
+// All that a sense can perceive of an object that is fixed or as heavy as the others.
+auto felt_by_hand(const Object& object) {
+  return std::tuple(object.shape, object.size, object.material.friction, object.material.density,
+                    object.mass, object.material.stiffness_under_taxel());
+}
+auto heard(const Object& object) {
+  return object.material.name;  // each material has heights of its own
+}
+auto pressed(const Object& object) {
+  return object.material.stiffness;
+}
+
+auto surface(const Material& material) {
+  return std::tuple(material.friction, material.loss, material.roughness,
+                    material.correlation_length, material.hurst, material.weave_period,
+                    material.weave_height);
+}
+
+ObjectTable all_senses() {
+  return own_object_table("all_senses", declared()).value();
+}
+
+template <typename Perceived>
+std::size_t distinguished(const std::vector<Object>& objects, Perceived perceived) {
+  std::set<decltype(perceived(objects.front()))> found;
+  for (const Object& object : objects) found.insert(perceived(object));
+  return found.size();
+}
+
+TEST(AllSensesObjects, NoSingleSenseDistinguishesThem) {
+  const std::vector<Object> objects = all_senses().objects;
+  ASSERT_EQ(objects.size(), 24U);
+  EXPECT_EQ(distinguished(objects, felt_by_hand), 8U);  // 4 forms, soft or hard
+  EXPECT_EQ(distinguished(objects, heard), 6U);
+  EXPECT_EQ(distinguished(objects, pressed), 2U);
+}
+
+TEST(AllSensesObjects, TwoProbesDoNotDistinguishThemButAllSensesDo) {
+  const std::vector<Object> objects = all_senses().objects;
+  const auto by_probes = [](const Object& object) {
+    return std::tuple(heard(object), pressed(object));
+  };
+  const auto by_all = [](const Object& object) {
+    return std::tuple(felt_by_hand(object), heard(object), pressed(object));
+  };
+  EXPECT_EQ(distinguished(objects, by_probes), 6U);
+  EXPECT_EQ(distinguished(objects, by_all), 24U);
+}
+
+TEST(AllSensesObjects, SurfaceAndHardnessVaryIndependently) {
+  const std::vector<Material> materials = all_senses().materials;
+  ASSERT_EQ(materials.size(), 6U);
+  const auto count = [&](const Material& one, bool same_surface, bool same_stiffness) {
+    return std::count_if(materials.begin(), materials.end(), [&](const Material& other) {
+      return (surface(one) == surface(other)) == same_surface &&
+             (one.stiffness == other.stiffness) == same_stiffness;
+    });
+  };
+  for (const Material& material : materials) {
+    EXPECT_EQ(count(material, true, false), 1) << material.name;
+    EXPECT_EQ(count(material, false, true), 2) << material.name;
+    EXPECT_EQ(material.hardness == Hardness::kSoft, material.stiffness < 20.0) << material.name;
+  }
+}
+
+TEST(AllSensesObjects, HaveSizesOfWhichTheHandHoldsSmallerAndLarger) {
+  for (const Object& object : all_senses().objects) {
+    EXPECT_GT(object.size[0], 40.0) << object.name;
+    EXPECT_LT(object.size[0], 80.0) << object.name;
+    EXPECT_EQ(object.size[0], object.size[1]) << object.name;
+    EXPECT_EQ(object.size[2], 140.0) << object.name;
+  }
+}
+
+TEST(OwnObjectTables, AreListedAndRead) {
+  const std::vector<std::string> names = own_object_tables();
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"all_senses", "lucs2", "lucs3", "lucs3_new", "lucs3_sides"}));
+  for (const std::string& name : names) EXPECT_TRUE(own_object_table(name, declared())) << name;
+}
+
+}  // namespace
+}  // namespace somato
