@@ -4,7 +4,8 @@
     scripts/announced_page.py out/announced/results.json > docs/announced.md
 
 Several results, such as those of single questions that ran on different machines, can be given instead.
-The tables of each question replace {{question NAME}} in scripts/announced_page.md.in. With --check FILE
+The tables of each question replace {{question NAME}} in scripts/announced_page.md.in, those of a system that
+ran on given recordings {{system NAME}}. With --check FILE
 nothing is written; the script fails if FILE differs from the page generated from the results.
 """
 
@@ -20,10 +21,33 @@ TEMPLATE = HERE / "announced_page.md.in"
 FILES = HERE.parent / "systems" / "announced"
 PICTURES = HERE.parent / "docs" / "pictures" / "announced"
 ALTERED = "altered."
+PREDICTED = ("prediction_error", "prediction_error_of_mean", "prediction_error_of_nearest", "strongest_right",
+             "strongest_right_of_preceding", "strongest_right_chance", "strongest_distance",
+             "strongest_distance_of_preceding", "steps_right")
 
 
-def parts_of(name, results):
-    return [part for part in results["parts"] if part["question"] == name]
+def parts_of(kind, name, results):
+    if kind == "question":
+        return [part for part in results["parts"] if part["question"] == name]
+    return [part for part in results["parts"] if not part["question"] and part["system"] == name]
+
+
+def prediction_names(protocol):
+    """Names of the associations whose predictions are measured, in their order."""
+    found = (re.fullmatch(r"(\w+)\.prediction_error", name) for name in protocol["metrics"])
+    return [match[1] for match in found if match]
+
+
+def prediction_table(parts):
+    """Errors of predictions, with those of the values they are compared with; empty without any."""
+    rows = []
+    for part in parts:
+        for protocol in part["protocols"]:
+            for name in prediction_names(protocol):
+                found = [reproduction_page.metric(protocol, f"{name}.{measure}") for measure in PREDICTED]
+                rows.append([tables.subject(part), tables.protocol_text(protocol), name,
+                             *(tables.spread(values) if values else "–" for values in found)])
+    return tables.table(["system", "protocol", "prediction", *(m.replace("_", " ") for m in PREDICTED)], rows) if rows else ""
 
 
 def altered_names(protocol):
@@ -56,27 +80,34 @@ def altered_table(parts):
             tables.table(["system", "protocol", *(name.replace("_", " ") for name in names)], rows))
 
 
-def files_line(name, parts):
+def files_line(kind, name, parts):
     """Links to the file of the question and of its systems, and the maps of these."""
     systems = dict.fromkeys(part["system"] for part in parts)
-    links = [f"[{name}.toml](../systems/announced/{name}.toml)"]
+    links = [f"[{name}.toml](../systems/announced/{name}.toml)"] if kind == "question" else []
+    prefix = f"{name}-" if kind == "question" else ""
     for system in systems:
         folder = "systems/announced" if (FILES / f"{system}.toml").exists() else "systems"
         links.append(f"[{system}.toml](../{folder}/{system}.toml)")
-    shown = [f"![{system}](pictures/announced/{name}-{system}.svg)" for system in systems
-             if (PICTURES / f"{name}-{system}.svg").exists()]
+    shown = [f"![{system}](pictures/announced/{prefix}{system}.svg)" for system in systems
+             if (PICTURES / f"{prefix}{system}.svg").exists()]
     return "Files: " + tables.listing(links) + ".\n\n" + "\n".join(shown)
 
 
-def question_section(name, results):
-    parts = parts_of(name, results)
+def claims_of(kind, name, results):
+    if kind == "question":
+        return [claim for claim in results["claims"] if claim["question"] == name]
+    return [claim for claim in results["claims"] if not claim["question"] and claim["system"] == name]
+
+
+def section(kind, name, results):
+    parts = parts_of(kind, name, results)
     if not parts:
-        raise SystemExit(f"the results contain no question '{name}'")
-    claims = [claim for claim in results["claims"] if claim["question"] == name]
-    texts = [files_line(name, parts), f"{tables.counted(len(parts[0]['pairs']), 'pair')} each."]
+        raise SystemExit(f"the results contain no {kind} '{name}'")
+    claims = claims_of(kind, name, results)
+    texts = [files_line(kind, name, parts), f"{tables.counted(len(parts[0]['pairs']), 'pair')} each."]
     if claims:
         texts.append(tables.claim_table(claims))
-    texts += [reproduction_page.accuracy_table(parts), altered_table(parts),
+    texts += [reproduction_page.accuracy_table(parts), prediction_table(parts), altered_table(parts),
               reproduction_page.area_table([part for part in parts if not claims or part["variation"] == ""])]
     return "\n\n".join(text for text in texts if text)
 
@@ -93,9 +124,9 @@ def joined(documents):
     results = {"parts": [], "claims": [], "recordings": []}
     known = {}
     for number, document in enumerate(documents):
-        for question in {part["question"] for part in document["parts"]}:
-            if known.setdefault(question, number) != number:
-                raise SystemExit(f"the question '{question}' is in two of the results")
+        for place in {(part["question"], part["question"] or part["system"]) for part in document["parts"]}:
+            if known.setdefault(place, number) != number:
+                raise SystemExit(f"'{place[1]}' is in two of the results")
         results["parts"] += document["parts"]
         results["claims"] += document["claims"]
         results["recordings"] += [r for r in document["recordings"] if r not in results["recordings"]]
@@ -105,12 +136,13 @@ def joined(documents):
 def make_page(template, results):
     page = template.replace("{{summary}}", summary(results["claims"]))
     page = page.replace("{{provenance}}", reproduction_page.provenance(results))
-    named = re.findall(r"\{\{question (\w+)\}\}", page)
-    left_out = sorted({part["question"] for part in results["parts"]} - set(named))
-    if left_out:
-        raise SystemExit(f"{TEMPLATE.name} has no place for the question '{left_out[0]}'")
-    for name in named:
-        page = page.replace(f"{{{{question {name}}}}}", question_section(name, results))
+    named = re.findall(r"\{\{(question|system) (\w+)\}\}", page)
+    for part in results["parts"]:
+        place = ("question", part["question"]) if part["question"] else ("system", part["system"])
+        if place not in named:
+            raise SystemExit(f"{TEMPLATE.name} has no place for the {' '.join(place)}")
+    for kind, name in named:
+        page = page.replace(f"{{{{{kind} {name}}}}}", section(kind, name, results))
     left = re.findall(r"\{\{.*?\}\}", page)
     if left:
         raise SystemExit(f"{TEMPLATE.name}: unknown placeholders {', '.join(left)}")

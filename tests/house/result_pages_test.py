@@ -192,6 +192,17 @@ class Announced(TreeTest):
     def test_alterations_are_those_of_the_own_label(self):
         self.assertEqual(announced_page.altered_names(self.results()["parts"][0]["protocols"][1]), ["half"])
 
+    def test_a_system_that_ran_on_given_recordings_has_its_own_place(self):
+        predicted = {"next.prediction_error": {"values": [0.5, 0.75]}, "next.strongest_right": {"values": [1, 1]},
+                     "next.strongest_right_chance": {"values": [0.25, 0.25]}}
+        made = results()
+        made["parts"][0]["protocols"][0]["metrics"] = predicted
+        page = announced_page.make_page("{{system texture}}", made)
+        self.assertIn("| texture | train = test | next | 0.625 ± 0.177 | – | – | 1.000 ± 0.000 | – | 0.250 ± 0.000 |", page)
+        self.assertIn("texture: Ours", page)
+        with self.assertRaises(SystemExit):
+            announced_page.make_page("{{question early}}", made)
+
     def test_results_of_several_runs_are_joined(self):
         late = self.results(recordings=[{"name": "two.mcap", "source": "probes", "seed": 8, "hash": "fnv1a64:13",
                                          "explorations": 4}])
