@@ -94,7 +94,8 @@ void read_taxels(SimulatedHand::Impl& impl) {
   report(impl.piezo.signals(), given.piezo_converter);
 }
 
-// What a camera sees of the object; the centre of the view is above the place of the object.
+// Reads the camera: the silhouette of the object; the centre of the view is above the place of the
+// object.
 void read_silhouette(SimulatedHand::Impl& impl) {
   const HandScene::Impl& scene = *impl.scene;
   const mjModel& model = *scene.model;

@@ -20,10 +20,10 @@ struct Prediction {
   std::string name;
   std::size_t module = 0;
   std::size_t target = 0;
-  Rate rate = Rate::kExploration;    ///< Of the values that are compared.
+  Rate rate = Rate::kExploration;    ///< The rate of the values that are compared.
   bool has_strongest = false;        ///< Whether the greatest element of a target has a meaning:
                                      ///< the activity of a map, or a one-hot code.
-  std::optional<Grid> grid;          ///< Of a target that is a map.
+  std::optional<Grid> grid;          ///< The grid of a target that is a map.
   std::vector<std::size_t> vectors;  ///< Modules compared by the nearest neighbour; none for
                                      ///< frames.
 };

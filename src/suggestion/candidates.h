@@ -37,7 +37,7 @@ struct CandidateGroup {
 
 /// Resources for the comparison of candidates.
 struct ComparisonLimits {
-  std::size_t elements = 0;  ///< Of a vector.
+  std::size_t elements = 0;  ///< The maximum length of a vector.
   std::size_t threads = 1;
   std::function<Result<void>(double share)> proceed;  ///< Called with the share that is done.
 };

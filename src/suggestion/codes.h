@@ -13,10 +13,10 @@ namespace somato {
 /// Properties of the frames of a source that determine its codes.
 struct FrameFacts {
   std::size_t elements = 0;
-  std::size_t most_frames = 0;    ///< Of an exploration.
+  std::size_t most_frames = 0;    ///< The number of frames of the longest exploration.
   std::size_t shortest_half = 0;  ///< Frames of the shortest view of the shortest exploration.
   std::optional<double> rate;     ///< The lowest, in Hz; empty if it is unknown.
-  std::optional<double> highest_speed;  ///< Of the source's second output, if it is a speed.
+  std::optional<double> highest_speed;  ///< That of the source's second output, if it is a speed.
   std::vector<float> low;               ///< The lowest value of each element.
   std::vector<float> high;              ///< The highest.
 };

@@ -41,7 +41,7 @@ struct SuggestedCode {
   std::string failure;             ///< The reason if it could not be compared; else empty.
 };
 
-/// What a channel contributes.
+/// The contribution of a channel.
 enum class ChannelRole {
   kSense,      ///< It is compared and combined.
   kConstant,   ///< It never changes.
@@ -68,14 +68,14 @@ struct SuggestedPart {
   std::size_t code = 0;  ///< In the group.
   double weight = 1.0;   ///< Relative to the other parts, at unit spread.
   double factor = 1.0;   ///< By which the vector is multiplied: the weight by the inverse spread.
-  double score = 1.0;    ///< Of the combination up to this part.
+  double score = 1.0;    ///< The score of the combination up to this part.
 };
 
 /// A system for a recording, selected without labels.
 struct Suggestion {
   SuggestionParameters parameters;
-  std::size_t explorations = 0;  ///< Of the recording.
-  std::size_t compared = 0;      ///< Of these, the number that was compared.
+  std::size_t explorations = 0;  ///< The number in the recording.
+  std::size_t compared = 0;      ///< The number of these that was compared.
   std::vector<std::string> senses;
   std::vector<SuggestedGroup> groups;
   std::vector<SuggestedPart> parts;

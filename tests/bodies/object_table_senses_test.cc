@@ -15,7 +15,7 @@ auto felt_by_hand(const Object& object) {
   return std::tuple(object.shape, object.size, object.material.friction, object.material.density,
                     object.mass, object.material.stiffness_under_taxel());
 }
-auto heard(const Object& object) {
+auto sound_of(const Object& object) {
   return object.material.name;  // each material has heights of its own
 }
 auto pressed(const Object& object) {
@@ -43,17 +43,17 @@ TEST(AllSensesObjects, NoSingleSenseDistinguishesThem) {
   const std::vector<Object> objects = all_senses().objects;
   ASSERT_EQ(objects.size(), 24U);
   EXPECT_EQ(distinguished(objects, felt_by_hand), 8U);  // 4 forms, soft or hard
-  EXPECT_EQ(distinguished(objects, heard), 6U);
+  EXPECT_EQ(distinguished(objects, sound_of), 6U);
   EXPECT_EQ(distinguished(objects, pressed), 2U);
 }
 
 TEST(AllSensesObjects, TwoProbesDoNotDistinguishThemButAllSensesDo) {
   const std::vector<Object> objects = all_senses().objects;
   const auto by_probes = [](const Object& object) {
-    return std::tuple(heard(object), pressed(object));
+    return std::tuple(sound_of(object), pressed(object));
   };
   const auto by_all = [](const Object& object) {
-    return std::tuple(felt_by_hand(object), heard(object), pressed(object));
+    return std::tuple(felt_by_hand(object), sound_of(object), pressed(object));
   };
   EXPECT_EQ(distinguished(objects, by_probes), 6U);
   EXPECT_EQ(distinguished(objects, by_all), 24U);

@@ -1,5 +1,5 @@
-// What a system learned from explorations through serial lines it recognizes frame by frame in
-// others, and so does a system that learned from the simulated body itself.
+// A system that learned from explorations through serial lines recognizes others frame by frame,
+// and so does a system that learned from the simulated body itself.
 
 #include <gtest/gtest.h>
 
@@ -25,11 +25,11 @@ using devices::BusKind;
 using testing::module;
 using testing::value_or_throw;
 
-// What a body explores with which servos, and a system that tells the things apart.
+// Things that a body explores with some servos, and a system that distinguishes them.
 struct RecognizingCase {
   ExploringBody body = ExploringBody::kLucs2;
   BusKind bus = BusKind::kSsc32;
-  std::vector<std::size_t> things;  // Of its own table.
+  std::vector<std::size_t> things;  // Numbers in its own table.
   std::string system;
 };
 

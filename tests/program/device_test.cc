@@ -40,7 +40,7 @@ class Device : public EmulationTest {
     return recording ? *recording : Recording();
   }
 
-  // What was recorded before is whole, and the last states are beside it.
+  // The recording up to then is whole, and the last states are beside it.
   void expect_stopped_by_a_hang_up(const ProgramRun& done) const {
     EXPECT_NE(done.exit_code, 0);
     // While the next material is placed, the first sign may be a port that has gone.
@@ -62,7 +62,7 @@ class Device : public EmulationTest {
             "--objects", objects,   "--explorations",    explorations};
   }
 
-  // What `live` last reads of each thing.
+  // The last reading of `live` for each thing.
   std::vector<std::string> read_live(const std::string& objects) const {
     const std::string lines = output_of(live(objects, "1"));
     std::vector<std::string> read;

@@ -10,7 +10,7 @@ namespace {
 
 // The first exploration of an object of all_senses.toml, in a world of its own: other objects have
 // other placements and noise for the same seed.
-Exploration explored_alone(const std::string& name) {
+Exploration explored_separately(const std::string& name) {
   const ObjectTable table = own_object_table("all_senses", declared_materials()).value();
   const auto object = std::find_if(table.objects.begin(), table.objects.end(),
                                    [&](const Object& one) { return one.name == name; });
@@ -24,10 +24,10 @@ bool same(const Exploration& a, const Exploration& b, const std::string& channel
 }
 
 TEST(AllSensesObjects, OfOneSurfaceOrOneFormAreTheSameToTheOtherSenses) {
-  const Exploration smooth = explored_alone("cylinder_50_smooth_soft");
-  const Exploration grained = explored_alone("cylinder_50_grained_soft");
-  const Exploration block = explored_alone("block_50_smooth_soft");
-  const Exploration hard = explored_alone("cylinder_50_smooth_hard");
+  const Exploration smooth = explored_separately("cylinder_50_smooth_soft");
+  const Exploration grained = explored_separately("cylinder_50_grained_soft");
+  const Exploration block = explored_separately("block_50_smooth_soft");
+  const Exploration hard = explored_separately("cylinder_50_smooth_hard");
   for (const char* channel : {"joints", "touch", "touch_change"}) {
     EXPECT_TRUE(same(smooth, grained, channel)) << channel;
     EXPECT_FALSE(same(smooth, block, channel)) << channel;

@@ -43,7 +43,7 @@ ChannelRole role_of(const Suggestion& suggestion, std::size_t channel) {
   return suggestion.groups[channel].role;
 }
 
-// Of the nearest neighbour, with each exploration left out.
+// The accuracy of the nearest neighbour, with each exploration left out.
 double accuracy_of(const Suggestion& suggestion, const Recording& recording) {
   auto study = read_study(parse_toml(to_toml(suggestion), "suggested.toml").value()).value();
   study.study.seeds = 1;

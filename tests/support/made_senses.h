@@ -18,7 +18,7 @@ struct MadeSense {
   std::vector<std::size_t> kinds;  ///< The kind of each object; empty: pure noise.
   double trial_noise = 0.1;        ///< Differs between explorations; values differ by about 1.
   double frame_noise = 0.1;        ///< Differs between frames.
-  double scale = 1.0;              ///< Of all values.
+  double scale = 1.0;              ///< A factor of all values.
   std::size_t elements = 3;
   std::size_t frames = 8;
 };
