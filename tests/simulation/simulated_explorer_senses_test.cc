@@ -8,8 +8,8 @@
 namespace somato {
 namespace {
 
-// The first exploration of an object of all_senses.toml as the only object of its table, because the
-// placement and the noise of an exploration depend on the number of the object.
+// The first exploration of an object of all_senses.toml as the only object of its table, because
+// the placement and the noise of an exploration depend on the number of the object.
 Exploration explored_separately(const std::string& name) {
   const ObjectTable table = own_object_table("all_senses", declared_materials()).value();
   const auto object = std::find_if(table.objects.begin(), table.objects.end(),
