@@ -22,7 +22,22 @@ Samples::Samples(std::shared_ptr<const Values> values)
 
 Samples::Samples(Matrix<float> rows)
     : Samples(std::make_shared<const Values>(
-          Values{rows.columns(), false, std::move(rows), {}, {}, {}})) {}
+          Values{rows.columns(), false, std::move(rows), {}, {}, {}, {}})) {}
+
+Samples Samples::view_of(std::span<const float> rows, std::size_t size) {
+  require(size == 0 ? rows.empty() : rows.size() % size == 0,
+          "Samples::view_of: the rows need a multiple of the size of a sample");
+  return Samples(std::make_shared<const Values>(Values{size, false, {}, rows, {}, {}, {}}));
+}
+
+std::size_t Samples::Values::count() const {
+  if (sparse) return row_starts.size() - 1;
+  return viewed.empty() ? rows.rows() : viewed.size() / size;
+}
+
+std::span<const float> Samples::Values::row(std::size_t index) const {
+  return viewed.empty() ? rows.row(index) : viewed.subspan(index * size, size);
+}
 
 Samples Samples::from_signals(const std::vector<Signal>& signals) {
   SampleCollector collected;
@@ -33,7 +48,7 @@ Samples Samples::from_signals(const std::vector<Signal>& signals) {
 SampleCollector::SampleCollector() : values_(std::make_shared<Samples::Values>()) {}
 
 std::size_t SampleCollector::count() const {
-  return values_->sparse ? values_->row_starts.size() - 1 : values_->rows.rows();
+  return values_->count();
 }
 
 void SampleCollector::add(const SignalView& sample) {
@@ -78,7 +93,7 @@ std::size_t Samples::bytes() const {
 
 SignalView Samples::operator[](std::size_t index) const {
   const Values& all = *values_;
-  if (!all.sparse) return SignalView::dense(all.rows.row(index));
+  if (!all.sparse) return SignalView::dense(all.row(index));
   const std::size_t start = all.row_starts[index];
   const std::size_t length = all.row_starts[index + 1] - start;
   return {

@@ -121,17 +121,7 @@ void require_fit(const SomModel& model) {
   }
 }
 
-}  // namespace
-
-std::vector<double> SomModel::fill_values() const {
-  return means.empty() && standardization ? standardization->means : means;
-}
-
-Samples SomModel::prepare(const Samples& samples) const {
-  return standardization ? standardization->apply(samples) : samples;
-}
-
-Result<void> save_som_model(const std::string& path, const SomModel& model) {
+Archive archive_of(const SomModel& model) {
   require_fit(model);
   Archive archive(kSomKind);
   add_som(archive, kSomPrefix, model.som);
@@ -146,24 +136,51 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
   if (!model.means.empty()) {
     archive.add("means", Array<double>{{model.means.size()}, model.means});
   }
-  return save_archive(path, archive);
+  return archive;
+}
+
+Result<SomModel> model_in(const Archive& archive, const std::string& where) {
+  SOMATO_TRY_VOID(check_kind(archive, kSomKind, where));
+  SOMATO_TRY_VOID(check_parts(archive, kKnownParts, where));
+  SOMATO_TRY(auto som, som_from(archive, kSomPrefix, where));
+  SOMATO_TRY(auto features, read_names(archive, "features", where));
+  SOMATO_TRY(auto classes, read_names(archive, "classes", where));
+  SomModel model{std::move(som), std::move(features), {}, std::move(classes), {}, {}};
+  if (!model.features.empty() && model.features.size() != model.som.input_size()) {
+    return damaged_model("the names of the features do not fit the map", where);
+  }
+  SOMATO_TRY_VOID(read_standardization(archive, where, model));
+  SOMATO_TRY_VOID(read_labels(archive, where, model));
+  SOMATO_TRY_VOID(read_means(archive, where, model));
+  return model;
+}
+
+}  // namespace
+
+std::vector<double> SomModel::fill_values() const {
+  return means.empty() && standardization ? standardization->means : means;
+}
+
+Samples SomModel::prepare(const Samples& samples) const {
+  return standardization ? standardization->apply(samples) : samples;
+}
+
+std::string encode_som_model(const SomModel& model) {
+  return encode_archive(archive_of(model));
+}
+
+Result<SomModel> decode_som_model(std::string_view bytes, const std::string& where) {
+  SOMATO_TRY(const auto archive, decode_archive(bytes, where));
+  return model_in(archive, where);
+}
+
+Result<void> save_som_model(const std::string& path, const SomModel& model) {
+  return save_archive(path, archive_of(model));
 }
 
 Result<SomModel> load_som_model(const std::string& path) {
-  SOMATO_TRY(auto archive, load_archive(path));
-  SOMATO_TRY_VOID(check_kind(archive, kSomKind, path));
-  SOMATO_TRY_VOID(check_parts(archive, kKnownParts, path));
-  SOMATO_TRY(auto som, som_from(archive, kSomPrefix, path));
-  SOMATO_TRY(auto features, read_names(archive, "features", path));
-  SOMATO_TRY(auto classes, read_names(archive, "classes", path));
-  SomModel model{std::move(som), std::move(features), {}, std::move(classes), {}, {}};
-  if (!model.features.empty() && model.features.size() != model.som.input_size()) {
-    return damaged_model("the names of the features do not fit the map", path);
-  }
-  SOMATO_TRY_VOID(read_standardization(archive, path, model));
-  SOMATO_TRY_VOID(read_labels(archive, path, model));
-  SOMATO_TRY_VOID(read_means(archive, path, model));
-  return model;
+  SOMATO_TRY(const auto archive, load_archive(path));
+  return model_in(archive, path);
 }
 
 }  // namespace somato

@@ -32,6 +32,31 @@ TEST(Samples, AreTheRowsOfAMatrix) {
   expect_samples(samples, {{1, 2, 3}, {4, 5, 6}});
 }
 
+TEST(Samples, AreAViewOfRowsOfOthers) {
+  const std::vector<float> rows{1, 2, 3, 4, 5, 6};
+  const Samples samples = Samples::view_of(rows, 3);
+  EXPECT_EQ(samples.size(), 3U);
+  EXPECT_FALSE(samples.is_sparse());
+  EXPECT_EQ(samples.bytes(), 6 * sizeof(float));
+  expect_samples(samples, {{1, 2, 3}, {4, 5, 6}});
+  EXPECT_EQ(samples[1].values.data(), rows.data() + 3);
+  EXPECT_TRUE(Samples(samples).is_same_as(samples));
+  EXPECT_EQ(samples.apart()[1].values.data(), rows.data() + 3);
+}
+
+TEST(Samples, OfAViewAreCopiedIntoSubsets) {
+  std::vector<float> rows{1, 2, 3, 4};
+  const Samples subset = Samples::view_of(rows, 2).subset({1, 0, 1});
+  rows.assign(4, 0);
+  expect_samples(subset, {{3, 4}, {1, 2}, {3, 4}});
+}
+
+TEST(Samples, OfAViewNeedWholeRows) {
+  EXPECT_THROW(Samples::view_of(std::vector<float>(5), 2), InvalidArgument);
+  EXPECT_THROW(Samples::view_of(std::vector<float>(5), 0), InvalidArgument);
+  EXPECT_EQ(Samples::view_of({}, 2).count(), 0U);
+}
+
 TEST(Samples, AreDenseAsSoonAsOneOfThemIs) {
   const Samples samples = Samples::from_signals({kSparse, kDense, kZero});
   EXPECT_FALSE(samples.is_sparse());

@@ -95,6 +95,8 @@ TEST(SomModel, IsTheSameWhenLoaded) {
       expect_same(*loaded, model);
       ASSERT_TRUE(save_som_model(folder.file("b"), *loaded));
       EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
+      EXPECT_EQ(encode_som_model(model), bytes_of(folder.file("a")));
+      expect_same(decode_som_model(encode_som_model(model), "bytes").value(), model);
     }
   }
 }

@@ -178,6 +178,23 @@ TEST(SomTraining, TakesRowsAsSamples) {
   EXPECT_EQ(train_som(p, rows)->weights(), train_som(p, Samples(rows))->weights());
 }
 
+TEST(SomTraining, GivesTheSameBitsForAViewAsForACopy) {
+  Random random(60);
+  Matrix<float> rows(23, 70);
+  for (float& value : rows.values()) value = static_cast<float>(random.uniform());
+  for (const Case& c : {Case{Training::kOnline, Arithmetic::kPlain},
+                        Case{Training::kOnline, Arithmetic::kInnerProducts},
+                        Case{Training::kBatch, Arithmetic::kPlain}}) {
+    SomParameters p;
+    p.training = c.training;
+    p.arithmetic = c.arithmetic;
+    p.iterations = 200;
+    p.epochs = 4;
+    const Samples view = Samples::view_of(rows.values(), rows.columns());
+    EXPECT_EQ(train_som(p, view)->weights(), train_som(p, Samples(rows))->weights());
+  }
+}
+
 TEST(SomTraining, ShowsMomentsThatChangeNothing) {
   Random random(61);
   for (const Arithmetic arithmetic : {Arithmetic::kPlain, Arithmetic::kInnerProducts}) {

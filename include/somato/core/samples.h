@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,15 @@ class Samples {
   /// One dense sample per row.
   explicit Samples(Matrix<float> rows);
 
+  /// One dense sample of `size` elements per row of `rows`, which are not copied: they must exist and
+  /// stay unchanged during the lifetime of this object, of its copies, and of maps trained by inner
+  /// products with them. Throws InvalidArgument unless `rows` has a multiple of `size` values.
+  static Samples view_of(std::span<const float> rows, std::size_t size);
+
   /// One sample per signal, dense if any of them is; throws InvalidArgument if sizes differ.
   static Samples from_signals(const std::vector<Signal>& signals);
 
-  std::size_t count() const {
-    return values_->sparse ? values_->row_starts.size() - 1 : values_->rows.rows();
-  }
+  std::size_t count() const { return values_->count(); }
   std::size_t size() const { return values_->size; }
   bool is_sparse() const { return values_->sparse; }
 
@@ -61,9 +65,13 @@ class Samples {
     std::size_t size = 0;
     bool sparse = false;
     Matrix<float> rows;
+    std::span<const float> viewed;  // rows of others, instead of `rows`
     std::vector<std::size_t> row_starts;
     std::vector<std::uint32_t> indices;
     std::vector<float> values;
+
+    std::size_t count() const;
+    std::span<const float> row(std::size_t index) const;
   };
   struct Computed;
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "somato/codes/standardization.h"
@@ -30,6 +31,14 @@ struct SomModel {
   /// The samples as inputs of the map. Throws InvalidArgument if the sizes differ.
   Samples prepare(const Samples& samples) const;
 };
+
+/// The bytes of a model file; docs/formats/model-file.md describes them. Throws like
+/// save_som_model().
+std::string encode_som_model(const SomModel& model);
+
+/// The model in `bytes`, from the source `where`. Errors: kData for bytes that are damaged or
+/// contain something else.
+Result<SomModel> decode_som_model(std::string_view bytes, const std::string& where);
 
 /// Saves atomically (see save_whole); docs/formats/model-file.md describes the file. Throws
 /// InvalidArgument if features, standardization, labels or means do not fit the map.
