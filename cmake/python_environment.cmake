@@ -1,7 +1,8 @@
-# Makes a Python environment with the packages of requirements.txt in the folder TO; costs nothing
-# when it is there. -DPYTHON=PROGRAM -DFROM=FOLDER -DTO=FOLDER
+# Makes a Python environment with the packages of the file REQUIREMENTS, installed without their
+# dependencies, in the folder TO; costs nothing when it is there. -DPYTHON=PROGRAM
+# -DREQUIREMENTS=FILE -DTO=FOLDER
 set(stamp ${TO}/installed)
-file(READ ${FROM}/requirements.txt wanted)
+file(READ ${REQUIREMENTS} wanted)
 if(EXISTS ${stamp})
   file(READ ${stamp} installed)
 endif()
@@ -12,11 +13,11 @@ file(REMOVE_RECURSE ${TO})
 execute_process(COMMAND ${PYTHON} -m venv ${TO} RESULT_VARIABLE status)
 if(status EQUAL 0)
   execute_process(COMMAND ${TO}/bin/python -m pip install --quiet --disable-pip-version-check
-                          --no-deps -r ${FROM}/requirements.txt
+                          --no-deps -r ${REQUIREMENTS}
                   RESULT_VARIABLE status)
 endif()
 if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the makers' libraries cannot be installed (${status}); is python3-venv "
+  message(FATAL_ERROR "the packages of ${REQUIREMENTS} cannot be installed (${status}); is python3-venv "
                       "installed, and the package index within reach? 'pip config list' shows which it is")
 endif()
 file(WRITE ${stamp} "${wanted}")

@@ -5,6 +5,7 @@
   after `> `), and what they print must match what the block shows: `...` in a line matches
   any text, a line `...` any lines. Without shown output nothing is compared.
 - ```cpp blocks with `int main` are compiled, linked with the library and run.
+- ```python blocks run as scripts of the interpreter of --python, all blocks of a document as one program.
 - The blocks of a document run in order in a new folder, which contains the folders of the source tree
   and build/release/somato; `somato` is on the path.
 - `<!-- test: skip REASON -->` before a block skips it; REASONS defines the permitted blocks. Data of
@@ -12,6 +13,7 @@
 - `<!-- test: made FILE -->` before a picture names the file of that folder with the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
+                         [--python FILE]
 """
 
 import argparse
@@ -32,7 +34,7 @@ REASONS = {
 TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(
     r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
-    r"```(?P<kind>sh|bash|console|cpp)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+    r"```(?P<kind>sh|bash|console|cpp|python)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$",
                   re.MULTILINE)
 
@@ -116,6 +118,7 @@ class Runner:
         self.options = options
         self.folder = folder
         self.environment = dict(os.environ, LC_ALL="C.UTF-8")
+        self.python_text = ""  # of the blocks so far
         self.prepare()
 
     def prepare(self):
@@ -134,6 +137,8 @@ class Runner:
             self.run_console(block)
         elif block.kind == "cpp":
             self.run_cpp(block)
+        elif block.kind == "python":
+            self.run_python(block)
         else:
             run_command(shell(block.text), self.folder, self.environment)
 
@@ -161,10 +166,18 @@ class Runner:
         run_command([str(program)], self.folder, self.environment)
 
 
+    # What earlier blocks define is defined again, so that a document reads like a notebook.
+    def run_python(self, block):
+        self.python_text += block.text
+        run_command([self.options.python, "-B", "-c", self.python_text], self.folder, self.environment)
+
+
 def run_document(options, document):
     """Returns the number of failures; prints one line per block."""
     name = document.relative_to(options.source).as_posix()
     blocks = blocks_of(document.read_text(encoding="utf-8"), name)
+    if not options.python:
+        blocks = [block for block in blocks if block.kind != "python"]
     if not blocks:
         return 0
     runner = Runner(options, options.scratch / name.replace("/", "_"))
@@ -199,6 +212,7 @@ def main(arguments=None):
     parser.add_argument("--program", type=Path)
     parser.add_argument("--compiler", default="c++")
     parser.add_argument("--link", action="append", default=[])
+    parser.add_argument("--python", help="without it, blocks in Python do not run")
     options = parser.parse_args(arguments)
     options.source = options.source.resolve()
     documents = [options.source / "README.md", *sorted((options.source / "docs").rglob("*.md"))]

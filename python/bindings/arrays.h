@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "nanobind/nanobind.h"
+#include "nanobind/ndarray.h"
+#include "somato/core/samples.h"
+
+namespace somato::python {
+
+/// Samples as Python passes them: one per row, in C order, not copied.
+using Rows =
+    nanobind::ndarray<const float, nanobind::ndim<2>, nanobind::c_contig, nanobind::device::cpu>;
+
+template <typename T>
+using Numbers =
+    nanobind::ndarray<const T, nanobind::ndim<1>, nanobind::c_contig, nanobind::device::cpu>;
+
+/// `count` rows from `first` on, as samples; valid during the lifetime of `rows`.
+inline Samples samples_of(const Rows& rows, std::size_t first, std::size_t count) {
+  const std::size_t size = rows.shape(1);
+  return Samples::view_of({rows.data() + first * size, count * size}, size);
+}
+
+/// All rows.
+inline Samples samples_of(const Rows& rows) {
+  return samples_of(rows, 0, rows.shape(0));
+}
+
+/// An array of numpy that owns `values`.
+template <typename T, std::size_t Dimensions>
+nanobind::object array_of(std::vector<T> values, const std::size_t (&shape)[Dimensions]) {
+  auto owned = std::make_unique<std::vector<T>>(std::move(values));
+  T* data = owned->data();
+  const nanobind::capsule owner(owned.get(), [](void* memory) noexcept {
+    delete static_cast<std::vector<T>*>(memory);  // NOLINT(cppcoreguidelines-owning-memory)
+  });
+  owned.release();
+  return nanobind::cast(nanobind::ndarray<nanobind::numpy, T>(data, Dimensions, shape, owner));
+}
+
+template <typename T>
+nanobind::object array_of(std::vector<T> values) {
+  const std::size_t shape[] = {values.size()};
+  return array_of(std::move(values), shape);
+}
+
+}  // namespace somato::python

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "nanobind/nanobind.h"
+
+namespace somato::python {
+
+/// The parts of the extension module.
+void bind_map(nanobind::module_& module);
+void bind_recording(nanobind::module_& module);
+void bind_study(nanobind::module_& module);
+
+}  // namespace somato::python

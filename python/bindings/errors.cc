@@ -1,0 +1,43 @@
+#include "errors.h"
+
+#include <exception>
+
+namespace somato::python {
+namespace {
+
+const char* name_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kUsage:
+      return "UsageError";
+    case ErrorKind::kData:
+      return "DataError";
+    case ErrorKind::kIncomplete:
+      return "IncompleteError";
+    case ErrorKind::kSystem:
+    case ErrorKind::kInterrupted:
+      break;
+  }
+  return "OperatingSystemError";
+}
+
+void raise(const Error& error) {
+  const nanobind::object type =
+      nanobind::module_::import_(SOMATO_PYTHON_PACKAGE ".errors").attr(name_of(error.kind));
+  const nanobind::object raised =
+      type(error.what.c_str(), error.where.c_str(), error.advice.c_str());
+  PyErr_SetObject(type.ptr(), raised.ptr());
+}
+
+}  // namespace
+
+void register_failures() {
+  nanobind::register_exception_translator([](const std::exception_ptr& thrown, void* /*unused*/) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const Failure& failure) {
+      raise(failure.error);
+    }
+  });
+}
+
+}  // namespace somato::python

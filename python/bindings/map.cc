@@ -1,0 +1,298 @@
+#include "map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "bindings.h"
+#include "core/threads.h"
+#include "errors.h"
+#include "interrupts.h"
+#include "maps/batch_training.h"
+#include "maps/sample_range.h"
+#include "nanobind/stl/string.h"
+#include "nanobind/stl/vector.h"
+#include "parameters.h"
+#include "somato/drawing/map_picture.h"
+#include "somato/maps/som_learner.h"
+#include "somato/maps/som_quality.h"
+#include "somato/maps/som_training.h"
+
+namespace somato::python {
+namespace {
+
+namespace nb = nanobind;
+
+const std::string kPlace = "SOM";
+
+// Rows between two looks at signals.
+constexpr std::size_t kRowsAtOnce = 4096;
+
+SomParameters checked_parameters(const nb::dict& values) {
+  const auto parameters = parameters_of<SomParameters>(values, kPlace);
+  const SomParameters defaults;
+  for (const auto& parameter : SomParameters::declarations().all()) {
+    if (parameter.read(parameters) == parameter.read(defaults)) continue;
+    const std::string reason = reason_without_effect(parameters, parameter.info.name);
+    if (reason.empty()) continue;
+    throw Failure{without_effect(parameter.info.name, reason, kPlace)};
+  }
+  return parameters;
+}
+
+// Without the rows that it was trained on, which belong to others.
+Som apart_from_samples(const Som& som) {
+  return som.products() ? Som(som.parameters(), som.weights(), som.elements()) : som;
+}
+
+Result<void> check_row(const SignalView& prepared, std::size_t row) {
+  if (is_in_range(prepared)) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("row {} has values too large for the map, which computes distances in "
+                          "single precision",
+                          row),
+              "X", "leave the row out, or scale all rows");
+}
+
+// Calls `work` with parts of the rows as inputs of the map, and the number of the part's first row.
+void for_each_part(const SomModel& model, const Rows& rows, Interrupts& interrupts,
+                   const std::function<void(const Samples&, std::size_t first)>& work) {
+  for (std::size_t first = 0; first < rows.shape(0) && interrupts.proceed(); first += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, rows.shape(0) - first);
+    const Samples part = model.prepare(samples_of(rows, first, count));
+    for (std::size_t i = 0; i < count; ++i) value_or_throw(check_row(part[i], first + i));
+    work(part, first);
+  }
+}
+
+// Computes without the lock of the interpreter. Throws the exception of a signal's handler.
+void unlocked(const std::function<void(Interrupts&)>& work) {
+  Interrupts interrupts;
+  {
+    const nb::gil_scoped_release released;
+    work(interrupts);
+  }
+  interrupts.throw_raised();
+}
+
+std::vector<std::int64_t> integers(const std::vector<std::size_t>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+std::vector<std::size_t> sizes(const Numbers<std::int64_t>& numbers) {
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+}  // namespace
+
+Map::Map(SomModel model) : model_(std::move(model)) {}
+
+Map Map::train(const nb::dict& values, const Rows& rows, std::size_t threads) {
+  const SomParameters parameters = checked_parameters(values);
+  Som som;
+  unlocked([&](Interrupts& interrupts) {
+    const Samples samples = samples_of(rows);
+    auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
+    if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
+    som = apart_from_samples(value_or_throw(std::move(trained)));
+  });
+  return Map(SomModel{std::move(som), {}, {}, {}, {}});
+}
+
+Map Map::initial(const nb::dict& values, const Rows& rows) {
+  const SomParameters parameters = checked_parameters(values);
+  return Map(
+      SomModel{apart_from_samples(value_or_throw(untrained_som(parameters, samples_of(rows)))),
+               {},
+               {},
+               {},
+               {}});
+}
+
+Map Map::learned(const Rows& rows, std::uint64_t done, std::size_t threads) const {
+  check_columns(rows);
+  SomModel changed = model_;
+  const Schedule rate = changed.som.parameters().learning_rate();
+  const Schedule radius = changed.som.parameters().radius();
+  unlocked([&](Interrupts& interrupts) {
+    SomLearner learner(changed.som, threads);
+    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+      std::vector<SignalView> inputs(part.count());
+      std::vector<LearningStep> steps(part.count());
+      for (std::size_t i = 0; i < part.count(); ++i) {
+        inputs[i] = part[i];
+        steps[i] = {rate.at(done + first + i), radius.at(done + first + i)};
+      }
+      learner.learn(inputs, steps);
+    });
+  });
+  return Map(std::move(changed));
+}
+
+Map Map::labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
+                  const Numbers<std::int64_t>& classes) const {
+  SomModel changed = model_;
+  changed.classes = names;
+  changed.labels = NeuronLabels::by_majority(sizes(winners), sizes(classes), model_.som.neurons());
+  return Map(std::move(changed));
+}
+
+Map Map::named(std::vector<std::string> features) const {
+  SomModel changed = model_;
+  changed.features = std::move(features);
+  return Map(std::move(changed));
+}
+
+void Map::check_columns(const Rows& rows) const {
+  if (rows.shape(1) == model_.som.input_size()) return;
+  throw Failure{Error{ErrorKind::kData,
+                      fmt::format("the data have {} columns, but the map requires {}",
+                                  rows.shape(1), model_.som.input_size()),
+                      "X", "use the columns that the map was trained on"}};
+}
+
+nb::object Map::winners(const Rows& rows, std::size_t threads) const {
+  check_columns(rows);
+  std::vector<std::int64_t> winners(rows.shape(0));
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+      const auto found = winners_of(model_.som, part, threads);
+      std::copy(found.begin(), found.end(), winners.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+  });
+  return array_of(std::move(winners));
+}
+
+nb::object Map::activity(const Rows& rows, std::size_t threads) const {
+  check_columns(rows);
+  const std::size_t neurons = model_.som.neurons();
+  std::vector<float> activity(rows.shape(0) * neurons);
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
+        SomWorkspace workspace;
+        for (std::size_t i = begin; i < end; ++i) {
+          model_.som.activity(part[i], workspace,
+                              {activity.data() + (first + i) * neurons, neurons});
+        }
+      });
+    });
+  });
+  const std::size_t shape[] = {rows.shape(0), neurons};
+  return array_of(std::move(activity), shape);
+}
+
+nb::object Map::classes(const Rows& rows, std::size_t threads) const {
+  check_columns(rows);
+  std::vector<std::int64_t> classes(rows.shape(0));
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
+        SomWorkspace workspace;
+        for (std::size_t i = begin; i < end; ++i) {
+          classes[first + i] =
+              static_cast<std::int64_t>(model_.labels.classify(model_.som, part[i], workspace));
+        }
+      });
+    });
+  });
+  return array_of(std::move(classes));
+}
+
+nb::tuple Map::quality(const Rows& rows, std::size_t threads) const {
+  check_columns(rows);
+  SomQuality quality;
+  std::vector<std::int64_t> winners;
+  winners.reserve(rows.shape(0));
+  unlocked([&](Interrupts& interrupts) {
+    SomQualityMeasurement measurement(model_.som, threads);
+    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
+      const auto found = measurement.add(part);
+      winners.insert(winners.end(), found.begin(), found.end());
+    });
+    quality = measurement.quality();
+  });
+  return nb::make_tuple(quality.quantization_error, quality.topographic_error,
+                        array_of(integers(quality.hits)), array_of(std::move(winners)));
+}
+
+nb::object Map::weights() const {
+  const Som& som = model_.som;
+  std::vector<float> weights(som.neurons() * som.input_size());
+  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+    for (std::size_t element = 0; element < som.input_size(); ++element) {
+      weights[neuron * som.input_size() + element] = som.weight(neuron, element);
+    }
+  }
+  const std::size_t shape[] = {som.neurons(), som.input_size()};
+  return array_of(std::move(weights), shape);
+}
+
+nb::object Map::u_matrix() const {
+  const std::size_t shape[] = {model_.som.grid().rows(), model_.som.grid().columns()};
+  return array_of(somato::u_matrix(model_.som), shape);
+}
+
+std::string Map::picture(const std::string& title, const std::vector<std::size_t>& hits) const {
+  const Grid& grid = model_.som.grid();
+  ValuePanel heights;
+  heights.title = "U-matrix";
+  heights.grid = grid;
+  heights.values = somato::u_matrix(model_.som);
+  std::vector<Panel> panels{heights};
+  if (!hits.empty()) panels.emplace_back(hits_panel(grid, hits));
+  return draw_picture(title,
+                      fmt::format("{} x {} neurons, {} {}", grid.rows(), grid.columns(),
+                                  choice_name(grid.lattice()), choice_name(grid.topology())),
+                      panels);
+}
+
+void bind_map(nb::module_& module) {
+  module.def(
+      "som_parameters", [] { return descriptions_of(SomParameters::declarations().infos()); },
+      "The parameters of a SOM: name, type, unit, text, range, choices and default.");
+  module.def("available_threads", &available_threads, "Threads that the machine runs at once.");
+  nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
+      .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows").noconvert(),
+                  nb::arg("threads"))
+      .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows").noconvert())
+      .def("learned", &Map::learned, nb::arg("rows").noconvert(), nb::arg("done"),
+           nb::arg("threads"))
+      .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),
+           nb::arg("classes").noconvert())
+      .def("named", &Map::named, nb::arg("features"))
+      .def("winners", &Map::winners, nb::arg("rows").noconvert(), nb::arg("threads"))
+      .def("activity", &Map::activity, nb::arg("rows").noconvert(), nb::arg("threads"))
+      .def("classes", &Map::classes, nb::arg("rows").noconvert(), nb::arg("threads"))
+      .def("quality", &Map::quality, nb::arg("rows").noconvert(), nb::arg("threads"))
+      .def("weights", &Map::weights)
+      .def("u_matrix", &Map::u_matrix)
+      .def("picture", &Map::picture, nb::arg("title"), nb::arg("hits"))
+      .def_prop_ro("parameters",
+                   [](const Map& map) { return dict_of(map.model().som.parameters()); })
+      .def_prop_ro("features", [](const Map& map) { return map.model().features; })
+      .def_prop_ro("class_names", [](const Map& map) { return map.model().classes; })
+      .def_prop_ro("input_size", [](const Map& map) { return map.model().som.input_size(); })
+      .def(
+          "save",
+          [](const Map& map, const std::string& path) {
+            value_or_throw(save_som_model(path, map.model()));
+          },
+          nb::arg("path"))
+      .def_static(
+          "load", [](const std::string& path) { return Map(value_or_throw(load_som_model(path))); },
+          nb::arg("path"))
+      .def("__getstate__",
+           [](const Map& map) {
+             const std::string bytes = encode_som_model(map.model());
+             return nb::bytes(bytes.data(), bytes.size());
+           })
+      .def("__setstate__", [](Map& map, const nb::bytes& bytes) {
+        new (&map) Map(value_or_throw(decode_som_model({bytes.c_str(), bytes.size()}, "pickle")));
+      });
+}
+
+}  // namespace somato::python

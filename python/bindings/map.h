@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "nanobind/nanobind.h"
+#include "somato/graph/som_model.h"
+
+namespace somato::python {
+
+/// A trained map, as the program's model files contain it. Its functions take rows that are not
+/// copied, release the lock of the interpreter while they compute, and run signal handlers in
+/// between. They throw Failure (kData) for rows of another number of columns and for rows outside
+/// the range of the map.
+class Map {
+ public:
+  explicit Map(SomModel model);
+
+  /// Trains a map. `parameters` may contain all parameters of a SOM; throws Failure as train_som()
+  /// and for a parameter that differs from its default without an effect.
+  static Map train(const nanobind::dict& parameters, const Rows& rows, std::size_t threads);
+
+  /// The initial map for rows.
+  static Map initial(const nanobind::dict& parameters, const Rows& rows);
+
+  /// A copy of the map that has learned the rows once each, in their order, as the samples after
+  /// the first `done` ones.
+  Map learned(const Rows& rows, std::uint64_t done, std::size_t threads) const;
+
+  /// A copy of the map whose neurons are named by the classes of their samples.
+  Map labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
+               const Numbers<std::int64_t>& classes) const;
+
+  /// A copy of the map with names of its columns.
+  Map named(std::vector<std::string> features) const;
+
+  nanobind::object winners(const Rows& rows, std::size_t threads) const;
+  nanobind::object activity(const Rows& rows, std::size_t threads) const;
+  nanobind::object classes(const Rows& rows, std::size_t threads) const;
+
+  /// Quantization error, topographic error, hits and winners.
+  nanobind::tuple quality(const Rows& rows, std::size_t threads) const;
+
+  nanobind::object weights() const;
+  nanobind::object u_matrix() const;
+
+  /// An SVG picture: the U-matrix, and hits unless there are none.
+  std::string picture(const std::string& title, const std::vector<std::size_t>& hits) const;
+
+  const SomModel& model() const { return model_; }
+
+ private:
+  void check_columns(const Rows& rows) const;
+
+  SomModel model_;
+};
+
+}  // namespace somato::python

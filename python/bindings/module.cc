@@ -1,0 +1,10 @@
+#include "bindings.h"
+#include "errors.h"
+
+NB_MODULE(_somato, module) {
+  module.doc() = "The C++ library, for the classes of the package.";
+  somato::python::register_failures();
+  somato::python::bind_map(module);
+  somato::python::bind_recording(module);
+  somato::python::bind_study(module);
+}

@@ -1,0 +1,38 @@
+"""The exceptions of the package: each says what is wrong, where, and what to do."""
+
+
+class Error(Exception):
+    """A failure with an external cause.
+
+    Attributes:
+        what: What is wrong.
+        where: The file, argument or row, or an empty text.
+        advice: What to do, or an empty text.
+    """
+
+    def __init__(self, what, where="", advice=""):
+        super().__init__(what, where, advice)
+        self.what = what
+        self.where = where
+        self.advice = advice
+
+    def __str__(self):
+        place = f"{self.where}: " if self.where else ""
+        advice = f"; {self.advice}" if self.advice else ""
+        return f"{place}{self.what}{advice}"
+
+
+class UsageError(Error, ValueError):
+    """An argument or a key of a file is wrong."""
+
+
+class DataError(Error, ValueError):
+    """The content of a file, a recording or an array cannot be used."""
+
+
+class OperatingSystemError(Error):
+    """The operating system reports an error, or memory does not suffice."""
+
+
+class IncompleteError(Error):
+    """The work is done, but not everything could be saved."""

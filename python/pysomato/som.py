@@ -1,0 +1,242 @@
+"""A self-organizing map as an estimator of scikit-learn."""
+
+import os
+
+import numpy as np
+from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
+from sklearn.utils.validation import check_is_fitted
+
+from . import _somato
+from ._rows import numbered, rows_of
+from .errors import UsageError
+
+# In __init__, but not parameters of a map.
+_NOT_OF_MAP = {"threads"}
+
+
+class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
+    """A self-organizing map.
+
+    Its parameters, except ``threads``, have the names, values and defaults of ``somato som train``
+    (docs/reference/flags-and-keys.md); ``None`` is ``automatic``. The same rows, parameters and seed
+    give the same map, bit by bit, as the program. Rows are float32 in C order, (samples, columns);
+    such an array is not copied, others are converted.
+
+    Training, ``predict`` and ``transform`` release the interpreter's lock, and Ctrl-C stops them.
+
+    Args:
+        rows: Rows of the map.
+        columns: Columns of the map.
+        threads: Threads that compute; None: as many as the machine runs at once. Does not affect
+            results.
+
+    Attributes:
+        map_: The trained map, which a notebook draws. Immutable.
+        weights_: Weights of the neurons, row by row; float32 of (neurons, columns).
+        winners_: Number of each training sample's winner, after ``fit``; int64 of (samples,).
+        hits_: Number of training samples that each neuron wins, after ``fit``; int64 of (neurons,).
+        quantization_error_: Mean distance of a training sample from its winner, after ``fit``.
+        topographic_error_: Share of training samples whose two best neurons share no edge, after
+            ``fit``.
+        classes_: The labels in the order of first appearance, if ``fit`` had labels.
+        samples_seen_: Samples that online training has learned, in all calls since the map began.
+    """
+
+    def __init__(self, rows=15, columns=15, *, lattice="rectangular", topology="plane",
+                 similarity="euclidean", normalize_input=None, initial_weights="range",
+                 training="online", iterations=None, epochs=20, draws="with_replacement",
+                 neighbourhood="gaussian", radius_schedule="linear", radius_start=None,
+                 radius_end=1.0, radius_reached_at=None, learning_rate_schedule="linear",
+                 learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
+                 arithmetic="automatic", softmax="power", softmax_exponent=10.0,
+                 activity_norm="maximum", seed=1, threads=None):
+        self.rows = rows
+        self.columns = columns
+        self.lattice = lattice
+        self.topology = topology
+        self.similarity = similarity
+        self.normalize_input = normalize_input
+        self.initial_weights = initial_weights
+        self.training = training
+        self.iterations = iterations
+        self.epochs = epochs
+        self.draws = draws
+        self.neighbourhood = neighbourhood
+        self.radius_schedule = radius_schedule
+        self.radius_start = radius_start
+        self.radius_end = radius_end
+        self.radius_reached_at = radius_reached_at
+        self.learning_rate_schedule = learning_rate_schedule
+        self.learning_rate_start = learning_rate_start
+        self.learning_rate_end = learning_rate_end
+        self.learning_rate_reached_at = learning_rate_reached_at
+        self.arithmetic = arithmetic
+        self.softmax = softmax
+        self.softmax_exponent = softmax_exponent
+        self.activity_norm = activity_norm
+        self.seed = seed
+        self.threads = threads
+
+    def fit(self, X, y=None) -> "SOM":
+        """Trains a new map on the rows of X.
+
+        Args:
+            X: Numbers of (samples, columns), at least two samples.
+            y: Labels of (samples,), or None. They do not affect the training; they name the neurons
+                for ``classify`` and ``score``.
+
+        Raises:
+            UsageError: Parameters contradict each other, are out of range or have no effect.
+            DataError: The rows are too long or too short for single precision.
+        """
+        X = rows_of(self, X, reset=True, least=2)
+        classes = None if y is None else numbered(y, X)
+        trained = _somato.Map.train(self._map_parameters(), X, self._threads())
+        self._forget()
+        found = trained.quality(X, self._threads())
+        self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
+        if classes is not None:
+            self.classes_, numbers = classes
+            trained = trained.labelled([str(name) for name in self.classes_], self.winners_, numbers)
+        self._take(trained)
+        if self.training == "online":
+            self.samples_seen_ = trained.parameters["iterations"]
+        return self
+
+    def partial_fit(self, X, y=None) -> "SOM":
+        """Learns the rows of X once each, in their order, as the next samples of the training.
+
+        The first call makes the initial map from its rows. Learning rate and radius follow their
+        schedules over ``iterations`` samples of all calls together and then keep their final values.
+
+        Args:
+            X: Numbers of (samples, columns).
+            y: Ignored: neurons are named by ``fit``.
+
+        Raises:
+            UsageError: ``training`` is ``batch``, or as for ``fit``.
+        """
+        begins = not hasattr(self, "map_")
+        X = rows_of(self, X, reset=begins)
+        if self.training != "online":
+            raise UsageError("partial_fit learns one sample after the other", "SOM(training)",
+                             'use training="online", or fit')
+        before = _somato.Map.initial(self._map_parameters(), X) if begins else self.map_
+        seen = getattr(self, "samples_seen_", 0)
+        learned = before.learned(X, seen, self._threads())
+        self._forget()
+        self._take(learned)
+        self.samples_seen_ = seen + len(X)
+        return self
+
+    def predict(self, X) -> np.ndarray:
+        """The number of each row's winner, counted row by row from 0; int64 of (samples,)."""
+        X = self._checked(X)
+        return self.map_.winners(X, self._threads())
+
+    def transform(self, X) -> np.ndarray:
+        """The activity of all neurons for each row; float32 of (samples, neurons)."""
+        X = self._checked(X)
+        return self.map_.activity(X, self._threads())
+
+    def classify(self, X) -> np.ndarray:
+        """The label of the labelled neuron most similar to each row; of (samples,).
+
+        Raises:
+            UsageError: The map was trained without labels.
+        """
+        X = self._checked(X)
+        self._require_labels("classify")
+        return self.classes_[self.map_.classes(X, self._threads())]
+
+    def score(self, X, y=None) -> float:
+        """The share of rows that ``classify`` names right, or without labels the negative
+        quantization error; greater is better in both cases.
+
+        Raises:
+            UsageError: There are labels, but the map was trained without.
+        """
+        X = self._checked(X)
+        if y is None:
+            return -self.map_.quality(X, self._threads())[0]
+        self._require_labels("score")
+        return float(np.mean(self.classify(X) == np.asarray(y).ravel()))
+
+    @property
+    def weights_(self) -> np.ndarray:
+        check_is_fitted(self, "map_")
+        return self.map_.weights()
+
+    def u_matrix(self) -> np.ndarray:
+        """Mean distance of each neuron's weights from those of its neighbours; of (rows, columns)."""
+        check_is_fitted(self, "map_")
+        return self.map_.u_matrix()
+
+    def save(self, path) -> None:
+        """Writes the map to a model file, which ``somato som map`` reads as well."""
+        check_is_fitted(self, "map_")
+        self.map_.save(os.fspath(path))
+
+    @classmethod
+    def load(cls, path) -> "SOM":
+        """The estimator of a map in a model file, as ``save`` or ``somato som train`` wrote it."""
+        loaded = _somato.Map.load(os.fspath(path))
+        som = cls(**loaded.parameters)
+        som.map_ = loaded
+        som.n_features_in_ = loaded.input_size
+        if loaded.features:
+            som.feature_names_in_ = np.array(loaded.features, dtype=object)
+        if loaded.class_names:
+            som.classes_ = np.array(loaded.class_names)
+        return som
+
+    @property
+    def _n_features_out(self):
+        return self.map_.parameters["rows"] * self.map_.parameters["columns"]
+
+    def __sklearn_tags__(self):
+        tags = super().__sklearn_tags__()
+        tags.transformer_tags.preserves_dtype = ["float32"]
+        return tags
+
+    def _repr_svg_(self):
+        if not hasattr(self, "map_"):
+            return None
+        hits = getattr(self, "hits_", None)
+        return self.map_.picture("SOM", [] if hits is None else hits.tolist())
+
+    def _repr_mimebundle_(self, **kwargs):
+        picture = self._repr_svg_()
+        if picture is None:
+            return super()._repr_mimebundle_(**kwargs)
+        return {"text/plain": repr(self), "image/svg+xml": picture}
+
+    def _map_parameters(self):
+        return {name: value for name, value in self.get_params(deep=False).items()
+                if name not in _NOT_OF_MAP}
+
+    def _threads(self):
+        if self.threads is None:
+            return _somato.available_threads()
+        if not isinstance(self.threads, (int, np.integer)) or self.threads < 1:
+            raise UsageError(f"{self.threads!r} is not a number of threads", "SOM(threads)",
+                             "use at least 1, or None")
+        return int(self.threads)
+
+    def _checked(self, X):
+        check_is_fitted(self, "map_")
+        return rows_of(self, X, reset=False)
+
+    def _require_labels(self, method):
+        if not hasattr(self, "classes_"):
+            raise UsageError("the neurons have no labels", f"SOM.{method}", "pass labels to fit as y")
+
+    def _forget(self):
+        """Removes what describes the samples of an earlier training."""
+        for name in ("quantization_error_", "topographic_error_", "hits_", "winners_", "classes_",
+                     "samples_seen_"):
+            self.__dict__.pop(name, None)
+
+    def _take(self, trained):
+        names = getattr(self, "feature_names_in_", None)
+        self.map_ = trained if names is None else trained.named([str(name) for name in names])

@@ -1,0 +1,160 @@
+"""The estimator SOM against definitions in numpy, and its errors."""
+
+import xml.etree.ElementTree
+from inspect import signature
+
+import numpy as np
+import pytest
+
+import pysomato
+from pysomato import SOM, _somato
+
+
+def value_of(text):
+    """A default in TOML notation as a Python value."""
+    if text in ("true", "false", '"automatic"'):
+        return {"true": True, "false": False}.get(text)
+    return text[1:-1] if text.startswith('"') else float(text)
+
+
+def test_parameters_have_the_names_and_defaults_of_the_library():
+    defaults = {name: parameter.default for name, parameter in signature(SOM).parameters.items()
+                if name != "threads"}
+    declared = _somato.som_parameters()
+    assert list(defaults) == [info["name"] for info in declared]
+    for info in declared:
+        default = defaults[info["name"]]
+        if info["name"] == "arithmetic":  # whose choices include 'automatic'
+            assert default == "automatic"
+        else:
+            assert default == value_of(info["default"]), info["name"]
+
+
+def distances_to(weights, X):
+    return np.linalg.norm(X[:, None, :].astype(np.float64) - weights[None].astype(np.float64), axis=2)
+
+
+def test_winners_are_the_nearest_neurons(X):
+    som = SOM(5, 4, iterations=300).fit(X)
+    distances = distances_to(som.weights_, X)
+    np.testing.assert_array_equal(som.predict(X), distances.argmin(axis=1))
+    assert som.quantization_error_ == pytest.approx(distances.min(axis=1).mean(), rel=1e-12)
+    assert som.score(X) == pytest.approx(-som.quantization_error_, rel=1e-12)
+    np.testing.assert_array_equal(som.winners_, som.predict(X))
+    np.testing.assert_array_equal(som.hits_, np.bincount(som.winners_, minlength=20))
+
+
+def test_activity_is_the_power_of_the_similarity(X):
+    som = SOM(5, 4, iterations=300, softmax_exponent=3).fit(X)
+    activity = (1 / (1 + distances_to(som.weights_, X))) ** 3
+    expected = activity / activity.max(axis=1, keepdims=True)
+    np.testing.assert_allclose(som.transform(X), expected, rtol=1e-5)
+
+
+def test_u_matrix_is_the_mean_distance_of_neighbours(X):
+    som = SOM(3, 2, iterations=100).fit(X)
+    weights = som.weights_.astype(np.float64)
+    between = np.linalg.norm(weights[:, None] - weights[None], axis=2)
+    assert som.u_matrix().shape == (3, 2)
+    assert som.u_matrix()[0, 0] == pytest.approx((between[0, 1] + between[0, 2]) / 2)
+    assert som.u_matrix()[1, 1] == pytest.approx((between[3, 1] + between[3, 2] + between[3, 5]) / 3)
+
+
+def test_partial_fit_follows_kohonens_rule(X):
+    settings = {"initial_weights": "uniform", "iterations": 80, "radius_start": 2.0,
+                "radius_end": 0.5, "learning_rate_start": 0.5, "learning_rate_end": 0.1}
+    som = SOM(3, 4, **settings).partial_fit(X[:1])
+    for start in range(1, len(X), 7):
+        som.partial_fit(X[start:start + 7])
+    weights = _somato.Map.initial({"rows": 3, "columns": 4, **settings}, X).weights().astype(np.float64)
+    places = np.array([(row, column) for row in range(3) for column in range(4)], np.float64)
+    for step, x in enumerate(X):
+        rate, radius = 0.5 - 0.4 * step / 80, 2.0 - 1.5 * step / 80
+        winner = np.linalg.norm(weights - x, axis=1).argmin()
+        squares = ((places - places[winner]) ** 2).sum(axis=1)
+        weights += rate * np.exp(-squares / (2 * radius**2))[:, None] * (x - weights)
+    assert som.samples_seen_ == len(X)
+    np.testing.assert_allclose(som.weights_, weights, rtol=1e-4, atol=1e-5)
+
+
+def test_partial_fit_after_fit_continues(X):
+    som = SOM(3, 3, iterations=200).fit(X)
+    assert som.samples_seen_ == 200
+    before = som.map_
+    som.partial_fit(X[:10])
+    assert som.samples_seen_ == 210
+    np.testing.assert_array_equal(som.weights_, before.learned(X[:10], 200, 1).weights())
+    assert not hasattr(som, "winners_")
+
+
+def test_labels_keep_their_types_and_order(X):
+    y = np.array([30, 10, 20, 40])[np.arange(60) % 4]
+    som = SOM(6, 6, iterations=2000).fit(X, y)
+    assert som.classes_.tolist() == [30, 10, 20, 40]
+    assert som.score(X, y) == np.mean(som.classify(X) == y)
+    assert som.score(X, y) > 0.9
+    assert not hasattr(som.fit(X), "classes_")
+
+
+def test_a_map_without_labels_says_so(X, labels):
+    som = SOM(3, 3).fit(X)
+    with pytest.raises(pysomato.UsageError, match="pass labels to fit as y"):
+        som.classify(X)
+    with pytest.raises(pysomato.UsageError, match="pass labels to fit as y"):
+        som.score(X, labels)
+
+
+@pytest.mark.parametrize("settings, message", [
+    ({"rows": 0}, "rows"),
+    ({"lattice": "hexagon"}, "did you mean 'hexagonal'"),
+    ({"learning_rate_start": "fast"}, "learning_rate_start"),
+    ({"seed": 1.5}, "seed"),
+    ({"rows": object()}, r"SOM\(rows\): a value of type object"),
+    ({"training": "batch", "iterations": 10}, "iterations"),
+    ({"lattice": "hexagonal", "topology": "torus", "rows": 5}, "even"),
+    ({"threads": 0}, r"SOM\(threads\)"),
+])
+def test_wrong_parameters_are_named(X, settings, message):
+    with pytest.raises(pysomato.UsageError, match=message):
+        SOM(**settings).fit(X)
+
+
+def test_errors_have_parts_and_are_value_errors(X):
+    with pytest.raises(ValueError) as caught:
+        SOM(rows=0).fit(X)
+    error = caught.value
+    assert isinstance(error, pysomato.Error)
+    assert error.what and error.where
+    assert str(error).startswith(error.where)
+
+
+def test_batch_maps_do_not_learn_one_by_one(X):
+    with pytest.raises(pysomato.UsageError, match="online"):
+        SOM(training="batch").partial_fit(X)
+
+
+def test_rows_beyond_single_precision_are_refused(X):
+    som = SOM(3, 3).fit(X)
+    X[4] = 1e20
+    with pytest.raises(pysomato.DataError, match="row 4"):
+        som.predict(X)
+    with pytest.raises(pysomato.DataError, match="too large"):
+        som.fit(X)
+    assert som.predict(X[:4]).shape == (4,)  # the earlier map is still there
+
+
+def test_files_that_are_no_maps_are_refused(tmp_path):
+    with pytest.raises(pysomato.OperatingSystemError, match="missing.somato"):
+        SOM.load(tmp_path / "missing.somato")
+    (tmp_path / "text.somato").write_text("not a map")
+    with pytest.raises(pysomato.DataError, match="text.somato"):
+        SOM.load(tmp_path / "text.somato")
+
+
+def test_a_notebook_draws_the_map(X):
+    som = SOM(3, 3)
+    assert som._repr_svg_() is None
+    picture = som.fit(X)._repr_mimebundle_()["image/svg+xml"]
+    assert xml.etree.ElementTree.fromstring(picture).tag.endswith("svg")
+    assert "U-matrix" in picture
+    assert ("Hits" in picture) != ("Hits" in som.partial_fit(X)._repr_svg_())

@@ -1,0 +1,132 @@
+"""Studies give the results of the program, and their systems process frames."""
+
+import json
+
+import numpy as np
+import pytest
+
+import pysomato
+from pysomato import Recording, load, study
+
+STUDY = """
+[study]
+name = "grasps"
+label = "object"
+protocols = ["train_is_test", "leave_one_out"]
+seeds = 3
+
+[module.joints]
+type = "channel"
+channel = "joints"
+
+[module.closed]
+type = "last"
+input = "joints"
+
+[module.map]
+type = "som"
+input = "closed"
+rows = 4
+columns = 4
+iterations = 300
+"""
+
+
+@pytest.fixture
+def recording():
+    random = np.random.default_rng(11)
+    centres = random.normal(size=(3, 5))
+    joints = [np.linspace(0, 1, 6)[:, None] * centres[i % 3] + random.normal(size=(6, 5)) * 0.05
+              for i in range(15)]
+    return Recording.from_arrays({"object": [["ball", "cube", "cone"][i % 3] for i in range(15)]},
+                                 {"joints": joints}, rates={"joints": 10})
+
+
+@pytest.fixture
+def toml(tmp_path):
+    path = tmp_path / "grasps.toml"
+    path.write_text(STUDY)
+    return path
+
+
+def test_results_are_those_of_the_program(somato, recording, toml, tmp_path):
+    recording.write(tmp_path / "grasps.mcap")
+    somato("run", toml, "--data", tmp_path / "grasps.mcap", "--seeds", 2, "--out", tmp_path / "out")
+    expected = json.loads((tmp_path / "out/results.json").read_text())
+    outcome = study(recording, toml, seeds=2)
+    assert outcome.results["parts"][0]["protocols"] == expected["parts"][0]["protocols"]
+    outcome.system.save(tmp_path / "mine.somato")
+    assert (tmp_path / "mine.somato").read_bytes() == (tmp_path / "out/system.somato").read_bytes()
+
+
+def test_results_are_frames(recording, toml):
+    pytest.importorskip("pandas")
+    outcome = study(recording, toml, seeds=2, protocols=["leave_one_out"], first_seed=7)
+    values = outcome.values
+    accuracy = values[values.metric == "accuracy"]
+    assert list(accuracy.seed) == [7, 8]
+    assert set(outcome.metrics.protocol) == {"leave_one_out"}
+    metrics = outcome.metrics.set_index("metric")
+    assert metrics.loc["accuracy", "mean"] == pytest.approx(accuracy.value.mean())
+    assert metrics.loc["accuracy", "sd"] == pytest.approx(accuracy.value.std())
+    predictions = outcome.predictions
+    assert len(predictions) == 30
+    named_right = (predictions.label == predictions.prediction).groupby(predictions.seed).mean()
+    np.testing.assert_allclose(named_right, accuracy.value)
+    assert outcome._repr_svg_().startswith("<svg") or "<svg" in outcome._repr_svg_()
+
+
+def test_a_trained_system_processes_frames(recording, toml, tmp_path):
+    outcome = study(recording, toml, seeds=1, protocols="train_is_test")
+    outcome.system.save(tmp_path / "system.somato")
+    run = outcome.results["parts"][0]["protocols"][0]["runs"][0]
+    for system in (outcome.system, load(tmp_path / "system.somato")):
+        live = system.live()
+        assert live.channels == ["joints"]
+        for exploration in range(15):
+            live.start(10)
+            for frame in recording["joints"][exploration]:
+                live.step({"joints": frame})
+            assert live.winner() == run["winners"][exploration]
+            assert live.label() == run["predictions"][exploration]
+    assert 'type = "som"' in load(tmp_path / "system.somato").toml
+
+
+def test_a_live_system_outlives_its_file_and_study(recording, toml):
+    live = study(recording, toml, seeds=1, protocols="train_is_test").system.live()
+    live.start()
+    with pytest.raises(ValueError):
+        live.winner()
+    with pytest.raises(KeyError):
+        live.step({"touch": [1.0]})
+    with pytest.raises(ValueError):
+        live.step({"joints": [1.0, 2.0]})
+    live.step({"joints": [0.0] * 5})
+    assert 0 <= live.winner() < 16
+
+
+def test_own_systems_have_names():
+    assert "shape_and_size" in pysomato.systems()
+
+
+@pytest.mark.parametrize("settings, message", [
+    ({"seed": 2}, "did you mean 'seeds'"),
+    ({"seeds": 0}, "seeds"),
+    ({"protocols": ["leave_group_out"]}, "groups"),
+    ({"label": "material"}, "object"),
+])
+def test_wrong_settings_are_named(recording, toml, settings, message):
+    with pytest.raises(pysomato.UsageError, match=message):
+        study(recording, toml, **settings)
+
+
+def test_files_that_are_wrong_are_named(recording, toml, tmp_path):
+    toml.write_text(STUDY.replace('type = "last"', 'type = "lats"'))
+    with pytest.raises(pysomato.UsageError, match="grasps.toml:.*'last'"):
+        study(recording, toml)
+    with pytest.raises(pysomato.UsageError, match="joints"):
+        study(recording, "texture")
+    with pytest.raises(pysomato.OperatingSystemError, match="none.toml"):
+        study(recording, tmp_path / "none.toml")
+    with pytest.raises(pysomato.DataError, match="grasps.toml"):
+        load(toml)
