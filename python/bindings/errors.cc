@@ -5,19 +5,10 @@
 namespace somato::python {
 namespace {
 
+// No function of the module uses devices, or saves a part of its work.
 const char* name_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::kUsage:
-      return "UsageError";
-    case ErrorKind::kData:
-      return "DataError";
-    case ErrorKind::kIncomplete:
-      return "IncompleteError";
-    case ErrorKind::kSystem:
-    case ErrorKind::kInterrupted:
-      break;
-  }
-  return "OperatingSystemError";
+  if (kind == ErrorKind::kUsage) return "UsageError";
+  return kind == ErrorKind::kData ? "DataError" : "OperatingSystemError";
 }
 
 void raise(const Error& error) {

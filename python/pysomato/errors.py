@@ -32,7 +32,3 @@ class DataError(Error, ValueError):
 
 class OperatingSystemError(Error):
     """The operating system reports an error, or memory does not suffice."""
-
-
-class IncompleteError(Error):
-    """The work is done, but not everything could be saved."""

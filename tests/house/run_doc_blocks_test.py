@@ -44,9 +44,6 @@ class DocBlocks(TreeTest):
         self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg differs from")
         self.assert_fails(fenced("sh", "true\n") + made, "map.svg differs from")
 
-<<<<<<< HEAD
-    def test_does_not_change_the_source_tree(self):
-=======
     def test_python_blocks_are_one_program(self):
         text = fenced("python", "x = 1\n") + fenced("python", "open('x', 'w').write(str(x))\n")
         text += fenced("sh", "grep 1 x\n")
@@ -54,8 +51,7 @@ class DocBlocks(TreeTest):
         self.assertEqual(self.run_document(fenced("python", "y\n"), "--python", sys.executable)[0], 1)
         self.assert_passes(fenced("python", "y\n"))
 
-    def test_leaves_the_source_tree_alone(self):
->>>>>>> f373790 (A Python package: the map as an estimator of scikit-learn, recordings as arrays, studies and trained systems, with the bits of the program)
+    def test_does_not_change_the_source_tree(self):
         self.assert_passes(fenced("sh", "touch new\n"))
         self.assertFalse((self.tree / "source/new").exists())
 
