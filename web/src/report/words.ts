@@ -45,10 +45,23 @@ const kMetrics: Record<string, string> = {
   placed_with_most_similar: "Placed near the most similar",
   quantization_error: "Quantization error",
   topographic_error: "Topographic error",
+  accuracy_chance: "Accuracy by chance",
+  prediction_error: "Prediction error",
+  strongest_right: "Strongest element predicted",
+  strongest_distance: "Distance of the strongest neurons",
+  steps_right: "Frames predicted before an error",
 };
 
-/** "shape.neighbours_same_class" is ["shape", "neighbours_same_class"]; the label of the study itself has no name there. */
+/**
+ * "shape.neighbours_same_class" is ["shape", "neighbours_same_class"]; the label of the study itself has no name there.
+ * "altered.first_half.shape.accuracy" is ["shape, first_half", "accuracy"].
+ */
 export function splitMetric(metric: string): [string, string] {
+  const altered = /^altered\.([^.]+)\.(.+)$/s.exec(metric);
+  if (altered) {
+    const [label, own] = splitMetric(altered[2] ?? "");
+    return [`${label ? `${label}, ` : ""}${altered[1]}`, own];
+  }
   const match = /^([^.\s]+)\.(.+)$/s.exec(metric);
   return match ? [match[1] ?? "", match[2] ?? ""] : ["", metric];
 }
@@ -60,14 +73,14 @@ export function metricName(metric: string): string {
   return kMetrics[own] ?? own.replaceAll("_", " ");
 }
 
-const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|along|similar)/;
+const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|along|similar|strongest_right)/;
 const kCountsOfSamples =
   /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
 
 /** Whether the range of a metric is 0 to 1, whatever the numbers of samples and classes are. */
 export function isShare(metric: string): boolean {
   const [, own] = splitMetric(metric);
-  const counts = kCountsOfSamples.test(own) || /^(classes_separated|mapped_with|quantization_error)/.test(own);
+  const counts = kCountsOfSamples.test(own) || /^(classes_separated|mapped_with|quantization_error|prediction_error)/.test(own);
   return !counts && kShares.test(own);
 }
 

@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 
 import { expect, test } from "vitest";
 
-import { isShare, metricName, metricRange } from "../../src/report/words";
+import { isShare, metricName, metricRange, splitMetric } from "../../src/report/words";
 
 const kSource = process.env["SOMATO_SOURCE"] ?? fileURLToPath(new URL("../../..", import.meta.url));
 const kReference = join(kSource, "docs/reference/results.md");
@@ -44,4 +44,17 @@ test("a metric of a label has the name of the metric", () => {
   expect(metricName("samples_ambiguous")).toBe("Ambiguous samples");
   expect(metricName("shape.samples_ambiguous")).toBe("Ambiguous samples");
   expect(metricName("classes_separated")).toBe("Classes separated");
+});
+
+test("a metric of altered explorations has the name and the range of the metric", () => {
+  expect(splitMetric("altered.first_half.accuracy")).toEqual(["first_half", "accuracy"]);
+  expect(splitMetric("altered.first_half.shape.accuracy")).toEqual(["shape, first_half", "accuracy"]);
+  expect(metricName("altered.first_half.shape.accuracy")).toBe("Accuracy");
+  expect(metricRange("altered.first_half.accuracy", 30, 6)).toEqual([0, 1]);
+});
+
+test("an error of predictions has no upper end", () => {
+  for (const metric of ["aperture.prediction_error", "aperture.prediction_error_of_mean"]) {
+    expect(metricRange(metric, 30, 6), metric).toBeNull();
+  }
 });
