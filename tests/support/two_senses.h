@@ -9,7 +9,8 @@
 namespace somato::testing {
 
 /// `trials` explorations of each of `objects` objects, each of four frames of two channels: `seen`
-/// with two elements and `felt` with three, both of which lie around a point of the object.
+/// with two elements and `felt` with three, of which one after the other is high, as high as the
+/// object's number.
 inline Recording two_senses(std::size_t objects, std::size_t trials, std::uint64_t seed) {
   Random random(seed);
   Recording recording;
@@ -19,7 +20,8 @@ inline Recording two_senses(std::size_t objects, std::size_t trials, std::uint64
         Matrix<float> frames(4, elements);
         for (std::size_t frame = 0; frame < 4; ++frame) {
           for (std::size_t i = 0; i < elements; ++i) {
-            const double centre = i == object % elements ? 1.0 + static_cast<double>(object) : 0.0;
+            const bool high = i == (object + frame) % elements;
+            const double centre = high ? 1.0 + static_cast<double>(object) : 0.0;
             frames(frame, i) = static_cast<float>(centre + 0.4 * random.uniform());
           }
         }
@@ -37,17 +39,19 @@ inline Recording two_senses(std::size_t objects, std::size_t trials, std::uint64
   return recording;
 }
 
-/// A map of each sense of two_senses(), and `called`: the activity of `felt` called up by that of
-/// `seen_map`.
-inline std::string two_senses_system() {
+/// A map of each sense of two_senses(), that of touch with `side` x `side` neurons, and `called`:
+/// the activity of `felt` called up by that of `seen_map`.
+inline std::string two_senses_system(std::size_t side = 3) {
+  const std::string size = std::to_string(side);
   return "[module.seen]\ntype = 'channel'\nchannel = 'seen'\n"
          "[module.seen_last]\ntype = 'last'\ninput = 'seen'\n"
          "[module.seen_map]\ntype = 'som'\ninput = 'seen_last'\nrows = 2\ncolumns = 3\n"
          "iterations = 200\n"
          "[module.feeling]\ntype = 'channel'\nchannel = 'felt'\n"
          "[module.felt_last]\ntype = 'last'\ninput = 'feeling'\n"
-         "[module.felt]\ntype = 'som'\ninput = 'felt_last'\nrows = 3\ncolumns = 3\n"
-         "iterations = 200\n"
+         "[module.felt]\ntype = 'som'\ninput = 'felt_last'\nrows = " +
+         size + "\ncolumns = " + size +
+         "\niterations = 200\n"
          "[module.called]\ntype = 'association'\ninput = 'seen_map'\ntarget = 'felt'\n"
          "iterations = 500\n";
 }
