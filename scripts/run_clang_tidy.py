@@ -29,7 +29,7 @@ TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
 def entries():
     """The compile commands of the files to check, by file."""
-    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1",
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1", "-DSOMATO_BUILD_PYTHON=OFF",
                     "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"], cwd=TREE, stdout=subprocess.DEVNULL,
                    check=True)
     found = {file: command for file, (command, _) in compile_commands.by_file(BUILD).items()}
