@@ -9,6 +9,7 @@
 
 #include "report/curve_point.h"
 #include "somato/studies/alteration.h"
+#include "somato/studies/study_parameters.h"
 
 namespace somato::detail {
 namespace {

@@ -79,6 +79,7 @@ ExplorationValues values_of(Activations& activations, const std::vector<std::siz
   SignalBuffer joined;
   for (const std::size_t exploration : all.explorations) {
     std::vector<SignalView> parts;
+    parts.reserve(modules.size());
     for (const std::size_t module : modules) {
       parts.push_back(activations.find(module, exploration)->values[0]);
     }
