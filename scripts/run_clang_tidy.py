@@ -29,9 +29,9 @@ TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
 def entries():
     """The compile commands of the files to check, by file."""
-    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1", "-DSOMATO_BUILD_PYTHON=OFF",
-                    "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"], cwd=TREE, stdout=subprocess.DEVNULL,
-                   check=True)
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1",
+                    "-DSOMATO_BUILD_PYTHON=OFF", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"],
+                   cwd=TREE, stdout=subprocess.DEVNULL, check=True)
     found = {file: command for file, (command, _) in compile_commands.by_file(BUILD).items()}
     return {file: command for file, command in found.items()
             if file.is_relative_to(TREE) and file.relative_to(TREE).parts[0] in CHECKED}
