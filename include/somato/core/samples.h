@@ -23,9 +23,10 @@ class Samples {
   /// One dense sample per row.
   explicit Samples(Matrix<float> rows);
 
-  /// One dense sample of `size` elements per row of `rows`, which are not copied: they must exist and
-  /// stay unchanged during the lifetime of this object, of its copies, and of maps trained by inner
-  /// products with them. Throws InvalidArgument unless `rows` has a multiple of `size` values.
+  /// One dense sample of `size` elements per row of `rows`, which are not copied: they must exist
+  /// and stay unchanged during the lifetime of this object, of its copies, and of maps trained by
+  /// inner products with them. Throws InvalidArgument unless `rows` has a multiple of `size`
+  /// values.
   static Samples view_of(std::span<const float> rows, std::size_t size);
 
   /// One sample per signal, dense if any of them is; throws InvalidArgument if sizes differ.
