@@ -261,7 +261,9 @@ TEST_P(DeviceFaults, OneByteInAThousandMayBeFlipped) {
     fingers_.servo_line().flipped = 0.001;
     fingers_.sensor_line().flipped = 0.001;
   });
-  if (GetParam() != BusKind::kSsc32) EXPECT_LE(fingers_.beyond(), kResolution);
+  if (GetParam() != BusKind::kSsc32) {
+    EXPECT_LE(fingers_.beyond(), kResolution);
+  }
 }
 
 // The line of an SSC-32 has two wires and no echo: there it is as good as silence.
@@ -365,7 +367,7 @@ class SensorFaults : public ::testing::TestWithParam<FrameFormat> {
 INSTANTIATE_TEST_SUITE_P(Formats, SensorFaults,
                          ::testing::Values(FrameFormat::kFrames, FrameFormat::kLines,
                                            FrameFormat::kAnyskin),
-                         [](const auto& info) { return choice_name(info.param); });
+                         [](const auto& bus) { return choice_name(bus.param); });
 
 TEST_P(SensorFaults, SilenceForThreePeriodsStopsTheBody) {
   const Outcome outcome = outcome_of(fingers_, [&] { fingers_.sensor_line().silent = true; });

@@ -83,7 +83,7 @@ class DeviceTick : public ::testing::TestWithParam<BusKind> {
 INSTANTIATE_TEST_SUITE_P(Buses, DeviceTick,
                          ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
                                            BusKind::kScs),
-                         [](const auto& info) { return choice_name(info.param); });
+                         [](const auto& bus) { return choice_name(bus.param); });
 
 TEST_P(DeviceTick, AllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP() << "this build does not count allocations";
