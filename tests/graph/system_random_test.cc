@@ -22,7 +22,7 @@ using testing::try_train;
 
 constexpr std::size_t kLearnedModules =
     4;  // The first four of six explorations; the others are held out.
-constexpr int kGraphs = 2200;
+constexpr int kGraphs = 2400;
 constexpr std::size_t kMostFrames = 20;  // of hand_recording()
 
 void expect_place(const Error& error, const std::string& text) {

@@ -12,7 +12,8 @@
 
 namespace somato::testing {
 
-/// Writes a random system: mostly what fits, sometimes what does not.
+/// Writes a random system: mostly what fits, sometimes what does not. Each statement draws in a
+/// defined order, so that a seed gives the same system with every compiler.
 class RandomSystem {
  public:
   explicit RandomSystem(std::uint64_t seed) : random_(seed), wildness_(kWildness[seed % 4]) {}
@@ -100,7 +101,8 @@ class RandomSystem {
       return fmt::format("{}", 1 + random_.below(4));
     }
     if (info.type.find("number") != std::string::npos) {
-      return fmt::format("{}", static_cast<double>(random_.below(9)) / 4.0 - (wild() ? 1.0 : 0.0));
+      const double least = wild() ? -1.0 : 0.0;
+      return fmt::format("{}", least + static_cast<double>(random_.below(9)) / 4.0);
     }
     return "[\"1\"]";
   }
@@ -119,10 +121,12 @@ class RandomSystem {
     group_.clear();
     text_ += fmt::format("[module.{}]\ntype = \"{}\"\n", name, misspelt(type.name));
     inputs_ = 1;
-    text_ += ports(type) + fitting_parameters(type.name);
+    text_ += ports(type);
+    text_ += fitting_parameters(type.name);
     for (const ParameterInfo& info : type.parameters) {
       if (is_given(type.name, info.name) || random_.below(8) != 0) continue;
-      text_ += fmt::format("{} = {}\n", misspelt(info.name), value(info));
+      const std::string key = misspelt(info.name);
+      text_ += fmt::format("{} = {}\n", key, value(info));
     }
     if (is_one_of(closing)) group_ = "once";
     if (type.name == "onset_window") group_ = name;
