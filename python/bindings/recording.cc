@@ -120,15 +120,10 @@ nb::list labels(const Recording& recording) {
 // A channel from (frames x elements, times or none).
 Channel filled(const ChannelDescription& description, const Rows& frames,
                const std::vector<double>& times) {
-  Channel channel;
-  channel.name = description.name;
-  channel.unit = description.unit;
-  channel.element_names = description.element_names;
-  channel.shape = description.shape;
-  channel.rate = description.rate;
+  Channel channel =
+      channel_of(description, Matrix<float>(frames.shape(0), frames.shape(1),
+                                            {frames.data(), frames.data() + frames.size()}));
   channel.times = times;
-  channel.frames = Matrix<float>(frames.shape(0), frames.shape(1),
-                                 {frames.data(), frames.data() + frames.size()});
   return channel;
 }
 

@@ -42,14 +42,7 @@ Result<void> let_pass(Body& body, double seconds, double step, Readings readings
 }
 
 Channel empty_channel(const ChannelDescription& sensor) {
-  Channel channel;
-  channel.name = sensor.name;
-  channel.unit = sensor.unit;
-  channel.element_names = sensor.element_names;
-  channel.shape = sensor.shape;
-  channel.rate = sensor.rate;
-  channel.frames = Matrix<float>(0, elements_of(sensor));
-  return channel;
+  return channel_of(sensor, Matrix<float>(0, elements_of(sensor)));
 }
 
 }  // namespace somato::detail

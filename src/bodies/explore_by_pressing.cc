@@ -65,10 +65,10 @@ Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, do
 
 // The last frame of a sensor.
 Exploration exploration_of(const ChannelDescription& sensor, const Matrix<float>& reading) {
-  Channel channel = detail::empty_channel(sensor);
-  channel.rate = 0.0;
   const auto last = reading.row(reading.rows() - 1);
-  channel.frames = Matrix<float>(1, last.size(), std::vector<float>(last.begin(), last.end()));
+  Channel channel = channel_of(
+      sensor, Matrix<float>(1, last.size(), std::vector<float>(last.begin(), last.end())));
+  channel.rate = 0.0;
   Exploration exploration;
   exploration.channels.push_back(std::move(channel));
   return exploration;

@@ -100,6 +100,11 @@ std::size_t FeetechBus::bytes_per_tick() const {
   return tick_.size() + requests + ids_.size() * (6 + state_size());
 }
 
+// The answer that was lost, and the one after it.
+double FeetechBus::recovery() const {
+  return is_sts() ? 0.0 : 2.0 * kFeetechAnswerWait;
+}
+
 std::uint16_t FeetechBus::word(std::span<const std::uint8_t> bytes, std::size_t at) const {
   return wire::feetech_word(bytes.subspan(at, 2), wire::feetech_order(series_));
 }
@@ -225,6 +230,7 @@ Result<void> FeetechBus::start(wire::Exchange& exchange) {
   decoder_.clear();
   polled_ = servos_.size() - 1;  // the first tick polls the first servo
   to_poll_ = 0;
+  answered_ = true;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
   auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
@@ -278,7 +284,10 @@ std::span<const std::uint8_t> FeetechBus::tick(std::span<const double> positions
   const auto given = [](double position) { return std::isfinite(position); };
   if (std::any_of(positions.begin(), positions.end(), given)) write_goals(to, positions, seconds);
   to_poll_ = servos_.size();
-  if (!is_sts()) return poll_one(to);
+  waited_ += seconds;
+  if (!is_sts()) {
+    return answered_ || waited_ >= kFeetechAnswerWait ? poll_one(to) : to.written();
+  }
   to.sync_read(feetech::kPresentPosition, static_cast<std::uint8_t>(state_size()), ids_);
   decoder_.expect_echo(to.written());
   return to.written();
@@ -290,6 +299,7 @@ std::span<const std::uint8_t> FeetechBus::poll_one(wire::FeetechWriter& to) {
   polled_ = (polled_ + 1) % servos_.size();
   --to_poll_;
   answered_ = false;
+  waited_ = 0.0;
   to.read(ids_[polled_], feetech::kPresentPosition, static_cast<std::uint8_t>(state_size()));
   decoder_.clear();
   decoder_.expect_echo(to.written());

@@ -40,7 +40,8 @@ struct FeetechServo {
 ///
 /// The states of STS servos are requested by one sync read. SCS servos do not know it and are read
 /// one by one: follow_up() polls the next when one has answered, and each tick begins behind the
-/// last one polled. They report no current. The answers of both contain the error bits.
+/// last one polled. A tick waits for an answer that may still arrive, because an adapter may be
+/// slower than a period. They report no current. The answers of both contain the error bits.
 /// Nothing is written to the EEPROM.
 class FeetechBus : public ServoBus {
  public:
@@ -61,6 +62,9 @@ class FeetechBus : public ServoBus {
 
   bool reports_states() const override { return true; }
   bool reads_one_by_one() const override { return !is_sts(); }
+
+  /// An SCS servo whose answer was lost is polled again after a wait.
+  double recovery() const override;
 
   /// With all follow-ups.
   std::size_t bytes_per_tick() const override;
@@ -113,7 +117,8 @@ class FeetechBus : public ServoBus {
   Bytes relax_;
   std::size_t polled_ = 0;   // the servo that was polled last
   std::size_t to_poll_ = 0;  // how many are left in this tick
-  bool answered_ = false;    // whether it has answered
+  bool answered_ = true;     // whether it has answered
+  double waited_ = 0.0;      // the ticks' seconds since it was polled
   wire::FeetechDecoder decoder_;
   std::vector<std::string> warnings_;
 };

@@ -34,14 +34,9 @@ void add_frame(CollectedChannel& channel, const RecordingInterpreter::Frame& fra
 }
 
 Channel made(const ChannelDescription& description, std::size_t elements, CollectedChannel frames) {
-  Channel channel;
-  channel.name = description.name;
-  channel.unit = description.unit;
-  channel.element_names = description.element_names;
-  channel.shape = description.shape;
-  channel.rate = description.rate;
   const std::size_t count = frames.times.size();
-  channel.frames = Matrix<float>(count, elements, std::move(frames.values));
+  Channel channel =
+      channel_of(description, Matrix<float>(count, elements, std::move(frames.values)));
   if (description.times_known) channel.times = std::move(frames.times);
   if (!frames.valid.empty()) {
     channel.valid = Matrix<std::uint8_t>(count, elements, std::move(frames.valid));

@@ -178,7 +178,11 @@ TEST(FeetechBus, AnScsTickHasGoalsWithTimesAndAsksOneServo) {
   EXPECT_EQ(Bytes(bytes.begin(), bytes.begin() + 21), goals);
   EXPECT_EQ(Bytes(bytes.begin() + 22, bytes.end() - 1), (Bytes{0xFF, 0xFF, 1, 4, 2, 56, 6}));
   EXPECT_TRUE(hand.bus.follow_up().empty());  // it has not answered yet
-  const auto next = hand.bus.tick(std::vector<double>(2, kAsItIs), 0.02);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(hand.bus.tick(std::vector<double>(2, kAsItIs), 0.02).empty());
+  }
+  const auto next = hand.bus.tick(std::vector<double>(2, kAsItIs), 0.02);  // after 60 ms
+  ASSERT_FALSE(next.empty());
   EXPECT_EQ(next[2], 2);
 }
 
@@ -212,8 +216,11 @@ TEST(FeetechBus, AnAnswerWithoutAByteIsNotCompletedByTheNext) {
   ASSERT_EQ(bytes[6], 0xFF);
   bytes.erase(bytes.begin() + 6);
   hand.bus.receive(bytes, hand.line.now());
-  hand.tick({kAsItIs});
-  EXPECT_EQ(hand.bus.reports()[0].position, 255.0);
+  hand.servos.set_measured(0, 300.0, 0.0);
+  const double polled = hand.line.now();
+  for (int i = 0; i < 3; ++i) hand.tick({kAsItIs});
+  EXPECT_GT(hand.bus.reports()[0].time, polled);
+  EXPECT_EQ(hand.bus.reports()[0].position, 300.0);
 }
 
 TEST(FeetechBus, StreamedGoalsMoveAServoEvenly) {
@@ -259,14 +266,30 @@ TEST(FeetechBus, EveryTickReportsAllServos) {
   }
 }
 
+TEST(FeetechBus, AnAnswerThatArrivesAfterTheNextTickIsTaken) {
+  FeetechHand hand(FeetechSeries::kScs, 3);
+  ASSERT_TRUE(hand.bus.start(hand.exchange));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t servo = i % 3;
+    const double place = 400.0 + static_cast<double>(i);
+    hand.servos.set_measured(servo, place, 0.0);
+    ASSERT_TRUE(hand.exchange.send(hand.bus.tick(std::vector<double>(3, 512.0), 0.02)));
+    hand.exchange.pause(0.02);
+    ASSERT_TRUE(hand.exchange.send(hand.bus.tick(std::vector<double>(3, 512.0), 0.02)));
+    hand.exchange.pause(0.02);
+    hand.take();
+    EXPECT_EQ(hand.bus.reports()[servo].position, place) << i;
+  }
+}
+
 TEST(FeetechBus, AnScsServoThatDoesNotAnswerDelaysTheOthersOnce) {
   FeetechHand hand(FeetechSeries::kScs, 3);
   ASSERT_TRUE(hand.bus.start(hand.exchange));
   hand.servos.set_silent(1, true);
   const double time = hand.bus.reports()[1].time;
-  hand.tick(std::vector<double>(3, kAsItIs));  // asks 1 and 2
+  hand.tick(std::vector<double>(3, kAsItIs));  // polls 1 and 2
   const double middle = hand.line.now();
-  hand.tick(std::vector<double>(3, kAsItIs));  // asks 3, 1 and 2
+  for (int i = 0; i < 3; ++i) hand.tick(std::vector<double>(3, kAsItIs));  // then 3, 1 and 2
   EXPECT_GT(hand.bus.reports()[0].time, middle);
   EXPECT_GT(hand.bus.reports()[2].time, middle);
   EXPECT_EQ(hand.bus.reports()[1].time, time);
@@ -397,8 +420,10 @@ TEST(FeetechBus, ATickAllocatesNothing) {
       ASSERT_GE(arrived.size(), 12u);
       const testing::AllocationCounter receiving;
       hand.bus.receive(arrived, hand.line.now());
-      EXPECT_EQ(hand.bus.follow_up().empty(), series == FeetechSeries::kSts);
+      const auto next = hand.bus.follow_up();
       EXPECT_EQ(receiving.count(), 0u);
+      EXPECT_EQ(next.empty(), series == FeetechSeries::kSts);
+      ASSERT_TRUE(hand.exchange.send(next));
     }
     EXPECT_THROW(hand.bus.tick(std::vector<double>(3), 0.02), InvalidArgument);
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "somato/core/matrix.h"
@@ -53,6 +54,18 @@ struct ChannelDescription {
 inline ChannelDescription description_of(const Channel& channel) {
   return {channel.name,  channel.unit, channel.element_names,
           channel.shape, channel.rate, !channel.times.empty()};
+}
+
+/// A channel of that description with `frames`, without times and with all values valid.
+inline Channel channel_of(const ChannelDescription& description, Matrix<float> frames) {
+  return {.name = description.name,
+          .unit = description.unit,
+          .element_names = description.element_names,
+          .frames = std::move(frames),
+          .times = {},
+          .rate = description.rate,
+          .shape = description.shape,
+          .valid = {}};
 }
 
 /// A property of an exploration, such as object, shape, material or trial.
