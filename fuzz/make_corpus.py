@@ -267,6 +267,62 @@ def wire_decoders():
     write("wire_decoders", "board", b"\5" + moves)
 
 
+SKIN = """std_msgs/Header header
+Sensor[<=3] sensors
+uint8 KIND=3
+wstring note
+float64[2] place 0.5
+===
+MSG: a/Sensor
+string<=9 model
+Taxel[] taxels
+Nothing[2] nothing
+===
+MSG: a/Taxel
+int16 x
+uint64 y
+bool z
+===
+MSG: a/Nothing
+# no fields
+===
+MSG: std_msgs/Header
+time stamp
+string frame_id
+"""
+
+
+def ros_definitions():
+    write("ros_definition", "skin", SKIN)
+    write("ros_definition", "loop", "B b\n===\nMSG: a/B\nTop[] t\n")
+    write("ros_definition", "array", "B[4294967295] b\n===\nMSG: a/B\nfloat64[4294967295] x\n")
+    write("ros_definition", "missing", "uint8 A=1\r\nother/Type t # there is none\r\n")
+    levels = "".join(f"===\nMSG: a/T{i}\nT{i + 1} a\nT{i + 1} b\n" for i in range(1, 30))
+    write("ros_definition", "levels", f"T1 a\nT1 b\n{levels}===\nMSG: a/T30\nint8 x\n")
+
+
+def ros_text(value):
+    return struct.pack("<I", len(value) + 1) + value + b"\0"
+
+
+def ros_messages():
+    """A definition and a path as in FieldReader, each followed by a zero, and a message."""
+    little = b"\0\1\0\0"
+    taxel = struct.pack("<h6xQ?", -2, 1 << 63, True)
+    head = struct.pack("<iI", 1, 2) + ros_text(b"map")
+    sensors = struct.pack("<I", 1) + ros_text(b"tip") + struct.pack("<I", 1) + taxel + bytes(2)
+    skin = little + head + sensors + bytes(5) + struct.pack("<2d", 0.5, 1.5)
+    definition = SKIN.encode() + b"\0"
+    for name, path in ("all", b"sensors"), ("one", b"sensors[0].taxels[*].y"), ("last", b"place"):
+        write("ros_message", name, definition + path + b"\0" + skin)
+    write("ros_message", "cut", definition + b"sensors\0" + skin[:40])
+    write("ros_message", "big_endian", b"float32[] x\0x\0\0\0\0\0\0\0\0\2" + bytes(8))
+    write("ros_message", "long", b"float64[] x\0x\0" + little + b"\xff" * 4 + bytes(8))
+    write("ros_message", "bytes", b"uint8[4294967295] x\nint8 y\0y\0" + little + bytes(8))
+    write("ros_message", "nothing", b"N[] n\nint8 x\n===\nMSG: a/N\n\0x\0" + little + b"\3" + bytes(8))
+    write("ros_message", "parameters", b"int8 x\0x\0\0\3\0\0" + bytes(8))
+
+
 archives()
 npys()
 csvs()
@@ -275,3 +331,5 @@ recordings()
 results()
 view_requests()
 wire_decoders()
+ros_definitions()
+ros_messages()
