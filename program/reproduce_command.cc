@@ -21,9 +21,9 @@
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "studies/reproduction_run.h"
+#include "studies/winners_picture.h"
 #include "study_data.h"
 #include "terminal.h"
-#include "winners_picture.h"
 
 namespace somato::program {
 namespace {

@@ -22,10 +22,10 @@
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
 #include "studies/reproduction_run.h"
+#include "studies/winners_picture.h"
 #include "study_data.h"
 #include "study_table.h"
 #include "terminal.h"
-#include "winners_picture.h"
 
 namespace somato::program {
 namespace {

@@ -7,11 +7,11 @@
 #include "column_report.h"
 #include "commands.h"
 #include "data.h"
+#include "drawing/map_panels.h"
 #include "files/whole_file.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
 #include "somato/drawing/map_picture.h"
-#include "somato/maps/som_quality.h"
 
 namespace somato::program {
 namespace {
@@ -65,14 +65,6 @@ Result<void> check_panels(const Arguments& arguments, const std::vector<std::str
   return {};
 }
 
-ValuePanel value_panel(std::string title, const Som& som, std::vector<double> values) {
-  ValuePanel panel;
-  panel.title = std::move(title);
-  panel.grid = som.grid();
-  panel.values = std::move(values);
-  return panel;
-}
-
 Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::string>& chosen,
                              std::vector<Panel>& panels) {
   const Som& som = both.model.som;
@@ -87,14 +79,6 @@ Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::stri
   panel.classes = both.rows.classes.of_sample;
   panels.emplace_back(std::move(panel));
   return {};
-}
-
-void add_components(const SomModel& model, std::size_t most, std::vector<Panel>& panels) {
-  for (std::size_t i = 0; i < std::min(most, model.som.input_size()); ++i) {
-    const std::string title =
-        model.features.empty() ? fmt::format("Component {}", i + 1) : model.features[i];
-    panels.emplace_back(value_panel(title, model.som, component_plane(model.som, i)));
-  }
 }
 
 Result<MapAndRows> read_map_and_perhaps_rows(const Arguments& arguments) {
@@ -124,24 +108,24 @@ Result<void> plot(const Arguments& arguments) {
   SOMATO_TRY(auto both, read_map_and_perhaps_rows(arguments));
   const Som& som = both.model.som;
   std::vector<Panel> panels;
-  if (wants(chosen, "u_matrix")) {
-    panels.emplace_back(value_panel("U-matrix", som, u_matrix(som)));
-  }
+  if (wants(chosen, "u_matrix")) panels.emplace_back(u_matrix_panel(som));
   if (arguments.has("DATA")) {
     SOMATO_TRY_VOID(add_data_panels(both, chosen, panels));
   }
-  if (wants(chosen, "components")) add_components(both.model, most.value_or(12), panels);
+  if (wants(chosen, "components")) {
+    for (Panel& panel : component_panels(som, both.model.features, most.value_or(12))) {
+      panels.push_back(std::move(panel));
+    }
+  }
   if (panels.empty()) {
     return fail(ErrorKind::kUsage, "no panel can be drawn", "--panels",
                 "name a panel, or use --components above 0");
   }
   const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
-  const std::string caption =
-      fmt::format("{} x {} neurons, {} {}", som.grid().rows(), som.grid().columns(),
-                  choice_name(som.grid().lattice()), choice_name(som.grid().topology()));
-  return save_whole(arguments.text("output"), draw_picture(title, caption, panels)).map([&] {
-    if (arguments.has("DATA")) note_columns_and_filled(both.rows);
-  });
+  return save_whole(arguments.text("output"), draw_picture(title, caption_of(som.grid()), panels))
+      .map([&] {
+        if (arguments.has("DATA")) note_columns_and_filled(both.rows);
+      });
 }
 
 }  // namespace

@@ -48,4 +48,14 @@ nanobind::object array_of(std::vector<T> values) {
   return array_of(std::move(values), shape);
 }
 
+/// Numbers of neurons, samples or classes as an array.
+inline nanobind::object integers(const std::vector<std::size_t>& numbers) {
+  return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
+}
+
+/// The reverse.
+inline std::vector<std::size_t> sizes(const Numbers<std::int64_t>& numbers) {
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
 }  // namespace somato::python

@@ -7,6 +7,7 @@ namespace somato::python {
 /// The parts of the extension module.
 void bind_codes(nanobind::module_& module);
 void bind_map(nanobind::module_& module);
+void bind_pictures(nanobind::module_& module);
 void bind_recording(nanobind::module_& module);
 void bind_study(nanobind::module_& module);
 void bind_t_mpsom(nanobind::module_& module);

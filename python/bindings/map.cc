@@ -9,6 +9,7 @@
 
 #include "bindings.h"
 #include "core/threads.h"
+#include "drawing/cells.h"
 #include "errors.h"
 #include "interrupts.h"
 #include "maps/batch_training.h"
@@ -16,7 +17,6 @@
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
-#include "somato/drawing/map_picture.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
@@ -76,14 +76,6 @@ void unlocked(const std::function<void(Interrupts&)>& work) {
     work(interrupts);
   }
   interrupts.throw_raised();
-}
-
-std::vector<std::int64_t> integers(const std::vector<std::size_t>& numbers) {
-  return {numbers.begin(), numbers.end()};
-}
-
-std::vector<std::size_t> sizes(const Numbers<std::int64_t>& numbers) {
-  return {numbers.data(), numbers.data() + numbers.size()};
 }
 
 }  // namespace
@@ -216,7 +208,7 @@ nb::tuple Map::quality(const Rows& rows, std::size_t threads) const {
     quality = measurement.quality();
   });
   return nb::make_tuple(quality.quantization_error, quality.topographic_error,
-                        array_of(integers(quality.hits)), array_of(std::move(winners)));
+                        integers(quality.hits), array_of(std::move(winners)));
 }
 
 nb::object Map::weights() const {
@@ -236,18 +228,20 @@ nb::object Map::u_matrix() const {
   return array_of(somato::u_matrix(model_.som), shape);
 }
 
-std::string Map::picture(const std::string& title, const std::vector<std::size_t>& hits) const {
-  const Grid& grid = model_.som.grid();
-  ValuePanel heights;
-  heights.title = "U-matrix";
-  heights.grid = grid;
-  heights.values = somato::u_matrix(model_.som);
-  std::vector<Panel> panels{heights};
-  if (!hits.empty()) panels.emplace_back(hits_panel(grid, hits));
-  return draw_picture(title,
-                      fmt::format("{} x {} neurons, {} {}", grid.rows(), grid.columns(),
-                                  choice_name(grid.lattice()), choice_name(grid.topology())),
-                      panels);
+nb::object Map::cells() const {
+  const Cells cells(model_.som.grid(), 1.0);
+  std::vector<double> corners;
+  std::size_t of_each = 0;
+  for (std::size_t neuron = 0; neuron < model_.som.neurons(); ++neuron) {
+    const std::vector<Point> around = cells.corners(neuron);
+    of_each = around.size();
+    for (const Point& corner : around) {
+      corners.push_back(corner.x * cells.unit().x);
+      corners.push_back(corner.y * cells.unit().y);
+    }
+  }
+  const std::size_t shape[] = {model_.som.neurons(), of_each, 2};
+  return array_of(std::move(corners), shape);
 }
 
 void bind_map(nb::module_& module) {
@@ -270,7 +264,7 @@ void bind_map(nb::module_& module) {
       .def("quality", &Map::quality, nb::arg("rows").noconvert(), nb::arg("threads"))
       .def("weights", &Map::weights)
       .def("u_matrix", &Map::u_matrix)
-      .def("picture", &Map::picture, nb::arg("title"), nb::arg("hits"))
+      .def("cells", &Map::cells)
       .def_prop_ro("parameters",
                    [](const Map& map) { return dict_of(map.model().som.parameters()); })
       .def_prop_ro("features", [](const Map& map) { return map.model().features; })

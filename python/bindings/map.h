@@ -47,8 +47,9 @@ class Map {
   nanobind::object weights() const;
   nanobind::object u_matrix() const;
 
-  /// An SVG picture: the U-matrix, and hits unless there are none.
-  std::string picture(const std::string& title, const std::vector<std::size_t>& hits) const;
+  /// The corners of each neuron's cell in a picture, clockwise, in widths of a cell: (neurons, 4 or
+  /// 6, 2).
+  nanobind::object cells() const;
 
   const SomModel& model() const { return model_; }
 

@@ -6,6 +6,7 @@ NB_MODULE(_somato, module) {
   somato::python::register_failures();
   somato::python::bind_codes(module);
   somato::python::bind_map(module);
+  somato::python::bind_pictures(module);
   somato::python::bind_recording(module);
   somato::python::bind_study(module);
   somato::python::bind_t_mpsom(module);

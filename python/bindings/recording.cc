@@ -117,32 +117,41 @@ nb::list labels(const Recording& recording) {
   return all;
 }
 
-// A channel from (frames x elements, times or none).
+// Marks of missing values, (frames x elements); without elements if no value is missing.
+using Marks = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
 Channel filled(const ChannelDescription& description, const Rows& frames,
-               const std::vector<double>& times) {
+               const std::vector<double>& times, const Marks& valid) {
   Channel channel =
       channel_of(description, Matrix<float>(frames.shape(0), frames.shape(1),
                                             {frames.data(), frames.data() + frames.size()}));
   channel.times = times;
+  if (valid.size() > 0) {
+    channel.valid = Matrix<std::uint8_t>(valid.shape(0), valid.shape(1),
+                                         {valid.data(), valid.data() + valid.size()});
+  }
   return channel;
 }
 
 /// Explorations from arrays, one after the other.
 class RecordingMaker {
  public:
-  void begin(const std::vector<std::pair<std::string, std::string>>& labels) {
+  void begin(const std::vector<std::pair<std::string, std::string>>& labels,
+             const std::string& source) {
     Exploration exploration;
+    exploration.source = source;
     for (const auto& [name, value] : labels) exploration.labels.push_back({name, value});
     recording_.explorations.push_back(std::move(exploration));
   }
 
-  void add(const nb::dict& description, const Rows& frames, const std::vector<double>& times) {
+  void add(const nb::dict& description, const Rows& frames, const std::vector<double>& times,
+           const Marks& valid) {
     const ChannelDescription channel{
         nb::cast<std::string>(description["name"]), nb::cast<std::string>(description["unit"]),
         nb::cast<std::vector<std::string>>(description["element_names"]),
         nb::cast<std::vector<std::size_t>>(description["shape"]),
         nb::cast<double>(description["rate"])};
-    recording_.explorations.back().channels.push_back(filled(channel, frames, times));
+    recording_.explorations.back().channels.push_back(filled(channel, frames, times, valid));
   }
 
   Recording finish() { return checked(std::move(recording_), "from_arrays"); }
@@ -188,9 +197,9 @@ void bind_recording(nb::module_& module) {
   module.def("read", &read, nb::arg("path"), nb::arg("format"));
   nb::class_<RecordingMaker>(module, "RecordingMaker", "Explorations from arrays.")
       .def(nb::init<>())
-      .def("begin", &RecordingMaker::begin, nb::arg("labels"))
+      .def("begin", &RecordingMaker::begin, nb::arg("labels"), nb::arg("source"))
       .def("add", &RecordingMaker::add, nb::arg("description"), nb::arg("frames").noconvert(),
-           nb::arg("times"))
+           nb::arg("times"), nb::arg("valid").noconvert())
       .def("finish", &RecordingMaker::finish);
 }
 

@@ -16,16 +16,16 @@
 #include "files/toml_file.h"
 #include "files/whole_file.h"
 #include "interrupts.h"
+#include "map.h"
 #include "nanobind/stl/optional.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
-#include "somato/drawing/map_picture.h"
 #include "somato/graph/live_system.h"
 #include "somato/graph/system_model.h"
-#include "somato/maps/som_quality.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
+#include "studies/winners_picture.h"
 
 namespace somato::python {
 namespace {
@@ -122,23 +122,11 @@ class Live {
 struct Outcome {
   std::string results;  // JSON
   TrainedSystem trained;
-  std::string picture;
+  Map map;
+  std::vector<std::size_t> winners;
+  Classes classes;
+  std::string picture;  // of the winners
 };
-
-std::string picture_of(const StudyOutcome& outcome, const std::string& title) {
-  const Grid& grid = outcome.map().grid();
-  ValuePanel heights;
-  heights.title = "U-matrix";
-  heights.grid = grid;
-  heights.values = u_matrix(outcome.map());
-  LabelPanel labels;
-  labels.title = "Labels";
-  labels.grid = grid;
-  labels.class_names = outcome.classes.names;
-  labels.winners = outcome.winners;
-  labels.classes = outcome.classes.of_sample;
-  return draw_picture(title, "", {heights, labels});
-}
 
 Outcome run(const Recording& recording, const std::string& name, const nb::dict& settings,
             std::size_t threads) {
@@ -151,12 +139,13 @@ Outcome run(const Recording& recording, const std::string& name, const nb::dict&
   }
   interrupts.throw_raised();
   StudyOutcome done = value_or_throw(std::move(outcome));
-  std::string picture = picture_of(done, description.study.name);
+  std::string picture = winners_picture(description, done);
+  Map map(SomModel{done.map(), {}, {}, {}, {}});
   Results results;
   results.parts.push_back(std::move(done.results));
-  return {to_json(results),
-          {std::make_shared<const SystemModel>(std::move(done.model))},
-          std::move(picture)};
+  return {to_json(results),        {std::make_shared<const SystemModel>(std::move(done.model))},
+          std::move(map),          std::move(done.winners),
+          std::move(done.classes), std::move(picture)};
 }
 
 }  // namespace
@@ -182,6 +171,11 @@ void bind_study(nb::module_& module) {
   nb::class_<Outcome>(module, "Outcome", "The outcome of a study.")
       .def_ro("results", &Outcome::results)
       .def_ro("trained", &Outcome::trained)
+      .def_ro("map", &Outcome::map)
+      .def_prop_ro("winners", [](const Outcome& outcome) { return integers(outcome.winners); })
+      .def_prop_ro("classes",
+                   [](const Outcome& outcome) { return integers(outcome.classes.of_sample); })
+      .def_prop_ro("class_names", [](const Outcome& outcome) { return outcome.classes.names; })
       .def_ro("picture", &Outcome::picture);
   module.def(
       "load_system",

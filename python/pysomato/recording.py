@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from . import _somato
+from .drawing import Drawing, skin
 from .errors import UsageError
 
 
@@ -20,7 +21,8 @@ class Recording:
         self._inner = inner
 
     @classmethod
-    def from_arrays(cls, labels, channels, *, units=None, rates=None, times=None, element_names=None):
+    def from_arrays(cls, labels, channels, *, units=None, rates=None, times=None, element_names=None,
+                    valid=None, sources=None):
         """A recording from copies of arrays.
 
         Args:
@@ -31,18 +33,24 @@ class Recording:
             rates: Maps names of channels to frames per second.
             times: Maps names of channels to arrays of seconds, one per exploration, one per frame.
             element_names: Maps names of channels to names of their elements.
+            valid: Maps names of channels to arrays of the same shapes, one per exploration, with 0
+                for a missing value, whose number is not used; or None for an exploration without
+                missing values.
+            sources: The file or another origin of each exploration.
 
         Raises:
             UsageError: The numbers of explorations differ, or a name is not that of a channel.
             DataError: A value is not finite, or channels, times or labels contradict each other.
         """
         columns = {str(name): [str(value) for value in labels[name]] for name in labels}
-        given = {"units": units, "rates": rates, "times": times, "element_names": element_names}
+        given = {"units": units, "rates": rates, "times": times, "element_names": element_names,
+                 "valid": valid}
         given = {name: value or {} for name, value in given.items()}
         _check_names(channels, given)
         maker = _somato.RecordingMaker()
         for exploration in range(_number_of_explorations(columns, channels)):
-            maker.begin([(name, values[exploration]) for name, values in columns.items()])
+            maker.begin([(name, values[exploration]) for name, values in columns.items()],
+                        "" if sources is None else str(sources[exploration]))
             for name, arrays in channels.items():
                 frames = np.asarray(arrays[exploration], dtype=np.float32)
                 description = {"name": name, "unit": given["units"].get(name, ""),
@@ -50,8 +58,11 @@ class Recording:
                                "element_names": list(given["element_names"].get(name, [])),
                                "shape": list(frames.shape[1:]) if frames.ndim > 2 else []}
                 seconds = given["times"].get(name)
-                maker.add(description, np.ascontiguousarray(frames.reshape(len(frames), -1)),
-                          [] if seconds is None else [float(time) for time in seconds[exploration]])
+                marks = given["valid"].get(name)
+                rows, valid = _rows_and_marks(frames, None if marks is None else marks[exploration])
+                maker.add(description, rows,
+                          [] if seconds is None else [float(time) for time in seconds[exploration]],
+                          valid)
         return cls(maker.finish())
 
     def __len__(self):
@@ -112,6 +123,37 @@ class Recording:
         """Which values were measured: uint8 like the frames, or None if all were."""
         return _somato.valid(self._inner, channel)
 
+    def draw(self, channel, exploration=0, frames=-1, *, limits=None) -> Drawing:
+        """Frames of a channel at the places of its elements: an unfolded hand if the names of the
+        elements are those of fingers (``finger1_proximal_3``), otherwise a grid by their shape.
+
+        Args:
+            channel: The name of the channel.
+            exploration: The number of the exploration, from 0.
+            frames: The number of a frame, or a list; negative ones count from the end.
+            limits: The values with the first and the last colour; None: the least and the greatest
+                measured value of the exploration.
+
+        Raises:
+            UsageError: There is no such channel, exploration or frame, or the limits are wrong.
+        """
+        all_frames = self[channel]
+        place = _place(exploration, len(all_frames), "exploration")
+        values, valid = all_frames[place], self.valid(channel)[place]
+        numbers = [_place(frame, len(values), "frame") for frame in np.atleast_1d(frames).tolist()]
+        if not numbers:
+            raise UsageError("a picture needs a frame", "Recording.draw", "name at least one")
+        if limits is None:
+            measured = values if valid is None else values[valid != 0]
+            limits = (measured.min(), measured.max()) if measured.size else (0.0, 0.0)
+        times = self.times(channel)[place]
+        shown = [(_frame_title(number, times), values[number],
+                  None if valid is None else valid[number]) for number in numbers]
+        labels = ", ".join(f"{name} {value}" for name, value in self._inner.labels()[place].items())
+        description = next(one for one in self.channels if one["name"] == channel)
+        return skin(f"{channel}: {labels}" if labels else channel, description, shown, limits,
+                    "Recording.draw(limits)")
+
     def write(self, path) -> None:
         """Writes an MCAP file (docs/formats/recording.md); an earlier one is replaced when all is
         written."""
@@ -135,6 +177,29 @@ def read(path, format="automatic") -> Recording:  # noqa: A002: as in the progra
         UsageError: The format is unknown.
     """
     return Recording(_somato.read(os.fspath(path), format))
+
+
+def _rows_and_marks(frames, marks):
+    """Frames of (frames, elements), 0 where a value is missing, and 0 or 1 for each of them."""
+    rows = np.ascontiguousarray(frames.reshape(len(frames), -1))
+    if marks is None:
+        return rows, np.ones((0, 0), np.uint8)
+    valid = np.asarray(marks).reshape(len(marks), -1) != 0
+    if valid.shape == rows.shape:
+        rows = np.where(valid, rows, np.float32(0))
+    return rows, valid.astype(np.uint8)
+
+
+def _place(number, count, kind):
+    """The number of one of ``count`` things, counted from the end if it is negative."""
+    if isinstance(number, (int, np.integer)) and -count <= number < count:
+        return int(number) % count
+    raise UsageError(f"there is no {kind} {number!r}", f"Recording.draw({kind})",
+                     f"there are {count}, counted from 0")
+
+
+def _frame_title(number, times):
+    return f"frame {number}" if times is None else f"frame {number}, {times[number]:.3g} s"
 
 
 def _number_of_explorations(columns, channels):

@@ -8,6 +8,7 @@ from sklearn.utils.validation import check_is_fitted
 
 from . import _somato
 from ._rows import numbered, rows_of
+from .drawing import Drawing, MapData
 from .errors import UsageError
 
 # In __init__, but not parameters of a map.
@@ -96,8 +97,9 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         found = trained.quality(X, self._threads())
         self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
         if classes is not None:
-            self.classes_, numbers = classes
-            trained = trained.labelled([str(name) for name in self.classes_], self.winners_, numbers)
+            self.classes_, self._classes_of_samples = classes
+            trained = trained.labelled([str(name) for name in self.classes_], self.winners_,
+                                       self._classes_of_samples)
         self._take(trained)
         if self.training == "online":
             self.samples_seen_ = trained.parameters["iterations"]
@@ -172,6 +174,41 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         check_is_fitted(self, "map_")
         return self.map_.u_matrix()
 
+    def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12) -> Drawing:
+        """The pictures that ``somato som plot`` draws, as SVG, which a notebook shows.
+
+        Args:
+            panels: A name or a list of names: ``u_matrix`` (mean distances of neighbours), ``hits``
+                (samples that each neuron wins), ``labels`` (the winners of labelled samples) and
+                ``components`` (the weights of each column). None: all for which there are data.
+            X: Samples for ``hits`` and ``labels``; None: those of ``fit``.
+            y: Their labels.
+            title: The title of the picture.
+            components: Maximum number of component planes.
+
+        Raises:
+            UsageError: A panel is unknown, or its data are missing.
+        """
+        return self._data(X, y).draw(panels, title, components, "SOM.draw")
+
+    def plot(self, panel="u_matrix", X=None, y=None, *, ax=None):
+        """Draws one panel on axes of matplotlib (``pip install 'pysomato[matplotlib]'``).
+
+        Args:
+            panel: As for ``draw``; instead of ``components`` the number of a column, from 0.
+            X: As for ``draw``.
+            y: As for ``draw``.
+            ax: The axes; None: those of a new figure.
+
+        Returns:
+            The axes. A unit is the width of a cell, and the first row is at the top.
+
+        Raises:
+            ImportError: matplotlib is not installed.
+            UsageError: The panel is unknown, or its data are missing.
+        """
+        return self._data(X, y).plot(panel, ax, "SOM.plot")
+
     def save(self, path) -> None:
         """Writes the map to a model file, which ``somato som map`` reads as well."""
         check_is_fitted(self, "map_")
@@ -180,14 +217,28 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     @classmethod
     def load(cls, path) -> "SOM":
         """The estimator of a map in a model file, as ``save`` or ``somato som train`` wrote it."""
-        loaded = _somato.Map.load(os.fspath(path))
-        som = cls(**loaded.parameters)
-        som.map_ = loaded
-        som.n_features_in_ = loaded.input_size
-        if loaded.features:
-            som.feature_names_in_ = np.array(loaded.features, dtype=object)
-        if loaded.class_names:
-            som.classes_ = np.array(loaded.class_names)
+        return cls._of(_somato.Map.load(os.fspath(path)))
+
+    @classmethod
+    def _of(cls, trained):
+        """The estimator of a map of the library."""
+        som = cls(**trained.parameters)
+        som.map_ = trained
+        som.n_features_in_ = trained.input_size
+        if trained.features:
+            som.feature_names_in_ = np.array(trained.features, dtype=object)
+        if trained.class_names:
+            som.classes_ = np.array(trained.class_names)
+        return som
+
+    @classmethod
+    def _of_samples(cls, trained, winners, names, classes):
+        """The same with the winners of samples and the numbers of their classes."""
+        som = cls._of(trained.labelled(names, winners, classes))
+        neurons = som.map_.parameters["rows"] * som.map_.parameters["columns"]
+        som.hits_ = np.bincount(winners, minlength=neurons)
+        som.winners_ = winners
+        som._classes_of_samples = classes
         return som
 
     @property
@@ -202,8 +253,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     def _repr_svg_(self):
         if not hasattr(self, "map_"):
             return None
-        hits = getattr(self, "hits_", None)
-        return self.map_.picture("SOM", [] if hits is None else hits.tolist())
+        panels = ["u_matrix", "hits"] if hasattr(self, "hits_") else "u_matrix"
+        return self.draw(panels).svg
 
     def _repr_mimebundle_(self, **kwargs):
         picture = self._repr_svg_()
@@ -223,6 +274,20 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
                              "use at least 1, or None")
         return int(self.threads)
 
+    def _data(self, X, y):
+        """What is drawn: the samples of X, or else those of fit."""
+        check_is_fitted(self, "map_")
+        if X is None:
+            if y is not None:
+                raise UsageError("there are labels without samples", "SOM(y)", "pass X as well")
+            numbers = getattr(self, "_classes_of_samples", None)
+            classes = None if numbers is None else (self.classes_, numbers)
+            return MapData(self.map_, getattr(self, "hits_", None), getattr(self, "winners_", None),
+                           classes)
+        X = self._checked(X)
+        _, _, hits, winners = self.map_.quality(X, self._threads())
+        return MapData(self.map_, hits, winners, None if y is None else numbered(y, X))
+
     def _checked(self, X):
         check_is_fitted(self, "map_")
         return rows_of(self, X, reset=False)
@@ -234,7 +299,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     def _forget(self):
         """Removes what describes the samples of an earlier training."""
         for name in ("quantization_error_", "topographic_error_", "hits_", "winners_", "classes_",
-                     "samples_seen_"):
+                     "_classes_of_samples", "samples_seen_"):
             self.__dict__.pop(name, None)
 
     def _take(self, trained):

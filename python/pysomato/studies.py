@@ -6,7 +6,9 @@ import os
 import numpy as np
 
 from . import _somato
+from .drawing import Drawing
 from .recording import Recording
+from .som import SOM
 
 
 class TrainedSystem:
@@ -76,11 +78,14 @@ class Study:
     Attributes:
         results: The content of results.json (docs/reference/results.md), without the names of files.
         system: The system, trained on all explorations with the first seed.
+        som: The map of this system, with the winners and the labels of all explorations. Its inputs
+            are those of the map in the system, after all codes.
     """
 
     def __init__(self, outcome):
         self.results = json.loads(outcome.results)
         self.system = TrainedSystem(outcome.trained)
+        self.som = SOM._of_samples(outcome.map, outcome.winners, outcome.class_names, outcome.classes)
         self._picture = outcome.picture
 
     @property
@@ -106,6 +111,10 @@ class Study:
             (protocol["protocol"], protocol.get("group", ""), run["seed"], number, *row)
             for protocol in self._protocols() for run in protocol["runs"]
             for number, row in enumerate(zip(run["labels"], run["predictions"], run["winners"]))])
+
+    def draw(self) -> Drawing:
+        """The winners of all explorations on the map, as ``somato run`` draws them."""
+        return Drawing(self._picture)
 
     def _protocols(self):
         return self.results["parts"][0]["protocols"]

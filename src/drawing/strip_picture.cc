@@ -13,7 +13,7 @@
 namespace somato {
 namespace {
 
-constexpr double kMargin = 24.0;
+constexpr double kStripMargin = 24.0;
 constexpr double kNameWidth = 230.0;
 constexpr double kStripWidth = 480.0;
 constexpr double kStripHeight = 44.0;
@@ -165,7 +165,7 @@ void draw_strip(SvgWriter& svg, const Strip& strip, double top) {
 }
 
 void StripPanelLayout::draw(SvgWriter& svg, double top) const {
-  svg.open_group("panel", {kMargin, top});
+  svg.open_group("panel", {kStripMargin, top});
   title_.draw(svg, 0);
   note_.draw(svg, title_.height());
   double row = strips_top();
@@ -185,18 +185,18 @@ std::string draw_strips(const std::string& title, const std::string& caption,
   const TextBlock heading(title, 18.0, true);
   const TextBlock legend(caption, 11.5, false);
   std::vector<StripPanelLayout> layouts;
-  double height = kMargin + heading.height() + legend.height();
+  double height = kStripMargin + heading.height() + legend.height();
   for (const StripPanel& panel : panels) {
     for (const Strip& strip : panel.strips) check(strip);
     layouts.emplace_back(panel);
     height += kPanelGap + layouts.back().height();
   }
-  SvgWriter svg(2 * kMargin + kStripsWidth, height + kMargin, title);
-  svg.open_group("heading", {kMargin, kMargin});
+  SvgWriter svg(2 * kStripMargin + kStripsWidth, height + kStripMargin, title);
+  svg.open_group("heading", {kStripMargin, kStripMargin});
   heading.draw(svg, 0);
   legend.draw(svg, heading.height());
   svg.close_group();
-  double top = kMargin + heading.height() + legend.height();
+  double top = kStripMargin + heading.height() + legend.height();
   for (const StripPanelLayout& layout : layouts) {
     layout.draw(svg, top + kPanelGap);
     top += kPanelGap + layout.height();

@@ -79,6 +79,22 @@ def test_frames_are_views_that_keep_the_recording(recording, arrays):
     np.testing.assert_array_equal(frames, arrays["touch"][0])
 
 
+def test_missing_values_and_sources_come_back(arrays, tmp_path):
+    marks = [np.ones((4, 2, 3)), None, np.ones((6, 2, 3), bool)]
+    marks[0][1, 0, 2] = 0
+    arrays["touch"][0][1, 0, 2] = np.nan
+    recording = Recording.from_arrays({"object": ["a", "b", "c"]}, {"touch": arrays["touch"]},
+                                      valid={"touch": marks}, sources=["first", "second", "third"])
+    assert recording.sources == ["first", "second", "third"]
+    np.testing.assert_array_equal(recording.valid("touch")[0], marks[0])
+    assert recording.valid("touch")[1] is None
+    assert recording["touch"][0][1, 0, 2] == 0
+    recording.write(tmp_path / "missing.mcap")
+    assert read(tmp_path / "missing.mcap")["touch"][0][1, 0, 2] == 0
+    with pytest.raises(pysomato.DataError, match="validity marks"):
+        Recording.from_arrays({}, {"touch": arrays["touch"][1:2]}, valid={"touch": [np.ones((2, 6))]})
+
+
 def test_names_that_are_missing_are_named(recording, arrays):
     with pytest.raises(pysomato.UsageError, match="did you mean 'touch'"):
         recording["tuoch"]

@@ -57,6 +57,18 @@ def test_results_are_those_of_the_program(somato, recording, toml, tmp_path):
     assert outcome.results["parts"][0]["protocols"] == expected["parts"][0]["protocols"]
     outcome.system.save(tmp_path / "mine.somato")
     assert (tmp_path / "mine.somato").read_bytes() == (tmp_path / "out/system.somato").read_bytes()
+    assert outcome.draw().svg == (tmp_path / "out/map.svg").read_text() == outcome._repr_svg_()
+
+
+def test_the_map_of_a_study_has_its_winners(recording, toml):
+    outcome = study(recording, toml, seeds=1, protocols="train_is_test")
+    run = outcome.results["parts"][0]["protocols"][0]["runs"][0]
+    closed = [frames[-1] for frames in recording["joints"]]
+    np.testing.assert_array_equal(outcome.som.winners_, run["winners"])
+    np.testing.assert_array_equal(outcome.som.predict(closed), run["winners"])
+    np.testing.assert_array_equal(outcome.som.hits_, np.bincount(run["winners"], minlength=16))
+    labels = recording.label("object")
+    assert outcome.som.draw().svg == outcome.som.draw(X=closed, y=labels).svg
 
 
 def test_results_are_frames(recording, toml):

@@ -1,10 +1,10 @@
-#include "winners_picture.h"
+#include "studies/winners_picture.h"
 
 #include <fmt/format.h>
 
 #include "somato/drawing/map_picture.h"
 
-namespace somato::program {
+namespace somato {
 
 std::string winners_picture(const StudyDescription& description, const StudyOutcome& outcome) {
   LabelPanel panel;
@@ -18,4 +18,4 @@ std::string winners_picture(const StudyDescription& description, const StudyOutc
   return draw_picture(description.study.name, caption, {panel});
 }
 
-}  // namespace somato::program
+}  // namespace somato

@@ -1,0 +1,112 @@
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "drawing/map_panels.h"
+#include "drawing/skin_picture.h"
+#include "map.h"
+#include "nanobind/stl/string.h"
+#include "nanobind/stl/vector.h"
+#include "somato/maps/som_quality.h"
+
+namespace somato::python {
+namespace {
+
+namespace nb = nanobind;
+
+/// A picture of a map, panel by panel, as 'somato som plot' draws it. Keeps the map alive.
+class MapPicture {
+ public:
+  explicit MapPicture(const Map& map) : model_(map.model()) {}
+
+  void add_u_matrix() { panels_.emplace_back(u_matrix_panel(model_.som)); }
+
+  void add_hits(const Numbers<std::int64_t>& hits) {
+    panels_.emplace_back(hits_panel(grid(), sizes(hits)));
+  }
+
+  void add_labels(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
+                  const Numbers<std::int64_t>& classes) {
+    LabelPanel panel;
+    panel.title = "Labels";
+    panel.grid = grid();
+    panel.class_names = names;
+    panel.winners = sizes(winners);
+    panel.classes = sizes(classes);
+    panels_.emplace_back(std::move(panel));
+  }
+
+  void add_components(std::size_t most) {
+    for (Panel& panel : component_panels(model_.som, model_.features, most)) {
+      panels_.push_back(std::move(panel));
+    }
+  }
+
+  std::string svg(const std::string& title) const {
+    return draw_picture(title, caption_of(grid()), panels_);
+  }
+
+ private:
+  const Grid& grid() const { return model_.som.grid(); }
+
+  SomModel model_;
+  std::vector<Panel> panels_;
+};
+
+nb::object plane(const Map& map, std::size_t element) {
+  return array_of(component_plane(map.model().som, element));
+}
+
+/// Frames of a channel, drawn side by side.
+class Skin {
+ public:
+  Skin(std::string title, const std::vector<std::string>& element_names,
+       const std::vector<std::size_t>& shape, const std::string& unit, double least,
+       double greatest) {
+    picture_.title = std::move(title);
+    picture_.element_names = element_names;
+    picture_.shape = shape;
+    picture_.unit = unit;
+    picture_.least = least;
+    picture_.greatest = greatest;
+  }
+
+  void add_frame(const std::string& title, const Numbers<float>& values,
+                 const Numbers<std::uint8_t>& valid) {
+    picture_.frames.push_back({title,
+                               {values.data(), values.data() + values.size()},
+                               {valid.data(), valid.data() + valid.size()}});
+  }
+
+  std::string svg() const { return draw_skin(picture_); }
+
+ private:
+  SkinPicture picture_;
+};
+
+}  // namespace
+
+void bind_pictures(nb::module_& module) {
+  nb::class_<MapPicture>(module, "MapPicture", "A picture of a map, panel by panel.")
+      .def(nb::init<const Map&>(), nb::arg("map"))
+      .def("add_u_matrix", &MapPicture::add_u_matrix)
+      .def("add_hits", &MapPicture::add_hits, nb::arg("hits").noconvert())
+      .def("add_labels", &MapPicture::add_labels, nb::arg("names"), nb::arg("winners").noconvert(),
+           nb::arg("classes").noconvert())
+      .def("add_components", &MapPicture::add_components, nb::arg("most"))
+      .def("svg", &MapPicture::svg, nb::arg("title"));
+  module.def("component_plane", &plane, nb::arg("map"), nb::arg("element"));
+  nb::class_<Skin>(module, "Skin", "Frames of a channel, drawn side by side.")
+      .def(nb::init<std::string, const std::vector<std::string>&, const std::vector<std::size_t>&,
+                    const std::string&, double, double>(),
+           nb::arg("title"), nb::arg("element_names"), nb::arg("shape"), nb::arg("unit"),
+           nb::arg("least"), nb::arg("greatest"))
+      .def("add_frame", &Skin::add_frame, nb::arg("title"), nb::arg("values").noconvert(),
+           nb::arg("valid").noconvert())
+      .def("svg", &Skin::svg);
+}
+
+}  // namespace somato::python

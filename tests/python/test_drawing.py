@@ -1,0 +1,168 @@
+"""Pictures: those of the program, and the cells on axes of matplotlib."""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+import pysomato
+from pysomato import SOM, Drawing, Recording
+
+HEXAGONAL = {"rows": 3, "columns": 4, "lattice": "hexagonal", "iterations": 200}
+
+
+@pytest.fixture
+def som(X, labels):
+    return SOM(**HEXAGONAL).fit(X, labels)
+
+
+@pytest.fixture
+def files(som, X, labels, tmp_path):
+    """The map, its samples and labels, as the program reads them."""
+    som.save(tmp_path / "map.somato")
+    np.save(tmp_path / "rows.npy", X)
+    (tmp_path / "labels.txt").write_text("".join(f"{label}\n" for label in labels))
+    return tmp_path
+
+
+def plot_of_program(somato, files, *flags):
+    data = [files / "rows.npy", "--labels", files / "labels.txt"]
+    somato("som", "plot", files / "map.somato", *data, "-o", files / "map.svg", *flags)
+    return (files / "map.svg").read_text()
+
+
+def test_a_drawing_is_that_of_the_program(somato, som, files, X, labels):
+    expected = plot_of_program(somato, files)
+    assert som.draw(title="map.somato").svg == expected
+    assert som.draw(X=X, y=labels, title="map.somato").svg == expected
+    loaded = SOM.load(files / "map.somato")
+    assert loaded.draw(None, X, labels, title="map.somato").svg == expected
+
+
+@pytest.mark.parametrize("panel", ["u_matrix", "hits", "labels", "components"])
+def test_a_panel_is_that_of_the_program(somato, som, files, panel):
+    expected = plot_of_program(somato, files, "--panels", panel, "--components", 3)
+    assert som.draw(panel, title="map.somato", components=3).svg == expected
+
+
+def test_other_samples_are_drawn(som, X, labels):
+    half = som.draw("hits", X[:30]).svg
+    assert half != som.draw("hits").svg
+    written = [int(text.text) for text in ElementTree.fromstring(half).iter(
+        "{http://www.w3.org/2000/svg}text") if (text.text or "").isdigit()]
+    assert sum(written) - max(written) == 30  # each cell, and the limits 0 and the greatest one
+
+
+def test_a_drawing_is_saved_and_shown(som, tmp_path):
+    drawing = som.draw("u_matrix")
+    assert isinstance(drawing, Drawing)
+    drawing.save(tmp_path / "map.svg")
+    assert (tmp_path / "map.svg").read_text() == drawing.svg == drawing._repr_svg_()
+    with pytest.raises(pysomato.UsageError, match="use the extension .svg"):
+        drawing.save(tmp_path / "map.png")
+    with pytest.raises(pysomato.OperatingSystemError, match="missing"):
+        drawing.save(tmp_path / "missing/map.svg")
+
+
+def test_panels_without_data_are_named(som, files, X):
+    loaded = SOM.load(files / "map.somato")
+    assert "Component 7" in loaded.draw().svg  # all that a map has without samples
+    with pytest.raises(pysomato.UsageError, match="'hits' needs samples; pass them as X"):
+        loaded.draw("hits")
+    with pytest.raises(pysomato.UsageError, match="'labels' needs labelled samples"):
+        loaded.draw(["u_matrix", "labels"], X)
+    with pytest.raises(pysomato.UsageError, match="panels are: u_matrix"):
+        som.draw("planes")
+    with pytest.raises(pysomato.UsageError, match="pass X as well"):
+        som.draw("labels", y=[1, 2])
+    with pytest.raises(pysomato.UsageError, match="not a number of component planes"):
+        som.draw("components", components=0)
+
+
+def test_partial_fit_forgets_the_samples_of_fit(som, X):
+    with pytest.raises(pysomato.UsageError, match="needs samples"):
+        som.partial_fit(X).draw("hits")
+
+
+def test_a_notebook_shows_u_matrix_and_hits(som):
+    assert som._repr_svg_() == som.draw(["u_matrix", "hits"]).svg
+
+
+def hand():
+    """Two frames of a thumb and a finger; one value is missing."""
+    return Recording.from_arrays(
+        {"object": ["ball", "cube"]},
+        {"touch": [np.array([[0, 1, 2], [3, 4, 9]]), np.zeros((1, 3))]}, units={"touch": "N"},
+        rates={"touch": 10}, element_names={"touch": ["thumb_tip_1", "thumb_tip_2", "index_tip_1"]},
+        valid={"touch": [np.array([[1, 1, 1], [1, 1, 0]]), None]})
+
+
+def test_a_skin_has_its_values_and_names():
+    svg = hand().draw("touch").svg
+    for text in ("touch: object ball", "frame 1, 0.1 s", "thumb_tip_1: 3 N", "index_tip_1: missing",
+                 ">index<", ">4 N<"):
+        assert text in svg
+    both = hand().draw("touch", frames=[0, -1], limits=(0, 8)).svg
+    assert "frame 0, 0 s" in both and "frame 1, 0.1 s" in both and ">8 N<" in both
+    assert "all values are 0 N" in hand().draw("touch", exploration=1).svg
+
+
+@pytest.mark.parametrize("arguments, message", [
+    (("tuoch",), "did you mean 'touch'"),
+    (("touch", 2), "no exploration 2"),
+    (("touch", 0, 2), "no frame 2"),
+    (("touch", 0, []), "needs a frame"),
+])
+def test_a_skin_that_is_not_there_is_named(arguments, message):
+    with pytest.raises(pysomato.UsageError, match=message):
+        hand().draw(*arguments)
+    with pytest.raises(pysomato.UsageError, match="lesser one first"):
+        hand().draw("touch", limits=(1, 0))
+
+
+@pytest.fixture
+def axes():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    yield pyplot.subplots()[1]
+    pyplot.close("all")
+
+
+def test_axes_have_the_cells_and_values_of_the_map(som, axes):
+    assert som.plot("u_matrix", ax=axes) is axes
+    (cells,) = axes.collections
+    np.testing.assert_array_equal(cells.get_array(), som.u_matrix().ravel())
+    corners = [path.vertices[:6] for path in cells.get_paths()]
+    assert len(corners) == 12
+    # The regular hexagon of the first neuron: a cell wide, its side 1 / sqrt(3).
+    sides = np.linalg.norm(np.diff(corners[0], axis=0), axis=1)
+    np.testing.assert_allclose(sides, 1 / np.sqrt(3), rtol=1e-9)
+    assert np.ptp(corners[0][:, 0]) == 1
+    # The second row is half a cell to the right, below the first; neighbours share two corners.
+    assert corners[4].mean(axis=0)[0] == pytest.approx(1.0)
+    shared = {tuple(corner) for corner in corners[0]} & {tuple(corner) for corner in corners[4]}
+    assert len(shared) == 2
+    assert axes.get_ylim()[0] > axes.get_ylim()[1]
+
+
+def test_axes_show_any_panel(som, axes):
+    som.plot("hits", ax=axes)
+    np.testing.assert_array_equal(axes.collections[0].get_array(), som.hits_)
+    plane = som.plot(2)
+    assert plane is not axes
+    np.testing.assert_array_equal(plane.collections[0].get_array(), som.weights_[:, 2])
+    named = som.plot("labels").get_legend_handles_labels()[1]
+    assert named == list(som.classes_)
+    for panel, message in [("components", "number of its column"), (7, "counted from 0"),
+                           ("planes", "panels are")]:
+        with pytest.raises(pysomato.UsageError, match=message):
+            som.plot(panel)
+
+
+def test_without_matplotlib_a_plot_says_what_to_install(som, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match=r"pip install 'pysomato\[matplotlib\]'"):
+        som.plot()
