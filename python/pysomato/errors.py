@@ -1,4 +1,4 @@
-"""The exceptions of the package: each says what is wrong, where, and what to do."""
+"""The exceptions and warnings of the package: each says what is wrong, where, and what to do."""
 
 
 class Error(Exception):
@@ -32,3 +32,7 @@ class DataError(Error, ValueError):
 
 class OperatingSystemError(Error):
     """The operating system reports an error, or memory does not suffice."""
+
+
+class LeftOutWarning(UserWarning):
+    """Parts of a data set are not in the recording, such as pictures; the message names them."""

@@ -1,12 +1,13 @@
 """Recordings of touch: explorations with labels and channels."""
 
 import os
+import warnings
 
 import numpy as np
 
-from . import _somato
+from . import _lerobot, _open_x_tactile, _somato
 from .drawing import Drawing, skin
-from .errors import UsageError
+from .errors import LeftOutWarning, UsageError
 
 
 class Recording:
@@ -15,10 +16,14 @@ class Recording:
     ``recording["touch"]`` is a list of arrays, one per exploration: float32 of (frames, elements), or
     of (frames,) and the channel's shape. They are views of the recording's memory, which exists as
     long as one of them, and cannot be written to. Missing values are 0; see ``valid``.
+
+    Attributes:
+        left_out: What ``read`` did not read, such as pictures: maps the name to the reason.
     """
 
     def __init__(self, inner):
         self._inner = inner
+        self.left_out = {}
 
     @classmethod
     def from_arrays(cls, labels, channels, *, units=None, rates=None, times=None, element_names=None,
@@ -165,18 +170,37 @@ class Recording:
 
 
 def read(path, format="automatic") -> Recording:  # noqa: A002: as in the program
-    """The recording in an MCAP file, or in a folder of a data set that ``somato import`` knows.
+    """The recording in an MCAP file, in a folder of a data set that ``somato import`` knows, in a
+    LeRobotDataset or in a zarr archive of the Open-X-Tactile layout.
 
     Args:
         path: File or folder.
-        format: The format of a folder; automatic: recognized by the names of its files.
+        format: The format of a folder, as in ``somato import``, or ``lerobot`` or
+            ``open_x_tactile``; automatic: recognized by the names of its files.
+
+    Warns:
+        LeftOutWarning: A part cannot be a channel, such as pictures; ``Recording.left_out`` names it.
 
     Raises:
         DataError: The content is damaged, or not a recording.
+        ImportError: The package that reads the format is not installed; the message names it.
         OperatingSystemError: The file cannot be read.
         UsageError: The format is unknown.
     """
-    return Recording(_somato.read(os.fspath(path), format))
+    path = os.fspath(path)
+    for name, reader in (("lerobot", _lerobot), ("open_x_tactile", _open_x_tactile)):
+        if format == name or (format == "automatic" and reader.recognizes(path)):
+            arrays, left_out = reader.read(path)
+            return _with_left_out(Recording.from_arrays(**arrays), left_out, path)
+    return Recording(_somato.read(path, format))
+
+
+def _with_left_out(recording, left_out, path):
+    recording.left_out = left_out
+    if left_out:
+        reasons = ", ".join(f"{name} ({reason})" for name, reason in left_out.items())
+        warnings.warn(f"{path}: left out: {reasons}", LeftOutWarning, stacklevel=3)
+    return recording
 
 
 def _rows_and_marks(frames, marks):
