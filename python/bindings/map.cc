@@ -58,11 +58,11 @@ Result<void> check_row(const SignalView& prepared, std::size_t row) {
 }
 
 // Calls `work` with parts of the rows as inputs of the map, and the number of the part's first row.
-void for_each_part(const SomModel& model, const Rows& rows, Interrupts& interrupts,
+void for_each_part(const SomModel& model, const SampleRows& rows, Interrupts& interrupts,
                    const std::function<void(const Samples&, std::size_t first)>& work) {
-  for (std::size_t first = 0; first < rows.shape(0) && interrupts.proceed(); first += kRowsAtOnce) {
-    const std::size_t count = std::min(kRowsAtOnce, rows.shape(0) - first);
-    const Samples part = model.prepare(samples_of(rows, first, count));
+  for (std::size_t first = 0; first < rows.count() && interrupts.proceed(); first += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, rows.count() - first);
+    const Samples part = model.prepare(rows.part(first, count));
     for (std::size_t i = 0; i < count; ++i) value_or_throw(check_row(part[i], first + i));
     work(part, first);
   }
@@ -82,11 +82,11 @@ void unlocked(const std::function<void(Interrupts&)>& work) {
 
 Map::Map(SomModel model) : model_(std::move(model)) {}
 
-Map Map::train(const nb::dict& values, const Rows& rows, std::size_t threads) {
+Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threads) {
   const SomParameters parameters = checked_parameters(values);
   Som som;
   unlocked([&](Interrupts& interrupts) {
-    const Samples samples = samples_of(rows);
+    const Samples samples = rows.all();
     auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
     if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
     som = apart_from_samples(value_or_throw(std::move(trained)));
@@ -94,17 +94,15 @@ Map Map::train(const nb::dict& values, const Rows& rows, std::size_t threads) {
   return Map(SomModel{std::move(som), {}, {}, {}, {}});
 }
 
-Map Map::initial(const nb::dict& values, const Rows& rows) {
-  const SomParameters parameters = checked_parameters(values);
-  return Map(
-      SomModel{apart_from_samples(value_or_throw(untrained_som(parameters, samples_of(rows)))),
-               {},
-               {},
-               {},
-               {}});
+// Later rows may have values for elements that these do not have.
+Map Map::initial(const nb::dict& values, const SampleRows& rows) {
+  Som som =
+      apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), rows.all())));
+  som.store_all();
+  return Map(SomModel{std::move(som), {}, {}, {}, {}});
 }
 
-Map Map::learned(const Rows& rows, std::uint64_t done, std::size_t threads) const {
+Map Map::learned(const SampleRows& rows, std::uint64_t done, std::size_t threads) const {
   check_columns(rows);
   SomModel changed = model_;
   const Schedule rate = changed.som.parameters().learning_rate();
@@ -138,17 +136,17 @@ Map Map::named(std::vector<std::string> features) const {
   return Map(std::move(changed));
 }
 
-void Map::check_columns(const Rows& rows) const {
-  if (rows.shape(1) == model_.som.input_size()) return;
+void Map::check_columns(const SampleRows& rows) const {
+  if (rows.columns() == model_.som.input_size()) return;
   throw Failure{Error{ErrorKind::kData,
                       fmt::format("the data have {} columns, but the map requires {}",
-                                  rows.shape(1), model_.som.input_size()),
+                                  rows.columns(), model_.som.input_size()),
                       "X", "use the columns that the map was trained on"}};
 }
 
-nb::object Map::winners(const Rows& rows, std::size_t threads) const {
+nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
   check_columns(rows);
-  std::vector<std::int64_t> winners(rows.shape(0));
+  std::vector<std::int64_t> winners(rows.count());
   unlocked([&](Interrupts& interrupts) {
     for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
       const auto found = winners_of(model_.som, part, threads);
@@ -158,10 +156,10 @@ nb::object Map::winners(const Rows& rows, std::size_t threads) const {
   return array_of(std::move(winners));
 }
 
-nb::object Map::activity(const Rows& rows, std::size_t threads) const {
+nb::object Map::activity(const SampleRows& rows, std::size_t threads) const {
   check_columns(rows);
   const std::size_t neurons = model_.som.neurons();
-  std::vector<float> activity(rows.shape(0) * neurons);
+  std::vector<float> activity(rows.count() * neurons);
   unlocked([&](Interrupts& interrupts) {
     for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
       for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
@@ -173,13 +171,13 @@ nb::object Map::activity(const Rows& rows, std::size_t threads) const {
       });
     });
   });
-  const std::size_t shape[] = {rows.shape(0), neurons};
+  const std::size_t shape[] = {rows.count(), neurons};
   return array_of(std::move(activity), shape);
 }
 
-nb::object Map::classes(const Rows& rows, std::size_t threads) const {
+nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
   check_columns(rows);
-  std::vector<std::int64_t> classes(rows.shape(0));
+  std::vector<std::int64_t> classes(rows.count());
   unlocked([&](Interrupts& interrupts) {
     for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
       for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
@@ -194,11 +192,11 @@ nb::object Map::classes(const Rows& rows, std::size_t threads) const {
   return array_of(std::move(classes));
 }
 
-nb::tuple Map::quality(const Rows& rows, std::size_t threads) const {
+nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
   check_columns(rows);
   SomQuality quality;
   std::vector<std::int64_t> winners;
-  winners.reserve(rows.shape(0));
+  winners.reserve(rows.count());
   unlocked([&](Interrupts& interrupts) {
     SomQualityMeasurement measurement(model_.som, threads);
     for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
@@ -245,23 +243,22 @@ nb::object Map::cells() const {
 }
 
 void bind_map(nb::module_& module) {
+  bind_sample_rows(module);
   module.def(
       "som_parameters", [] { return descriptions_of(SomParameters::declarations().infos()); },
       "The parameters of a SOM: name, type, unit, text, range, choices and default.");
   module.def("available_threads", &available_threads, "Threads that the machine runs at once.");
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
-      .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows").noconvert(),
-                  nb::arg("threads"))
-      .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows").noconvert())
-      .def("learned", &Map::learned, nb::arg("rows").noconvert(), nb::arg("done"),
-           nb::arg("threads"))
+      .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"))
+      .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows"))
+      .def("learned", &Map::learned, nb::arg("rows"), nb::arg("done"), nb::arg("threads"))
       .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),
            nb::arg("classes").noconvert())
       .def("named", &Map::named, nb::arg("features"))
-      .def("winners", &Map::winners, nb::arg("rows").noconvert(), nb::arg("threads"))
-      .def("activity", &Map::activity, nb::arg("rows").noconvert(), nb::arg("threads"))
-      .def("classes", &Map::classes, nb::arg("rows").noconvert(), nb::arg("threads"))
-      .def("quality", &Map::quality, nb::arg("rows").noconvert(), nb::arg("threads"))
+      .def("winners", &Map::winners, nb::arg("rows"), nb::arg("threads"))
+      .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
+      .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
+      .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("weights", &Map::weights)
       .def("u_matrix", &Map::u_matrix)
       .def("cells", &Map::cells)

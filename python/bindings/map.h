@@ -7,6 +7,7 @@
 
 #include "arrays.h"
 #include "nanobind/nanobind.h"
+#include "sample_rows.h"
 #include "somato/graph/som_model.h"
 
 namespace somato::python {
@@ -21,14 +22,14 @@ class Map {
 
   /// Trains a map. `parameters` may contain all parameters of a SOM; throws Failure as train_som()
   /// and for a parameter that differs from its default without an effect.
-  static Map train(const nanobind::dict& parameters, const Rows& rows, std::size_t threads);
+  static Map train(const nanobind::dict& parameters, const SampleRows& rows, std::size_t threads);
 
   /// The initial map for rows.
-  static Map initial(const nanobind::dict& parameters, const Rows& rows);
+  static Map initial(const nanobind::dict& parameters, const SampleRows& rows);
 
   /// A copy of the map that has learned the rows once each, in their order, as the samples after
   /// the first `done` ones.
-  Map learned(const Rows& rows, std::uint64_t done, std::size_t threads) const;
+  Map learned(const SampleRows& rows, std::uint64_t done, std::size_t threads) const;
 
   /// A copy of the map whose neurons are named by the classes of their samples.
   Map labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
@@ -37,12 +38,12 @@ class Map {
   /// A copy of the map with names of its columns.
   Map named(std::vector<std::string> features) const;
 
-  nanobind::object winners(const Rows& rows, std::size_t threads) const;
-  nanobind::object activity(const Rows& rows, std::size_t threads) const;
-  nanobind::object classes(const Rows& rows, std::size_t threads) const;
+  nanobind::object winners(const SampleRows& rows, std::size_t threads) const;
+  nanobind::object activity(const SampleRows& rows, std::size_t threads) const;
+  nanobind::object classes(const SampleRows& rows, std::size_t threads) const;
 
   /// Quantization error, topographic error, hits and winners.
-  nanobind::tuple quality(const Rows& rows, std::size_t threads) const;
+  nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 
   nanobind::object weights() const;
   nanobind::object u_matrix() const;
@@ -54,7 +55,7 @@ class Map {
   const SomModel& model() const { return model_; }
 
  private:
-  void check_columns(const Rows& rows) const;
+  void check_columns(const SampleRows& rows) const;
 
   SomModel model_;
 };

@@ -1,5 +1,7 @@
 """The exceptions and warnings of the package: each says what is wrong, where, and what to do."""
 
+from sklearn.exceptions import DataConversionWarning
+
 
 class Error(Exception):
     """A failure with an external cause.
@@ -36,3 +38,7 @@ class OperatingSystemError(Error):
 
 class LeftOutWarning(UserWarning):
     """Parts of a data set are not in the recording, such as pictures; the message names them."""
+
+
+class ConversionWarning(DataConversionWarning):
+    """Many rows were copied in order to convert them; reported once for each reason in a process."""

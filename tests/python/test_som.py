@@ -66,7 +66,7 @@ def test_partial_fit_follows_kohonens_rule(X):
     som = SOM(3, 4, **settings).partial_fit(X[:1])
     for start in range(1, len(X), 7):
         som.partial_fit(X[start:start + 7])
-    weights = _somato.Map.initial({"rows": 3, "columns": 4, **settings}, X).weights().astype(np.float64)
+    weights = _somato.Map.initial({"rows": 3, "columns": 4, **settings}, _somato.SampleRows(X)).weights().astype(np.float64)
     places = np.array([(row, column) for row in range(3) for column in range(4)], np.float64)
     for step, x in enumerate(X):
         rate, radius = 0.5 - 0.4 * step / 80, 2.0 - 1.5 * step / 80
@@ -83,7 +83,7 @@ def test_partial_fit_after_fit_continues(X):
     before = som.map_
     som.partial_fit(X[:10])
     assert som.samples_seen_ == 210
-    np.testing.assert_array_equal(som.weights_, before.learned(X[:10], 200, 1).weights())
+    np.testing.assert_array_equal(som.weights_, before.learned(_somato.SampleRows(X[:10]), 200, 1).weights())
     assert not hasattr(som, "winners_")
 
 

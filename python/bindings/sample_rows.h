@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "arrays.h"
+#include "nanobind/nanobind.h"
+#include "somato/core/samples.h"
+
+namespace somato::python {
+
+/// Samples as Python passes them to a map, one per row: dense, or sparse in the format CSR. The
+/// arrays are not copied and exist as long as this object.
+class SampleRows {
+ public:
+  explicit SampleRows(Rows dense);
+
+  /// Row i has the values from starts[i] to starts[i + 1]; `elements` are their columns, ascending
+  /// in each row. Throws InvalidArgument for arrays that contradict each other.
+  SampleRows(std::size_t columns, Numbers<std::int64_t> starts, Numbers<std::uint32_t> elements,
+             Numbers<float> values);
+
+  std::size_t count() const { return count_; }
+  std::size_t columns() const { return columns_; }
+
+  /// `count` rows from `first` on: a view of dense rows, a copy of sparse ones. Valid during the
+  /// lifetime of this object.
+  Samples part(std::size_t first, std::size_t count) const;
+
+  /// All rows.
+  Samples all() const { return part(0, count_); }
+
+ private:
+  void check() const;
+  SignalView sparse_row(std::size_t row) const;
+
+  std::size_t count_ = 0;
+  std::size_t columns_ = 0;
+  bool sparse_ = false;
+  Rows dense_;
+  Numbers<std::int64_t> starts_;
+  Numbers<std::uint32_t> elements_;
+  Numbers<float> values_;
+};
+
+/// Adds the class to the extension module.
+void bind_sample_rows(nanobind::module_& module);
+
+}  // namespace somato::python
