@@ -1,8 +1,13 @@
-# Makes a Python environment with the packages of the file REQUIREMENTS, installed without their
+# Makes a Python environment with the packages of the files REQUIREMENTS, installed without their
 # dependencies, in the folder TO; costs nothing when it is there. -DPYTHON=PROGRAM
-# -DREQUIREMENTS=FILE -DTO=FOLDER
+# -DREQUIREMENTS=FILE[;FILE...] -DTO=FOLDER
 set(stamp ${TO}/installed)
-file(READ ${REQUIREMENTS} wanted)
+set(options)
+foreach(file IN LISTS REQUIREMENTS)
+  file(READ ${file} text)
+  string(APPEND wanted "${text}")
+  list(APPEND options -r ${file})
+endforeach()
 if(EXISTS ${stamp})
   file(READ ${stamp} installed)
 endif()
@@ -13,7 +18,7 @@ file(REMOVE_RECURSE ${TO})
 execute_process(COMMAND ${PYTHON} -m venv ${TO} RESULT_VARIABLE status)
 if(status EQUAL 0)
   execute_process(COMMAND ${TO}/bin/python -m pip install --quiet --disable-pip-version-check
-                          --no-deps -r ${REQUIREMENTS}
+                          --no-deps ${options}
                   RESULT_VARIABLE status)
 endif()
 if(NOT status EQUAL 0)

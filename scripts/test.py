@@ -69,7 +69,8 @@ STAGES = [
     Stage("dev: tests", tests("dev", "-LE", "^long$"),
           "wrong results, messages and pages; failing commands in the documentation", 511, "dev"),
     Stage("long tests", tests("dev", "-L", "^long$"),
-          "an unusable installed package or Python wheel; harmful damaged inputs (5,000 of them) and boundary values",
+          "an unusable installed package or Python wheel; a broken link or page of the site, undocumented public "
+          "symbols; harmful damaged inputs (5,000 of them) and boundary values",
           None, "dev", thorough=True),
     Stage("asan: build", command("./dev", "build", "asan"), "nothing; required by the next stage",
           678, "asan", thorough=True),

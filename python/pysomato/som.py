@@ -34,7 +34,6 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     Attributes:
         map_: The trained map, which a notebook draws. Immutable.
-        weights_: Weights of the neurons, row by row; float32 of (neurons, columns).
         winners_: Number of each training sample's winner, after ``fit``; int64 of (samples,).
         hits_: Number of training samples that each neuron wins, after ``fit``; int64 of (neurons,).
         quantization_error_: Mean distance of a training sample from its winner, after ``fit``.
@@ -164,6 +163,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     @property
     def weights_(self) -> np.ndarray:
+        """Weights of the neurons, row by row; float32 of (neurons, columns)."""
         check_is_fitted(self, "map_")
         return self.map_.weights()
 

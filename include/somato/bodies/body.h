@@ -99,10 +99,11 @@ class Body {
   AfterStep after_step_;
 };
 
-/// The index of the degree of freedom, or sensor, with that name; an unknown name is an error
-/// (kUsage) with the nearest known one.
+/// The index of the degree of freedom with that name; an unknown name is an error (kUsage) with the
+/// nearest known one.
 Result<std::size_t> find_degree_of_freedom(const BodyDescription& description,
                                            std::string_view name);
+/// The same for a sensor.
 Result<std::size_t> find_sensor(const BodyDescription& description, std::string_view name);
 
 }  // namespace somato

@@ -31,6 +31,7 @@ struct FailedExploration {
   Error error;
 };
 
+/// The outcome of exploring many items.
 struct ExploringOutcome {
   std::size_t recorded = 0;                 ///< Number of explorations passed to the sink.
   std::vector<FailedExploration> failures;  ///< In order.

@@ -12,6 +12,7 @@
 
 namespace somato {
 
+/// The shape of an object; docs/objects.md lists the keys of each.
 enum class Shape { kSphere, kCylinder, kBlock, kCone, kEllipsoid, kCapsule, kMesh };
 
 template <>

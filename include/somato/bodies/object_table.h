@@ -40,6 +40,7 @@ struct ShapeKeys {
   std::vector<std::string> needed;
   std::vector<std::string> possible;
 };
+/// The keys of a shape.
 const ShapeKeys& shape_keys(Shape shape);
 
 /// The table in the TOML `text` (docs/objects.md), in the order of the text. `where` is its file;
@@ -67,10 +68,11 @@ Result<ObjectTable> own_object_table(std::string_view name, std::span<const Mate
 /// hard_board and wood must be among those `declared`; otherwise an error names the missing one.
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared);
 
-/// Five cylinders and five blocks for LUCS Haptic Hand III, and three and three new ones with
-/// intermediate sizes. Both tables are Somato's own; the papers' Table II is not known. The
-/// materials are the same.
+/// Five cylinders and five blocks for LUCS Haptic Hand III. The table is Somato's own, and so is
+/// that of new objects with intermediate sizes; the papers' Table II is not known. The materials
+/// are those of lucs2_objects().
 Result<std::vector<Object>> lucs3_objects(std::span<const Material> declared);
+/// The three new cylinders and the three new blocks.
 Result<std::vector<Object>> lucs3_new_objects(std::span<const Material> declared);
 
 }  // namespace somato

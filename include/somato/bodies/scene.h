@@ -21,7 +21,9 @@ struct ScenePose {
   std::array<double, 4> turn{1.0, 0.0, 0.0, 0.0};
 };
 
+/// The shape of a part of a scene.
 enum class GeomShape { kBox, kSphere, kCapsule, kCylinder, kEllipsoid, kMesh };
+/// The role of a part of a scene.
 enum class GeomRole { kHand, kObject, kTable };
 
 template <>

@@ -240,7 +240,7 @@ std::string parameters_to_toml(const DeclaredFields& declared, const void* param
 
 }  // namespace detail
 
-/// A declared field of the struct S; valid during the lifetime of its Declarations<S>.
+/// A declared field of the struct S; valid during the lifetime of its `Declarations<S>`.
 template <typename S>
 class Parameter {
  public:

@@ -24,7 +24,7 @@ std::string to_toml(const Value& value);
 struct Table {
   struct Entry;
 
-  std::string where;  ///< `file:line` of the table's header, or of the file.
+  std::string where;  ///< `FILE:LINE` of the table's header, or of the file.
   std::vector<Entry> entries;
 
   /// The entry with that name, or nullptr.
@@ -34,7 +34,7 @@ struct Table {
 /// A key of a table with a value, a table, or a list of tables.
 struct Table::Entry {
   std::string name;
-  std::string where;  ///< `file:line` of the key.
+  std::string where;  ///< `FILE:LINE` of the key.
   std::variant<Value, Table, std::vector<Table>> content;
 };
 

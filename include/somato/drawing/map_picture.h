@@ -37,6 +37,7 @@ struct LabelPanel {
   std::string note{};      ///< Below the map; may be empty.
 };
 
+/// One of the maps of a picture.
 using Panel = std::variant<ValuePanel, LabelPanel>;
 
 /// The panels in up to four columns, below a title and above a caption (which may be empty), as a

@@ -33,9 +33,9 @@ struct ColumnChoice {
 /// Options for reading a file of numbers; options that are not set are detected. For an NPY file
 /// only `columns` and `keeps_missing` apply; a label column and a decimal comma are refused.
 struct CsvOptions {
-  /// Separator of fields: ',', ';', '\t' or ' ' (any number of spaces and tabs). Detected: the
-  /// first of tab, semicolon, comma and blank that occurs in the first line; with a decimal comma
-  /// the first of tab, semicolon and blank.
+  /// Separator of fields: comma, semicolon, tab or blank (any number of spaces and tabs). Detected:
+  /// the first of tab, semicolon, comma and blank that occurs in the first line; with a decimal
+  /// comma the first of tab, semicolon and blank.
   std::optional<char> separator = {};
   /// Whether the first line contains names. Detected: true if a field outside the label column, and
   /// outside columns that are skipped by number, is quoted, or is neither a number (possibly with a

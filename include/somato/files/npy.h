@@ -36,8 +36,9 @@ std::string npy_numbers(std::span<const float> numbers);
 /// A file of integers: `<i8` of one dimension.
 std::string encode_npy(std::span<const std::int64_t> numbers);
 
-/// Saves atomically; see save_whole().
+/// Writes a file of numbers; an earlier one is replaced when all is written.
 Result<void> write_npy(const std::string& path, const Matrix<float>& matrix);
+/// The same for integers.
 Result<void> write_npy(const std::string& path, std::span<const std::int64_t> numbers);
 
 }  // namespace somato

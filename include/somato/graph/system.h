@@ -19,7 +19,7 @@ class Wiring;
 /// A module of a system.
 struct SystemModule {
   std::string name;
-  std::string where;  ///< `file:line`, or empty.
+  std::string where;  ///< `FILE:LINE`, or empty.
   const ModuleType* type = nullptr;
   std::unique_ptr<Module> module;
   std::vector<std::size_t> inputs;  ///< Numbers of modules, in the order of the ports.

@@ -26,7 +26,7 @@ struct PhaseDescription {
   std::optional<std::uint64_t> draws;  ///< Automatic: the module's own number.
   std::optional<Draws> order;          ///< Automatic: the module's own order.
   std::optional<Rate> of;              ///< Automatic: according to the rate of the modules' inputs.
-  std::string where = {};              ///< `file:line`, or another location.
+  std::string where = {};              ///< `FILE:LINE`, or another location.
 
   static const Declarations<PhaseDescription>& declarations();
 };

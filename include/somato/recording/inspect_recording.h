@@ -13,6 +13,7 @@ namespace somato {
 
 /// Numbers of explorations for each value of a label, in order of appearance.
 struct LabelSummary {
+  /// The number of explorations with a value of the label.
   struct Count {
     std::string value;
     std::uint64_t explorations = 0;
@@ -22,6 +23,7 @@ struct LabelSummary {
   std::uint64_t others = 0;  ///< Explorations with values that are not listed.
 };
 
+/// The lengths of a channel in the explorations that contain it.
 struct ChannelSummary {
   ChannelDescription description;  ///< Position of its first appearance.
   std::size_t elements = 0;

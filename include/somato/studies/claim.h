@@ -31,7 +31,7 @@ struct Claim {
   std::optional<double> published;
   std::optional<double> at_least;
   std::optional<double> at_most;
-  std::string where = {};     ///< `file:line`; not declared.
+  std::string where = {};     ///< `FILE:LINE`; not declared.
   std::string question = {};  ///< The question it belongs to, or empty; not declared.
 
   /// Whether it is from a paper; other claims are comparisons by this project.
@@ -76,10 +76,10 @@ struct Choices<ClaimVerdict> {
   static const std::vector<std::pair<ClaimVerdict, std::string>>& all();
 };
 
-inline constexpr std::size_t kLeastPairs = 20;
-inline constexpr double kHoldsFrom = 0.95;
-inline constexpr double kMostlyFrom = 0.5;
-inline constexpr double kChanceFrom = 0.5;
+inline constexpr std::size_t kLeastPairs = 20;  ///< Pairs that a verdict requires.
+inline constexpr double kHoldsFrom = 0.95;      ///< Share of pairs from which a claim holds.
+inline constexpr double kMostlyFrom = 0.5;      ///< Share of pairs from which it mostly holds.
+inline constexpr double kChanceFrom = 0.5;      ///< Share of wrong groupings that also reach it.
 
 /// Whether a share is at least a limit, to 1e-9 for rounding.
 bool reaches(double share, double limit);

@@ -42,6 +42,7 @@ struct LabelInformation {
 
 /// The correlation of the vectors with a number, such as a size.
 struct OrderInformation {
+  /// The correlation within a group of individuals.
   struct Group {
     std::string name;
     std::size_t individuals = 0;

@@ -125,6 +125,7 @@ struct Results {
 /// The results as results.json, version kResultsVersion; the same bytes for the same results.
 std::string to_json(const Results& results);
 
+/// The version of the format of results.json.
 inline constexpr std::uint64_t kResultsVersion = 4;
 
 }  // namespace somato

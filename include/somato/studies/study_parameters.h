@@ -60,7 +60,7 @@ struct RecordingParameters {
 
 /// A complete study, as described by its TOML file.
 struct StudyDescription {
-  std::string where = {};  ///< `file:line` of [study], or another location.
+  std::string where = {};  ///< `FILE:LINE` of [study], or another location.
   std::string text = {};   ///< The text of its file, for the results; empty: to_toml().
   StudyParameters study;
   RecordingParameters recording;
