@@ -255,6 +255,13 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         panels = ["u_matrix", "hits"] if hasattr(self, "hits_") else "u_matrix"
         return self.draw(panels).svg
 
+    @property
+    def _repr_html_(self):
+        # A notebook prefers HTML, which describes the parameters, to the picture of a trained map.
+        if hasattr(self, "map_"):
+            raise AttributeError("a trained map is drawn")
+        return super()._repr_html_
+
     def _repr_mimebundle_(self, **kwargs):
         picture = self._repr_svg_()
         if picture is None:

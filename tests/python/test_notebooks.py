@@ -39,3 +39,7 @@ def test_runs(notebook, monkeypatch):
 def test_is_stored_without_outputs(notebook):
     for cell in code_cells(notebook):
         assert cell["outputs"] == [] and cell["execution_count"] is None, "clear all outputs, then save"
+
+
+def test_there_are_five_notebooks():
+    assert len(NOTEBOOKS) == 5

@@ -154,7 +154,9 @@ def test_files_that_are_no_maps_are_refused(tmp_path):
 def test_a_notebook_draws_the_map(X):
     som = SOM(3, 3)
     assert som._repr_svg_() is None
+    assert "SOM" in som._repr_html_()  # the parameters
     picture = som.fit(X)._repr_mimebundle_()["image/svg+xml"]
     assert xml.etree.ElementTree.fromstring(picture).tag.endswith("svg")
     assert "U-matrix" in picture
+    assert not hasattr(som, "_repr_html_")  # which a notebook would show instead
     assert ("Hits" in picture) != ("Hits" in som.partial_fit(X)._repr_svg_())
