@@ -1,7 +1,9 @@
 # The target mujoco::mujoco: the pinned library of scripts/fetch_mujoco.sh, or the distribution's.
 set(MUJOCO_ROOT "${PROJECT_SOURCE_DIR}/build/mujoco" CACHE PATH "Folder with MuJoCo's include and lib")
 find_path(MuJoCo_INCLUDE_DIR mujoco/mujoco.h HINTS "${MUJOCO_ROOT}/include")
-find_library(MuJoCo_LIBRARY mujoco HINTS "${MUJOCO_ROOT}"
+# The package of Python has no link without the version.
+file(GLOB versions RELATIVE "${MUJOCO_ROOT}" "${MUJOCO_ROOT}/libmujoco.so.*")
+find_library(MuJoCo_LIBRARY NAMES ${versions} mujoco HINTS "${MUJOCO_ROOT}"
              PATH_SUFFIXES lib "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
 if(MuJoCo_INCLUDE_DIR)
   file(STRINGS "${MuJoCo_INCLUDE_DIR}/mujoco/mujoco.h" version REGEX "^#define mjVERSION_HEADER ")

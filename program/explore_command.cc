@@ -25,20 +25,11 @@ namespace {
 
 // A flag that would be ignored is a mistake.
 Result<void> check_flags(const Arguments& arguments, ExploringBody body) {
-  const bool is_probe = body == ExploringBody::kTexture || body == ExploringBody::kHardness ||
-                        body == ExploringBody::kProbes;
-  const auto refuse = [&](const std::string& flag) {
-    return fail(ErrorKind::kUsage, "has no effect on the body " + choice_name(body), flag,
-                "omit it");
-  };
-  const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
-  for (const Table::Entry& entry : flags.entries) {
-    if (is_probe || (entry.name == "taxels" && body == ExploringBody::kLucs2)) {
-      return refuse(entry.where);
-    }
-  }
-  if (is_probe && arguments.has("images")) return refuse("--images");
-  return {};
+  SOMATO_TRY_VOID(check_effect(
+      body, given_parameters(arguments, SimulationParameters::declarations().infos())));
+  if (!is_probe(body) || !arguments.has("images")) return {};
+  return fail(ErrorKind::kUsage, "has no effect on the body " + choice_name(body), "--images",
+              "omit it");
 }
 
 Result<ExploringParameters> read_parameters(const Arguments& arguments, ExploringBody body) {

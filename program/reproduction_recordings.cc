@@ -28,8 +28,7 @@ Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
   }
   const std::string& objects = table.explore.objects;
   if (objects.empty()) return default_things(table.explore.body);
-  return objects.ends_with(".toml") ? read_object_table(objects, materials)
-                                    : own_object_table(objects, materials);
+  return find_object_table(objects, materials);
 }
 
 Result<void> explore_into(const std::string& path, const Explorer& explorer,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,21 +32,22 @@ inline Samples samples_of(const Rows& rows) {
 }
 
 /// An array of numpy that owns `values`.
-template <typename T, std::size_t Dimensions>
-nanobind::object array_of(std::vector<T> values, const std::size_t (&shape)[Dimensions]) {
+template <typename T>
+nanobind::object array_of(std::vector<T> values, std::span<const std::size_t> shape) {
   auto owned = std::make_unique<std::vector<T>>(std::move(values));
   T* data = owned->data();
   const nanobind::capsule owner(owned.get(), [](void* memory) noexcept {
     delete static_cast<std::vector<T>*>(memory);  // NOLINT(cppcoreguidelines-owning-memory)
   });
   owned.release();
-  return nanobind::cast(nanobind::ndarray<nanobind::numpy, T>(data, Dimensions, shape, owner));
+  return nanobind::cast(
+      nanobind::ndarray<nanobind::numpy, T>(data, shape.size(), shape.data(), owner));
 }
 
 template <typename T>
 nanobind::object array_of(std::vector<T> values) {
   const std::size_t shape[] = {values.size()};
-  return array_of(std::move(values), shape);
+  return array_of(std::move(values), std::span<const std::size_t>(shape));
 }
 
 /// Numbers of neurons, samples or classes as an array.

@@ -1,17 +1,41 @@
 #include "interrupts.h"
 
-#include <utility>
-
 namespace somato::python {
 
 bool Interrupts::proceed() {
-  if (raised_) return false;
-  const auto now = std::chrono::steady_clock::now();
-  if (now - checked_ < std::chrono::milliseconds(50)) return true;
-  checked_ = now;
+  if (!stopped_ && std::this_thread::get_id() == maker_ && is_due(handled_at_)) {
+    with_lock([] {
+      if (PyErr_CheckSignals() != 0) nanobind::raise_python_error();
+    });
+  }
+  return !stopped_;
+}
+
+// The end is always shown.
+bool Interrupts::report(std::uint64_t done, std::uint64_t total) {
+  if (!proceed()) return false;
+  if (!shown_.is_none() && (is_due(shown_at_) || done == total)) {
+    with_lock([&] { shown_(done, total); });
+  }
+  return !stopped_;
+}
+
+// The first of several threads finds that enough time has passed.
+bool Interrupts::is_due(Moment& last) {
+  const Clock::time_point now = Clock::now();
+  Clock::time_point before = last;
+  return now - before >= std::chrono::milliseconds(50) && last.compare_exchange_strong(before, now);
+}
+
+template <typename Work>
+void Interrupts::with_lock(const Work& work) {
   const nanobind::gil_scoped_acquire lock;
-  if (PyErr_CheckSignals() != 0) raised_.emplace();
-  return !raised_;
+  try {
+    work();
+  } catch (nanobind::python_error& raised) {
+    if (!raised_) raised_.emplace(std::move(raised));
+    stopped_ = true;
+  }
 }
 
 void Interrupts::throw_raised() {

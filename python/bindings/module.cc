@@ -5,9 +5,11 @@ NB_MODULE(_somato, module) {
   module.doc() = "The C++ library, for the classes of the package.";
   somato::python::register_failures();
   somato::python::bind_codes(module);
+  somato::python::bind_explore(module);
   somato::python::bind_map(module);
   somato::python::bind_pictures(module);
   somato::python::bind_recording(module);
+  somato::python::bind_system(module);
   somato::python::bind_study(module);
   somato::python::bind_t_mpsom(module);
 }

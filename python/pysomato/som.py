@@ -7,6 +7,7 @@ from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, Transfo
 from sklearn.utils.validation import check_is_fitted
 
 from . import _somato
+from ._numbers import number_of_threads
 from ._rows import numbered, sample_rows_of
 from .drawing import Drawing, MapData
 from .errors import UsageError
@@ -273,12 +274,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
                 if name not in _NOT_OF_MAP}
 
     def _threads(self):
-        if self.threads is None:
-            return _somato.available_threads()
-        if not isinstance(self.threads, (int, np.integer)) or self.threads < 1:
-            raise UsageError(f"{self.threads!r} is not a number of threads", "SOM(threads)",
-                             "use at least 1, or None")
-        return int(self.threads)
+        return number_of_threads(self.threads, "SOM")
 
     def _data(self, X, y):
         """What is drawn: the samples of X, or else those of fit."""

@@ -1,4 +1,4 @@
-"""Studies of systems, and trained systems for control loops."""
+"""Systems, studies of them, and trained systems for control loops."""
 
 import json
 import os
@@ -6,16 +6,83 @@ import os
 import numpy as np
 
 from . import _somato
+from ._frames import frame
+from ._numbers import number_of_threads
+from ._progress import shown
 from .drawing import Drawing
 from .recording import Recording
 from .som import SOM
 
 
+class System:
+    """A system of modules and its study, as a TOML file describes them. Immutable.
+
+    Args:
+        source: The file (docs/your-system.md), or the name of one that ``systems`` lists.
+
+    Raises:
+        UsageError: A table or a key of the file is wrong.
+        OperatingSystemError: The file cannot be read.
+    """
+
+    def __init__(self, source):
+        self._inner = _somato.StudyDescription.read(os.fspath(source))
+
+    @property
+    def name(self) -> str:
+        """The name of the study."""
+        return self._inner.name
+
+    @property
+    def modules(self) -> list[dict]:
+        """Name, type, inputs and parameters of each module, as the file gives them."""
+        return self._inner.modules()
+
+    @property
+    def toml(self) -> str:
+        """The description as TOML, without defaults."""
+        return self._inner.toml()
+
+    def fit(self, recording: Recording, *, seed=1, threads=None, progress=None,
+            **settings) -> "TrainedSystem":
+        """The system, trained on all explorations; their labels name the neurons of its map.
+
+        It is the system that ``study`` returns for this seed. ``threads``, ``progress``, ``settings``
+        and errors are those of ``study``.
+        """
+        return study(recording, self, threads=threads, progress=progress, protocols=["train_is_test"],
+                     seeds=1, first_seed=seed, **settings).system
+
+    def __repr__(self):
+        names = ", ".join(module["name"] for module in self.modules)
+        return f"<System {self.name}: {names}>"
+
+
 class TrainedSystem:
-    """A trained system, as ``study`` returns it or a file contains it. Immutable."""
+    """A trained system, as ``System.fit`` and ``study`` return it or a file contains it. Immutable.
+
+    A notebook shows the U-matrix of its map.
+    """
 
     def __init__(self, inner):
         self._inner = inner
+
+    @property
+    def modules(self) -> list[dict]:
+        """Name, type, inputs, parameters and type of the output of each module. Parameters that were
+        ``automatic`` and affect the shape of the output have the values that the training gave them.
+        """
+        return self._inner.modules()
+
+    def evaluate(self, recording: Recording, module, *, threads=None) -> list[np.ndarray]:
+        """The output of a module for each exploration: float32 of the module's shape, after an axis
+        of the frames if it has an output for each frame.
+
+        Raises:
+            UsageError: There is no such module; the message names the nearest one.
+            DataError: The recording does not fit the system, or a module cannot process it.
+        """
+        return self._inner.outputs(recording._inner, module, number_of_threads(threads, "evaluate"))
 
     def live(self) -> "Live":
         """The system for a control loop: a new one for each call."""
@@ -29,6 +96,9 @@ class TrainedSystem:
     def toml(self) -> str:
         """The description of the system."""
         return self._inner.toml()
+
+    def _repr_svg_(self):
+        return self._inner.picture()
 
 
 class Live:
@@ -91,7 +161,7 @@ class Study:
     @property
     def values(self):
         """Every metric as a DataFrame: protocol, group, metric, seed, value; a row for each seed."""
-        return _frame(["protocol", "group", "metric", "seed", "value"], [
+        return frame(["protocol", "group", "metric", "seed", "value"], [
             (protocol["protocol"], protocol.get("group", ""), name, run["seed"], value)
             for protocol in self._protocols() for name, metric in protocol["metrics"].items()
             for run, value in zip(protocol["runs"], metric["values"])])
@@ -99,7 +169,7 @@ class Study:
     @property
     def metrics(self):
         """Mean and standard deviation of every metric over the seeds, as a DataFrame."""
-        return _frame(["protocol", "group", "metric", "mean", "sd"], [
+        return frame(["protocol", "group", "metric", "mean", "sd"], [
             (protocol["protocol"], protocol.get("group", ""), name, metric["mean"], metric["sd"])
             for protocol in self._protocols() for name, metric in protocol["metrics"].items()])
 
@@ -107,7 +177,7 @@ class Study:
     def predictions(self):
         """Every test as a DataFrame: protocol, group, seed, number of the sample, label, prediction
         and winner."""
-        return _frame(["protocol", "group", "seed", "sample", "label", "prediction", "winner"], [
+        return frame(["protocol", "group", "seed", "sample", "label", "prediction", "winner"], [
             (protocol["protocol"], protocol.get("group", ""), run["seed"], number, *row)
             for protocol in self._protocols() for run in protocol["runs"]
             for number, row in enumerate(zip(run["labels"], run["predictions"], run["winners"]))])
@@ -123,15 +193,17 @@ class Study:
         return self._picture
 
 
-def study(recording: Recording, system, *, threads=None, **settings) -> Study:
+def study(recording: Recording, system, *, threads=None, progress=None, **settings) -> Study:
     """Trains and tests a system on a recording, as ``somato run`` does.
 
     The same study, recording and seeds give the same results as the program. Ctrl-C stops it.
 
     Args:
         recording: The explorations.
-        system: A TOML file (docs/your-system.md), or the name of one that ``systems`` lists.
+        system: A ``System``, or its file or name.
         threads: Threads that compute; None: as many as the machine runs at once.
+        progress: Whether tqdm shows the progress; None: on a terminal and in a notebook, if tqdm is
+            installed.
         settings: Parameters of the table ``[study]``, such as ``seeds=20``, instead of those of the
             file.
 
@@ -139,8 +211,10 @@ def study(recording: Recording, system, *, threads=None, **settings) -> Study:
         UsageError: The file or a parameter is wrong, or the recording lacks a channel or a label.
         DataError: The recording cannot be used for this study.
     """
-    threads = _somato.available_threads() if threads is None else threads
-    return Study(_somato.study(recording._inner, os.fspath(system), settings, threads))
+    system = system if isinstance(system, System) else System(system)
+    threads = number_of_threads(threads, "study")
+    with shown(system.name, progress) as show:
+        return Study(_somato.study(recording._inner, system._inner, settings, threads, show))
 
 
 def load(path) -> TrainedSystem:
@@ -151,9 +225,3 @@ def load(path) -> TrainedSystem:
 def systems() -> list[str]:
     """The names of the systems and studies that the package contains."""
     return _somato.own_files()
-
-
-def _frame(columns, rows):
-    import pandas  # only here, because the package works without it
-
-    return pandas.DataFrame(rows, columns=columns)

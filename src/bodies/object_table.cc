@@ -320,6 +320,11 @@ Result<ObjectTable> own_object_table(std::string_view name, std::span<const Mate
   return parse_object_table(detail::embedded_text(path), path, declared);
 }
 
+Result<ObjectTable> find_object_table(const std::string& name, std::span<const Material> declared) {
+  return name.ends_with(".toml") ? read_object_table(name, declared)
+                                 : own_object_table(name, declared);
+}
+
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared) {
   return own_objects("lucs2", declared);
 }

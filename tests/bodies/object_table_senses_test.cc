@@ -91,5 +91,20 @@ TEST(OwnObjectTables, AreListedAndRead) {
   for (const std::string& name : names) EXPECT_TRUE(own_object_table(name, declared())) << name;
 }
 
+TEST(OwnObjectTables, AreFoundByNameAndFilesByPath) {
+  const auto own = find_object_table("lucs3_new", declared());
+  const auto file = find_object_table(SOMATO_SOURCE_DIR "/objects/lucs3_new.toml", declared());
+  ASSERT_TRUE(own);
+  ASSERT_TRUE(file);
+  ASSERT_EQ(own->objects.size(), file->objects.size());
+  EXPECT_EQ(own->objects.back().name, file->objects.back().name);
+  const auto missing = find_object_table("lucs3_new.toml", declared());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::kSystem);
+  const auto unknown = find_object_table("lucs3_now", declared());
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(to_string(unknown.error()).find("lucs3_new"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace somato

@@ -1,17 +1,21 @@
 """What the estimators do to their process: memory, threads, signals."""
 
+import os
 import resource
 import signal
 import threading
+import tracemalloc
 import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pysomato import SOM, ConversionWarning
+from pysomato import SOM, ConversionWarning, Recording, _somato
+from pysomato._rows import rows_of
 
 MEGABYTE = 2**20
+LONG = "SOMATO_LONG_TESTS" in os.environ
 
 
 def memory():
@@ -40,6 +44,18 @@ def test_rows_are_not_copied():
         assert peak_during(lambda: som.predict(rows.astype(np.float64))) > 24 * MEGABYTE
 
 
+def test_rows_in_c_order_are_taken_as_they_are(X):
+    assert np.shares_memory(rows_of(SOM(), X, reset=True), X)
+    assert not np.shares_memory(rows_of(SOM(), np.asfortranarray(X), reset=True), X)
+    som = SOM(3, 3, iterations=10).fit(X)
+    rows = np.tile(X, (1000, 1))  # 1.7 MB
+    tracemalloc.start()
+    som.predict(rows)  # 0.5 MB of winners
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < MEGABYTE
+
+
 def test_memory_does_not_grow(X):
     som = SOM(4, 4, iterations=10, threads=1)
 
@@ -50,7 +66,7 @@ def test_memory_does_not_grow(X):
 
     work(50)
     before = memory()
-    work(1000)
+    work(10_000 if LONG else 1000)
     assert memory() - before < 5 * MEGABYTE
 
 
@@ -82,6 +98,50 @@ def test_other_threads_run_during_a_training(X):
         other.start()
         SOM(iterations=10**12, threads=1).fit(X)
     other.join()
+
+
+def test_trainings_of_two_threads_overlap(X, tmp_path):
+    # A whole training of the other thread takes place between two reports of the first one, which ends
+    # only because of that.
+    begun, trained = threading.Event(), threading.Event()
+
+    def train():
+        begun.wait()
+        SOM(4, 4, iterations=100, threads=1).fit(X)
+        trained.set()
+
+    def show(*_):
+        begun.set()
+        if trained.is_set():
+            raise Stopped
+
+    other = threading.Thread(target=train)
+    other.start()
+    with pytest.raises(Stopped):
+        endless_study(X, tmp_path, show)
+    other.join()
+
+
+def endless_study(X, folder, show):
+    """A study that never ends in practice, and calls ``show`` during its trainings."""
+    (folder / "endless.toml").write_text("""
+        [study]
+        name = "endless"
+        seeds = 100000
+        [module.rows]
+        type = "channel"
+        channel = "rows"
+        [module.last]
+        type = "last"
+        input = "rows"
+        [module.map]
+        type = "som"
+        input = "last"
+        iterations = 1000000
+    """)
+    recording = Recording.from_arrays({"object": np.arange(len(X)) % 2}, {"rows": list(X[:, None])})
+    description = _somato.StudyDescription.read(str(folder / "endless.toml"))
+    _somato.study(recording._inner, description, {}, 1, show)
 
 
 @pytest.mark.parametrize("settings", [

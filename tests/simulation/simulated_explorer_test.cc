@@ -91,6 +91,22 @@ TEST(SimulatedExplorer, EveryBodyHasTheThingsOfItsOwnTable) {
   EXPECT_EQ(names(ExploringBody::kProbes), names(ExploringBody::kTexture));
 }
 
+std::string effect_error(ExploringBody body, const std::string& parameter) {
+  const auto checked = check_effect(body, {"", {{parameter, "--flag", Value{true}}}});
+  return checked ? "none" : to_string(checked.error());
+}
+
+TEST(SimulatedExplorer, ParametersWithoutEffectAreRefused) {
+  EXPECT_EQ(effect_error(ExploringBody::kLucs3, "taxels"), "none");
+  EXPECT_EQ(effect_error(ExploringBody::kAllSenses, "taxels"), "none");
+  EXPECT_EQ(effect_error(ExploringBody::kLucs2, "placement_noise"), "none");
+  EXPECT_EQ(effect_error(ExploringBody::kLucs2, "taxels"),
+            "--flag: has no effect on the body lucs2; omit it");
+  for (const auto& [body, name] : Choices<ExploringBody>::all()) {
+    EXPECT_EQ(effect_error(body, "placement_noise") == "none", !is_probe(body)) << name;
+  }
+}
+
 TEST(SimulatedExplorer, HandTwoFeelsWithThePapersChannels) {
   const Exploration exploration = explored(*built(ExploringBody::kLucs2, two_objects()), 1, 2);
   EXPECT_EQ(widths(exploration),

@@ -64,6 +64,10 @@ std::vector<std::string> own_object_tables();
 /// an unknown name, with the nearest known one; those of parse_object_table().
 Result<ObjectTable> own_object_table(std::string_view name, std::span<const Material> declared);
 
+/// The table in a file whose name ends in `.toml`, or the built-in table with that name. Errors:
+/// those of read_object_table() or own_object_table().
+Result<ObjectTable> find_object_table(const std::string& name, std::span<const Material> declared);
+
 /// The objects of Table I (P06), explored with LUCS Haptic Hand II. The materials plastic, metal,
 /// hard_board and wood must be among those `declared`; otherwise an error names the missing one.
 Result<std::vector<Object>> lucs2_objects(std::span<const Material> declared);

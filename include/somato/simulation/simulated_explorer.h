@@ -9,6 +9,7 @@
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/object_table.h"
 #include "somato/core/parameter.h"
+#include "somato/core/value.h"
 #include "somato/simulation/simulation_parameters.h"
 
 namespace somato {
@@ -32,9 +33,16 @@ struct Choices<ExploringBody> {
   static const std::vector<std::pair<ExploringBody, std::string>>& all();
 };
 
+/// Whether only probes explore, which have no simulated hand.
+bool is_probe(ExploringBody body);
+
 /// The things of a body's default table: Table I for Hand II, Somato's own for Hand III and all
 /// senses, the eight materials for the probes.
 Result<ObjectTable> default_things(ExploringBody body);
+
+/// Whether all `given` parameters of the simulation have an effect on the body. Errors (kUsage):
+/// the first that has none, at its location.
+Result<void> check_effect(ExploringBody body, const Table& given);
 
 class GraspPictures;
 

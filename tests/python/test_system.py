@@ -1,0 +1,130 @@
+"""Systems: their modules, training and outputs."""
+
+import numpy as np
+import pytest
+
+import pysomato
+from pysomato import Recording, System, load, study
+
+STUDY = """
+[study]
+name = "grasps"
+label = "object"
+seeds = 3
+
+[module.joints]
+type = "channel"
+channel = "joints"
+
+[module.closed]
+type = "last"
+input = "joints"
+
+[module.map]
+type = "som"
+input = "closed"
+rows = 4
+columns = 5
+iterations = 300
+"""
+
+
+@pytest.fixture
+def recording():
+    random = np.random.default_rng(11)
+    return Recording.from_arrays({"object": [["ball", "cube", "cone"][i % 3] for i in range(9)]},
+                                 {"joints": [random.random((4 + i, 6)) + i % 3 for i in range(9)]})
+
+
+@pytest.fixture
+def system(tmp_path):
+    path = tmp_path / "grasps.toml"
+    path.write_text(STUDY)
+    return System(path)
+
+
+def test_modules_are_described(system):
+    assert repr(system) == "<System grasps: joints, closed, map>"
+    assert system.modules[1] == {"name": "closed", "type": "last", "inputs": {"input": "joints"},
+                                 "parameters": {}}
+    assert system.modules[2]["parameters"] == {"rows": 4, "columns": 5, "iterations": 300}
+    assert 'type = "som"' in system.toml
+    assert System("shape_and_size").name == "shape_and_size"
+
+
+def test_a_trained_system_is_that_of_a_study(system, recording, tmp_path):
+    system.fit(recording, seed=7).save(tmp_path / "mine.somato")
+    study(recording, system, first_seed=7, seeds=1).system.save(tmp_path / "study.somato")
+    assert (tmp_path / "mine.somato").read_bytes() == (tmp_path / "study.somato").read_bytes()
+
+
+def test_outputs_are_those_of_the_modules(system, recording, tmp_path):
+    trained = system.fit(recording)
+    for found, given in zip(trained.evaluate(recording, "joints"), recording["joints"]):
+        np.testing.assert_array_equal(found, given)
+    closed = trained.evaluate(recording, "closed")
+    np.testing.assert_array_equal(closed, [frames[-1] for frames in recording["joints"]])
+    activity = trained.evaluate(recording, "map", threads=2)
+    assert {one.shape for one in activity} == {(4, 5)}
+    winners = [winner_of(trained, frames) for frames in recording["joints"]]
+    assert [int(one.argmax()) for one in activity] == winners
+    trained.save(tmp_path / "grasps.somato")
+    np.testing.assert_array_equal(load(tmp_path / "grasps.somato").evaluate(recording, "map"), activity)
+
+
+def winner_of(trained, frames):
+    live = trained.live()
+    live.start()
+    for frame in frames:
+        live.step({"joints": frame})
+    return live.winner()
+
+
+def test_modules_of_a_trained_system_have_outputs(system, recording):
+    outputs = [module["output"] for module in system.fit(recording).modules]
+    assert outputs[0].startswith("6, ") and "every frame" in outputs[0]
+    assert outputs[2].startswith("4 x 5")
+    assert "U-matrix" in system.fit(recording)._repr_svg_()
+
+
+def test_what_does_not_fit_is_named(system, recording, tmp_path):
+    trained = system.fit(recording)
+    with pytest.raises(pysomato.UsageError, match="did you mean 'closed'"):
+        trained.evaluate(recording, "close")
+    other = Recording.from_arrays({}, {"joints": [np.ones((3, 2))]})
+    with pytest.raises(pysomato.DataError, match="joints"):
+        trained.evaluate(other, "map")
+    with pytest.raises(pysomato.UsageError, match="object"):
+        system.fit(Recording.from_arrays({"trial": [1]}, {"joints": [np.ones((3, 6))]}))
+    (tmp_path / "wrong.toml").write_text(STUDY.replace("[study]", "[stady]"))
+    with pytest.raises(pysomato.UsageError, match="wrong.toml"):
+        System(tmp_path / "wrong.toml")
+
+
+class Stopped(Exception):
+    pass
+
+
+def test_the_progress_is_shown_and_can_stop(system, recording):
+    shown = []
+
+    def show(done, total):
+        assert 0 <= done <= total
+        shown.append(done)
+
+    pysomato._somato.study(recording._inner, system._inner, {}, 1, show)
+    assert shown == sorted(shown) and shown
+
+    def stop(*_):
+        raise Stopped
+
+    with pytest.raises(Stopped):
+        pysomato._somato.study(recording._inner, system._inner, {"seeds": 10**6}, 2, stop)
+
+
+def test_bars_need_tqdm(system, recording, monkeypatch):
+    pytest.importorskip("tqdm")
+    assert len(study(recording, system, seeds=1, progress=True).values) > 0
+    monkeypatch.setitem(__import__("sys").modules, "tqdm.auto", None)
+    with pytest.raises(pysomato.UsageError, match="tqdm"):
+        study(recording, system, seeds=1, progress=True)
