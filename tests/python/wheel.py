@@ -5,6 +5,7 @@ usage: wheel.py --source DIR --work DIR [--pages FILE]
 
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -53,18 +54,19 @@ def build(archive, folder, source, pages):
     return wheel
 
 
-def check_content(wheel):
-    """The name, and that only the package and its program are in the wheel."""
+def check_content(wheel, source):
+    """The name, and that only the package, its program and the pinned engine are in the wheel."""
     package, version, python, abi, _ = wheel.stem.split("-")
     assert (python, abi) == ("cp310", "abi3"), wheel.name
     with zipfile.ZipFile(wheel) as file:
         names = set(file.namelist())
     described = f"{package}-{version}"
     ours = {name for name in names if not name.startswith(f"{described}.dist-info/")}
+    engine = re.search(r"^mujoco==(\S+)", (source / "scripts/mujoco.txt").read_text(), re.MULTILINE)[1]
     command = f"{described}.data/scripts/somato"
     assert all(name.startswith(f"{package}/") for name in ours - {command}), ours
     for name in ("__init__.py", "_somato.abi3.so", "_somato.pyi", "py.typed", "bin/somato",
-                 "doc/mujoco/LICENSE"):
+                 f"lib/libmujoco.so.{engine}", "doc/mujoco/LICENSE"):
         assert f"{package}/{name}" in ours, name
     assert command in ours
     for name in ("LICENSE", "NOTICE"):
@@ -133,7 +135,7 @@ def main():
     python = environment(work / "environment", source)
     archive = source_distribution(python, source, work / "source")
     wheel = build(archive, work / "wheels", source, options.pages)
-    check_content(wheel)
+    check_content(wheel, source)
     wheel = repaired(python, wheel, work / "repaired")
     run(python, "-m", "pip", "install", "--quiet", "--no-deps", wheel)
     run(python, "-m", "pip", "check")
