@@ -91,7 +91,7 @@ class Inspection {
     if (!message) return false;
     SOMATO_TRY(const Meaning meaning, meanings_.interpret(*message));
     if (meaning == Meaning::kBegin) labels_.add(meanings_.exploration().labels);
-    if (meaning == Meaning::kFrame) see(meanings_.frame().time);
+    if (meaning == Meaning::kFrame) see(meanings_.frames().front().time);
     if (meaning == Meaning::kEnd) end();
     return true;
   }

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "files/text.h"
+#include "ros/known_types.h"
 
 namespace somato {
 namespace {
 
+constexpr std::string_view kRosDefinitions = "ros2msg";
 constexpr std::size_t kMostDescribed = std::size_t{2} << 20;
 constexpr auto kLatest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
@@ -39,7 +41,7 @@ bool fits(const ChannelDescription& description, std::size_t elements) {
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const McapMessage& message) {
   SOMATO_TRY(Stream * stream, stream_of(message.channel_id));
   if (stream->explorations) return interpret_exploration(message.data);
-  if (stream->frames) return interpret_frame(*stream, message);
+  if (!stream->sources.empty()) return interpret_frames(*stream, message);
   return Meaning::kNothing;
 }
 
@@ -54,34 +56,62 @@ Result<RecordingInterpreter::Stream*> RecordingInterpreter::stream_of(std::uint1
   const McapSchema& schema = file_->schema_of(id);
   Stream stream;
   stream.explorations = is_exploration_schema(schema);
-  stream.frames = ros_kind(schema, file_->channel(id));
-  if (stream.frames && !decided_) {
-    decided_ = true;
-    foreign_ = file_->header().profile != kRecordingProfile;
-  }
-  if (stream.frames) {
-    SOMATO_TRY(auto description, describe(file_->channel(id), *stream.frames));
-    stream.description = std::move(description);
+  if (!stream.explorations) {
+    SOMATO_TRY(stream.sources, sources_of(schema, file_->channel(id)));
   }
   return &streams_.emplace(id, std::move(stream)).first->second;
 }
 
+// Recordings of explorations have frames in messages of few types.
+Result<std::vector<RecordingInterpreter::Source>> RecordingInterpreter::sources_of(
+    const McapSchema& schema, const McapChannel& channel) {
+  std::vector<Source> sources;
+  const TopicType& topic = topic_of_schema(schema, channel.message_encoding);
+  if (topic.channels.empty()) return sources;
+  if (!decided_) {
+    decided_ = true;
+    foreign_ = file_->header().profile != kRecordingProfile;
+  }
+  for (const TopicChannel& source : topic.channels) {
+    const bool is_own = source.suffix.empty() && standard_definition(schema.name);
+    if (!foreign_ && !is_own) continue;
+    SOMATO_TRY(ChannelDescription description, describe(channel, source));
+    const bool is_in_radians = is_own && schema.name == joint_state_schema().name;
+    sources.push_back({source.reader, std::move(description), is_in_radians});
+  }
+  return sources;
+}
+
+// Many channels of a file may have one schema with a long definition.
+const TopicType& RecordingInterpreter::topic_of_schema(const McapSchema& schema,
+                                                       const std::string& message_encoding) {
+  const auto [known, is_new] = topics_.try_emplace({schema.id, message_encoding});
+  if (is_new && known_type(schema.name)) {
+    const std::optional<std::string> standard = standard_definition(schema.name);
+    known->second = topic_type({schema.name, message_encoding,
+                                standard ? std::string(kRosDefinitions) : schema.encoding,
+                                standard.value_or(schema.data)});
+  }
+  return known->second;
+}
+
 // Metadata of other programs are ignored.
 Result<ChannelDescription> RecordingInterpreter::describe(const McapChannel& channel,
-                                                          RosKind kind) {
+                                                          const TopicChannel& source) {
   described_ += size_of(channel.metadata);
   if (described_ > kMostDescribed) {
     return file_->bad(fmt::format("the metadata of channels exceed {} MiB", kMostDescribed >> 20));
   }
-  Result<ChannelDescription> description = parse_description(channel);
+  McapChannel plain = channel;
+  if (!source.suffix.empty()) plain.metadata.clear();
+  Result<ChannelDescription> description = parse_description(plain);
   if (foreign_ && !description) {
-    McapChannel plain = channel;
     plain.metadata.clear();
     description = parse_description(plain);
   }
   if (!description) return file_->bad(description.error().what);
-  const bool has_unit = channel.metadata.contains("unit");
-  if (foreign_ && !has_unit && kind == RosKind::kJointState) description->unit = "rad";
+  description->name += source.suffix;
+  if (foreign_ && !plain.metadata.contains("unit")) description->unit = source.unit;
   return description;
 }
 
@@ -128,7 +158,9 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMes
 Result<void> RecordingInterpreter::open_channels() {
   channels_.clear();
   channel_by_name_.clear();
-  for (auto& [id, stream] : streams_) stream.channel = 0;
+  for (auto& [id, stream] : streams_) {
+    for (Source& source : stream.sources) source.channel = 0;
+  }
   for (const std::string& name : exploration_.channels) {
     if (name.empty() || !channel_by_name_.emplace(name, channels_.size()).second) {
       return file_->bad(fmt::format("exploration {} has two channels {}, or one without a name",
@@ -138,16 +170,16 @@ Result<void> RecordingInterpreter::open_channels() {
     channel.description.name = name;
     if (const McapChannel* announced = file_->latest(topic_of(name))) {
       SOMATO_TRY(Stream * stream, stream_of(announced->id));
-      if (stream->frames) channel.description = stream->description;
+      if (!stream->sources.empty()) channel.description = stream->sources.front().description;
     }
     channels_.push_back(std::move(channel));
   }
   return {};
 }
 
-Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frame(
+Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frames(
     Stream& stream, const McapMessage& message) {
-  const std::string& name = stream.description.name;
+  const std::string& name = stream.sources.front().description.name;
   if (!foreign_ && (!open_ || gap_)) {
     return file_->bad(fmt::format("a frame of {} is outside all explorations", shown(name)));
   }
@@ -155,56 +187,70 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frame(
     return file_->bad(
         fmt::format("a frame of {} has the time {} ns", shown(name), message.log_time));
   }
-  const std::optional<RosFrame> frame = parse_ros_message(*stream.frames, message.data);
-  if (!frame) {
-    return file_->bad(fmt::format("a frame of {} does not fill its message", shown(name)));
+  frames_.clear();
+  for (Source& source : stream.sources) SOMATO_TRY_VOID(take_frame(source, message));
+  return frames_.empty() ? Meaning::kNothing : Meaning::kFrame;
+}
+
+// Messages of other programs may lack values, such as the efforts of joints.
+Result<void> RecordingInterpreter::take_frame(Source& source, const McapMessage& message) {
+  const std::string& name = source.description.name;
+  Result<void> read = source.reader.read(message.data, values_);
+  if (!read) {
+    return file_->bad(fmt::format("a frame of {}: {}", shown(name), read.error().what),
+                      read.error().advice);
   }
+  if (foreign_ && values_.empty()) return {};
   if (foreign_ && !open_) {
     exploration_ = {};
     exploration_.source = file_->path();
     exploration_.zero = static_cast<std::int64_t>(message.log_time);
     open_ = true;
   }
-  SOMATO_TRY(const auto channel, channel_for(stream, message, *frame));
-  return take_frame(*channel, *stream.frames, message, *frame).map([&] {
-    frame_.channel = stream.channel;
-    return Meaning::kFrame;
-  });
+  SOMATO_TRY(InterpretedChannel * channel, channel_for(source, message));
+  return add_frame(source, *channel, message);
 }
 
-Result<InterpretedChannel*> RecordingInterpreter::channel_for(Stream& stream,
-                                                              const McapMessage& message,
-                                                              const RosFrame& frame) {
-  const std::string& name = stream.description.name;
+Result<void> RecordingInterpreter::open_foreign_channel(const Source& source,
+                                                        const McapMessage& message) {
+  SOMATO_TRY(std::vector<std::string> names, source.reader.element_names(message.data));
+  SOMATO_TRY(std::vector<std::size_t> shape, source.reader.shape(message.data));
+  InterpretedChannel channel;
+  channel.description = source.description;
+  if (!channel.description.shape.empty() || !fits(channel.description, values_.size())) {
+    channel.description.shape.clear();
+    channel.description.element_names.clear();
+  }
+  if (channel.description.shape.empty()) channel.description.shape = std::move(shape);
+  if (channel.description.element_names.empty()) {
+    channel.description.element_names = std::move(names);
+  }
+  channels_.push_back(std::move(channel));
+  return {};
+}
+
+Result<InterpretedChannel*> RecordingInterpreter::channel_for(Source& source,
+                                                              const McapMessage& message) {
+  const std::string& name = source.description.name;
   if (foreign_ && channel_by_name_.emplace(name, channels_.size()).second) {
-    InterpretedChannel channel;
-    channel.description = stream.description;
-    if (!channel.description.shape.empty() || !fits(channel.description, frame.values.size())) {
-      channel.description.shape.clear();
-      channel.description.element_names.clear();
-    }
-    if (channel.description.shape.empty()) channel.description.shape = frame.shape;
-    if (channel.description.element_names.empty() && frame.names.size() == frame.values.size()) {
-      channel.description.element_names.assign(frame.names.begin(), frame.names.end());
-    }
-    channels_.push_back(std::move(channel));
+    SOMATO_TRY_VOID(open_foreign_channel(source, message));
   }
   const auto found = channel_by_name_.find(name);
   if (found == channel_by_name_.end()) {
     return file_->bad(
         fmt::format("exploration {} has no channel {}", exploration_.index + 1, shown(name)));
   }
-  stream.channel = found->second;
+  source.channel = found->second;
   InterpretedChannel& channel = channels_[found->second];
-  if (!channel.id && !foreign_) channel.description = stream.description;
+  if (!channel.id && !foreign_) channel.description = source.description;
   if (!channel.id) channel.id = message.channel_id;
   if (*channel.id == message.channel_id) return &channel;
   return file_->bad(fmt::format("channel {} comes from two channels of the file", shown(name)));
 }
 
-Result<void> RecordingInterpreter::take_frame(InterpretedChannel& channel, RosKind kind,
-                                              const McapMessage& message, const RosFrame& frame) {
-  const std::size_t elements = frame.values.size();
+Result<void> RecordingInterpreter::add_frame(const Source& source, InterpretedChannel& channel,
+                                             const McapMessage& message) {
+  const std::size_t elements = values_.size();
   if (elements == 0 || !fits(channel.description, elements) ||
       (channel.frames > 0 && elements != channel.elements)) {
     return file_->bad(fmt::format("a frame of {} has {} elements, which is the wrong number",
@@ -217,15 +263,15 @@ Result<void> RecordingInterpreter::take_frame(InterpretedChannel& channel, RosKi
   channel.elements = elements;
   channel.latest = time;
   ++channel.frames;
-  frame_.time = time;
-  frame_.values = frame_values(channel.description, kind, frame.values);
-  frame_.valid.clear();
+  Frame frame{
+      source.channel, time, frame_values(channel.description, source.is_in_radians, values_), {}};
   for (std::size_t i = 0; i < elements; ++i) {
-    if (!std::isnan(frame_.values[i])) continue;
-    frame_.valid.resize(elements, 1);
-    frame_.valid[i] = 0;
-    frame_.values[i] = 0.0F;
+    if (!std::isnan(frame.values[i])) continue;
+    frame.valid.resize(elements, 1);
+    frame.valid[i] = 0;
+    frame.values[i] = 0.0F;
   }
+  frames_.push_back(std::move(frame));
   return {};
 }
 

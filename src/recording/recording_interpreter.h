@@ -7,10 +7,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "recording/mcap_reader.h"
 #include "recording/recording_layout.h"
+#include "ros/channel_reader.h"
+#include "ros/topic_type.h"
 #include "somato/core/result.h"
 
 namespace somato {
@@ -58,36 +62,47 @@ class RecordingInterpreter {
   const ExplorationMessage& exploration() const { return exploration_; }
   const std::vector<InterpretedChannel>& channels() const { return channels_; }
 
-  /// The frame, after kFrame.
-  const Frame& frame() const { return frame_; }
+  /// The frames of the message, at least one, after kFrame.
+  const std::vector<Frame>& frames() const { return frames_; }
 
  private:
+  // A channel in the messages of a topic.
+  struct Source {
+    ChannelReader reader;
+    ChannelDescription description;
+    bool is_in_radians = false;  // Positions of a JointState.
+    std::size_t channel = 0;     // In channels_, once one has that id.
+  };
+
   // The properties of a channel of the file.
   struct Stream {
     bool explorations = false;
-    std::optional<RosKind> frames;
-    ChannelDescription description;
-    std::size_t channel = 0;  // In channels_, once one has that id.
+    std::vector<Source> sources;
   };
 
   Result<Stream*> stream_of(std::uint16_t id);
-  Result<ChannelDescription> describe(const McapChannel& channel, RosKind kind);
+  Result<std::vector<Source>> sources_of(const McapSchema& schema, const McapChannel& channel);
+  const TopicType& topic_of_schema(const McapSchema& schema, const std::string& message_encoding);
+  Result<ChannelDescription> describe(const McapChannel& channel, const TopicChannel& source);
   Result<Meaning> interpret_exploration(std::string_view json);
   Result<Meaning> begin(ExplorationMessage message, Meaning meaning);
   Result<void> open_channels();
-  Result<Meaning> interpret_frame(Stream& stream, const McapMessage& message);
-  Result<InterpretedChannel*> channel_for(Stream& stream, const McapMessage& message,
-                                          const RosFrame& frame);
-  Result<void> take_frame(InterpretedChannel& channel, RosKind kind, const McapMessage& message,
-                          const RosFrame& frame);
+  Result<Meaning> interpret_frames(Stream& stream, const McapMessage& message);
+  Result<void> take_frame(Source& source, const McapMessage& message);
+  Result<InterpretedChannel*> channel_for(Source& source, const McapMessage& message);
+  Result<void> open_foreign_channel(const Source& source, const McapMessage& message);
+  Result<void> add_frame(const Source& source, InterpretedChannel& channel,
+                         const McapMessage& message);
 
   const McapReader* file_;
   std::map<std::uint16_t, Stream> streams_;
+  std::map<std::pair<std::uint16_t, std::string>, TopicType> topics_;
   std::map<std::string, std::size_t> channel_by_name_;
   std::vector<InterpretedChannel> channels_;
   ExplorationMessage exploration_;
-  Frame frame_;
-  std::size_t described_ = 0;  // Bytes of metadata.
+  std::vector<Frame> frames_;
+  std::vector<double> values_;  // The frame that is being taken.
+  std::size_t described_ = 0;   // Bytes of metadata.
   bool open_ = false;
   bool foreign_ = false;
   bool decided_ = false;  // Whether the file contains explorations.

@@ -249,9 +249,9 @@ std::string frame_message(const ChannelDescription& description, std::uint64_t l
                              positions);
 }
 
-std::vector<float> frame_values(const ChannelDescription& description, RosKind kind,
+std::vector<float> frame_values(const ChannelDescription& description, bool joint_state,
                                 std::span<const double> values) {
-  const bool converted = kind == RosKind::kJointState && in_degrees(description);
+  const bool converted = joint_state && in_degrees(description);
   std::vector<float> frame;
   frame.reserve(values.size());
   for (const double value : values) {

@@ -59,8 +59,8 @@ Result<ChannelDescription> parse_description(const McapChannel& channel);
 std::string frame_message(const ChannelDescription& description, std::uint64_t log_time,
                           std::span<const float> values);
 
-/// The values in the unit of the channel.
-std::vector<float> frame_values(const ChannelDescription& description, RosKind kind,
+/// The values in the unit of the channel; those of a `joint_state` are in radians.
+std::vector<float> frame_values(const ChannelDescription& description, bool joint_state,
                                 std::span<const double> values);
 
 }  // namespace somato

@@ -73,9 +73,11 @@ class RecordingReader::Impl {
     SOMATO_TRY(const Meaning meaning, interpreter_.interpret(*message));
     if (meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
     if (meaning == Meaning::kFrame) {
-      SOMATO_TRY_VOID(take_memory(interpreter_.frame()));
       channels_.resize(interpreter_.channels().size());
-      add_frame(channels_[interpreter_.frame().channel], interpreter_.frame());
+      for (const RecordingInterpreter::Frame& frame : interpreter_.frames()) {
+        SOMATO_TRY_VOID(take_memory(frame));
+        add_frame(channels_[frame.channel], frame);
+      }
     }
     if (meaning == Meaning::kEnd) return take();
     return std::optional<Exploration>();

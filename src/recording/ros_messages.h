@@ -10,7 +10,7 @@
 
 #include "recording/mcap_records.h"
 
-// Messages of ROS 2 in the encoding CDR, as far as recordings use them.
+// The messages of ROS 2 that recordings consist of.
 
 namespace somato {
 
@@ -26,20 +26,8 @@ std::string joint_state_message(std::uint64_t time, const std::vector<std::strin
 std::string float_array_message(const std::vector<std::size_t>& shape,
                                 std::span<const float> values);
 
-/// The frame in a message. Views refer to the message.
-struct RosFrame {
-  std::vector<std::string_view> names;  ///< The names of joints.
-  std::vector<std::size_t> shape;       ///< The shape of an array; empty: flat.
-  std::vector<double> values;
-};
-
-/// The kinds of message that hold a frame.
-enum class RosKind { kJointState, kFloat32Array, kFloat64Array };
-
-/// The kind of that schema, or nothing.
-std::optional<RosKind> ros_kind(const McapSchema& schema, const McapChannel& channel);
-
-/// Nothing when `message` is not such a message in either byte order.
-std::optional<RosFrame> parse_ros_message(RosKind kind, std::string_view message);
+/// The definition of a message type of the frames of recordings, or nothing for another type. The
+/// text in a file is not used for these, so that it may be missing.
+std::optional<std::string> standard_definition(std::string_view type);
 
 }  // namespace somato

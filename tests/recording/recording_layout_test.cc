@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/topic_type.h"
+
 namespace somato {
 namespace {
 
@@ -16,23 +18,30 @@ ChannelDescription described(const std::string& name, const std::string& unit) {
   return description;
 }
 
+std::vector<double> positions_in(const std::string& message) {
+  const McapSchema schema = joint_state_schema();
+  const TopicType topic = topic_type({schema.name, "cdr", schema.encoding, schema.data});
+  std::vector<double> values;
+  EXPECT_TRUE(topic.channels.at(0).reader.read(message, values));
+  return values;
+}
+
 // ROS has joints in radians (REP 103).
 TEST(RecordingLayout, JointsInDegreesAreWrittenInRadians) {
   const std::vector<float> degrees{180.0F, -90.0F, 0.0F};
   const std::string message = frame_message(described("joints", "deg"), 0, degrees);
-  const auto frame = parse_ros_message(RosKind::kJointState, message).value();
-  ASSERT_EQ(frame.values.size(), 3U);
-  EXPECT_NEAR(frame.values[0], std::numbers::pi, 1e-12);
-  EXPECT_NEAR(frame.values[1], -std::numbers::pi / 2, 1e-12);
-  EXPECT_EQ(frame_values(described("joints", "deg"), RosKind::kJointState, frame.values), degrees);
+  const std::vector<double> values = positions_in(message);
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_NEAR(values[0], std::numbers::pi, 1e-12);
+  EXPECT_NEAR(values[1], -std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(frame_values(described("joints", "deg"), true, values), degrees);
 }
 
 TEST(RecordingLayout, WhatIsNotInDegreesIsWrittenAsItIs) {
   const std::vector<float> values{180.0F};
   const std::string message = frame_message(described("joints", "rad"), 0, values);
-  const auto frame = parse_ros_message(RosKind::kJointState, message).value();
-  EXPECT_EQ(frame.values, std::vector<double>{180.0});
-  EXPECT_EQ(frame_values(described("touch", "deg"), RosKind::kFloat32Array, frame.values), values);
+  EXPECT_EQ(positions_in(message), std::vector<double>{180.0});
+  EXPECT_EQ(frame_values(described("touch", "deg"), false, std::vector<double>{180.0}), values);
 }
 
 TEST(RecordingLayout, TheTopicOfExplorationsStaysFree) {

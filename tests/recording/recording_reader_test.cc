@@ -133,7 +133,7 @@ TEST(RecordingReader, RefusesFramesThatDoNotFit) {
   touch.name = "touch";
   const std::string good = frame_message(touch, 0, std::vector<float>(3));
   for (std::size_t size = 0; size < good.size(); ++size) {
-    expect_refused("does not fill its message", [&](MadeFile& f) {
+    expect_refused("a frame of 'touch': the", [&](MadeFile& f) {
       f.say(Event::kBegin);
       f.frame(touch, good.substr(0, size), 1);
     });

@@ -6,84 +6,52 @@
 #include <string_view>
 #include <vector>
 
+#include "ros/topic_type.h"
+
 namespace somato {
 namespace {
 
-using Names = std::vector<std::string_view>;
 using Values = std::vector<double>;
-using Shape = std::vector<std::size_t>;
 
-// A message of Float32MultiArray without its values, in the order of bytes of this machine, written
-// from the specification of CDR: each number at a multiple of its size, texts end with a zero.
-class WrittenArray {
- public:
-  WrittenArray& number(std::uint32_t value) {
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      bytes_ += static_cast<char>(value >> shift & 0xFFU);
-    }
-    return *this;
-  }
-  WrittenArray& text(const std::string& value) {
-    number(static_cast<std::uint32_t>(value.size() + 1));
-    bytes_ += value + std::string(1, '\0');
-    return *this;
-  }
-  WrittenArray& zeros(std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) number(0);
-    return *this;
-  }
-  const std::string& bytes() const { return bytes_; }
+// The channel in messages of that type.
+ChannelReader reader_of(const std::string& type) {
+  const TopicType topic =
+      topic_type({type, "cdr", "ros2msg", standard_definition(type).value_or("")});
+  EXPECT_FALSE(topic.channels.empty()) << topic.reason;
+  return topic.channels.at(0).reader;
+}
 
- private:
-  std::string bytes_{'\0', '\1', '\0', '\0'};
-};
-
-// An array of two axes, with `count` zeros.
-RosFrame array_of(std::uint32_t rows, std::uint32_t columns, std::uint32_t count) {
-  WrittenArray written;
-  written.number(2).text("row").number(rows).number(rows * columns);
-  written.text("column").number(columns).number(columns).number(0).number(count).zeros(count);
-  return parse_ros_message(RosKind::kFloat32Array, written.bytes()).value();
+Values values_in(const ChannelReader& reader, const std::string& message) {
+  Values values;
+  EXPECT_TRUE(reader.read(message, values));
+  return values;
 }
 
 TEST(RosMessages, JointsKeepTheirWholeNames) {
   const std::vector<std::string> names{"thumb", "", "i"};
   const Values positions{0.5, -1.25, 3.0};
   const std::string message = joint_state_message(7'000'000'001, names, positions);
-  const auto frame = parse_ros_message(RosKind::kJointState, message);
-  ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->names, (Names{"thumb", "", "i"}));
-  EXPECT_EQ(frame->values, positions);
-  EXPECT_TRUE(frame->shape.empty());
+  const ChannelReader reader = reader_of("sensor_msgs/msg/JointState");
+  EXPECT_EQ(values_in(reader, message), positions);
+  EXPECT_EQ(reader.element_names(message).value(), names);
+  EXPECT_TRUE(reader.shape(message).value().empty());
 }
 
-TEST(RosMessages, ArraysKeepTheShapeThatTheirValuesFill) {
-  for (const Shape& shape : {Shape{2, 3}, Shape{1, 6}, Shape{3, 1, 2}}) {
+TEST(RosMessages, ArraysKeepTheirShape) {
+  const ChannelReader reader = reader_of("std_msgs/msg/Float32MultiArray");
+  for (const std::vector<std::size_t>& shape :
+       {std::vector<std::size_t>{2, 3}, {1, 6}, {3, 1, 2}}) {
     const std::vector<float> values{1, 2, 3, 4, 5, 6};
     const std::string message = float_array_message(shape, values);
-    const auto frame = parse_ros_message(RosKind::kFloat32Array, message);
-    ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->shape, shape);
-    EXPECT_EQ(frame->values, Values(values.begin(), values.end()));
+    EXPECT_EQ(values_in(reader, message), Values(values.begin(), values.end()));
+    EXPECT_EQ(reader.shape(message).value(), shape);
+    EXPECT_TRUE(reader.element_names(message).value().empty());
   }
 }
 
-TEST(RosMessages, AShapeThatTheValuesDoNotFillIsNone) {
-  EXPECT_EQ(array_of(2, 3, 6).shape, (Shape{2, 3}));
-  EXPECT_TRUE(array_of(2, 3, 5).shape.empty());
-  EXPECT_TRUE(array_of(2, 3, 7).shape.empty());
-  EXPECT_TRUE(array_of(2, 3, 12).shape.empty());
-  EXPECT_TRUE(array_of(0, 3, 6).shape.empty());
-  EXPECT_EQ(array_of(2, 3, 7).values.size(), 7U);
-}
-
-TEST(RosMessages, OneAxisIsNoShape) {
-  const std::string message = float_array_message({3}, std::vector<float>{1, 2, 3});
-  const auto frame = parse_ros_message(RosKind::kFloat32Array, message);
-  ASSERT_TRUE(frame);
-  EXPECT_TRUE(frame->shape.empty());
-  EXPECT_EQ(frame->values.size(), 3U);
+TEST(RosMessages, DefinitionsOfFramesAreKnown) {
+  EXPECT_TRUE(standard_definition("std_msgs/msg/Float64MultiArray"));
+  EXPECT_FALSE(standard_definition("geometry_msgs/msg/Wrench"));
 }
 
 }  // namespace
