@@ -17,6 +17,7 @@ DIRECT = {
     "maps": ["files"],
     "ros": ["files"],
     "recording": ["ros"],
+    "bags": ["recording"],
     "drawing": ["maps"],
     "graph": ["codes", "maps", "recording"],
     "bodies": ["recording"],
@@ -28,7 +29,7 @@ DIRECT = {
     "suggestion": ["studies"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["suggestion", "report", "live", "simulation", "devices", "emulation"],
+    "program": ["bags", "suggestion", "report", "live", "simulation", "devices", "emulation"],
 }
 
 # The entrance headers, by the room whose table applies to them. A header that they do not include, directly or

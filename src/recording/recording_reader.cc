@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/memory.h"
+#include "recording/collected_channel.h"
 #include "recording/mcap_reader.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_interpreter.h"
@@ -14,35 +15,6 @@ namespace somato {
 namespace {
 
 using Meaning = RecordingInterpreter::Meaning;
-
-// The frames of one channel as they come.
-struct CollectedChannel {
-  std::vector<float> values;
-  std::vector<double> times;
-  std::vector<std::uint8_t> valid;  // Empty until something is not.
-};
-
-void add_frame(CollectedChannel& channel, const RecordingInterpreter::Frame& frame) {
-  if (!frame.valid.empty() && channel.valid.empty()) channel.valid.resize(channel.values.size(), 1);
-  channel.values.insert(channel.values.end(), frame.values.begin(), frame.values.end());
-  channel.times.push_back(seconds_of(frame.time));
-  if (!frame.valid.empty()) {
-    channel.valid.insert(channel.valid.end(), frame.valid.begin(), frame.valid.end());
-  } else if (!channel.valid.empty()) {
-    channel.valid.resize(channel.values.size(), 1);
-  }
-}
-
-Channel made(const ChannelDescription& description, std::size_t elements, CollectedChannel frames) {
-  const std::size_t count = frames.times.size();
-  Channel channel =
-      channel_of(description, Matrix<float>(count, elements, std::move(frames.values)));
-  if (description.times_known) channel.times = std::move(frames.times);
-  if (!frames.valid.empty()) {
-    channel.valid = Matrix<std::uint8_t>(count, elements, std::move(frames.valid));
-  }
-  return channel;
-}
 
 }  // namespace
 
@@ -76,7 +48,7 @@ class RecordingReader::Impl {
       channels_.resize(interpreter_.channels().size());
       for (const RecordingInterpreter::Frame& frame : interpreter_.frames()) {
         SOMATO_TRY_VOID(take_memory(frame));
-        add_frame(channels_[frame.channel], frame);
+        channels_[frame.channel].add(frame.values, frame.valid, seconds_of(frame.time));
       }
     }
     if (meaning == Meaning::kEnd) return take();
@@ -105,8 +77,7 @@ class RecordingReader::Impl {
     exploration.channels.reserve(channels_.size());
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const InterpretedChannel& channel = interpreter_.channels()[i];
-      exploration.channels.push_back(
-          made(channel.description, channel.elements, std::move(channels_[i])));
+      exploration.channels.push_back(channels_[i].take(channel.description, channel.elements));
     }
     return exploration;
   }

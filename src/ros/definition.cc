@@ -160,6 +160,18 @@ Result<RosType> RosDefinitions::compile(std::string_view name) const {
   return DefinitionCompiler(texts_).run(ros_type_name(name));
 }
 
+Result<std::string> RosDefinitions::all_of(std::string_view name) const {
+  SOMATO_TRY(RosType type, compile(name));
+  std::string all = texts_.at(type.root().name).text;
+  type.structures.pop_back();
+  for (const RosStructure& structure : type.structures) {
+    const auto found = texts_.find(structure.name);
+    if (found == texts_.end()) continue;
+    all += fmt::format("\n===\nMSG: {}\n{}", structure.name, found->second.text);
+  }
+  return all;
+}
+
 Result<RosType> compile_ros_definition(std::string_view name, std::string_view encoding,
                                        std::string_view definition) {
   if (encoding != "ros2msg") {

@@ -33,6 +33,10 @@ class RosDefinitions {
   /// 32 levels of others.
   Result<RosType> compile(std::string_view name) const;
 
+  /// The definition of the type and of those that it contains, as for add_all(). Errors: as
+  /// compile().
+  Result<std::string> all_of(std::string_view name) const;
+
   /// A definition and its place.
   struct Text {
     std::string text;

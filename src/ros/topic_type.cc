@@ -32,6 +32,10 @@ Result<std::shared_ptr<const RosType>> compile_topic_type(const TopicEncoding& e
     return fail(ErrorKind::kData, fmt::format("its messages are in the encoding {}, not in CDR",
                                               shown(encoding.message_encoding)));
   }
+  if (encoding.definition.empty() && encoding.definition_encoding.empty()) {
+    return fail(ErrorKind::kData, fmt::format("the file holds no definition of {}", encoding.type),
+                {}, "give its .msg files with --definitions");
+  }
   SOMATO_TRY(RosType type, compile_ros_definition(encoding.type, encoding.definition_encoding,
                                                   encoding.definition));
   return std::make_shared<const RosType>(std::move(type));

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bags/bag_description.h"
+#include "somato/core/result.h"
+#include "somato/recording/recording.h"
+
+namespace somato {
+
+/// A topic without a channel, and why.
+struct LeftOutTopic {
+  std::string bag;
+  std::string topic;
+  std::string type;
+  std::uint64_t messages = 0;
+  std::string reason;
+};
+
+/// What an import of bags did.
+struct BagImportReport {
+  std::size_t explorations = 0;
+  Exploration first;                 ///< The first exploration, with one frame of each channel.
+  std::uint64_t frames_outside = 0;  ///< Frames outside of all explorations.
+  std::vector<LeftOutTopic> left_out;
+};
+
+/// Reads the bags at `path` (see find_bags()) and hands their explorations to `add`, one after the
+/// other; memory is bounded by one exploration. Without a description of channels, all topics of
+/// known types are channels, named as in RecordingReader.
+///
+/// A bag is one exploration, unless the description cuts it. Times are relative to the first frame
+/// of the exploration. Labels come from the name of the bag, the span and the description, in this
+/// order. The source is the path of the bag.
+///
+/// Errors: those of find_bags(), open_bag(), read_span_table() and `add`; kUsage for topics that do
+/// not exist and fields that their type does not have; kData with bag, topic and time for messages
+/// that cannot be decoded, frames with another number of elements, clocks that are set back (unless
+/// the description permits it), labels without a message, channels without frames, explorations
+/// with other channels or labels than the first one.
+Result<BagImportReport> import_bags(const std::filesystem::path& path, const BagImport& description,
+                                    const std::function<Result<void>(Exploration)>& add);
+
+}  // namespace somato
