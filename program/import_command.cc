@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bags/bag_description.h"
+#include "bags/bag_import.h"
 #include "commands.h"
 #include "files/toml_file.h"
 #include "recording/mcap_trials.h"
@@ -11,12 +13,14 @@
 #include "somato/recording/format.h"
 #include "somato/recording/recording_file.h"
 #include "terminal.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
 
 constexpr const char* kCsv = "csv";
 constexpr const char* kMcap = "mcap";
+constexpr const char* kBag = "bag";
 
 // A recording and an additional message.
 struct Imported {
@@ -30,10 +34,11 @@ Imported without_remark(Recording recording) {
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
-  names.reserve(Choices<RecordingFormat>::all().size() + 2);
+  names.reserve(Choices<RecordingFormat>::all().size() + 3);
   for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
   names.emplace_back(kCsv);
   names.emplace_back(kMcap);
+  names.emplace_back(kBag);
   return names;
 }
 
@@ -76,11 +81,27 @@ Result<CsvImport> description_of_flags(const Arguments& arguments) {
   return description;
 }
 
+// The flags that describe files of a format, with `others`.
+template <typename Trials>
+std::vector<std::string> flags_of(std::vector<std::string> others) {
+  for (const ParameterInfo& info : Trials::declarations().infos()) {
+    others.push_back(flag_of(info.name));
+  }
+  return others;
+}
+
+std::vector<std::string> csv_flags() {
+  return flags_of<CsvTrials>({"--description", "--channels"});
+}
+
+std::vector<std::string> bag_flags() {
+  return flags_of<BagTrials>({"--description", "--channels", "--labels"});
+}
+
 // A given flag that describes files and is not in `known`, if any.
 std::string describing_flag(const Arguments& arguments, const std::vector<std::string>& known) {
-  std::vector<std::string> names{"--description", "--channels"};
-  for (const ParameterInfo& info : CsvTrials::declarations().infos())
-    names.push_back(flag_of(info.name));
+  std::vector<std::string> names = csv_flags();
+  for (const std::string& name : bag_flags()) names.push_back(name);
   const auto given = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
     return arguments.has(name.substr(2)) &&
            std::find(known.begin(), known.end(), name) == known.end();
@@ -88,12 +109,26 @@ std::string describing_flag(const Arguments& arguments, const std::vector<std::s
   return given == names.end() ? std::string() : *given;
 }
 
-Result<CsvImport> description_of(const Arguments& arguments) {
-  if (!arguments.has("description")) return description_of_flags(arguments);
+// A description in a file and by flags contradict each other.
+Result<void> check_flags(const Arguments& arguments, const std::vector<std::string>& known) {
+  const std::string foreign = describing_flag(arguments, known);
+  if (!foreign.empty()) {
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("the flag describes files of another format than {}", arguments.text("FORMAT")),
+        foreign, "leave out the flag");
+  }
+  if (!arguments.has("description")) return {};
   const std::string flag = describing_flag(arguments, {"--description"});
-  if (flag.empty()) return read_toml(arguments.text("description")).and_then(read_csv_import);
+  if (flag.empty()) return {};
   return fail(ErrorKind::kUsage, "the files are described by both a flag and --description", flag,
               "leave out the flag, or --description");
+}
+
+Result<CsvImport> description_of(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_flags(arguments, csv_flags()));
+  if (!arguments.has("description")) return description_of_flags(arguments);
+  return read_toml(arguments.text("description")).and_then(read_csv_import);
 }
 
 // The numbers of rows and files left out, as a second line; empty for none.
@@ -151,8 +186,7 @@ Result<Imported> import(const Arguments& arguments) {
   return format == kMcap ? import_mcap(arguments) : import_named(arguments);
 }
 
-std::string summary(const Recording& recording) {
-  const Exploration& first = recording.explorations.front();
+std::string summary(const Exploration& first, std::size_t explorations) {
   std::vector<std::string> labels;
   labels.reserve(first.labels.size());
   for (const Label& label : first.labels) labels.push_back(label.name);
@@ -162,16 +196,88 @@ std::string summary(const Recording& recording) {
     channels.push_back(fmt::format("{} ({}{}{})", channel.name, channel.frames.columns(),
                                    channel.unit.empty() ? "" : " x ", channel.unit));
   }
-  return fmt::format("{} explorations; labels: {}; channels: {}", recording.explorations.size(),
+  return fmt::format("{} explorations; labels: {}; channels: {}", explorations,
                      fmt::join(labels, ", "), fmt::join(channels, ", "));
 }
 
+Result<BagImport> bag_description_of(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_flags(arguments, bag_flags()));
+  if (arguments.has("description")) {
+    return read_toml(arguments.text("description")).and_then(read_bag_import);
+  }
+  BagImport description;
+  SOMATO_TRY(description.trials, read_flags<BagTrials>(arguments));
+  if (arguments.has("channels")) {
+    for (const std::string& text : split(arguments.text("channels"), ',')) {
+      SOMATO_TRY(auto channel, parse_bag_channel(text));
+      description.channels.push_back(std::move(channel));
+    }
+  }
+  if (arguments.has("labels")) {
+    for (const std::string& text : split(arguments.text("labels"), ',')) {
+      SOMATO_TRY(auto label, parse_bag_label(text));
+      description.labels.push_back(std::move(label));
+    }
+  }
+  return description;
+}
+
+std::string lines_of(const BagImportReport& report) {
+  std::string lines;
+  if (report.frames_outside > 0) {
+    lines +=
+        fmt::format("left out: {} frames outside of the explorations\n", report.frames_outside);
+  }
+  for (const LeftOutTopic& topic : report.left_out) {
+    lines += fmt::format("left out: {} ({}, {}): {}\n", topic.topic, topic.type,
+                         counted(topic.messages, "message"), topic.reason);
+  }
+  return lines;
+}
+
+// Explorations are written as they are read.
+Result<void> run_bag_import(const Arguments& arguments) {
+  SOMATO_TRY(const BagImport description, bag_description_of(arguments));
+  const std::string path = arguments.text("output");
+  SOMATO_TRY(RecordingFile file, RecordingFile::begin(path));
+  SOMATO_TRY(const BagImportReport report,
+             import_bags(arguments.text("DIR"), description, [&](Exploration exploration) {
+               return file.add(std::move(exploration));
+             }));
+  SOMATO_TRY_VOID(file.finish());
+  print_summary(fmt::format("{}: {}\n{}", path, summary(report.first, report.explorations),
+                            lines_of(report)));
+  return {};
+}
+
 Result<void> run_import(const Arguments& arguments) {
+  if (arguments.text("FORMAT") == kBag) return run_bag_import(arguments);
   SOMATO_TRY(const auto imported, import(arguments));
   const std::string path = arguments.text("output");
   SOMATO_TRY_VOID(write_recording(path, imported.recording));
-  print_summary(fmt::format("{}: {}\n{}", path, summary(imported.recording), imported.remark));
+  print_summary(fmt::format(
+      "{}: {}\n{}", path,
+      summary(imported.recording.explorations.front(), imported.recording.explorations.size()),
+      imported.remark));
   return {};
+}
+
+// The parameters of both descriptions; those of the same name mean the same, except for labels.
+std::vector<ParameterInfo> import_parameters() {
+  std::vector<ParameterInfo> infos = CsvTrials::declarations().infos();
+  for (ParameterInfo& info : infos) {
+    if (info.name == "labels") {
+      info.text += " For bag: labels such as object=cup or object=/topic:field.";
+    }
+  }
+  for (ParameterInfo info : BagTrials::declarations().infos()) {
+    const bool is_known = std::any_of(infos.begin(), infos.end(), [&](const ParameterInfo& other) {
+      return other.name == info.name;
+    });
+    info.text = "For bag: " + info.text;
+    if (!is_known) infos.push_back(std::move(info));
+  }
+  return infos;
 }
 
 }  // namespace
@@ -183,16 +289,18 @@ Command import_command() {
             fmt::format("Format of the files: {}; mcap takes the flags --files and --other-files",
                         fmt::join(formats(), ", ")),
             true, false, Role::kValue, formats},
-           {"DIR", "Folder with the files, also in subfolders; for csv also a single file", true}},
+           {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
+            true}},
           {output_flag("-o,--output", "File for the recording", true),
-           input_flag(
-               "--description",
-               "For csv: TOML file with the tables [import] and [[channel]], instead of the flags "
-               "below"),
+           input_flag("--description",
+                      "For csv and bag: TOML file with the tables [import] and [[channel]] (and "
+                      "[[label]] for bag), instead of the flags below"),
            {"--channels",
             "For csv: the channels with their units and columns, such as "
-            "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'"}},
-          CsvTrials::declarations().infos(),
+            "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
+            "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z'; without "
+            "it the channels of all known types"}},
+          import_parameters(),
           run_import,
           "import"};
 }

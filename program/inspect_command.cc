@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bags/bag_files.h"
+#include "bags/inspect_bag.h"
 #include "commands.h"
 #include "result_output.h"
 #include "somato/core/value.h"
 #include "somato/recording/inspect_recording.h"
+#include "somato/recording/recording_file.h"
 #include "wording.h"
 
 namespace somato::program {
@@ -115,9 +119,103 @@ Table table_of(const RecordingSummary& summary) {
   return table;
 }
 
+std::string channels_of(const TopicSummary& topic) {
+  std::vector<std::string> channels;
+  channels.reserve(topic.channels.size());
+  for (const TopicSummary::Channel& channel : topic.channels) {
+    channels.push_back(fmt::format("{} ({}{}{})", quoted(channel.name), channel.elements,
+                                   channel.unit.empty() ? "" : " x ", channel.unit));
+  }
+  return fmt::format("{} {}", channels.size() == 1 ? "channel" : "channels",
+                     fmt::join(channels, ", "));
+}
+
+// Irregular times of a topic, with a comma in front; empty for regular ones.
+std::string irregular_times_of(const TopicSummary& topic) {
+  constexpr double kPeriods = 10.0;  // A gap of more of them is mentioned.
+  std::string text;
+  const double gap = static_cast<double>(topic.longest_gap) / 1e9;
+  if (gap * topic.rate() > kPeriods) text += fmt::format(", longest gap {:.3g} s", gap);
+  if (topic.set_back > 0)
+    text += fmt::format(", clock set back {}", counted(topic.set_back, "time"));
+  return text;
+}
+
+std::string text_of(const TopicSummary& topic) {
+  return fmt::format(
+      "topic {}: {}, {}, {:.4g} Hz{}: {}\n", quoted(topic.name), topic.type,
+      counted(topic.messages, "message"), topic.rate(), irregular_times_of(topic),
+      topic.channels.empty() ? "no channel, because " + topic.reason : channels_of(topic));
+}
+
+Table table_of(const TopicSummary& topic) {
+  const auto of_channel = [](const TopicSummary::Channel& channel) {
+    return Table{{},
+                 {entry("channel", channel.name), entry("unit", channel.unit),
+                  entry("elements", channel.elements)}};
+  };
+  return {{},
+          {entry("topic", topic.name), entry("type", topic.type), entry("messages", topic.messages),
+           entry("rate", topic.rate()),
+           entry("longest_gap", static_cast<double>(topic.longest_gap) / 1e9),
+           entry("set_back", topic.set_back), entry("channels", topic.channels, of_channel),
+           entry("reason", topic.reason)}};
+}
+
+std::string text_of(const BagSummary& bag) {
+  std::string text = fmt::format("bag {}: {}\n", quoted(bag.name), counted(bag.files, "file"));
+  for (const TopicSummary& topic : bag.topics) text += text_of(topic);
+  return text + fmt::format("whole: {}\n", bag.damage ? "no" : "yes");
+}
+
+Table table_of(const BagSummary& bag) {
+  const auto of_topic = [](const TopicSummary& topic) { return table_of(topic); };
+  return {{},
+          {entry("bag", bag.name), entry("files", bag.files), entry("topics", bag.topics, of_topic),
+           entry("whole", !bag.damage)}};
+}
+
+Result<std::vector<BagSummary>> inspect_bags(const Arguments& arguments) {
+  SOMATO_TRY(const std::vector<BagLocation> found, find_bags(arguments.text("FILE")));
+  std::vector<BagSummary> bags;
+  bags.reserve(found.size());
+  for (const BagLocation& location : found) {
+    SOMATO_TRY(BagSummary bag, inspect_bag(location, arguments.text("definitions")));
+    bags.push_back(std::move(bag));
+  }
+  return bags;
+}
+
+Result<void> inspect_only_bags(const Arguments& arguments) {
+  SOMATO_TRY(const std::vector<BagSummary> bags, inspect_bags(arguments));
+  const auto of_bag = [](const BagSummary& bag) { return table_of(bag); };
+  std::string text;
+  for (const BagSummary& bag : bags) text += text_of(bag);
+  print_result(arguments, text, Table{{}, {entry("bags", bags, of_bag)}});
+  for (const BagSummary& bag : bags) {
+    if (bag.damage) return fail(*bag.damage);
+  }
+  return {};
+}
+
+// The topics of a recording of another program are listed as well.
 Result<void> inspect(const Arguments& arguments) {
-  SOMATO_TRY(auto summary, inspect_recording(arguments.text("FILE")));
-  print_result(arguments, text_of(summary), table_of(summary));
+  const std::string& path = arguments.text("FILE");
+  std::error_code failure;
+  const bool is_bag = std::filesystem::is_directory(path, failure) ||
+                      (std::filesystem::is_regular_file(path, failure) &&
+                       std::filesystem::path(path).extension() == ".db3");
+  if (is_bag) return inspect_only_bags(arguments);
+  SOMATO_TRY(auto summary, inspect_recording(path));
+  std::string text = text_of(summary);
+  Table table = table_of(summary);
+  if (!summary.knows_explorations || summary.explorations == 0) {
+    SOMATO_TRY(const std::vector<BagSummary> bags, inspect_bags(arguments));
+    for (const TopicSummary& topic : bags.front().topics) text += text_of(topic);
+    const auto of_topic = [](const TopicSummary& topic) { return table_of(topic); };
+    table.entries.push_back(entry("topics", bags.front().topics, of_topic));
+  }
+  print_result(arguments, text, table);
   if (summary.damage) return fail(std::move(*summary.damage));
   return {};
 }
@@ -126,9 +224,11 @@ Result<void> inspect(const Arguments& arguments) {
 
 Command inspect_command() {
   return {"inspect",
-          "Summarize a recording and check its integrity",
-          {{"FILE", "A recording (MCAP)", true}},
-          {json_flag()},
+          "Summarize a recording or bags of ROS 2, and check their integrity",
+          {{"FILE", "A recording (MCAP), or a bag of ROS 2: a file or a folder", true}},
+          {json_flag(),
+           input_flag("--definitions",
+                      "Folder with .msg files, for bags without definitions (before ROS 2 Iron)")},
           {},
           inspect};
 }

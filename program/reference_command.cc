@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "bags/bag_description.h"
 #include "commands.h"
 #include "devices/device_file.h"
 #include "explore_table.h"
@@ -170,6 +171,13 @@ std::string reference_page(const std::vector<Command>& commands) {
       "channel.\n\n";
   add_table<CsvTrials>(page, "`[import]`");
   add_table<CsvChannel>(page, "`[[channel]]`");
+  page +=
+      "## Descriptions of bags\n\nThe import of bags of ROS 2 as a recording ([your "
+      "robot](../your-robot.md)): a table `[import]`, a table `[[channel]]` for each channel and a "
+      "table `[[label]]` for each label.\n\n";
+  add_table<BagTrials>(page, "`[import]` of bags");
+  add_table<BagChannel>(page, "`[[channel]]` of bags");
+  add_table<BagLabel>(page, "`[[label]]` of bags");
   page.pop_back();
   return page;
 }

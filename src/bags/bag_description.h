@@ -17,7 +17,7 @@ enum class BagClock {
   kHeader,    ///< The stamp in the header of the message.
 };
 
-/// What happens where the clock of a topic is set back.
+/// Treatment of a clock of a topic that is set back.
 enum class ClockJumps {
   kRefuse,  ///< It is an error.
   kCut,     ///< The exploration ends, and another one begins.

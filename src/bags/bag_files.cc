@@ -46,8 +46,7 @@ std::string_view unquoted(std::string_view text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// What an import needs of metadata.yaml, whose layout rosbag2 always writes: one key or item a
-// line.
+// The needed keys of metadata.yaml; rosbag2 writes one key or item on each line.
 struct BagMetadata {
   std::vector<std::string> files;
   std::string compression;

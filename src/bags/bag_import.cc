@@ -329,8 +329,15 @@ class BagReading {
     for (std::size_t i = 0; i < uses_.size(); ++i) {
       const BagTopic& topic = source_->topics()[i];
       if (uses_[i].reason.empty()) continue;
-      report.left_out.push_back(
-          {bag_->name, topic.name, topic.encoding.type, messages_[i], uses_[i].reason});
+      const auto same = std::find_if(
+          report.left_out.begin(), report.left_out.end(), [&](const LeftOutTopic& other) {
+            return other.topic == topic.name && other.reason == uses_[i].reason;
+          });
+      if (same != report.left_out.end()) {
+        same->messages += messages_[i];
+      } else {
+        report.left_out.push_back({topic.name, topic.encoding.type, messages_[i], uses_[i].reason});
+      }
     }
   }
 

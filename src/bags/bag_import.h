@@ -13,16 +13,15 @@
 
 namespace somato {
 
-/// A topic without a channel, and why.
+/// A topic without a channel in some bags, and why.
 struct LeftOutTopic {
-  std::string bag;
   std::string topic;
   std::string type;
   std::uint64_t messages = 0;
   std::string reason;
 };
 
-/// What an import of bags did.
+/// The outcome of an import of bags.
 struct BagImportReport {
   std::size_t explorations = 0;
   Exploration first;                 ///< The first exploration, with one frame of each channel.

@@ -15,7 +15,7 @@
 
 namespace somato {
 
-/// What an import reads from the messages of a topic.
+/// The fields that an import reads from the messages of a topic.
 struct TopicUse {
   struct Channel {
     BagChannel description;
@@ -30,7 +30,7 @@ struct TopicUse {
   std::vector<Label> labels;
   bool is_event = false;
   std::optional<FieldReader> event;  ///< The field that decides whether an exploration begins.
-  std::optional<FieldReader> stamp;  ///< Of the header, if frames have its time.
+  std::optional<FieldReader> stamp;  ///< The header's, if frames have its time.
   std::string reason;                ///< Why nothing is used; empty if something is.
 };
 

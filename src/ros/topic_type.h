@@ -26,7 +26,7 @@ struct TopicChannel {
   ChannelReader reader;
 };
 
-/// What can be read from the messages of a topic without a description.
+/// The channels of a topic that are known without a description.
 struct TopicType {
   std::shared_ptr<const RosType> type;  ///< nullptr if its messages cannot be decoded.
   std::vector<TopicChannel> channels;   ///< Empty unless the type is known.
