@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pysomato import SOM, ConversionWarning, Recording, _somato
+from pysomato import SOM, ConversionWarning
 from pysomato._rows import rows_of
 
 MEGABYTE = 2**20
@@ -91,57 +91,17 @@ def stop_soon():
 
 
 @pytest.mark.usefixtures("stopping")
-def test_other_threads_run_during_a_training(X):
-    # The training ends only because the other thread runs.
-    other = threading.Timer(0.1, lambda: signal.raise_signal(signal.SIGALRM))
+def test_trainings_of_two_threads_overlap(X):
+    # The training without end ends only because another thread trains a map in the meantime.
+    def train_and_stop():
+        SOM(4, 4, iterations=100, threads=1).fit(X)
+        signal.raise_signal(signal.SIGALRM)
+
+    other = threading.Timer(0.1, train_and_stop)
     with pytest.raises(Stopped):
         other.start()
         SOM(iterations=10**12, threads=1).fit(X)
     other.join()
-
-
-def test_trainings_of_two_threads_overlap(X, tmp_path):
-    # A whole training of the other thread takes place between two reports of the first one, which ends
-    # only because of that.
-    begun, trained = threading.Event(), threading.Event()
-
-    def train():
-        begun.wait()
-        SOM(4, 4, iterations=100, threads=1).fit(X)
-        trained.set()
-
-    def show(*_):
-        begun.set()
-        if trained.is_set():
-            raise Stopped
-
-    other = threading.Thread(target=train)
-    other.start()
-    with pytest.raises(Stopped):
-        endless_study(X, tmp_path, show)
-    other.join()
-
-
-def endless_study(X, folder, show):
-    """A study that never ends in practice, and calls ``show`` during its trainings."""
-    (folder / "endless.toml").write_text("""
-        [study]
-        name = "endless"
-        seeds = 100000
-        [module.rows]
-        type = "channel"
-        channel = "rows"
-        [module.last]
-        type = "last"
-        input = "rows"
-        [module.map]
-        type = "som"
-        input = "last"
-        iterations = 1000000
-    """)
-    recording = Recording.from_arrays({"object": np.arange(len(X)) % 2}, {"rows": list(X[:, None])})
-    description = _somato.StudyDescription.read(str(folder / "endless.toml"))
-    _somato.study(recording._inner, description, {}, 1, show)
 
 
 @pytest.mark.parametrize("settings", [
