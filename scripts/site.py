@@ -81,4 +81,4 @@ if __name__ == "__main__":
     except subprocess.CalledProcessError as error:
         sys.exit(f"./dev docs: '{error.cmd[0]}' failed with exit code {error.returncode}")
     except FileNotFoundError as error:
-        sys.exit(f"./dev docs: {error.filename} is missing; './dev setup docs' installs what the site requires")
+        sys.exit(f"./dev docs: {error.filename} is missing; './dev setup build python docs' installs what the site requires")

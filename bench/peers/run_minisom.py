@@ -12,7 +12,7 @@ def prepare(case, name):
     data = case.data
     part = 1.0
     steps = case.steps
-    if case.batch and name != "winners":
+    if case.batch and name != "winners" and not case.whole:
         data = data[:max(10, len(data) // PART_OF_SAMPLES)]
         part = len(data) / len(case.data)
     elif case.sparse:

@@ -9,7 +9,7 @@ SEARCHES = 1000
 
 def prepare(case, name):
     all_steps = case.steps * case.samples if case.batch else case.steps
-    steps = STEPS.get(name, 1)
+    steps = all_steps if case.whole else STEPS.get(name, 1)
     state = {}
 
     def make(steps):
@@ -20,7 +20,7 @@ def prepare(case, name):
     # Its fit() ends with a search for all its samples: few, so that it does not affect the time.
     def train():
         state["som"] = make(steps)
-        state["som"].fit(case.data[:100])
+        state["som"].fit(case.data if case.whole else case.data[:100])
 
     if name == "winners":
         som = make(1).fit(case.data[:10])
