@@ -1,20 +1,12 @@
 #include "model_files.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
-#include "files/checksum.h"
-#include "files/whole_file.h"
 #include "somato/graph/system_model.h"
+#include "studies/saved_model.h"
 
 namespace somato::program {
 namespace {
-
-Result<std::string> hash_of_file(const std::string& path) {
-  return read_whole(path).map(
-      [](const std::string& bytes) { return fmt::format("fnv1a64:{:016x}", fnv1a64(bytes)); });
-}
 
 Result<ReportModel> load_same(const std::string& path, const std::string& hash) {
   SOMATO_TRY(const auto found, hash_of_file(path));
@@ -27,16 +19,6 @@ Result<ReportModel> load_same(const std::string& path, const std::string& hash) 
 }
 
 }  // namespace
-
-Result<void> save_model(const std::filesystem::path& folder, const std::string& path,
-                        const StudyOutcome& outcome, PartResults& results) {
-  const std::string file = (folder / path).string();
-  auto saved = save_system(file, outcome.model.system, outcome.model.answer);
-  if (!saved) return saved;
-  SOMATO_TRY(auto hash, hash_of_file(file));
-  results.model = ModelFile{path, std::move(hash), results.pairs.front().seed};
-  return {};
-}
 
 std::filesystem::path model_path(const std::filesystem::path& results, const ModelFile& model) {
   return results.parent_path() / model.path;

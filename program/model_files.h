@@ -7,14 +7,8 @@
 #include "report/report.h"
 #include "somato/core/result.h"
 #include "somato/studies/results.h"
-#include "somato/studies/study.h"
 
 namespace somato::program {
-
-/// Saves the trained system of a study in a folder of results and records it in `results`. `path`
-/// is relative to the folder. Errors: kSystem.
-Result<void> save_model(const std::filesystem::path& folder, const std::string& path,
-                        const StudyOutcome& outcome, PartResults& results);
 
 /// The path of the trained system of the results at a path.
 std::filesystem::path model_path(const std::filesystem::path& results, const ModelFile& model);

@@ -12,7 +12,6 @@
 #include "files/toml_file.h"
 #include "files/whole_file.h"
 #include "folder_lock.h"
-#include "model_files.h"
 #include "output.h"
 #include "output_folder.h"
 #include "part_recordings.h"
@@ -21,6 +20,7 @@
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "studies/reproduction_run.h"
+#include "studies/saved_model.h"
 #include "studies/winners_picture.h"
 #include "study_data.h"
 #include "terminal.h"
@@ -151,7 +151,7 @@ Result<void> save_first(const std::filesystem::path& out, const ReproductionPart
   const auto map = out / "maps" / (file_name_of(part) + ".svg");
   auto saved = save_whole(map.string(), winners_picture(description, outcome));
   if (!saved) return saved;
-  return save_model(out, "systems/" + file_name_of(part) + ".somato", outcome, results);
+  return save_model(out, "systems/" + file_name_of(part) + ".somato", outcome.model, results);
 }
 
 PartEvents events_of(const ReproductionRequest& request, std::size_t number) {

@@ -12,7 +12,6 @@
 #include "files/toml_file.h"
 #include "files/whole_file.h"
 #include "folder_lock.h"
-#include "model_files.h"
 #include "output_folder.h"
 #include "part_recordings.h"
 #include "result_output.h"
@@ -22,6 +21,7 @@
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
 #include "studies/reproduction_run.h"
+#include "studies/saved_model.h"
 #include "studies/winners_picture.h"
 #include "study_data.h"
 #include "study_table.h"
@@ -70,7 +70,7 @@ PartEvents events_in(const OutputFolder& folder, const std::string& name) {
           [&](std::size_t, const StudyDescription& description, const StudyOutcome& outcome,
               PartResults& results) {
             return save_whole(folder.map(), winners_picture(description, outcome)).and_then([&] {
-              return save_model(folder.path(), OutputFolder::kSystem, outcome, results);
+              return save_model(folder.path(), OutputFolder::kSystem, outcome.model, results);
             });
           }};
 }

@@ -20,6 +20,7 @@
 #include "somato/graph/system_model.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
+#include "studies/saved_model.h"
 #include "studies/winners_picture.h"
 #include "system.h"
 
@@ -69,13 +70,22 @@ StudyDescription with_settings(StudyDescription description, const nb::dict& set
 
 /// The outcome of a study, for Python.
 struct Outcome {
-  std::string results;  // JSON
+  Results results;
   TrainedSystem trained;
   Map map;
   std::vector<std::size_t> winners;
   Classes classes;
   std::string picture;  // of the winners
 };
+
+// The files of 'somato run'; the results, which name the others, come last.
+void save(const Outcome& outcome, const std::string& folder) {
+  const std::filesystem::path path(folder);
+  Results results = outcome.results;
+  value_or_throw(save_whole((path / "map.svg").string(), outcome.picture));
+  value_or_throw(save_model(path, "system.somato", *outcome.trained.model, results.parts.front()));
+  value_or_throw(save_whole((path / "results.json").string(), to_json(results)));
+}
 
 Outcome run(const Recording& recording, const StudyDescription& given, const nb::dict& settings,
             std::size_t threads, nb::object progress) {
@@ -92,7 +102,7 @@ Outcome run(const Recording& recording, const StudyDescription& given, const nb:
   Map map(SomModel{done.map(), {}, {}, {}, {}});
   Results results;
   results.parts.push_back(std::move(done.results));
-  return {to_json(results),        {std::make_shared<const SystemModel>(std::move(done.model))},
+  return {std::move(results),      {std::make_shared<const SystemModel>(std::move(done.model))},
           std::move(map),          std::move(done.winners),
           std::move(done.classes), std::move(picture)};
 }
@@ -109,14 +119,15 @@ void bind_study(nb::module_& module) {
       .def("modules",
            [](const StudyDescription& description) { return modules_of(description.system); });
   nb::class_<Outcome>(module, "Outcome", "The outcome of a study.")
-      .def_ro("results", &Outcome::results)
+      .def_prop_ro("results", [](const Outcome& outcome) { return to_json(outcome.results); })
       .def_ro("trained", &Outcome::trained)
       .def_ro("map", &Outcome::map)
       .def_prop_ro("winners", [](const Outcome& outcome) { return integers(outcome.winners); })
       .def_prop_ro("classes",
                    [](const Outcome& outcome) { return integers(outcome.classes.of_sample); })
       .def_prop_ro("class_names", [](const Outcome& outcome) { return outcome.classes.names; })
-      .def_ro("picture", &Outcome::picture);
+      .def_ro("picture", &Outcome::picture)
+      .def("save", &save, nb::arg("folder"));
   module.def("study", &run, nb::arg("recording"), nb::arg("description"), nb::arg("settings"),
              nb::arg("threads"), nb::arg("progress").none());
   module.def("own_files", &own_file_names);

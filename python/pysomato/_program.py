@@ -9,16 +9,17 @@ from .errors import Error, UsageError
 _USAGE = 2  # the exit code of wrong arguments and files
 
 
-def run_program(*words) -> None:
-    """Runs the program, without its output. Ctrl-C ends it.
+def run_program(*words, folder=None) -> None:
+    """Runs the program in a folder, or in the current one, without its output. Ctrl-C ends it.
 
     Raises:
         UsageError: An argument or a key of a file is wrong.
         Error: The program failed for another reason.
     """
     program = Path(_somato.__file__).with_name("bin") / "somato"
-    done = subprocess.run([program, *map(str, words)], check=False, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run([program, *map(str, words)], check=False, cwd=folder,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True)
     if done.returncode == 0:
         return
     message = done.stderr.strip().removeprefix("somato: ")

@@ -1,5 +1,6 @@
 """Pictures of maps and of skins: SVG, and axes of matplotlib."""
 
+import html
 import os
 from pathlib import Path
 
@@ -35,6 +36,35 @@ class Drawing:
 
     def __repr__(self):
         return f"<Drawing of {len(self.svg)} bytes of SVG>"
+
+
+class Page:
+    """A page of HTML with all that it needs, which a notebook shows in a frame.
+
+    Attributes:
+        html: The page.
+        height: The height of the frame in a notebook, in pixels.
+    """
+
+    def __init__(self, page, height=720):
+        self.html = page
+        self.height = height
+
+    def save(self, path) -> None:
+        """Writes the page to a file, which a browser opens.
+
+        Raises:
+            UsageError: The name of the file has the extension of another format.
+            OperatingSystemError: The file cannot be written.
+        """
+        _write(path, self.html, ".html")
+
+    def _repr_html_(self):
+        return (f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="{self.height}" '
+                'style="border: 0"></iframe>')
+
+    def __repr__(self):
+        return f"<Page of {len(self.html)} bytes of HTML>"
 
 
 class MapData:

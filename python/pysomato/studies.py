@@ -2,14 +2,17 @@
 
 import json
 import os
+import tempfile
+from pathlib import Path
 
 import numpy as np
 
 from . import _somato
 from ._frames import frame
 from ._numbers import number_of_threads
+from ._program import run_program
 from ._progress import shown
-from .drawing import Drawing
+from .drawing import Drawing, Page
 from .recording import Recording
 from .som import SOM
 
@@ -152,7 +155,9 @@ class Study:
             are those of the map in the system, after all codes.
     """
 
-    def __init__(self, outcome):
+    def __init__(self, outcome, recording):
+        self._outcome = outcome
+        self._recording = recording
         self.results = json.loads(outcome.results)
         self.system = TrainedSystem(outcome.trained)
         self.som = SOM._of_samples(outcome.map, outcome.winners, outcome.class_names, outcome.classes)
@@ -186,6 +191,24 @@ class Study:
         """The winners of all explorations on the map, as ``somato run`` draws them."""
         return Drawing(self._picture)
 
+    def save(self, folder) -> None:
+        """Writes results.json, map.svg and system.somato to a folder, as ``somato run`` does."""
+        os.makedirs(folder, exist_ok=True)
+        self._outcome.save(os.fspath(folder))
+
+    def report(self, height=720) -> Page:
+        """The report of ``somato report``: one page with the map, classes, readings and results.
+
+        Args:
+            height: The height of the page in a notebook, in pixels.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            self.save(folder)
+            self._recording.write(os.path.join(folder, "recording.mcap"))
+            run_program("report", "results.json", "--data", "recording.mcap", "--output",
+                        "report.html", folder=folder)
+            return Page(Path(folder, "report.html").read_text(encoding="utf-8"), height)
+
     def _protocols(self):
         return self.results["parts"][0]["protocols"]
 
@@ -214,7 +237,8 @@ def study(recording: Recording, system, *, threads=None, progress=None, **settin
     system = system if isinstance(system, System) else System(system)
     threads = number_of_threads(threads, "study")
     with shown(system.name, progress) as show:
-        return Study(_somato.study(recording._inner, system._inner, settings, threads, show))
+        outcome = _somato.study(recording._inner, system._inner, settings, threads, show)
+    return Study(outcome, recording)
 
 
 def load(path) -> TrainedSystem:

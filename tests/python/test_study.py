@@ -1,6 +1,7 @@
 """Studies give the results of the program, and their systems process frames."""
 
 import json
+import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
@@ -58,6 +59,38 @@ def test_results_are_those_of_the_program(somato, recording, toml, tmp_path):
     outcome.system.save(tmp_path / "mine.somato")
     assert (tmp_path / "mine.somato").read_bytes() == (tmp_path / "out/system.somato").read_bytes()
     assert outcome.draw().svg == (tmp_path / "out/map.svg").read_text() == outcome._repr_svg_()
+
+
+def test_files_and_report_are_those_of_the_program(somato, recording, toml, tmp_path):
+    recording.write(tmp_path / "recording.mcap")
+    somato("run", toml, "--data", tmp_path / "recording.mcap", "--seeds", 2, "--out", tmp_path / "out")
+    outcome = study(recording, toml, seeds=2)
+    outcome.save(tmp_path / "mine")
+    assert {file.name for file in (tmp_path / "mine").iterdir()} == {
+        file.name for file in (tmp_path / "out").iterdir()}
+    for name in ("system.somato", "map.svg"):
+        assert (tmp_path / "mine" / name).read_bytes() == (tmp_path / "out" / name).read_bytes()
+    results = json.loads((tmp_path / "mine/results.json").read_text())
+    expected = json.loads((tmp_path / "out/results.json").read_text())
+    for name in ("protocols", "model", "pairs"):
+        assert results["parts"][0].get(name) == expected["parts"][0].get(name)
+    page = outcome.report()
+    assert page.html == outcome.report().html  # nothing depends on the folder of its files
+    page.save(tmp_path / "page.html")
+    somato("report", tmp_path / "mine/results.json", "--data", tmp_path / "recording.mcap", "-o",
+           tmp_path / "report.html")
+    printed = (tmp_path / "report.html").read_text()
+    assert page.html == printed.replace(f"{tmp_path}/mine/", "")
+    assert (tmp_path / "page.html").read_text() == page.html
+
+
+def test_a_notebook_shows_the_report_in_a_frame(recording, toml):
+    page = study(recording, toml, seeds=1, protocols="train_is_test").report(height=500)
+    (frame,) = ElementTree.fromstring(f"<div>{page._repr_html_()}</div>")
+    assert (frame.tag, frame.get("height")) == ("iframe", "500")
+    assert frame.get("srcdoc").replace("\n", " ") == page.html.replace("\n", " ")
+    with pytest.raises(pysomato.UsageError, match="use the extension .html"):
+        page.save("report.pdf")
 
 
 def test_the_map_of_a_study_has_its_winners(recording, toml):
