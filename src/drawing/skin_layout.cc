@@ -41,7 +41,7 @@ std::optional<Part> part_of(std::string_view name, std::size_t element) {
   const std::size_t number = take_number(name);
   const bool is_numbered = name.size() < whole;
   constexpr std::string_view kPrefix = "taxel_";
-  if (name.substr(0, kPrefix.size()) == kPrefix) name.remove_prefix(kPrefix.size());
+  if (name.starts_with(kPrefix)) name.remove_prefix(kPrefix.size());
   for (const std::string_view segment : kSegments) {
     if (name.size() < segment.size() + 2 || !name.ends_with(segment)) continue;
     name.remove_suffix(segment.size());
@@ -190,11 +190,13 @@ SkinLayout grid_layout(std::size_t count, const std::vector<std::size_t>& shape)
   const std::size_t columns = grid_columns(count, shape);
   SkinLayout layout;
   layout.width = static_cast<double>(columns);
-  layout.height = static_cast<double>((count + columns - 1) / columns);
+  const std::size_t rows = (count + columns - 1) / columns;
+  layout.height = static_cast<double>(rows);
   layout.elements.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = i / columns;
     layout.elements.push_back(
-        {static_cast<double>(i % columns) + 0.5, static_cast<double>(i / columns) + 0.5});
+        {static_cast<double>(i % columns) + 0.5, static_cast<double>(row) + 0.5});
   }
   return layout;
 }

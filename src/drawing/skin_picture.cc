@@ -102,8 +102,9 @@ class SkinDrawing {
     return caption_top() + static_cast<double>(caption_.size()) * line_height(kCaptionSize) + 6;
   }
   Point corner(std::size_t frame) const {
+    const std::size_t row = frame / columns_;
     return {kMargin + static_cast<double>(frame % columns_) * (frame_width() + kGap),
-            frames_top() + static_cast<double>(frame / columns_) * (frame_height() + kGap)};
+            frames_top() + static_cast<double>(row) * (frame_height() + kGap)};
   }
   double bar_top() const { return corner(picture_.frames.size() - 1).y + frame_height() + kBarGap; }
 
