@@ -94,11 +94,9 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
   return Map(SomModel{std::move(som), {}, {}, {}, {}});
 }
 
-// Later rows may have values for elements that these do not have.
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
   Som som =
       apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), rows.all())));
-  som.store_all();
   return Map(SomModel{std::move(som), {}, {}, {}, {}});
 }
 

@@ -47,11 +47,10 @@ def numbered(y, X):
 
 
 def _sparse(rows):
-    """Rows in the format CSR for the library, with ascending columns and without stored zeros."""
-    if not (rows.has_canonical_format and rows.data.all()):
+    """Rows in the format CSR for the library, with ascending columns."""
+    if not rows.has_canonical_format:
         rows = rows.copy()
         rows.sum_duplicates()
-        rows.eliminate_zeros()
     return _somato.SampleRows(rows.shape[1], np.ascontiguousarray(rows.indptr, np.int64),
                               np.ascontiguousarray(rows.indices, np.uint32),
                               np.ascontiguousarray(rows.data))

@@ -94,7 +94,7 @@ def test_unordered_and_repeated_elements_are_summed_in_a_copy():
 def test_partial_fit_learns_elements_that_appear_later(few):
     parts = [few[:20].copy(), few[20:]]
     parts[0][:, 30:] = 0
-    dense, thin = (SOM(3, 3, iterations=40, initial_weights="uniform") for _ in range(2))
+    dense, thin = (SOM(3, 3, iterations=40) for _ in range(2))
     for part in parts:
         dense.partial_fit(part)
         thin.partial_fit(sparse.csr_array(part))
