@@ -11,6 +11,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "drawing/map_panels.h"
 #include "errors.h"
 #include "graph/layout_fit.h"
 #include "nanobind/stl/optional.h"
@@ -20,7 +21,6 @@
 #include "somato/drawing/map_picture.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/live_system.h"
-#include "somato/maps/som_quality.h"
 #include "somato/recording/recording.h"
 
 namespace somato::python {
@@ -136,11 +136,7 @@ nb::dict description_of_module(const ModuleDescription& module) {
 std::string picture_of(const TrainedSystem& trained) {
   const std::size_t map = trained.map();
   const Som& som = *som_of(trained.system(), map);
-  ValuePanel heights;
-  heights.title = "U-matrix";
-  heights.grid = som.grid();
-  heights.values = u_matrix(som);
-  return draw_picture(trained.system().modules()[map].name, "", {heights});
+  return draw_picture(trained.system().modules()[map].name, "", {u_matrix_panel(som)});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ from ._numbers import number_of_threads
 from ._program import run_program
 from ._progress import shown
 from .drawing import Drawing, Page
+from .errors import OperatingSystemError
 from .recording import Recording
 from .som import SOM
 
@@ -192,8 +193,15 @@ class Study:
         return Drawing(self._picture)
 
     def save(self, folder) -> None:
-        """Writes results.json, map.svg and system.somato to a folder, as ``somato run`` does."""
-        os.makedirs(folder, exist_ok=True)
+        """Writes results.json, map.svg and system.somato to a folder, as ``somato run`` does.
+
+        Raises:
+            OperatingSystemError: The folder cannot be made, or a file cannot be written.
+        """
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            raise OperatingSystemError(error.strerror or str(error), os.fspath(folder)) from error
         self._outcome.save(os.fspath(folder))
 
     def report(self, height=720) -> Page:

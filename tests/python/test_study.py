@@ -74,6 +74,8 @@ def test_files_and_report_are_those_of_the_program(somato, recording, toml, tmp_
     expected = json.loads((tmp_path / "out/results.json").read_text())
     for name in ("protocols", "model", "pairs"):
         assert results["parts"][0].get(name) == expected["parts"][0].get(name)
+    with pytest.raises(pysomato.OperatingSystemError, match="map.svg"):
+        outcome.save(tmp_path / "mine/map.svg")
     page = outcome.report()
     assert page.html == outcome.report().html  # nothing depends on the folder of its files
     page.save(tmp_path / "page.html")
