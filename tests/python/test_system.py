@@ -1,5 +1,7 @@
 """Systems: their modules, training and outputs."""
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -125,6 +127,6 @@ def test_the_progress_is_shown_and_can_stop(system, recording):
 def test_bars_need_tqdm(system, recording, monkeypatch):
     pytest.importorskip("tqdm")
     assert len(study(recording, system, seeds=1, progress=True).values) > 0
-    monkeypatch.setitem(__import__("sys").modules, "tqdm.auto", None)
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     with pytest.raises(pysomato.UsageError, match="tqdm"):
         study(recording, system, seeds=1, progress=True)
