@@ -174,10 +174,10 @@ def table_of(packages, rounds, load):
     first = packages[0]
     rows = [package if isinstance(package, str) else row_of(package, first) for package in packages]
     text = (f"{SAMPLES} samples of {FEATURES} numbers in {CLUSTERS} clusters, {SIDE} x {SIDE} neurons, {EPOCHS} epochs, "
-            f"radius {SIDE / 2:g} to 1, one thread; median and range of {rounds} rounds on {processor()} "
+            f"radius {SIDE / 2:g} to 1 in the last epoch, one thread; median and range of {rounds} rounds on {processor()} "
             f"with a load of {load[0]:.1f} to {load[1]:.1f}; Python {platform.python_version()}. "
             "A package that learns online processes as many samples. The quantization error is computed by the same "
-            "function for all maps; packages with another neighbourhood or schedule stop at another stiffness of the map.")
+            "function for all maps; it also depends on the schedule, because a greater radius at the end keeps the map stiffer.")
     return "\n".join([text, "", f"| {' | '.join(head)} |", "|" + "---|" * len(head), *rows])
 
 

@@ -10,6 +10,7 @@ def prepare(case, name):
     def train():
         state["som"] = pysomato.SOM(
             case.rows, case.columns, training="batch", epochs=case.steps, radius_start=case.radius_start,
-            radius_end=case.radius_end, initial_weights="samples", threads=case.threads).fit(case.data)
+            radius_end=case.radius_end, radius_reached_at=max(1, case.steps - 1),  # in the last epoch
+            initial_weights="samples", threads=case.threads).fit(case.data)
 
     return Job(train, lambda: state["som"].weights_)
