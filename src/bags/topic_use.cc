@@ -30,7 +30,7 @@ class TimeSink : public FieldSink {
 // A field of texts or of numbers.
 Result<FieldReader> compile_words(const std::shared_ptr<const RosType>& type,
                                   const std::string& path) {
-  Result<FieldReader> texts = FieldReader::compile(type, path, FieldKind::kTexts);
+  const Result<FieldReader> texts = FieldReader::compile(type, path, FieldKind::kTexts);
   return texts ? texts : FieldReader::compile(type, path);
 }
 

@@ -103,7 +103,8 @@ Result<std::optional<DeclaredField>> parse_field_line(std::string_view line) {
   if (!declared) return no_field(fmt::format("{} begins with no type", shown(content)));
   rest = trimmed(rest);
   const std::string_view name = take_while(rest, continues_identifier);
-  if (name.empty() || !(is_letter(name.front()) || name.front() == '_')) {
+  const bool has_name = !name.empty() && (is_letter(name.front()) || name.front() == '_');
+  if (!has_name) {
     return no_field(fmt::format("{} declares no name", shown(content)));
   }
   const bool ends = rest.empty() || is_blank(rest.front());
