@@ -1,12 +1,9 @@
 #include "device.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "devices/device_explorer.h"
@@ -14,6 +11,7 @@
 #include "devices/placing.h"
 #include "files/toml_file.h"
 #include "files/whole_file.h"
+#include "placing.h"
 #include "servo_switch.h"
 #include "simulation/recorded_scenes.h"
 #include "simulation/simulated_body.h"
@@ -89,30 +87,13 @@ Result<devices::DeviceExploring> read_settings(const Arguments& arguments) {
                                   parameters.stroke, parameters.press};
 }
 
-// Waits for a line from a person.
-Result<void> wait_for_enter() {
-  constexpr int kPollMs = 100;
-  for (;;) {
-    if (stop_requested()) return fail(ErrorKind::kInterrupted, "exploring was interrupted");
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (poll(&input, 1, kPollMs) <= 0) continue;
-    char byte = 0;
-    if (::read(STDIN_FILENO, &byte, 1) <= 0) {
-      return fail(ErrorKind::kInterrupted, "the input ended before the object was placed");
-    }
-    if (byte == '\n') return {};
-  }
-}
-
 Result<void> place(const DeviceFile& file, const ExploredThing& thing, std::size_t trial) {
   constexpr double kPatience = 30.0;
   if (!file.settings.placing.empty()) {
     return devices::place_by_emulator(file.settings.placing, thing.name, trial, kPatience,
                                       [] { return !stop_requested(); });
   }
-  fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,
-             trial + 1);
-  return wait_for_enter();
+  return place_by_person(thing, trial);
 }
 
 // Beside the recording; a failure to save it must not hide the fault.

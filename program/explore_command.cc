@@ -18,6 +18,7 @@
 #include "somato/recording/recording_file.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "terminal.h"
+#include "topics.h"
 #include "wording.h"
 
 namespace somato::program {
@@ -92,11 +93,26 @@ Result<Request> read_device_request(const Arguments& arguments) {
       {},      longest.value_or(600)};
 }
 
+Result<Request> read_topic_request(const Arguments& arguments) {
+  SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
+  SOMATO_TRY(auto longest, arguments.number("longest", 1));
+  SOMATO_TRY(auto session, topic_session(arguments));
+  const std::size_t count = session.explorer->things().size();
+  return Request{nullptr,
+                 std::move(session.explorer),
+                 {count, explorations.value_or(5), 1},
+                 arguments.text("output"),
+                 {},
+                 longest.value_or(600)};
+}
+
 Result<Request> read_request(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_topic_flags(arguments));
+  if (arguments.has("topics")) return read_topic_request(arguments);
   if (arguments.has("device")) return read_device_request(arguments);
   if (!arguments.has("body")) {
-    return fail(ErrorKind::kUsage, "a body or a device that explores is required", "explore",
-                "add --body lucs2, or --device FILE");
+    return fail(ErrorKind::kUsage, "a body, a device or topics are required", "explore",
+                "add --body lucs2, --device FILE, or --topics ADDRESS");
   }
   SOMATO_TRY(auto body, read_body(arguments));
   SOMATO_TRY(auto things, read_things(arguments, body));
@@ -219,7 +235,7 @@ Result<void> run_explore(const Arguments& arguments) {
 }  // namespace
 
 Command explore_command() {
-  return {
+  Command command{
       "explore",
       "Explore objects or materials with a hand or probe, simulated or real, and record the "
       "sensors",
@@ -245,6 +261,8 @@ Command explore_command() {
       SimulationParameters::declarations().infos(),
       run_explore,
       "simulation"};
+  for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
+  return command;
 }
 
 }  // namespace somato::program

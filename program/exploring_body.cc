@@ -6,6 +6,7 @@
 #include "device.h"
 #include "explore_table.h"
 #include "somato/simulation/simulated_explorer.h"
+#include "topics.h"
 
 namespace somato::program {
 namespace {
@@ -43,6 +44,8 @@ Result<BodySession> device_session(const Arguments& arguments) {
 }  // namespace
 
 Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed) {
+  SOMATO_TRY_VOID(check_topic_flags(arguments));
+  if (arguments.has("topics")) return topic_session(arguments);
   if (arguments.has("body") && arguments.has("device")) {
     return fail(ErrorKind::kUsage, "a body and a device are given", "--device", "omit one of them");
   }

@@ -20,7 +20,8 @@ struct BodySession {
   std::unique_ptr<Explorer> explorer;
 };
 
-/// The body named by --body, or the device of --device, which explores what --objects names.
+/// The body named by --body, or the device of --device, which explores what --objects names, or the
+/// topics of --topics.
 /// Errors: kUsage for an unknown body, and for a choice that consists of several bodies; those of
 /// the objects and of device_explorer().
 Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed);

@@ -7,6 +7,7 @@
 #include "bags/bag_description.h"
 #include "bags/bag_import.h"
 #include "commands.h"
+#include "files/text.h"
 #include "files/toml_file.h"
 #include "recording/mcap_trials.h"
 #include "somato/recording/csv_import.h"
@@ -40,17 +41,6 @@ std::vector<std::string> formats() {
   names.emplace_back(kMcap);
   names.emplace_back(kBag);
   return names;
-}
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t end = text.find(separator); end != std::string_view::npos;
-       end = text.find(separator)) {
-    parts.emplace_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  parts.emplace_back(text);
-  return parts;
 }
 
 // "touch:counts=taxel1..taxel16+Fz", where the unit is optional.

@@ -15,6 +15,7 @@
 #include "session_recording.h"
 #include "system_fit.h"
 #include "terminal.h"
+#include "topics.h"
 #include "view_serving.h"
 #include "view_systems.h"
 #include "wording.h"
@@ -38,10 +39,12 @@ Result<void> check_output_flags(const Arguments& arguments) {
 
 Result<double> read_speed(const Arguments& arguments) {
   double speed = 1.0;
-  if (arguments.has("device") && arguments.has("speed")) {
-    return fail(ErrorKind::kUsage, "a device has its own speed", "--speed", "omit it");
+  const bool is_real = arguments.has("device") || arguments.has("topics");
+  if (is_real && arguments.has("speed")) {
+    return fail(ErrorKind::kUsage, "a device and topics have their own speed", "--speed",
+                "omit it");
   }
-  if (arguments.has("device")) return kFastest;  // Nothing waits for the pace of a picture.
+  if (is_real) return kFastest;  // Nothing waits for the pace of a picture.
   if (!arguments.has("speed")) return speed;
   const std::string text = arguments.text("speed");
   if (text == "max") return kFastest;
@@ -163,6 +166,7 @@ Command live_command() {
         false, false}},
       {},
       run_live};
+  for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
   return command;
 }

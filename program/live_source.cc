@@ -11,6 +11,7 @@
 #include "exploring_body.h"
 #include "simulation/recorded_scenes.h"
 #include "study_data.h"
+#include "topics.h"
 
 namespace somato::program {
 namespace {
@@ -24,15 +25,17 @@ tl::unexpected<Error> no_effect(const std::string& flag, const std::string& why,
 
 Result<void> check_one_source(const Arguments& arguments) {
   int given = 0;
-  for (const char* flag : {"body", "device", "recording"}) given += arguments.has(flag) ? 1 : 0;
+  for (const char* flag : {"body", "device", "topics", "recording"})
+    given += arguments.has(flag) ? 1 : 0;
   if (given == 1) return {};
   return fail(ErrorKind::kUsage,
-              "one of a body or a device that explores, or a recording, is required", "live",
-              "use --body lucs2, --device FILE, or --recording FILE");
+              "one of a body, a device or topics that explore, or a recording, is required", "live",
+              "use --body lucs2, --device FILE, --topics ADDRESS, or --recording FILE");
 }
 
 Result<void> check_source_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_one_source(arguments));
+  SOMATO_TRY_VOID(check_topic_flags(arguments));
   for (const std::string flag : {"object", "explorations", "seed", "output"}) {
     if (!arguments.has(flag) || !arguments.has("recording")) continue;
     return no_effect(flag, "has no effect on a recording", "use it together with --body");

@@ -14,6 +14,7 @@
 #include "simulation/recorded_scenes.h"
 #include "study_data.h"
 #include "terminal.h"
+#include "topics.h"
 #include "view_serving.h"
 #include "view_systems.h"
 
@@ -55,8 +56,12 @@ Result<ViewSource> recording_source(const Arguments& arguments) {
   return source;
 }
 
+bool has_body(const Arguments& arguments) {
+  return arguments.has("body") || arguments.has("device") || arguments.has("topics");
+}
+
 Result<void> check_flags(const Arguments& arguments) {
-  const bool explores = arguments.has("body") || arguments.has("device");
+  const bool explores = has_body(arguments);
   if (!arguments.has("RECORDING") && !explores) {
     return fail(ErrorKind::kUsage, "a recording or a body that explores is required", "view",
                 "somato view FILE.mcap, or somato view --body lucs2 --object boule");
@@ -66,16 +71,15 @@ Result<void> check_flags(const Arguments& arguments) {
         std::pair("output", "a recording cannot be recorded again")}) {
     if (!arguments.has(flag) || explores) continue;
     return fail(ErrorKind::kUsage, problem, fmt::format("--{}", flag),
-                "use it together with --body or --device");
+                "use it together with --body, --device or --topics");
   }
-  return {};
+  return check_topic_flags(arguments);
 }
 
 // A given system is listed first, and selected.
 Result<ViewSource> read_source(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_flags(arguments));
-  auto source = arguments.has("body") || arguments.has("device") ? body_source(arguments)
-                                                                 : recording_source(arguments);
+  auto source = has_body(arguments) ? body_source(arguments) : recording_source(arguments);
   if (!source) return source;
   if (arguments.has("model")) {
     SOMATO_TRY(auto model, trained_system(arguments.text("model")));
@@ -136,6 +140,7 @@ Command view_command() {
                   "Trained system that evaluates the explorations, saved by 'somato run'")},
       {},
       run_view};
+  for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
   return command;
 }

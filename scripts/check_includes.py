@@ -25,11 +25,12 @@ DIRECT = {
     "wire": ["core"],
     "devices": ["bodies", "wire"],
     "emulation": ["devices"],
+    "topics": ["bodies"],
     "studies": ["graph", "drawing"],
     "suggestion": ["studies"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["bags", "suggestion", "report", "live", "simulation", "devices", "emulation"],
+    "program": ["bags", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics"],
 }
 
 # The entrance headers, by the room whose table applies to them. A header that they do not include, directly or

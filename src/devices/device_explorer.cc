@@ -5,22 +5,12 @@
 #include <utility>
 
 #include "bodies/driving.h"
-#include "bodies/frame_log.h"
 
 namespace somato::devices {
 namespace {
 
 std::vector<Label> labels_of_thing(const ExploredThing& thing, std::size_t trial) {
   return thing.object ? labels_of(*thing.object, trial) : labels_of(thing.material, trial);
-}
-
-Result<Exploration> explore_by_holding(Body& body, const DeviceSettings& settings) {
-  FrameLog frames(body.description());
-  while (body.state().time < settings.duration) {
-    SOMATO_TRY_VOID(body.step(settings.period, Readings::kRecorded));
-    SOMATO_TRY_VOID(frames.append(body.state()));
-  }
-  return Exploration{{}, {}, std::move(frames).channels()};
 }
 
 // The present readings as an exploration with the labels of `named`, of one frame.
@@ -68,7 +58,7 @@ Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
     case ExploringMethod::kHolding:
       break;
   }
-  return explore_by_holding(body, file_.settings);
+  return explore_by_holding(body, file_.settings.duration, file_.settings.period);
 }
 
 Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "somato/core/result.h"
 
@@ -35,6 +36,9 @@ tl::unexpected<Error> no_text(std::string_view bytes, std::size_t bad, std::size
 
 /// `text` without blanks (spaces and tabs) at both ends.
 std::string_view trimmed(std::string_view text);
+
+/// The parts of `text` between separators; one part if there is none.
+std::vector<std::string> split(std::string_view text, char separator);
 
 /// `text` fit for a message: quoted, cut when long, control characters replaced.
 std::string shown(std::string_view text);

@@ -122,4 +122,9 @@ struct PressParameters {
 /// although only the last one belongs to the exploration.
 Result<Exploration> explore_by_pressing(Body& body, const PressParameters& parameters = {});
 
+/// Records a body at rest, or one that others move, for `duration` s of its time: the channels are
+/// its sensors with a frame after each step of `step` s; labels are added by the caller. Errors:
+/// those of the body. Throws InvalidArgument unless `step` is above 0.
+Result<Exploration> explore_by_holding(Body& body, double duration, double step);
+
 }  // namespace somato

@@ -1,0 +1,37 @@
+#include "placing.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "terminal.h"
+
+namespace somato::program {
+namespace {
+
+// Waits for a line from a person.
+Result<void> wait_for_enter() {
+  constexpr int kPollMs = 100;
+  for (;;) {
+    if (stop_requested()) return fail(ErrorKind::kInterrupted, "exploring was interrupted");
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (poll(&input, 1, kPollMs) <= 0) continue;
+    char byte = 0;
+    if (::read(STDIN_FILENO, &byte, 1) <= 0) {
+      return fail(ErrorKind::kInterrupted, "the input ended before the object was placed");
+    }
+    if (byte == '\n') return {};
+  }
+}
+
+}  // namespace
+
+Result<void> place_by_person(const ExploredThing& thing, std::size_t trial) {
+  fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,
+             trial + 1);
+  return wait_for_enter();
+}
+
+}  // namespace somato::program

@@ -1,0 +1,138 @@
+"""The program as a client of the topics of Foxglove's own server, and of one that misbehaves."""
+
+import asyncio
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import foxglove
+import websockets
+from mcap.reader import make_reader
+
+PROGRAM = os.environ["SOMATO_PROGRAM"]
+ELEMENTS = 1089  # of the skin of an ORCA Touch hand
+RATE = 1000.0
+SECONDS = int(os.environ.get("SOMATO_TOPIC_SECONDS", "3"))
+
+
+def payload(number):
+    """A Touch message in CDR whose values are `number`."""
+    return (b"\0\1\0\0" + struct.pack("<I", ELEMENTS) +
+            struct.pack("<f", number) * ELEMENTS)
+
+
+class Robot:
+    """A server of the Foxglove SDK that counts its messages upwards from 0."""
+
+    def __init__(self, topic="/touch"):
+        self.server = foxglove.start_server(host="127.0.0.1", port=0)
+        schema = foxglove.Schema(name="test_msgs/msg/Touch", encoding="ros2msg",
+                                 data=b"float32[] forces\n")
+        self.context = foxglove.Context()
+        self.channel = foxglove.Channel(topic, schema=schema, message_encoding="cdr")
+        self.stopping = threading.Event()
+        self.thread = threading.Thread(target=self.publish)
+        self.thread.start()
+
+    @property
+    def address(self):
+        return f"ws://127.0.0.1:{self.server.port}"
+
+    def publish(self):
+        begun = time.monotonic()
+        number = 0
+        while not self.stopping.is_set():
+            self.channel.log(payload(float(number)), log_time=int(number * 1e9 / RATE))
+            number += 1
+            time.sleep(max(0.0, begun + number / RATE - time.monotonic()))
+
+    def stop(self):
+        self.stopping.set()
+        self.thread.join()
+        self.channel.close()
+        self.server.stop()
+
+
+def somato(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL)
+
+
+def frames(path):
+    """The values of the first element of every frame, and whether all elements are the same."""
+    first, alike = [], True
+    with open(path, "rb") as file:
+        for _, channel, message in make_reader(file).iter_messages():
+            if channel.topic != "touch":
+                continue
+            values = struct.unpack(f"<{ELEMENTS}f", message.data[-4 * ELEMENTS:])
+            first.append(values[0])
+            alike = alike and len(set(values)) == 1
+    return first, alike
+
+
+class Topics(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.recording = str(Path(folder.name) / "touch.mcap")
+
+    def explore(self, address, *flags):
+        return somato("explore", "--topics", address, "--channels", "touch:N=/touch:forces",
+                      "--explorations", "1", "-o", self.recording, *flags)
+
+    def test_records_every_message_of_the_foxglove_sdk(self):
+        robot = Robot()
+        self.addCleanup(robot.stop)
+        done = self.explore(robot.address, "--duration", str(SECONDS))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        values, alike = frames(self.recording)
+        self.assertTrue(alike)
+        self.assertEqual(len(values), SECONDS * RATE + 1)
+        self.assertEqual(values, [values[0] + i for i in range(len(values))])
+        self.assertNotIn("dropped", done.stderr)
+
+    def test_names_the_topics_that_there_are(self):
+        robot = Robot("/skin")
+        self.addCleanup(robot.stop)
+        done = self.explore(robot.address)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/skin", done.stderr)
+        self.assertFalse(Path(self.recording).exists())
+
+    def test_a_robot_that_stops_ends_the_exploration(self):
+        robot = Robot()
+        timer = threading.Timer(2.0, robot.stop)
+        timer.start()
+        done = self.explore(robot.address, "--duration", "60")
+        timer.join()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the connection is lost", done.stderr)
+
+    def test_another_server_is_named_as_such(self):
+        async def serve(connection):
+            await connection.send(json.dumps({"op": "advertise", "channels": [7]}))
+            await connection.send("[" * 100000)
+            await connection.send(b"\1")
+            await asyncio.sleep(20)
+
+        async def run():
+            async with websockets.serve(serve, "127.0.0.1", 0,
+                                        subprotocols=["foxglove.websocket.v1"]) as server:
+                port = server.sockets[0].getsockname()[1]
+                return await asyncio.to_thread(self.explore, f"ws://127.0.0.1:{port}")
+
+        done = asyncio.run(run())
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the robot has no topic '/touch'", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])
