@@ -181,7 +181,8 @@ class Requests(Peer):
         for series in (STS, SCS):
             self.begin(series)
             start = self.chain.bytes("start")
-            ticks = b"".join(self.chain.bytes("tick", 0.02, *(self.random.uniform(0, 1023)
+            # Each tick requests a state: the wait for the last answer, which never comes, is over.
+            ticks = b"".join(self.chain.bytes("tick", 0.06, *(self.random.uniform(0, 1023)
                                                               for _ in range(SERVOS)))
                              for _ in range(100))
             count = 0
