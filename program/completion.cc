@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words split(const std::string& name) {
+Words words_of(const std::string& name) {
   std::istringstream stream(name);
   Words words;
   for (std::string word; stream >> word;) words.push_back(word);
@@ -38,7 +38,7 @@ std::string first_sentence(const std::string& text) {
 std::vector<Completion> next_words(const std::vector<Command>& commands, const Words& before) {
   std::vector<Completion> found;
   for (const Command& command : commands) {
-    const Words name = split(command.name);
+    const Words name = words_of(command.name);
     if (name.size() <= before.size() || !begin_with(name, before)) continue;
     const std::string& word = name[before.size()];
     const bool is_group = name.size() > before.size() + 1;
@@ -123,13 +123,13 @@ std::vector<Completion> completions(const std::vector<Command>& commands,
   const std::string last = words.empty() ? std::string() : words.back();
   const Words before(words.begin(), words.end() - (words.empty() ? 0 : 1));
   const auto meant = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
-    return begin_with(before, split(command.name));
+    return begin_with(before, words_of(command.name));
   });
   std::vector<Completion> found;
   if (meant == commands.end()) {
     found = next_words(commands, before);
   } else {
-    const auto arguments = before.begin() + static_cast<std::ptrdiff_t>(split(meant->name).size());
+    const auto arguments = before.begin() + static_cast<std::ptrdiff_t>(words_of(meant->name).size());
     found = arguments_of(*meant, Words(arguments, before.end()), last);
   }
   std::erase_if(found, [&](const Completion& one) { return !one.word.starts_with(last); });

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "bags/bag_description.h"
 #include "files/text.h"
 #include "placing.h"
 #include "terminal.h"
@@ -16,33 +17,10 @@
 namespace somato::program {
 namespace {
 
-constexpr const char* kChannelAdvice =
-    "write NAME:UNIT=/TOPIC:PATH, for example 'touch:N=/xServTopic:sensors[*].taxels[*].z'";
-
 #ifdef SOMATO_WITH_TOPICS
 
-tl::unexpected<Error> no_channel(const std::string& text) {
-  return fail(ErrorKind::kUsage, fmt::format("'{}' is not a channel of a topic", text),
-              "--channels", kChannelAdvice);
-}
-
-// "touch:N=/xServTopic:sensors[*].taxels[*].z+header.stamp.sec", where the unit is optional.
-Result<topics::TopicSensor> sensor_of(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return no_channel(text);
-  const std::string head = text.substr(0, equals);
-  const std::string source = text.substr(equals + 1);
-  const std::size_t unit = std::min(head.find(':'), head.size());
-  const std::size_t path = source.find(':');
-  if (unit == 0 || path == 0 || path == std::string::npos || path + 1 == source.size()) {
-    return no_channel(text);
-  }
-  return topics::TopicSensor{head.substr(0, unit),
-                             head.substr(std::min(unit + 1, head.size())),
-                             source.substr(0, path),
-                             split(source.substr(path + 1), '+'),
-                             {}};
-}
+constexpr const char* kChannelAdvice =
+    "write NAME:UNIT=/TOPIC:PATH, for example 'touch:N=/xServTopic:sensors[*].taxels[*].z'";
 
 Result<std::vector<topics::TopicSensor>> sensors_of(const Arguments& arguments) {
   if (!arguments.has("channels")) {
@@ -51,7 +29,12 @@ Result<std::vector<topics::TopicSensor>> sensors_of(const Arguments& arguments) 
   }
   std::vector<topics::TopicSensor> sensors;
   for (const std::string& text : split(arguments.text("channels"), ',')) {
-    SOMATO_TRY(auto sensor, sensor_of(text));
+    SOMATO_TRY(auto channel, parse_bag_channel(text));
+    topics::TopicSensor sensor{std::move(channel.name),
+                               std::move(channel.unit),
+                               std::move(channel.topic),
+                               std::move(channel.fields),
+                               {}};
     const bool twice = std::any_of(sensors.begin(), sensors.end(),
                                    [&](const auto& other) { return other.name == sensor.name; });
     if (twice) {

@@ -187,12 +187,7 @@ Result<BagChannel> parse_bag_channel(const std::string& text) {
   channel.name = sides->first.substr(0, colon);
   channel.unit = sides->first.substr(std::min(colon + 1, sides->first.size()));
   channel.topic = source->first;
-  std::string_view fields = source->second;
-  for (std::size_t end = fields.find('+'); end != std::string_view::npos; end = fields.find('+')) {
-    channel.fields.emplace_back(fields.substr(0, end));
-    fields.remove_prefix(end + 1);
-  }
-  channel.fields.emplace_back(fields);
+  channel.fields = split(source->second, '+');
   return channel;
 }
 
