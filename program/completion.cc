@@ -129,7 +129,8 @@ std::vector<Completion> completions(const std::vector<Command>& commands,
   if (meant == commands.end()) {
     found = next_words(commands, before);
   } else {
-    const auto arguments = before.begin() + static_cast<std::ptrdiff_t>(words_of(meant->name).size());
+    const auto arguments =
+        before.begin() + static_cast<std::ptrdiff_t>(words_of(meant->name).size());
     found = arguments_of(*meant, Words(arguments, before.end()), last);
   }
   std::erase_if(found, [&](const Completion& one) { return !one.word.starts_with(last); });

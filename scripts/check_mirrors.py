@@ -19,6 +19,7 @@ SOURCES_WITHOUT_HEADER = {
     "kernels/kernels_avx512_vnni.cc": "kernels/batch_kernels.h for AVX-512 with integer products",
     "bodies/explore_by_closing.cc": "bodies/explore_by.h: one way to explore",
     "bodies/explore_by_grasping.cc": "bodies/explore_by.h: one way to explore",
+    "bodies/explore_by_holding.cc": "bodies/explore_by.h: one way to explore",
     "bodies/explore_by_pressing.cc": "bodies/explore_by.h: one way to explore",
     "bodies/explore_by_stroking.cc": "bodies/explore_by.h: one way to explore",
     "codes/spectrum_parameters.cc": "codes/spectrum.h: its parameters",

@@ -17,10 +17,10 @@ inline constexpr const char* kSubprotocols = "foxglove.sdk.v1, foxglove.websocke
 
 /// A topic as its server advertises it.
 struct Topic {
-  std::uint32_t id = 0;  ///< Of the server, as long as it is connected.
+  std::uint32_t id = 0;  ///< The number of the server, valid during a connection.
   std::string name;      ///< Such as "/joint_states".
   std::string type;      ///< Such as "sensor_msgs/msg/JointState".
-  std::string encoding;  ///< Of its messages, such as "cdr".
+  std::string encoding;  ///< The encoding of its messages, such as "cdr".
   std::string definition;
   std::string definition_encoding;  ///< Such as "ros2msg".
 };

@@ -17,14 +17,14 @@ namespace somato::topics {
 
 /// A sensor of which a topic reports.
 struct TopicSensor {
-  std::string name;                ///< Of the channel, such as "touch".
+  std::string name;                ///< The name of the channel, such as "touch".
   std::string unit;                ///< Empty: none, or not known.
   std::string topic;               ///< Such as "/xServTopic".
   std::vector<std::string> paths;  ///< Its numbers in a message; see FieldReader.
   std::string names;               ///< The path of the names of its elements, or empty.
 };
 
-/// What has happened to the messages of the first topic of a body, since it began.
+/// The intervals between the messages of the first topic of a body, since it began.
 struct TopicTimes {
   std::size_t messages = 0;
   double usual = 0.0;    ///< The median interval in s.
@@ -54,7 +54,7 @@ class TopicBody : public Body {
   /// again with the next message.
   void begin();
 
-  /// Of the messages since begin().
+  /// The intervals since begin().
   TopicTimes times() const;
 
  protected:

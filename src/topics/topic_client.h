@@ -31,7 +31,7 @@ struct Arrival {
   std::string payload;
 };
 
-/// What has happened since the client was started.
+/// The state of a client, with numbers since it was started.
 struct TopicState {
   bool connected = false;
   std::size_t connections = 0;

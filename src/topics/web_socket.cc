@@ -50,7 +50,7 @@ class LwsSocket : public WebSocket {
   LwsSocket(LwsSocket&&) = delete;
   LwsSocket& operator=(const LwsSocket&) = delete;
   LwsSocket& operator=(LwsSocket&&) = delete;
-  // What happens while the context is destroyed is no event any more.
+  // Callbacks during the destruction of the context are no events.
   ~LwsSocket() override { closed_ = true; }
 
   Result<void> begin() {

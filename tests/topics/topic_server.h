@@ -78,7 +78,7 @@ class TopicServer {
     send_bytes(std::move(bytes));
   }
 
-  /// What the clients have sent.
+  /// The messages of all clients.
   std::vector<std::string> received() const {
     const std::scoped_lock lock(mutex_);
     return received_;
