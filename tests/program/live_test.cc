@@ -213,8 +213,8 @@ TEST_F(Live, RefusesFlagsWithoutEffect) {
     return words;
   };
   expect_refused(
-      2, {{live({}), {"a body or a device that explores, or a recording", "--body"}},
-          {replay({"--body", "lucs2"}), {"one of a body or a device", "is required"}},
+      2, {{live({}), {"a body, a device or topics that explore, or a recording", "--body"}},
+          {replay({"--body", "lucs2"}), {"one of a body, a device or topics", "is required"}},
           {replay({"--object", "boule"}), {"--object", "no effect on a recording"}},
           {replay({"--explorations", "3"}), {"--explorations", "no effect on a recording"}},
           {replay({"--seed", "3"}), {"--seed", "no effect on a recording"}},
