@@ -67,6 +67,9 @@ class ColumnFinder {
     const CsvTrials& trials = description_.trials;
     Result<void> found;
     if (!trials.time.empty()) found = take_named(trials.time, {CsvUse::kTime});
+    if (found && !trials.exploration.empty()) {
+      found = take_named(trials.exploration, {CsvUse::kExploration});
+    }
     for (std::size_t i = 0; found && i < trials.labels.size(); ++i) {
       found = take_named(trials.labels[i], {CsvUse::kLabel, 0, i});
     }
@@ -183,6 +186,7 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description) {
     layout.ignored.insert(std::move(column));
   }
   layout.named.insert(description.trials.time);
+  layout.named.insert(description.trials.exploration);
   layout.named.insert(description.trials.labels.begin(), description.trials.labels.end());
   return layout;
 }

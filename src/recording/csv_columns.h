@@ -15,13 +15,13 @@ struct CsvLayout {
   std::vector<std::vector<std::string>> channels;  ///< The columns of each channel.
   std::set<std::string> ignored;                   ///< Names and patterns.
   std::vector<std::string> ignored_patterns;       ///< The patterns among them.
-  std::set<std::string> named;                     ///< Columns of channels, time and labels.
+  std::set<std::string> named;  ///< Columns of channels, time, explorations and labels.
 };
 
 /// Errors: as expand_columns().
 Result<CsvLayout> csv_layout_of(const CsvImport& description);
 
-enum class CsvUse { kNothing, kTime, kLabel, kValue };
+enum class CsvUse { kNothing, kTime, kExploration, kLabel, kValue };
 
 /// Destination of the fields of a column.
 struct CsvColumn {

@@ -18,7 +18,8 @@ tl::unexpected<Error> wrong(std::string what, std::string advice) {
 }
 
 Result<void> check_pattern(const CsvTrials& trials) {
-  const bool other_labels = !trials.labels.empty() || divides_files(trials);
+  const bool other_labels =
+      !trials.labels.empty() || !trials.exploration.empty() || divides_files(trials);
   if (trials.files.empty() && other_labels) return {};
   if (trials.files.empty()) {
     return wrong("'files' is missing", "write for example files = \"{object}_{trial:number}.csv\"");
@@ -60,6 +61,13 @@ Result<void> check_rows(const CsvTrials& trials) {
   return {};
 }
 
+Result<void> check_exploration(const CsvTrials& trials) {
+  if (trials.exploration.empty() || !divides_files(trials)) return {};
+  return wrong(fmt::format("there are both 'exploration' and {}",
+                           trials.window ? "'window'" : "rows = \"explorations\""),
+               "divide the files in one way");
+}
+
 Result<void> check_labels(const CsvTrials& trials) {
   std::set<std::string> seen;
   if (divides_files(trials)) seen = {kFileLabel, trials.window ? kWindowLabel : kRowLabel};
@@ -81,6 +89,7 @@ Result<void> check_trials(const CsvTrials& trials) {
       .and_then([&] { return check_rate(trials); })
       .and_then([&] { return check_window(trials); })
       .and_then([&] { return check_rows(trials); })
+      .and_then([&] { return check_exploration(trials); })
       .and_then([&] { return check_labels(trials); });
 }
 
@@ -139,9 +148,13 @@ Result<void> check_ignored(const CsvTrials& trials, const std::set<std::string>&
   return {};
 }
 
-// The columns of times and labels.
+// The columns of times, explorations and labels.
 Result<std::set<std::string>> columns_of_trials(const CsvTrials& trials) {
   std::set<std::string> taken{trials.time};
+  if (!trials.exploration.empty() && !taken.insert(trials.exploration).second) {
+    return wrong(fmt::format("column '{}' is used twice", trials.exploration),
+                 "name each column once");
+  }
   for (const std::string& label : trials.labels) {
     if (taken.insert(label).second) continue;
     return wrong(fmt::format("column '{}' is used twice", label), "name each column once");

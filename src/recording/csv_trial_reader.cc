@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,6 +17,8 @@
 
 namespace somato {
 namespace {
+
+constexpr std::size_t kLongestFloat = 32;  // Characters; to_chars() requires 15.
 
 double units_per_second(TimeUnit unit) {
   switch (unit) {
@@ -34,6 +37,18 @@ double units_per_second(TimeUnit unit) {
 double scaled(const CsvChannel& channel, double number) {
   const double value = channel.factor * number;
   return channel.absolute ? std::fabs(value) : value;
+}
+
+// The value before it was rounded. A number that is the shortest text of the rounded value loses
+// nothing: it was written from a number of that precision.
+double exact_value(const CsvChannel& channel, double number, float rounded) {
+  const double exact = scaled(channel, number);
+  if (exact == double{rounded}) return exact;
+  char text[kLongestFloat];
+  const char* end = std::to_chars(text, text + kLongestFloat, rounded).ptr;
+  double shortest = 0.0;
+  std::from_chars(text, end, shortest);
+  return exact == shortest ? double{rounded} : exact;
 }
 
 // Whether a field is not a label. 'none' is a label: the object of an empty hand.
@@ -147,7 +162,7 @@ class TrialReader {
     for (std::size_t i = 0; read && i < fields_.size(); ++i) {
       read = read_field(fields_[i], columns_.columns[i]);
     }
-    return read.and_then([&] { return add_to_part(); });
+    return read.and_then([&] { return add_to_part(); }).and_then([&] { return add_time(); });
   }
 
   Result<void> read_field(const CsvField& field, const CsvColumn& column) {
@@ -156,16 +171,19 @@ class TrialReader {
         return {};
       case CsvUse::kTime:
         return read_time(field);
+      case CsvUse::kExploration:
+        return read_label(field, description_.trials.exploration, exploration_);
       case CsvUse::kLabel:
-        return read_label(field, column.element);
+        return read_label(field, description_.trials.labels[column.element],
+                          labels_[column.element]);
       case CsvUse::kValue:
         return read_value(field, column);
     }
     return {};
   }
 
-  Result<void> read_label(const CsvField& field, std::size_t label) {
-    const std::string& name = description_.trials.labels[label];
+  Result<void> read_label(const CsvField& field, const std::string& name,
+                          std::string& value) const {
     if (is_missing_label(field.text)) {
       return fail(ErrorKind::kData,
                   fmt::format("the label '{}' is missing: {}", name, shown(field.text)),
@@ -177,18 +195,20 @@ class TrialReader {
           fmt::format("the label '{}' is not 1 to 255 bytes of text: {}", name, shown(field.text)),
           records_.place(field), "correct it");
     }
-    labels_[label] = field.text;
+    value = field.text;
     return {};
   }
 
-  // Adds the row to the rows before it that have the same labels.
+  // Adds the row to the rows before it that have the same labels and exploration.
   Result<void> add_to_part() {
-    const bool changes = parts_.empty() || parts_.back().values != labels_;
-    if (changes && !parts_.empty() && !divides_files(description_.trials)) {
+    begins_exploration_ = parts_.empty() || exploration_ != last_exploration_;
+    const bool changes = begins_exploration_ || parts_.back().values != labels_;
+    if (changes && !begins_exploration_ && !divides_files(description_.trials)) {
       return fail(ErrorKind::kData, "the labels of columns change within the file", line_place(),
                   "divide it: write for example window = 500, or rows = \"explorations\"");
     }
     if (changes) parts_.push_back({rows_, 0, labels_});
+    last_exploration_ = exploration_;
     ++parts_.back().rows;
     ++rows_;
     return {};
@@ -197,15 +217,24 @@ class TrialReader {
   Result<void> read_time(const CsvField& field) {
     const auto [meaning, time] = read_csv_number<double>(field.text);
     if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
-    if (times_.empty()) first_time_ = time;
-    const double seconds = (time - first_time_) / units_per_second(description_.trials.time_unit);
-    if (times_.empty() || seconds >= times_.back()) {
+    time_ = time;
+    time_field_ = &field;
+    return {};
+  }
+
+  // The times of each exploration of a column of explorations begin at 0.
+  Result<void> add_time() {
+    if (!time_field_) return {};
+    if (begins_exploration_) first_time_ = time_;
+    const double seconds = (time_ - first_time_) / units_per_second(description_.trials.time_unit);
+    if (begins_exploration_ || seconds >= times_.back()) {
       times_.push_back(seconds);
       return {};
     }
-    return fail(ErrorKind::kData,
-                fmt::format("the time decreases: {} follows a later time", shown(field.text)),
-                records_.place(field), "repair or remove the file");
+    return fail(
+        ErrorKind::kData,
+        fmt::format("the time decreases: {} follows a later time", shown(time_field_->text)),
+        records_.place(*time_field_), "repair or remove the file");
   }
 
   Result<void> read_value(const CsvField& field, const CsvColumn& slot) {
@@ -223,7 +252,7 @@ class TrialReader {
     const std::optional<float> value = csv_value(channel, number);
     if (!value) return refuse(field, CsvMeaning::kTooLarge);
     read.values[at] = *value;
-    read.precision.take(slot.element, scaled(channel, number), *value);
+    read.precision.take(slot.element, exact_value(channel, number, *value), *value);
     return {};
   }
 
@@ -279,6 +308,11 @@ class TrialReader {
   std::size_t rows_ = 0;
   std::vector<Values> read_;  // The values of each channel.
   std::vector<double> times_;
+  std::string exploration_;  // That of the last row, and of the row before it.
+  std::string last_exploration_;
+  bool begins_exploration_ = false;
+  double time_ = 0.0;  // The time of the last row.
+  const CsvField* time_field_ = nullptr;
   double first_time_ = 0.0;
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 
@@ -224,6 +225,42 @@ TEST_F(ImportTable, RefusesLabelsThatChangeInAWholeFile) {
   EXPECT_EQ(refusal(),
             "t.csv:3: the labels of columns change within the file; divide it: write for "
             "example window = 500, or rows = \"explorations\"");
+}
+
+TEST_F(ImportTable, AColumnOfExplorationsDividesFiles) {
+  plan_.trials.rows = CsvRows::kFrames;
+  plan_.trials.labels = {"object"};
+  plan_.trials.exploration = "grasp";
+  plan_.trials.time = "t";
+  folder_.with("t.csv", "t,object,x,grasp\n5,a,1,1\n6,a,2,1\n1,a,3,2\n4,a,4,2\n2,b,5,3\n");
+  const Recording recording = import().value();
+  ASSERT_EQ(recording.explorations.size(), 3U);
+  const std::vector<std::vector<double>> times{{0, 1}, {0, 3}, {0}};
+  const std::vector<std::vector<float>> values{{1, 2}, {3, 4}, {5}};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Exploration& exploration = recording.explorations[i];
+    EXPECT_EQ(exploration.labels.back(), (Label{"object", i < 2 ? "a" : "b"}));
+    EXPECT_EQ(exploration.channels.at(0).times, times[i]);
+    const auto found = exploration.channels.at(0).frames.values();
+    EXPECT_EQ(std::vector<float>(found.begin(), found.end()), values[i]);
+  }
+  folder_.with("t.csv", "t,object,x,grasp\n0,a,1,1\n1,b,2,1\n");
+  EXPECT_TRUE(refusal().starts_with("t.csv:3: the labels of columns change")) << refusal();
+  folder_.with("t.csv", "t,object,x,grasp\n1,a,1,1\n0,a,2,1\n");
+  EXPECT_TRUE(refusal().starts_with("t.csv:3:1: the time decreases")) << refusal();
+  plan_.trials.window = 1;
+  EXPECT_NE(refusal().find("both 'exploration' and 'window'"), std::string::npos) << refusal();
+}
+
+// 0.1 and the next float32 number differ by less than their shortest texts state.
+TEST_F(ImportTable, ShortestTextsOfSinglePrecisionLoseNothing) {
+  plan_.trials.labels = {"object"};
+  folder_.with("t.csv", "object,x\na,0.1\na,0.10000001\n");
+  const Recording recording = import().value();
+  EXPECT_EQ(recording.explorations.at(0).channels.at(0).frames(0, 0), 0.1F);
+  EXPECT_EQ(recording.explorations.at(1).channels.at(0).frames(0, 0), std::nextafter(0.1F, 1.0F));
+  folder_.with("t.csv", "object,x\na,0.1000000012\na,0.1000000053\n");
+  EXPECT_NE(refusal().find("loses precision"), std::string::npos);
 }
 
 // By looking at each row whether a window begins there.

@@ -39,6 +39,7 @@ struct CsvTrials {
   std::string files;  ///< Such as "{fabric}_F{force:number}_{trial:number}.csv".
   CsvRows rows = CsvRows::kFrames;
   std::vector<std::string> labels;  ///< Names of columns.
+  std::string exploration;          ///< A column; an exploration begins where its value changes.
   std::optional<std::size_t>
       window;               ///< Number of rows of an exploration; without it: all rows of the file.
   std::size_t overlap = 0;  ///< Number of rows that a window shares with the preceding one.
@@ -92,9 +93,10 @@ struct Choices<Unmentioned> {
 
 /// Checks the consistency of the description. Errors (kUsage) name the key: no labels, an invalid
 /// pattern, both time and rate, an overlap without a window or not below it, rows that are
-/// explorations with a window, time or rate, two labels with the same name, no channels, two
-/// channels with the same name, a channel with neither columns nor label or with both, a column
-/// used twice, an invalid range, a shape that the columns do not fill.
+/// explorations with a window, time or rate, a column of explorations with a window or such rows,
+/// two labels with the same name, no channels, two channels with the same name, a channel with
+/// neither columns nor label or with both, a column used twice, an invalid range, a shape that the
+/// columns do not fill.
 Result<void> check_csv_import(const CsvImport& description);
 
 /// Reads a description from its tables [import] and [[channel]] and checks it. Errors (kUsage) with
@@ -115,7 +117,8 @@ struct CsvLeftOut {
 /// matches in more than one way is refused, and so are, unless the description permits them, names
 /// that do not match, columns that are not mentioned and fields without a number.
 ///
-/// Each file, each window or each row is one exploration. The explorations are in natural order of
+/// Each file, each window, each row or each run of rows with the same value in the column
+/// `exploration` is one exploration. The explorations are in natural order of
 /// files (trial 2 before trial 10) with the labels of the file name and of their columns, and the
 /// path of the file as source. Explorations from divided files have the labels `file`, the path
 /// below the folder, and `window` or `row`, which counts from 1 in each file. Windows begin window
