@@ -28,6 +28,7 @@ Command som_plot_command();
 Command completions_command();
 Command inspect_command();
 Command recover_command();
+Command convert_command();
 
 /// Prints the reference of flags and keys, from the commands and the parameter declarations.
 Command reference_command(const std::vector<Command>& others);

@@ -18,6 +18,7 @@ DIRECT = {
     "ros": ["files"],
     "recording": ["ros"],
     "bags": ["recording"],
+    "exports": ["recording"],
     "drawing": ["maps"],
     "graph": ["codes", "maps", "recording"],
     "bodies": ["recording"],
@@ -30,7 +31,7 @@ DIRECT = {
     "suggestion": ["studies"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["bags", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics"],
+    "program": ["bags", "exports", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics"],
 }
 
 # The entrance headers, by the room whose table applies to them. A header that they do not include, directly or

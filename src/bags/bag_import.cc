@@ -33,19 +33,6 @@ struct ImportedChannel {
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
 };
 
-// An exploration with the first frame of each channel only.
-Exploration sketch_of(const Exploration& exploration) {
-  Exploration sketch{exploration.labels, exploration.source, {}};
-  sketch.channels.reserve(exploration.channels.size());
-  for (const Channel& channel : exploration.channels) {
-    const auto row = channel.frames.row(0);
-    sketch.channels.push_back(
-        channel_of(description_of(channel),
-                   Matrix<float>(1, row.size(), std::vector<float>(row.begin(), row.end()))));
-  }
-  return sketch;
-}
-
 // Whether the value of an event only ends an exploration.
 bool is_end(const std::string& value) {
   return value.empty() || value == "0";
@@ -402,6 +389,18 @@ Result<std::optional<std::vector<Label>>> labels_of_name(const BagLocation& bag,
 }
 
 }  // namespace
+
+Exploration sketch_of(const Exploration& exploration) {
+  Exploration sketch{exploration.labels, exploration.source, {}};
+  sketch.channels.reserve(exploration.channels.size());
+  for (const Channel& channel : exploration.channels) {
+    const auto row = channel.frames.row(0);
+    sketch.channels.push_back(
+        channel_of(description_of(channel),
+                   Matrix<float>(1, row.size(), std::vector<float>(row.begin(), row.end()))));
+  }
+  return sketch;
+}
 
 Result<BagImportReport> import_bags(const std::filesystem::path& path, const BagImport& description,
                                     const AddExploration& add) {

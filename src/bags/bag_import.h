@@ -29,6 +29,9 @@ struct BagImportReport {
   std::vector<LeftOutTopic> left_out;
 };
 
+/// The exploration with the first frame of each channel only, each of which has one.
+Exploration sketch_of(const Exploration& exploration);
+
 /// Reads the bags at `path` (see find_bags()) and hands their explorations to `add`, one after the
 /// other; memory is bounded by one exploration. Without a description of channels, all topics of
 /// known types are channels, named as in RecordingReader.

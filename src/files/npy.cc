@@ -1,31 +1,15 @@
 #include "somato/files/npy.h"
 
-#include <fmt/format.h>
-
+#include <array>
 #include <utility>
 
 #include "files/little_endian.h"
+#include "files/npy_header.h"
 #include "files/npy_layout.h"
 #include "files/whole_file.h"
 
 namespace somato {
 namespace {
-
-constexpr std::string_view kNpyMagic = "\x93NUMPY";
-constexpr std::size_t kNpyAlignment = 64;
-
-std::string file_start(std::string_view type, std::string_view shape) {
-  std::string header =
-      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type, shape);
-  const std::size_t before = kNpyMagic.size() + 4;
-  while ((before + header.size() + 1) % kNpyAlignment != 0) header += ' ';
-  header += '\n';
-  std::string bytes(kNpyMagic);
-  bytes += '\1';
-  bytes += '\0';
-  append_little_endian(bytes, static_cast<std::uint16_t>(header.size()));
-  return bytes + header;
-}
 
 template <typename T>
 std::string with_numbers(std::string bytes, std::span<const T> numbers) {
@@ -53,7 +37,7 @@ Result<Matrix<float>> read_npy(const std::string& path) {
 }
 
 std::string npy_start(std::size_t rows, std::size_t columns) {
-  return file_start("<f4", fmt::format("({}, {})", rows, columns));
+  return npy_file_start("<f4", std::array{rows, columns});
 }
 
 std::string npy_numbers(std::span<const float> numbers) {
@@ -65,7 +49,7 @@ std::string encode_npy(const Matrix<float>& matrix) {
 }
 
 std::string encode_npy(std::span<const std::int64_t> numbers) {
-  return with_numbers(file_start("<i8", fmt::format("({},)", numbers.size())), numbers);
+  return with_numbers(npy_file_start("<i8", std::array{numbers.size()}), numbers);
 }
 
 Result<void> write_npy(const std::string& path, const Matrix<float>& matrix) {

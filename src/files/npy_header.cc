@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 
+#include "files/little_endian.h"
 #include "files/text.h"
 
 namespace somato {
@@ -133,6 +134,20 @@ Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where
                 std::string(where), "save the array again with numpy.save");
   }
   return header;
+}
+
+std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape) {
+  constexpr std::size_t kAlignment = 64;
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}",
+                                   type, fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+  const std::size_t before = kNpyMagic.size() + 4;
+  while ((before + header.size() + 1) % kAlignment != 0) header += ' ';
+  header += '\n';
+  std::string bytes(kNpyMagic);
+  bytes += '\1';
+  bytes += '\0';
+  append_little_endian(bytes, static_cast<std::uint16_t>(header.size()));
+  return bytes + header;
 }
 
 }  // namespace somato

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "somato/core/result.h"
 
 namespace somato {
+
+/// The first bytes of an NPY file.
+inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
 
 /// The description of an NPY file's array.
 struct NpyHeader {
@@ -20,5 +24,9 @@ struct NpyHeader {
 /// Reads the header's text, a Python dictionary of exactly the keys descr, fortran_order and shape.
 /// Errors: kData at `where`.
 Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where);
+
+/// The bytes before the first number of a file of version 1.0 in C order, of a type in numpy's
+/// notation.
+std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape);
 
 }  // namespace somato

@@ -13,6 +13,18 @@
 
 namespace somato {
 
+/// A frame of an exploration and its time in seconds.
+struct PlacedFrame {
+  double time = 0.0;
+  std::size_t channel = 0;
+  std::size_t frame = 0;
+};
+
+/// All frames in the order of time; those of the same time in the order of channels. Frames of
+/// unknown times follow each other from the earliest known time, or 0 s, at 100 Hz, so that viewers
+/// show them in order.
+std::vector<PlacedFrame> frames_in_time(const Exploration& exploration);
+
 /// Writes explorations frame by frame into an MCAP file: what RecordingWriter does, for one thread
 /// and without a clock.
 class FrameWriter {

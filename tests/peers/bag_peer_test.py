@@ -1,5 +1,5 @@
 """Our decoding of bags against rosbags and mcap_ros2: every field of messages of many types, bit for bit, and
-messages of recordings of ours decoded by rosbags."""
+messages of recordings and bags of ours decoded by rosbags; arrays of ours read by numpy."""
 
 import os
 import random
@@ -203,6 +203,55 @@ class Bags(unittest.TestCase):
                      for schema, _, record in make_reader(stream).iter_messages(topics=["/touch"])]
         self.assertEqual(len(found), MESSAGES)
         self.assertEqual(found, wanted)
+
+    def converted(self, name):
+        """A recording of two explorations, and what the program converts it to."""
+        source = self.folder / "source"
+        source.mkdir()
+        for number, label in enumerate(["Ball \u00e4", "cup"]):
+            rows = "".join(f"{0.1 * frame},{frame + number},{0.1 * frame},,7\n" for frame in range(3 + number))
+            (source / f"{label}.csv").write_text("t,a,b,c,d\n" + rows)
+        recording, path = self.folder / "recording.mcap", self.folder / name
+        for arguments in (["import", "csv", source, "-o", recording, "--files", "{object}.csv", "--time", "t",
+                           "--missing", "mask", "--channels", "joints:deg=a,touch:counts=b+c+d"],
+                          ["convert", recording, "-o", path]):
+            subprocess.run([os.environ["SOMATO_PROGRAM"], *arguments], check=True, capture_output=True)
+        return path
+
+    def test_rosbags_reads_a_converted_bag(self):
+        texts, positions, touch = [], [], []
+        with AnyReader([self.converted("own_bag")]) as reader:
+            for connection, time, raw in reader.messages():
+                message = reader.deserialize(raw, connection.msgtype)
+                if connection.msgtype == "std_msgs/msg/String":
+                    texts.append((connection.topic, message.data))
+                elif connection.topic == "/joints":
+                    self.assertEqual(message.header.stamp.sec * 10**9 + message.header.stamp.nanosec, time)
+                    self.assertEqual(message.name, ["a"])
+                    positions.append(message.position[0])
+                else:
+                    self.assertEqual((connection.topic, [d.size for d in message.layout.dim]), ("/touch", [3]))
+                    touch.append(message.data)
+            self.assertEqual(reader.message_count, 6 + 7 + 7)
+        event, label = "/exploration", "/labels/object"
+        self.assertEqual(texts, [(label, "Ball \u00e4"), (event, "1"), (event, ""),
+                                 (label, "cup"), (event, "2"), (event, "")])
+        np.testing.assert_allclose(np.rad2deg(positions), [0, 1, 2, 1, 2, 3, 4], atol=1e-12)
+        self.assertTrue(all(np.isnan(values[1]) and values[2] == 7 for values in touch))
+
+    def test_numpy_reads_converted_arrays(self):
+        with np.load(self.converted("own.npz")) as arrays:
+            self.assertEqual(arrays["labels/object"].tolist(), ["Ball \u00e4", "cup"])
+            self.assertEqual(arrays["unit/touch"].item(), "counts")
+            self.assertEqual(arrays["elements/touch"].tolist(), ["b", "c", "d"])
+            np.testing.assert_array_equal(arrays["rates/touch"], [0, 0])
+            for index, frames in enumerate([3, 4]):
+                times = [0.1 * frame for frame in range(frames)]
+                np.testing.assert_allclose(arrays[f"times/touch/{index}"], times, rtol=0, atol=1e-9)
+                touch = np.array([[time, np.nan, 7] for time in times], np.float32)
+                np.testing.assert_array_equal(arrays[f"frames/touch/{index}"], touch)
+                self.assertEqual(arrays[f"frames/joints/{index}"].dtype, np.float32)
+            self.assertEqual(len(arrays.files), 2 * 2 * 2 + 1 + 2 * 3)
 
 
 if __name__ == "__main__":

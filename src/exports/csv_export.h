@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exports/new_folder.h"
+#include "exports/recording_export.h"
+#include "files/file_writer.h"
+
+namespace somato {
+
+/// A folder with a table NAME.csv for each channel, a row a frame: the number of the exploration
+/// from 1, the labels, the time in seconds (empty if unknown), the elements (empty if invalid).
+/// Beside it NAME.toml describes the table for import_csv_trials(). Numbers are the shortest that
+/// give the same float32, or double for times.
+class CsvExport final : public RecordingExport {
+ public:
+  static Result<std::unique_ptr<RecordingExport>> begin(const std::string& path);
+
+  explicit CsvExport(NewFolder folder) : folder_(std::move(folder)) {}
+
+  Result<void> add(const Exploration& exploration) override;
+  Result<void> finish() override;
+
+ private:
+  struct ChannelTable {
+    std::string name;  // The name of its files, without ending.
+    FileWriter file;
+    ChannelDescription description;
+    std::string exploration;  // Names of columns.
+    std::string time;
+    std::vector<std::string> elements;
+    bool is_time_known = true;
+    bool is_rate_constant = true;
+    bool has_missing = false;
+  };
+
+  Result<void> open_tables(const Exploration& first);
+  Result<void> add_frames(ChannelTable& table, const Exploration& exploration,
+                          const Channel& channel) const;
+  std::string description_of_table(const ChannelTable& table) const;
+
+  NewFolder folder_;
+  std::vector<std::string> labels_;
+  std::vector<ChannelTable> tables_;
+  std::uint64_t explorations_ = 0;
+};
+
+}  // namespace somato
