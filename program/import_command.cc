@@ -10,6 +10,7 @@
 #include "files/text.h"
 #include "files/toml_file.h"
 #include "recording/mcap_trials.h"
+#include "recording/yarp_dumps.h"
 #include "somato/recording/csv_import.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording_file.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* kCsv = "csv";
 constexpr const char* kMcap = "mcap";
 constexpr const char* kBag = "bag";
+constexpr const char* kYarp = "yarp";
 
 // A recording and an additional message.
 struct Imported {
@@ -35,11 +37,12 @@ Imported without_remark(Recording recording) {
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
-  names.reserve(Choices<RecordingFormat>::all().size() + 3);
+  names.reserve(Choices<RecordingFormat>::all().size() + 4);
   for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
   names.emplace_back(kCsv);
   names.emplace_back(kMcap);
   names.emplace_back(kBag);
+  names.emplace_back(kYarp);
   return names;
 }
 
@@ -156,6 +159,20 @@ Result<Imported> import_mcap(const Arguments& arguments) {
       .map(without_remark);
 }
 
+Result<Imported> import_yarp(const Arguments& arguments) {
+  const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
+  if (!flag.empty()) {
+    return fail(ErrorKind::kUsage, "the folders of dumps define the channels", flag,
+                "leave out the flag");
+  }
+  SOMATO_TRY(const CsvTrials trials, read_flags<CsvTrials>(arguments));
+  SOMATO_TRY(YarpImport import, import_yarp_dumps(arguments.text("DIR"), trials.files,
+                                                  trials.other_files == Unmentioned::kIgnore));
+  std::string remark;
+  for (const std::string& dump : import.left_out) remark += fmt::format("left out: {}\n", dump);
+  return Imported{std::move(import.recording), std::move(remark)};
+}
+
 Result<Imported> import_named(const Arguments& arguments) {
   const std::string& name = arguments.text("FORMAT");
   const std::string flag = describing_flag(arguments, {});
@@ -173,6 +190,7 @@ Result<Imported> import_named(const Arguments& arguments) {
 Result<Imported> import(const Arguments& arguments) {
   const std::string& format = arguments.text("FORMAT");
   if (format == kCsv) return import_csv(arguments);
+  if (format == kYarp) return import_yarp(arguments);
   return format == kMcap ? import_mcap(arguments) : import_named(arguments);
 }
 
@@ -276,8 +294,9 @@ Command import_command() {
   return {"import",
           "Import a folder of recorded files as a recording",
           {{"FORMAT",
-            fmt::format("Format of the files: {}; mcap takes the flags --files and --other-files",
-                        fmt::join(formats(), ", ")),
+            fmt::format(
+                "Format of the files: {}; mcap and yarp take the flags --files and --other-files",
+                fmt::join(formats(), ", ")),
             true, false, Role::kValue, formats},
            {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
             true}},

@@ -58,6 +58,18 @@ TEST_F(Import, KnowsFormatsByNameAndOfItself) {
   }
 }
 
+TEST_F(Import, ReadsDumpsOfYarp) {
+  std::filesystem::create_directories(path("dumps/cup_1/skin"));
+  std::filesystem::create_directories(path("dumps/cup_1/speech"));
+  write("dumps/cup_1/skin/data.log", "0 5.0 1 2\n1 5.5 3 4\n");
+  write("dumps/cup_1/speech/data.log", "0 5.0 hello\n");
+  EXPECT_EQ(output_of({"import", "yarp", "dumps", "-o", "out.mcap", "--files",
+                       "{object}_{trial:number}"}),
+            "out.mcap: 1 explorations; labels: object, trial; channels: skin (2)\n"
+            "left out: dumps/cup_1/speech: text\n");
+  expect_refused(2, {"import", "yarp", "dumps", "-o", "x.mcap", "--rate", "10"}, {"--rate"});
+}
+
 TEST_F(Import, RefusesWrongUsage) {
   const auto with = [&](const Words& more) {
     Words all = csv(flags_);
