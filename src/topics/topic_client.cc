@@ -171,6 +171,7 @@ Error TopicClient::not_found(const std::vector<std::string>& missing) const {
             text_, "check the address, and that the robot's bridge runs"};
   }
   std::vector<std::string> known;
+  known.reserve(topics_.size());
   for (const auto& [name, topic] : topics_) known.push_back(name);
   const std::string near = nearest_name(missing.front(), known);
   return {ErrorKind::kUsage, fmt::format("the robot has no topic '{}'", missing.front()), text_,
@@ -190,6 +191,7 @@ Result<std::vector<Topic>> TopicClient::subscribe(const std::vector<std::string>
     return fail(not_found(missing));
   }
   std::vector<Topic> found;
+  found.reserve(names.size());
   for (const std::string& name : names) found.push_back(topics_.at(name));
   return found;
 }
@@ -197,6 +199,7 @@ Result<std::vector<Topic>> TopicClient::subscribe(const std::vector<std::string>
 std::vector<Topic> TopicClient::topics() const {
   const std::scoped_lock lock(mutex_);
   std::vector<Topic> all;
+  all.reserve(topics_.size());
   for (const auto& [name, topic] : topics_) all.push_back(topic);
   return all;
 }
