@@ -32,7 +32,8 @@ class Robot:
     """A server of the Foxglove SDK that counts its messages upwards from 0."""
 
     def __init__(self, topic="/touch"):
-        self.server = foxglove.start_server(host="127.0.0.1", port=0)
+        # The server keeps what a busy machine delays; by default it drops messages after a second.
+        self.server = foxglove.start_server(host="127.0.0.1", port=0, message_backlog_size=60_000)
         schema = foxglove.Schema(name="test_msgs/msg/Touch", encoding="ros2msg",
                                  data=b"float32[] forces\n")
         self.context = foxglove.Context()
