@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -69,8 +70,8 @@ struct Request {
   std::size_t longest = 600;  // s of the body's time
 };
 
-// Flags of simulated bodies that a device would ignore.
-Result<void> check_device_flags(const Arguments& arguments) {
+// Flags of simulated bodies that a device or topics would ignore.
+Result<void> check_real_flags(const Arguments& arguments, const std::string& source) {
   const Table flags = given_parameters(arguments, SimulationParameters::declarations().infos());
   std::vector<std::string> given;
   given.reserve(flags.entries.size());
@@ -79,31 +80,32 @@ Result<void> check_device_flags(const Arguments& arguments) {
     if (arguments.has(flag)) given.push_back(fmt::format("--{}", flag));
   }
   if (given.empty()) return {};
-  return fail(ErrorKind::kUsage, "has no effect with --device", given.front(), "omit it");
+  return fail(ErrorKind::kUsage, "has no effect with " + source, given.front(), "omit it");
 }
 
-Result<Request> read_device_request(const Arguments& arguments) {
-  SOMATO_TRY_VOID(check_device_flags(arguments));
+// A device or the topics of a robot, whose explorations follow each other.
+Result<Request> real_request(const Arguments& arguments, const std::string& source,
+                             const std::function<Result<std::unique_ptr<Explorer>>()>& make) {
+  SOMATO_TRY_VOID(check_real_flags(arguments, source));
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
-  SOMATO_TRY(auto explorer, device_explorer(arguments, arguments.text("output")));
+  SOMATO_TRY(auto explorer, make());
   const std::size_t count = explorer->things().size();
   return Request{
       nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
       {},      longest.value_or(600)};
 }
 
+Result<Request> read_device_request(const Arguments& arguments) {
+  return real_request(arguments, "--device",
+                      [&] { return device_explorer(arguments, arguments.text("output")); });
+}
+
 Result<Request> read_topic_request(const Arguments& arguments) {
-  SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
-  SOMATO_TRY(auto longest, arguments.number("longest", 1));
-  SOMATO_TRY(auto session, topic_session(arguments));
-  const std::size_t count = session.explorer->things().size();
-  return Request{nullptr,
-                 std::move(session.explorer),
-                 {count, explorations.value_or(5), 1},
-                 arguments.text("output"),
-                 {},
-                 longest.value_or(600)};
+  return real_request(arguments, "--topics", [&] {
+    return topic_session(arguments).map(
+        [](BodySession session) { return std::move(session.explorer); });
+  });
 }
 
 Result<Request> read_request(const Arguments& arguments) {
