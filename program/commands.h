@@ -7,6 +7,7 @@ namespace somato::program {
 Command run_command();
 Command reproduce_command();
 Command sweep_command();
+Command merge_command();
 Command report_command();
 Command information_command();
 Command suggest_command();

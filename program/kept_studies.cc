@@ -1,10 +1,7 @@
 #include "kept_studies.h"
 
-#include <fmt/format.h>
-
 #include <system_error>
 
-#include "files/checksum.h"
 #include "files/whole_file.h"
 #include "output_folder.h"
 #include "studies/part_file.h"
@@ -41,10 +38,6 @@ Result<void> KeptStudies::keep(const std::string& name, const PartResults& resul
   SOMATO_TRY_VOID(save_whole(path.string(), part_file(results)));
   found_[name] = path;
   return {};
-}
-
-std::string checksum_name(const std::string& text) {
-  return fmt::format("{:08x}{:08x}", crc32c(text), crc32(text));
 }
 
 }  // namespace somato::program

@@ -39,7 +39,4 @@ class KeptStudies {
   std::map<std::string, std::filesystem::path> found_;
 };
 
-/// The name of the result that a text describes, 16 hexadecimal digits.
-std::string checksum_name(const std::string& text);
-
 }  // namespace somato::program

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
                                 reproduce_command(),
                                 run_command(),
                                 sweep_command(),
+                                merge_command(),
                                 report_command(),
                                 view_command(),
                                 live_command(),

@@ -11,9 +11,9 @@
 #include "data.h"
 #include "files/toml_file.h"
 #include "files/whole_file.h"
-#include "folder_lock.h"
 #include "output.h"
 #include "output_folder.h"
+#include "part.h"
 #include "part_recordings.h"
 #include "reproduction_table.h"
 #include "result_output.h"
@@ -37,6 +37,7 @@ struct ReproductionRequest {
   ReproductionPlan plan;
   bool everything = false;  ///< Systems that do not fit the given recordings are skipped.
   PairsRequest pairs;
+  Part part;
   std::filesystem::path out;
 };
 
@@ -128,6 +129,8 @@ Result<void> read_numbers(const Arguments& arguments, ReproductionRequest& reque
 
 Result<ReproductionRequest> read_reproduction_request(const Arguments& arguments) {
   ReproductionRequest request;
+  SOMATO_TRY(auto part, read_part(arguments));
+  request.part = std::move(part);
   request.out = arguments.has("out") ? arguments.text("out") : "out/reproduction";
   auto read = read_numbers(arguments, request)
                   .and_then([&] { return read_threads_and_data(arguments, request.pairs); })
@@ -160,6 +163,7 @@ PartEvents events_of(const ReproductionRequest& request, std::size_t number) {
       fmt::format("{} ({} of {})", title_of(part), number + 1, request.plan.parts.size());
   return {[title](std::size_t, std::size_t) { return terminal_progress(title); },
           [&](std::size_t recording) {
+            if (!request.part.is_whole()) return std::string();
             const auto name = fmt::format("{}-{}.journal", file_name_of(part), recording);
             return (request.out / "unfinished" / name).string();
           },
@@ -167,38 +171,56 @@ PartEvents events_of(const ReproductionRequest& request, std::size_t number) {
               PartResults& results) {
             return index == 0 ? save_first(request.out, part, description, outcome, results)
                               : Result<void>();
-          }};
+          },
+          parts_folder(request.out).string()};
 }
 
-Result<Results> run_request(ReproductionRequest& request) {
+Result<void> save_reproduction(const Arguments& arguments, const ReproductionRequest& request,
+                               const Results& results) {
+  const std::string path = (request.out / "results.json").string();
+  const std::string json = to_json(results);
+  SOMATO_TRY_VOID(save_whole(path, json));
+  std::error_code gone;
+  if (request.part.is_whole()) std::filesystem::remove_all(request.out / "unfinished", gone);
+  const std::string written =
+      fmt::format("\nWritten: {}, maps in {}\n", path, (request.out / "maps").string());
+  print_summary(arguments, part_text(request.part) + reproduction_table(results) + written, json);
+  return {};
+}
+
+// Runs the plan, or a part of it; the part that completes it writes the results.
+Result<void> run_request(const Arguments& arguments, ReproductionRequest& request) {
   PartRecordings recordings(request.pairs, request.out / "recordings");
   PartRunner runner(request.pairs, recordings);
-  return run_reproduction(request.plan, runner, request.everything,
-                          [&](std::size_t number) { return events_of(request, number); });
+  const auto events = [&](std::size_t number) { return events_of(request, number); };
+  if (!request.part.is_whole()) {
+    SOMATO_TRY(const auto progress,
+               run_part_of_reproduction(request.plan, runner, request.part, events));
+    if (!progress.complete()) {
+      print_part(arguments, request.part, {progress.done, progress.trainings}, "training",
+                 "results.json");
+      return {};
+    }
+  }
+  SOMATO_TRY(const auto results,
+             run_reproduction(request.plan, runner, request.everything, events));
+  return save_reproduction(arguments, request, results);
 }
 
-Result<void> make_folders(const std::filesystem::path& out) {
-  for (const char* folder : {"recordings", "maps", "systems", "unfinished"}) {
-    SOMATO_TRY_VOID(make_folder(out / folder));
+Result<void> make_folders(const ReproductionRequest& request) {
+  for (const char* folder : {"recordings", "maps", "systems"}) {
+    SOMATO_TRY_VOID(make_folder(request.out / folder));
   }
-  return check_output((out / "results.json").string());
+  if (request.part.is_whole()) SOMATO_TRY_VOID(make_folder(request.out / "unfinished"));
+  return check_output((request.out / "results.json").string());
 }
 
 Result<void> run_reproduce(const Arguments& arguments) {
   SOMATO_TRY(auto request, read_reproduction_request(arguments));
-  SOMATO_TRY_VOID(make_folders(request.out));
-  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::take(request.out));
-  const auto results = run_request(request);
-  if (!results) return fail(how_to_go_on(results.error()));
-  const std::string path = (request.out / "results.json").string();
-  const std::string json = to_json(*results);
-  SOMATO_TRY_VOID(save_whole(path, json));
-  std::error_code gone;
-  std::filesystem::remove_all(request.out / "unfinished", gone);
-  const std::string written =
-      fmt::format("\nWritten: {}, maps in {}\n", path, (request.out / "maps").string());
-  print_summary(arguments, reproduction_table(*results) + written, json);
-  return {};
+  SOMATO_TRY_VOID(make_folders(request));
+  SOMATO_TRY([[maybe_unused]] const auto lock, lock_work(request.out, request.part));
+  auto ran = run_request(arguments, request);
+  return ran ? Result<void>() : fail(how_to_go_on(std::move(ran.error())));
 }
 
 }  // namespace
@@ -216,6 +238,7 @@ Command reproduce_command() {
       {{"--pairs", "Pairs of recording and seed for each system. Default: 100"},
        {"--recordings", "Number of independent recordings among the pairs. Default: 6"},
        {"--seed", "First seed of exploration and training. Default: 2011"},
+       part_flag("training"),
        given_recordings_flag(),
        test_recording_flag(),
        folder_flag("-o,--out",

@@ -11,8 +11,8 @@
 #include "explore_table.h"
 #include "files/toml_file.h"
 #include "files/whole_file.h"
-#include "folder_lock.h"
 #include "output_folder.h"
+#include "part.h"
 #include "part_recordings.h"
 #include "result_output.h"
 #include "somato/recording/format.h"
@@ -64,15 +64,16 @@ Result<void> check_variations(const ReproductionPlan& plan, PartRecordings& reco
   return {};
 }
 
-PartEvents events_in(const OutputFolder& folder, const std::string& name) {
+PartEvents events_in(const OutputFolder& folder, const std::string& name, const Part& part) {
   return {[name](std::size_t, std::size_t) { return terminal_progress(name); },
-          [&](std::size_t) { return folder.journal(); },
+          [&folder, &part](std::size_t) { return part.is_whole() ? folder.journal() : ""; },
           [&](std::size_t, const StudyDescription& description, const StudyOutcome& outcome,
               PartResults& results) {
             return save_whole(folder.map(), winners_picture(description, outcome)).and_then([&] {
               return save_model(folder.path(), OutputFolder::kSystem, outcome.model, results);
             });
-          }};
+          },
+          parts_folder(folder.path()).string()};
 }
 
 // Without data, channels are as declared by their modules.
@@ -108,42 +109,54 @@ Result<PairsRequest> read_pairs(const Arguments& arguments, const StudyDescripti
   return request;
 }
 
-// The study without its variations.
-Result<Results> run_study_of(const ReproductionPlan& plan, const OutputFolder& folder,
-                             const PairOptions& options, PartRecordings& recordings) {
-  PartRunner runner(options, recordings);
-  const ReproductionPlan study{{plan.parts.front()}, plan.claims};
-  return run_reproduction(study, runner, false, [&](std::size_t part) {
-    return events_in(folder, study.parts[part].system);
-  });
-}
-
 // The results are written last, so that all files that they name exist.
-Result<void> save_study(const Arguments& arguments, const OutputFolder& folder,
+Result<void> save_study(const Arguments& arguments, const OutputFolder& folder, const Part& part,
                         const Results& results) {
   const std::string json = to_json(results);
   SOMATO_TRY_VOID(save_whole(folder.results(), json));
   std::error_code gone;
-  std::filesystem::remove(folder.journal(), gone);
+  if (part.is_whole()) std::filesystem::remove(folder.journal(), gone);
   const std::string written =
       fmt::format("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
   const ShownMetrics shown =
       arguments.has("all-metrics") ? ShownMetrics::kAll : ShownMetrics::kMain;
-  print_summary(arguments, study_table(results.parts.front(), shown) + written, json);
+  print_summary(arguments, part_text(part) + study_table(results.parts.front(), shown) + written,
+                json);
   return {};
+}
+
+// Runs the study without its variations, or a part of it; the part that completes it writes the
+// results.
+Result<void> run_in(const Arguments& arguments, const ReproductionPlan& plan, PartRunner& runner,
+                    const OutputFolder& folder, const Part& part) {
+  const ReproductionPlan study{{plan.parts.front()}, plan.claims};
+  const auto events = [&](std::size_t) {
+    return events_in(folder, study.parts.front().system, part);
+  };
+  if (!part.is_whole()) {
+    SOMATO_TRY(const auto progress, run_part_of_reproduction(study, runner, part, events));
+    if (!progress.complete()) {
+      print_part(arguments, part, {progress.done, progress.trainings}, "training", "results.json");
+      return {};
+    }
+  }
+  SOMATO_TRY(const auto results, run_reproduction(study, runner, false, events));
+  return save_study(arguments, folder, part, results);
 }
 
 Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
                        std::size_t threads) {
+  SOMATO_TRY(const auto part, read_part(arguments));
   SOMATO_TRY(auto pairs, read_pairs(arguments, plan.parts.front().description, threads));
   PartRecordings recordings(pairs, {});
   SOMATO_TRY_VOID(check_variations(plan, recordings));
   OutputFolder folder(arguments.text("out"), "--out");
   SOMATO_TRY_VOID(folder.make());
-  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::take(arguments.text("out")));
-  auto results = run_study_of(plan, folder, pairs, recordings);
-  if (results) return save_study(arguments, folder, *results);
-  return fail(how_to_go_on(with_place(std::move(results.error()), arguments.text("data"))));
+  SOMATO_TRY([[maybe_unused]] const auto lock, lock_work(folder.path(), part));
+  PartRunner runner(pairs, recordings);
+  auto ran = run_in(arguments, plan, runner, folder, part);
+  if (ran) return {};
+  return fail(how_to_go_on(with_place(std::move(ran.error()), arguments.text("data"))));
 }
 
 Result<void> run_study_command(const Arguments& arguments) {
@@ -172,6 +185,7 @@ Command run_command() {
                   "Separate recording to test on; the system is then trained on all of --data"),
        folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
                    OutputFolder::names()),
+       part_flag("training"),
        {"--seeds", "Number of seeds, instead of the study's"},
        {"--all-metrics", "Print every metric, not only the main ones", false, false},
        {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},

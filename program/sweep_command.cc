@@ -67,33 +67,13 @@ Result<void> read_sweep_files(const Arguments& arguments, SweepRequest& request)
 Result<SweepRequest> read_sweep_request(const Arguments& arguments) {
   SweepRequest request;
   request.out = arguments.has("out") ? arguments.text("out") : "out/sweep";
-  SOMATO_TRY(auto part, read_sweep_part(arguments));
+  SOMATO_TRY(auto part, read_part(arguments));
   request.part = std::move(part);
   auto read = read_threads_and_data(arguments, request.pairs).and_then([&] {
     return read_sweep_files(arguments, request);
   });
   if (!read) return fail(std::move(read.error()));
   return request;
-}
-
-std::string part_text(const SweepPart& part) {
-  if (part.is_whole() && part.given_by.empty()) return {};
-  const std::string by = part.given_by.empty() ? "" : " (" + part.given_by + ")";
-  return fmt::format("Part {} of {}{} is done.\n", part.number, part.of, by);
-}
-
-// Points of other parts are missing.
-void print_part(const Arguments& arguments, const SweepRequest& request, std::size_t done) {
-  const SweepPart& part = request.part;
-  const std::string text = fmt::format(
-      "{}{} of {} are complete. The last part writes sweep.json, and so does the same command "
-      "without --part, which runs missing points.\n",
-      part_text(part), done, counted(request.points.size(), "point"));
-  print_summary(arguments, text,
-                Table{{},
-                      {entry("part", std::uint64_t{part.number}),
-                       entry("parts", std::uint64_t{part.of}), entry("done", std::uint64_t{done}),
-                       entry("points", std::uint64_t{request.points.size()})}});
 }
 
 Result<void> save_results(const Arguments& arguments, const SweepRequest& request,
@@ -123,7 +103,8 @@ Result<void> run_sweep(const Arguments& arguments) {
   if (results.points.size() == request.points.size()) {
     return save_results(arguments, request, results);
   }
-  print_part(arguments, request, results.points.size());
+  print_part(arguments, request.part, {results.points.size(), request.points.size()}, "point",
+             "sweep.json");
   return {};
 }
 
@@ -135,17 +116,12 @@ Command sweep_command() {
           {{"SYSTEM", "TOML file of a system with claims, or a name listed by 'somato systems'",
             true, false, Role::kInput, own_file_names}},
           {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
-           {"--part",
-            "K/N: run point K and every N-th point after it. Default: the part of the Slurm array "
-            "task, or otherwise all points"},
-           given_recordings_flag(),
-           test_recording_flag(),
+           part_flag("point"), given_recordings_flag(), test_recording_flag(),
            folder_flag("-o,--out",
                        "Folder for sweep.json, sweep.svg and the results of parts. Default: "
                        "out/sweep",
                        {"sweep.json", "sweep.svg"}),
-           threads_flag(),
-           json_flag()},
+           threads_flag(), json_flag()},
           {},
           run_sweep};
 }

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "files/checksum.h"
 #include "output_folder.h"
 #include "version.h"
 
@@ -14,7 +15,7 @@ SweepRun::SweepRun(SweepRequest& request)
     : request_(request),
       recordings_(request.pairs, request.out / "recordings"),
       runner_(request.pairs, recordings_),
-      kept_(request.out / "parts", request.part.folder_name()) {}
+      kept_(parts_folder(request.out), request.part.folder_name()) {}
 
 Result<void> SweepRun::make_folders() const {
   return make_folder(request_.out / "recordings").and_then([&] { return kept_.make_folders(); });
@@ -64,7 +65,7 @@ Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(const SweepPo
 
 Result<std::vector<std::size_t>> SweepRun::missing_points() {
   std::vector<std::size_t> missing;
-  const SweepPart& part = request_.part;
+  const Part& part = request_.part;
   for (std::size_t i = part.number - 1; i < request_.points.size(); i += part.of) {
     SOMATO_TRY(const auto found, found_at(request_.points[i]));
     if (!found) missing.push_back(i);

@@ -8,11 +8,11 @@
 
 #include "folder_lock.h"
 #include "kept_studies.h"
+#include "part.h"
 #include "part_recordings.h"
 #include "somato/core/result.h"
 #include "studies/sweep_plan.h"
 #include "studies/sweep_results.h"
-#include "sweep_part.h"
 #include "sweep_progress.h"
 
 namespace somato::program {
@@ -22,7 +22,7 @@ struct SweepRequest {
   SystemSweep sweep;
   std::vector<SweepPoint> points;
   PairsRequest pairs;
-  SweepPart part;
+  Part part;
   std::filesystem::path out;
 };
 

@@ -1,5 +1,7 @@
 #include "files/checksum.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 
@@ -77,6 +79,10 @@ std::uint32_t crc32(std::string_view bytes) {
   Crc32 crc;
   crc.add(bytes);
   return crc.value();
+}
+
+std::string checksum_name(std::string_view text) {
+  return fmt::format("{:08x}{:08x}", crc32c(text), crc32(text));
 }
 
 }  // namespace somato

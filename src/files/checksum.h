@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace somato {
@@ -31,5 +32,8 @@ constexpr std::uint64_t fnv1a64(std::string_view bytes,
   for (const char c : bytes) before = (before ^ static_cast<std::uint8_t>(c)) * 0x100000001B3U;
   return before;
 }
+
+/// The name of a file with the content that a text describes, 16 hexadecimal digits.
+std::string checksum_name(std::string_view text);
 
 }  // namespace somato

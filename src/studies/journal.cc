@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "files/checksum.h"
 #include "files/whole_file.h"
 #include "studies/checked_line.h"
 
@@ -24,6 +25,11 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
 
 std::string header_of(const std::string& fingerprint) {
   return checked_line({{"somato_journal", kJournalVersion}, {"study", fingerprint}});
+}
+
+// Different studies have different names, so that a folder can hold the journals of several.
+std::string part_name(const std::string& fingerprint) {
+  return checksum_name(header_of(fingerprint)) + ".journal";
 }
 
 SortedJson altered_json(const FoldOutcome& outcome) {
@@ -140,6 +146,11 @@ Result<Journal> Journal::open(const std::string& path, const std::string& finger
   return journal;
 }
 
+Result<Journal> Journal::open_part(const std::filesystem::path& own,
+                                   const std::string& fingerprint) {
+  return open((own / part_name(fingerprint)).string(), fingerprint);
+}
+
 Result<void> Journal::read(const std::string& text) {
   Lines lines(text);
   const auto header = lines.next();
@@ -151,12 +162,26 @@ Result<void> Journal::read(const std::string& text) {
                 "the folder contains an interrupted study with other settings or data", path_,
                 "complete that study, use another --out, or remove the file");
   }
+  whole_ = read_trainings(text);
+  return {};
+}
+
+std::size_t Journal::read_trainings(const std::string& text) {
+  Lines lines(std::string_view(text).substr(header_.size()));
   for (std::size_t left = lines.left();; left = lines.left()) {
-    whole_ = text.size() - left;
     const auto line = lines.next();
     const auto content = line ? checked_content(*line) : std::nullopt;
-    if (!content) return {};  // trainings after a damaged line are computed again
+    if (!content) return text.size() - left;  // trainings after a damaged line are computed again
     known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
+  }
+}
+
+void Journal::look(const std::filesystem::path& parts, const std::string& fingerprint) {
+  header_ = header_of(fingerprint);
+  std::error_code ignored;
+  for (const auto& part : std::filesystem::directory_iterator(parts, ignored)) {
+    const auto text = read_whole((part.path() / part_name(fingerprint)).string());
+    if (text && text->starts_with(header_)) read_trainings(*text);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,6 +28,14 @@ class Journal {
   /// kSystem; kUsage if the file is the journal of another study, kData if it is not a journal.
   static Result<Journal> open(const std::string& path, const std::string& fingerprint);
 
+  /// Continues the journal of one part of the study in the folder `own`. Errors: kSystem.
+  static Result<Journal> open_part(const std::filesystem::path& own,
+                                   const std::string& fingerprint);
+
+  /// Takes in the trainings that the parts in the folders of `parts` have completed so far; lines
+  /// that are cut or damaged are left out.
+  void look(const std::filesystem::path& parts, const std::string& fingerprint);
+
   /// The result of training number `training` of protocol number `protocol`, if it is completed.
   const FoldOutcome* find(std::size_t protocol, std::size_t training) const;
 
@@ -39,6 +48,8 @@ class Journal {
   };
 
   Result<void> read(const std::string& text);
+  /// Returns the length of the valid part of a journal of this study.
+  std::size_t read_trainings(const std::string& text);
   bool write(const std::string& line);
 
   std::string path_;

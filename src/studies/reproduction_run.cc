@@ -41,47 +41,62 @@ bool PartRunner::is_misfit(const Error& error) const {
          (error.kind == ErrorKind::kUsage || error.kind == ErrorKind::kData);
 }
 
-Result<void> PartRunner::run_on(const PairedRecording& recording, const ReproductionPart& part,
-                                Seeds seeds, const StudyOptions& options, const PartEvents& events,
-                                PartResults& results) const {
+const PairedRecording* PartRunner::test_of(const PairedRecording& recording) const {
+  return options_.test_data ? options_.test_data.get() : recording.test.get();
+}
+
+Result<std::optional<Error>> PartRunner::for_each_study(const ReproductionPart& part,
+                                                        const PartEvents& events,
+                                                        const RunStudy& run) {
+  const auto count = recordings_for(part);
+  if (!count) return count.error();
   StudyDescription description = part.description;
-  description.study.first_seed = seeds.first;
-  description.study.seeds = seeds.count;
-  const PairedRecording* test =
-      options_.test_data ? options_.test_data.get() : recording.test.get();
-  StudyOptions with_test = options;
-  if (test) with_test.test_data = &test->recording;
-  SOMATO_TRY(auto outcome, run_study(description, recording.recording, with_test));
-  const std::size_t index = results.recordings.size();
-  outcome.results.recordings = {recording.info};
-  if (test) outcome.results.test_recordings = {test->info};
-  SOMATO_TRY_VOID(add_results(outcome.results, results));
-  return events.studied ? events.studied(index, description, outcome, results) : Result<void>();
+  description.study.first_seed = options_.seed;
+  for (std::size_t i = 0; i < *count; ++i) {
+    description.study.seeds = pairs_of(i, *count, pairs_for(part));
+    SOMATO_TRY(const auto recording, recordings_.get(part, i));
+    const PairedRecording* const test = test_of(*recording);
+    const StudyOptions options{options_.threads, events.progress(i, *count),
+                               test ? &test->recording : nullptr, events.journal(i), events.parts};
+    auto ran = run(description, *recording, options);
+    if (!ran && is_misfit(ran.error())) return std::move(ran.error());
+    if (!ran) return fail(std::move(ran.error()));
+    description.study.first_seed += description.study.seeds;
+  }
+  return std::optional<Error>{};
 }
 
 Result<PartRun> PartRunner::run(const ReproductionPart& part, const PartEvents& events) {
   PartRun run = begun(part);
-  const auto count = recordings_for(part);
-  if (!count) {
-    run.misfit = count.error();
-    return run;
-  }
-  std::uint64_t first_seed = options_.seed;
-  for (std::size_t i = 0; i < *count; ++i) {
-    const std::size_t seeds = pairs_of(i, *count, pairs_for(part));
-    SOMATO_TRY(const auto recording, recordings_.get(part, i));
-    const StudyOptions options{options_.threads, events.progress(i, *count), nullptr,
-                               events.journal(i)};
-    auto ran = run_on(*recording, part, {first_seed, seeds}, options, events, run.results);
-    if (!ran && is_misfit(ran.error())) {
-      run.misfit = std::move(ran.error());
-      return run;
+  const auto run_one = [&](const StudyDescription& description, const PairedRecording& recording,
+                           const StudyOptions& options) -> Result<void> {
+    SOMATO_TRY(auto outcome, run_study(description, recording.recording, options));
+    const std::size_t index = run.results.recordings.size();
+    outcome.results.recordings = {recording.info};
+    if (const PairedRecording* test = test_of(recording)) {
+      outcome.results.test_recordings = {test->info};
     }
-    if (!ran) return fail(std::move(ran.error()));
-    first_seed += seeds;
-  }
-  if (!recordings_.is_given()) add_exploring(part, run.results);
+    SOMATO_TRY_VOID(add_results(outcome.results, run.results));
+    return events.studied ? events.studied(index, description, outcome, run.results)
+                          : Result<void>();
+  };
+  SOMATO_TRY(run.misfit, for_each_study(part, events, run_one));
+  if (!run.misfit && !recordings_.is_given()) add_exploring(part, run.results);
   return run;
+}
+
+Result<StudyProgress> PartRunner::run_part(const ReproductionPart& part, const StudyPart& share,
+                                           const PartEvents& events) {
+  StudyProgress sum;
+  const auto run_one = [&](const StudyDescription& description, const PairedRecording& recording,
+                           const StudyOptions& options) -> Result<void> {
+    SOMATO_TRY(const auto progress,
+               run_part_of_study(description, recording.recording, options, share));
+    sum.done += progress.done;
+    sum.trainings += progress.trainings;
+    return {};
+  };
+  return for_each_study(part, events, run_one).map([&](const auto&) { return sum; });
 }
 
 Result<std::string> PartRunner::identity(const ReproductionPart& part) {
@@ -122,6 +137,18 @@ Result<Results> run_reproduction(const ReproductionPlan& plan, PartRunner& runne
   }
   results.claims = judge(plan.claims, results.parts);
   return results;
+}
+
+Result<StudyProgress> run_part_of_reproduction(
+    const ReproductionPlan& plan, PartRunner& runner, const StudyPart& share,
+    const std::function<PartEvents(std::size_t part)>& events) {
+  StudyProgress sum;
+  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+    SOMATO_TRY(const auto progress, runner.run_part(plan.parts[i], share, events(i)));
+    sum.done += progress.done;
+    sum.trainings += progress.trainings;
+  }
+  return sum;
 }
 
 }  // namespace somato

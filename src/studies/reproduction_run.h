@@ -66,6 +66,8 @@ struct PartEvents {
   std::function<Result<void>(std::size_t index, const StudyDescription& description,
                              const StudyOutcome& outcome, PartResults& part)>
       studied = {};
+  /// The folder of the journals of parts of studies; may be empty.
+  std::string parts = {};
 };
 
 /// The results of a part, or the reason why it cannot be run on the given recordings.
@@ -84,21 +86,25 @@ class PartRunner {
   /// Errors: those of recordings and of run_study().
   Result<PartRun> run(const ReproductionPart& part, const PartEvents& events);
 
+  /// Runs only a part of the trainings (run_part_of_study()); none if the system does not fit the
+  /// recordings. Errors: the same.
+  Result<StudyProgress> run_part(const ReproductionPart& part, const StudyPart& share,
+                                 const PartEvents& events);
+
   /// A text that differs where the part is another, or is run on other pairs.
   Result<std::string> identity(const ReproductionPart& part);
 
  private:
-  struct Seeds {
-    std::uint64_t first;
-    std::size_t count;
-  };
-
   std::size_t pairs_for(const ReproductionPart& part) const;
   Result<std::size_t> recordings_for(const ReproductionPart& part) const;
   bool is_misfit(const Error& error) const;
-  Result<void> run_on(const PairedRecording& recording, const ReproductionPart& part, Seeds seeds,
-                      const StudyOptions& options, const PartEvents& events,
-                      PartResults& results) const;
+  /// Runs the study of the part on each recording. Returns the reason if it does not fit them.
+  using RunStudy =
+      std::function<Result<void>(const StudyDescription& description,
+                                 const PairedRecording& recording, const StudyOptions& options)>;
+  Result<std::optional<Error>> for_each_study(const ReproductionPart& part,
+                                              const PartEvents& events, const RunStudy& run);
+  const PairedRecording* test_of(const PairedRecording& recording) const;
 
   const PairOptions& options_;
   RecordingSource& recordings_;
@@ -113,5 +119,11 @@ std::string title_of(const ReproductionPart& part);
 Result<Results> run_reproduction(const ReproductionPlan& plan, PartRunner& runner,
                                  bool pass_over_misfits,
                                  const std::function<PartEvents(std::size_t part)>& events);
+
+/// Runs only a part of all trainings of a plan, so that several processes can share them. `events`
+/// name the folder of the parts. Errors: those of PartRunner::run_part().
+Result<StudyProgress> run_part_of_reproduction(
+    const ReproductionPlan& plan, PartRunner& runner, const StudyPart& share,
+    const std::function<PartEvents(std::size_t part)>& events);
 
 }  // namespace somato

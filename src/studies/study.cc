@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <deque>
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "core/threads.h"
 #include "recording/content_hash.h"
+#include "studies/journal.h"
 #include "studies/prepared_study.h"
 #include "studies/settings.h"
 #include "studies/system_runner.h"
@@ -84,7 +87,56 @@ std::vector<ProtocolPart> parts_of(const StudyDescription& description,
   return parts;
 }
 
+// The trainings of all protocols, numbered one protocol after the other.
+class Trainings {
+ public:
+  // Both must outlive it.
+  Trainings(const StudyDescription& description, const PreparedStudy& prepared,
+            const std::vector<ProtocolPart>& parts) {
+    for (const ProtocolPart& part : parts) {
+      runners_.emplace_back(description, prepared, part, runners_.size());
+      count_ += runners_.back().trainings();
+    }
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t known(const Journal& journal) const {
+    std::size_t known = 0;
+    for (const SystemRunner& runner : runners_) known += runner.known(journal);
+    return known;
+  }
+
+  std::vector<std::size_t> missing(const Journal& journal, const StudyPart& part) const {
+    std::vector<std::size_t> missing;
+    std::size_t number = 0;
+    for (const SystemRunner& runner : runners_) {
+      for (std::size_t i = 0; i < runner.trainings(); ++i, ++number) {
+        const bool own = number % part.of == part.number - 1;
+        if (own && !runner.is_known(i, journal)) missing.push_back(number);
+      }
+    }
+    return missing;
+  }
+
+  // From any thread.
+  void run(std::size_t number, Journal& journal, Tally& tally) {
+    auto runner = runners_.begin();
+    for (; number >= runner->trainings(); ++runner) number -= runner->trainings();
+    runner->run(number, journal, tally);
+  }
+
+  std::deque<SystemRunner>& runners() { return runners_; }
+
+ private:
+  std::deque<SystemRunner> runners_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
+
+std::string StudyPart::folder_name() const {
+  return std::to_string(number) + "-of-" + std::to_string(of);
+}
 
 const Som& StudyOutcome::map() const {
   return *som_of(model.system, *model.system.find(model.answer->map));
@@ -96,24 +148,17 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
              prepare_study(description, recording, options.test_data, options.threads));
   PartResults results = results_for(description, recording, options.test_data);
   const std::vector<ProtocolPart> parts = parts_of(description, prepared);
+  const std::string study = fingerprint(description, results, parts);
   Result<Journal> journal;
-  if (!options.journal.empty()) {
-    journal = Journal::open(options.journal, fingerprint(description, results, parts));
-  }
+  if (!options.journal.empty()) journal = Journal::open(options.journal, study);
   if (!journal) return fail(std::move(journal.error()));
+  if (!options.parts.empty()) journal->look(options.parts, study);
 
-  std::deque<SystemRunner> runners;
-  std::uint64_t trainings = 1;
-  for (const ProtocolPart& part : parts) {
-    runners.emplace_back(description, prepared, part, runners.size());
-    trainings += runners.back().trainings() - runners.back().known(*journal);
-  }
-  Tally tally(options.progress, trainings);
-  for (SystemRunner& runner : runners) {
-    for_each_task(runner.trainings(), options.threads,
-                  [&](std::size_t training) { runner.run(training, *journal, tally); });
-    if (tally.stopped()) return fail(tally.error());
-  }
+  Trainings trainings(description, prepared, parts);
+  Tally tally(options.progress, trainings.count() - trainings.known(*journal) + 1);
+  for_each_task(trainings.count(), options.threads,
+                [&](std::size_t number) { trainings.run(number, *journal, tally); });
+  if (tally.stopped()) return fail(tally.error());
   // On everything, for the picture and for use; last, since the journal does not keep it.
   const Fold all = folds(Protocol::kTrainIsTest, prepared.samples).front();
   auto trained = train_fold(description, prepared, all, description.study.first_seed,
@@ -123,13 +168,35 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
     return fail(tally.error());
   }
   FoldOutcome tested = test_fold(*trained, prepared, all, {});
-  for (SystemRunner& runner : runners) {
+  for (SystemRunner& runner : trainings.runners()) {
     runner.take(*trained, tested);
     results.protocols.push_back(runner.results());
   }
   tally.one_done();
   return outcome_of(description, prepared, std::move(*trained), std::move(tested.training_winners),
                     std::move(results));
+}
+
+Result<StudyProgress> run_part_of_study(const StudyDescription& description,
+                                        const Recording& recording, const StudyOptions& options,
+                                        const StudyPart& part) {
+  SOMATO_TRY(auto prepared,
+             prepare_study(description, recording, options.test_data, options.threads));
+  const std::vector<ProtocolPart> parts = parts_of(description, prepared);
+  const std::string study =
+      fingerprint(description, results_for(description, recording, options.test_data), parts);
+  const std::filesystem::path folder = options.parts;
+  SOMATO_TRY(auto journal, Journal::open_part(folder / part.folder_name(), study));
+  journal.look(folder, study);
+
+  Trainings trainings(description, prepared, parts);
+  const std::vector<std::size_t> missing = trainings.missing(journal, part);
+  Tally tally(options.progress, missing.size());
+  for_each_task(missing.size(), options.threads,
+                [&](std::size_t i) { trainings.run(missing[i], journal, tally); });
+  if (tally.stopped()) return fail(tally.error());
+  journal.look(folder, study);  // other parts may have ended meanwhile
+  return StudyProgress{trainings.known(journal), trainings.count()};
 }
 
 }  // namespace somato

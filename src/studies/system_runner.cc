@@ -67,9 +67,7 @@ SystemRunner::SystemRunner(const StudyDescription& description, const PreparedSt
 
 std::size_t SystemRunner::known(const Journal& journal) const {
   std::size_t known = 0;
-  for (std::size_t training = taken_; training < outcomes_.size(); ++training) {
-    known += journal.find(number_, training) != nullptr ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < trainings(); ++i) known += is_known(i, journal) ? 1 : 0;
   return known;
 }
 

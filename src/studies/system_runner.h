@@ -63,6 +63,11 @@ class SystemRunner {
   /// The number of trainings.
   std::size_t trainings() const { return outcomes_.size() - taken_; }
 
+  /// Whether the journal has training number `index`.
+  bool is_known(std::size_t index, const Journal& journal) const {
+    return journal.find(number_, taken_ + index) != nullptr;
+  }
+
   /// The number of trainings in the journal.
   std::size_t known(const Journal& journal) const;
 

@@ -23,6 +23,27 @@ struct StudyOptions {
   std::string journal =
       {};  ///< A file for completed trainings, so that the study can be resumed after an
            ///< interruption; or empty. The caller removes it after saving the results.
+  std::string parts = {};  ///< A folder with the journals of parts, whose trainings are not
+                           ///< repeated; or empty.
+};
+
+/// The part of a study's trainings that one of several processes runs: training `number`, counted
+/// from 1, and every `of`-th after it.
+struct StudyPart {
+  std::size_t number = 1;
+  std::size_t of = 1;
+
+  bool is_whole() const { return of == 1; }
+  /// "3-of-7".
+  std::string folder_name() const;
+};
+
+/// How many trainings of studies the journals of all parts contain.
+struct StudyProgress {
+  std::size_t done = 0;
+  std::size_t trainings = 0;
+
+  bool complete() const { return done == trainings; }
 };
 
 /// The results of a study, and a trained system.
@@ -47,5 +68,14 @@ struct StudyOutcome {
 /// (kUsage); kInterrupted.
 Result<StudyOutcome> run_study(const StudyDescription& description, const Recording& recording,
                                const StudyOptions& options = {});
+
+/// Runs those trainings of a part of the study that no part has completed, and appends them to a
+/// journal in the folder of that part below `options.parts`, which must exist; its name depends on
+/// the study and the data, so that several studies share the folder. Once all parts have run, in
+/// any order and on any machines, run_study() with the same `parts` only trains the system that it
+/// returns. Errors: those of run_study().
+Result<StudyProgress> run_part_of_study(const StudyDescription& description,
+                                        const Recording& recording, const StudyOptions& options,
+                                        const StudyPart& part);
 
 }  // namespace somato

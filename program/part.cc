@@ -1,12 +1,17 @@
-#include "sweep_part.h"
+#include "part.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "output_folder.h"
+#include "result_output.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -22,7 +27,7 @@ std::optional<std::size_t> whole_number(std::string_view text) {
   return number;
 }
 
-Result<SweepPart> part_named(const std::string& text) {
+Result<Part> part_named(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto number = whole_number(text.substr(0, slash));
   const auto of = slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
@@ -30,7 +35,7 @@ Result<SweepPart> part_named(const std::string& text) {
     return fail(ErrorKind::kUsage, "'" + text + "' is not a part", "--part",
                 "write K/N with K from 1 to N, such as 3/7");
   }
-  return SweepPart{*number, *of, {}};
+  return Part{{*number, *of}, {}};
 }
 
 // A variable of the environment, or `otherwise` if it is not set.
@@ -42,7 +47,7 @@ Result<std::size_t> slurm_number(const char* name, std::size_t otherwise) {
               "give --part K/N");
 }
 
-Result<SweepPart> slurm_part() {
+Result<Part> slurm_part() {
   const auto task = slurm_number(kTask, 0);
   const auto first = slurm_number("SLURM_ARRAY_TASK_MIN", 1);
   const auto step = slurm_number("SLURM_ARRAY_TASK_STEP", 1);
@@ -58,18 +63,51 @@ Result<SweepPart> slurm_part() {
                             *first, *step),
                 kTask, "use an array without gaps, such as --array=1-7, or --part K/N");
   }
-  return SweepPart{number, *count, fmt::format("{} = {}", kTask, *task)};
+  return Part{{number, *count}, fmt::format("{} = {}", kTask, *task)};
 }
 
 }  // namespace
 
-std::string SweepPart::folder_name() const {
-  return fmt::format("{}-of-{}", number, of);
+Flag part_flag(const std::string& unit) {
+  return {"--part", fmt::format("K/N: run {0} K and every N-th {0} after it. Default: the part of "
+                                "the Slurm array task, or otherwise all {0}s",
+                                unit)};
 }
 
-Result<SweepPart> read_sweep_part(const Arguments& arguments) {
+Result<Part> read_part(const Arguments& arguments) {
   if (arguments.has("part")) return part_named(arguments.text("part"));
-  return std::getenv(kTask) ? slurm_part() : SweepPart{};
+  return std::getenv(kTask) ? slurm_part() : Part{};
+}
+
+std::filesystem::path parts_folder(const std::filesystem::path& out) {
+  return out / "parts";
+}
+
+Result<FolderLock> lock_work(const std::filesystem::path& out, const Part& part) {
+  if (part.is_whole()) return FolderLock::take(out);
+  const std::filesystem::path own = parts_folder(out) / part.folder_name();
+  return make_folder(own).and_then([&] { return FolderLock::take(own); });
+}
+
+std::string part_text(const Part& part) {
+  if (part.is_whole() && part.given_by.empty()) return {};
+  const std::string by = part.given_by.empty() ? "" : " (" + part.given_by + ")";
+  return fmt::format("Part {} of {}{} is done.\n", part.number, part.of, by);
+}
+
+void print_part(const Arguments& arguments, const Part& part,
+                std::pair<std::size_t, std::size_t> done_of, const std::string& unit,
+                const std::string& file) {
+  const auto [done, total] = done_of;
+  const std::string text = fmt::format(
+      "{}{} of {} are complete. The last part writes {}, and so does the same command without "
+      "--part, which runs missing {}s.\n",
+      part_text(part), done, counted(total, unit), file, unit);
+  print_summary(
+      arguments, text,
+      Table{{},
+            {entry("part", std::uint64_t{part.number}), entry("parts", std::uint64_t{part.of}),
+             entry("done", std::uint64_t{done}), entry(unit + "s", std::uint64_t{total})}});
 }
 
 }  // namespace somato::program
