@@ -22,6 +22,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,6 +38,16 @@ FENCE = re.compile(
     r"```(?P<kind>sh|bash|console|cpp|python)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$",
                   re.MULTILINE)
+
+END_OF_BLOCK = "-- end of the block --"
+# A program that runs each line of its input, a literal with the text of a block.
+INTERPRETER = f"""
+import ast, sys
+names = {{"__name__": "__main__"}}
+for line in sys.stdin:
+    exec(compile(ast.literal_eval(line), "block", "exec"), names)
+    print("\\n{END_OF_BLOCK}", flush=True)
+"""
 
 
 class Failure(Exception):
@@ -118,7 +129,7 @@ class Runner:
         self.options = options
         self.folder = folder
         self.environment = dict(os.environ, LC_ALL="C.UTF-8")
-        self.python_text = ""  # of the blocks so far
+        self.interpreter = None  # of the Python blocks, from the first one on
         self.prepare()
 
     def prepare(self):
@@ -165,31 +176,55 @@ class Runner:
                     self.folder, self.environment)
         run_command([str(program)], self.folder, self.environment)
 
-
-    # What earlier blocks define is defined again, so that a document reads like a notebook.
     def run_python(self, block):
-        self.python_text += block.text
-        run_command([self.options.python, "-B", "-c", self.python_text], self.folder, self.environment)
+        """Runs the block in the document's interpreter, where names of earlier blocks are defined."""
+        if self.interpreter is None:
+            self.interpreter = subprocess.Popen(
+                [self.options.python, "-B", "-u", "-c", INTERPRETER], cwd=self.folder,
+                env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True)
+        self.interpreter.stdin.write(repr(block.text) + "\n")
+        self.interpreter.stdin.flush()
+        printed = ""
+        for line in self.interpreter.stdout:
+            if line == END_OF_BLOCK + "\n":
+                return
+            printed += line
+        raise Failure(f"exit code {self.interpreter.wait()} of:\n{block.text}\n{printed}")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.interpreter is not None:
+            self.interpreter.communicate()
+
+
+def passes(runner, block):
+    """Whether the block passes or may be skipped; prints a line."""
+    started = time.monotonic()
+    try:
+        if check_skip(block):
+            print(f"skipped {block.where}: {block.skip_reason}", flush=True)
+            return True
+        runner.run(block)
+    except (Failure, subprocess.TimeoutExpired) as failure:
+        print(f"FAILED  {block.where}: {failure}", flush=True)
+        return False
+    print(f"ok {time.monotonic() - started:6.1f} s  {block.where}", flush=True)
+    return True
 
 
 def run_document(options, document):
-    """Returns the number of failures; prints one line per block."""
+    """Returns the number of failures."""
     name = document.relative_to(options.source).as_posix()
     blocks = blocks_of(document.read_text(encoding="utf-8"), name)
     if not options.python:
         blocks = [block for block in blocks if block.kind != "python"]
     if not blocks:
         return 0
-    runner = Runner(options, options.scratch / name.replace("/", "_"))
-    for block in blocks:
-        try:
-            if check_skip(block):
-                print(f"skipped {block.where}: {block.skip_reason}", flush=True)
-                continue
-            runner.run(block)
-            print(f"ok      {block.where}", flush=True)
-        except (Failure, subprocess.TimeoutExpired) as failure:
-            print(f"FAILED  {block.where}: {failure}", flush=True)
+    with Runner(options, options.scratch / name.replace("/", "_")) as runner:
+        if not all(passes(runner, block) for block in blocks):
             return 1  # what follows in this document may stand on it
     return check_pictures(document, runner.folder)
 

@@ -8,6 +8,7 @@
 #include "graph/walk.h"
 #include "somato/graph/system_model.h"
 #include "support/random_system.h"
+#include "support/sanitized.h"
 #include "support/systems.h"
 #include "support/temporary_folder.h"
 
@@ -22,7 +23,7 @@ using testing::try_train;
 
 constexpr std::size_t kLearnedModules =
     4;  // The first four of six explorations; the others are held out.
-constexpr int kGraphs = 2400;
+constexpr int kGraphs = testing::fewer_if_sanitized(2400);
 constexpr std::size_t kMostFrames = 20;  // of hand_recording()
 
 void expect_place(const Error& error, const std::string& text) {
@@ -179,11 +180,11 @@ TEST(SystemRandom, EachRunsTheSameAsAWholeAndLiveOrIsRefusedWithAPlace) {
   RecordProperty("stopped", counts.stopped);
   RecordProperty("joint", counts.joint);
   RecordProperty("loops", counts.loops);
-  EXPECT_GE(counts.ran, 1000);
-  EXPECT_GE(counts.compared, 20000);
-  EXPECT_GE(counts.refused, 300);
-  EXPECT_GE(counts.joint, 20);
-  EXPECT_GE(counts.loops, 50);
+  EXPECT_GE(counts.ran, testing::fewer_if_sanitized(1000));
+  EXPECT_GE(counts.compared, testing::fewer_if_sanitized(20000));
+  EXPECT_GE(counts.refused, testing::fewer_if_sanitized(300));
+  EXPECT_GE(counts.joint, testing::fewer_if_sanitized(20));
+  EXPECT_GE(counts.loops, testing::fewer_if_sanitized(50));
   EXPECT_EQ(counts.types.size(), module_types().size());
   EXPECT_EQ(counts.ran + counts.refused + counts.stopped, kGraphs);
 }

@@ -311,7 +311,7 @@ TEST(SomLearner, OneByOneGivesTheBitsOfTraining) {
 // Large enough for several threads to be used.
 SampleStream large_stream(const testing::Variant& variant, bool sparse, Random& random) {
   SampleStream stream = random_stream(variant, sparse, 45, random);
-  const std::size_t size = sparse ? 30000 : 1500;
+  const std::size_t size = sparse ? 3000 : 1500;
   stream.samples =
       sparse ? thin_samples(5, size, 50, random) : testing::random_samples(5, size, false, random);
   for (std::size_t& number : stream.order) number %= 5;

@@ -8,6 +8,7 @@
 
 #include "maps/t_mpsom_reference.h"
 #include "somato/core/random.h"
+#include "support/sanitized.h"
 #include "support/t_mpsom_problems.h"
 
 namespace somato {
@@ -171,7 +172,7 @@ bool compare_step(const OracleProblem& problem) {
 }
 
 TEST(TMpsom, AgreesWithTheReferenceOnRandomProblems) {
-  constexpr int kProblems = 4000;
+  constexpr int kProblems = testing::fewer_if_sanitized(4000);
   Random random(21);
   int compared = 0;
   for (int i = 0; i < kProblems; ++i) {

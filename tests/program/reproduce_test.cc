@@ -2,6 +2,7 @@
 
 #include "program/reproducing.h"
 #include "somato/recording/recording_file.h"
+#include "support/sanitized.h"
 
 namespace somato {
 namespace {
@@ -219,7 +220,7 @@ class ReproduceInterrupted : public Reproduce {
 };
 
 TEST_F(ReproduceInterrupted, ResumesWithTheSameBytesOnThreads) {
-  write("press.toml", press("press", "20000", "9"));
+  write("press.toml", press("press", std::to_string(testing::fewer_if_sanitized(20000)), "9"));
   for (const std::string threads : {"1", "3"}) {
     const Words words = reproduce("press.toml", "out" + threads, {"--threads", threads});
     interrupted(words, " left");

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "program/reproducing.h"
+#include "support/sanitized.h"
 
 namespace somato {
 namespace {
@@ -130,7 +131,7 @@ TEST_F(Sweep, WithoutPartRunsWhatIsMissingAndMorePointsRunTheNewOnesOnly) {
 // Results of other pairs, seeds, settings or recordings are not reused.
 TEST_F(Sweep, AnotherSweepInTheSameFolderFindsItsOwn) {
   write_system();
-  write_sweep();
+  write_sweep("design = 'sobol'\npoints = 2\n");
   output_of(sweep("out"));
   const auto expect_own = [&](const std::string& name) {
     SCOPED_TRACE(name);
@@ -138,13 +139,13 @@ TEST_F(Sweep, AnotherSweepInTheSameFolderFindsItsOwn) {
     output_of(sweep(name));
     expect_same("out", name);
   };
-  write_sweep("design = 'sobol'\npoints = 9\nseed = 5\n");
+  write_sweep("design = 'sobol'\npoints = 2\nseed = 5\n");
   expect_own("seed");
   write("over.toml",
-        "[sweep]\npairs = 3\nrecordings = 1\ndesign = 'sobol'\npoints = 9\n" + kUnknowns);
+        "[sweep]\npairs = 3\nrecordings = 1\ndesign = 'sobol'\npoints = 2\n" + kUnknowns);
   expect_own("pairs");
   write("over.toml",
-        "[sweep]\npairs = 3\nrecordings = 2\ndesign = 'sobol'\npoints = 9\n" + kUnknowns);
+        "[sweep]\npairs = 3\nrecordings = 2\ndesign = 'sobol'\npoints = 2\n" + kUnknowns);
   expect_own("recordings");
   write_system("60");
   expect_own("iterations");
@@ -222,7 +223,7 @@ TEST_F(Sweep, RecordingsMayBeGiven) {
 }
 
 TEST_F(Sweep, InterruptedResumesWithTheSameBytes) {
-  write_system("4000");
+  write_system(std::to_string(testing::fewer_if_sanitized(4000)));
   write_sweep();
   ProgramWorld world;
   world.terminal = true;
@@ -279,7 +280,7 @@ TEST_F(Sweep, RefusesBeforeAnythingRuns) {
 }
 
 TEST_F(Sweep, TheSamePartTwiceAtOnceIsRefused) {
-  write_system("4000");
+  write_system(std::to_string(testing::fewer_if_sanitized(4000)));
   write_sweep();
   ProgramWorld world;
   world.terminal = true;

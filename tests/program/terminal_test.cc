@@ -1,6 +1,7 @@
 #include "program/program_test.h"
 #include "somato/core/matrix.h"
 #include "somato/files/npy.h"
+#include "support/sanitized.h"
 
 namespace somato {
 namespace {
@@ -94,7 +95,7 @@ class TerminalStudy : public Terminal {
 };
 
 TEST_F(TerminalStudy, AnInterruptKeepsCompletedWorkAndTheSameCommandResumes) {
-  write_study("10", "20000");
+  write_study("10", std::to_string(testing::fewer_if_sanitized(20000)));
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out", "--threads", "1"};
   interrupted(words);
   EXPECT_FALSE(std::filesystem::exists(path("out/results.json")));

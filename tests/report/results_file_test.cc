@@ -10,6 +10,7 @@
 
 #include "somato/studies/reproduction.h"
 #include "support/made_study.h"
+#include "support/sanitized.h"
 #include "support/study_results.h"
 
 namespace somato {
@@ -291,7 +292,7 @@ TEST(ResultsFile, WhatIsDeepIsNoTrouble) {
 TEST(ResultsFile, ManyFieldsOfChanceAreRefusedOrRead) {
   const std::string whole = to_json(made_results());
   Random random(4);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < testing::fewer_if_sanitized(2000); ++i) {
     std::string text = whole;
     for (int change = 0; change < 3; ++change) {
       text[random.below(text.size())] = "0123456789[]{}\",:-.enul"[random.below(23)];
