@@ -3,8 +3,11 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "browser.h"
 #include "commands.h"
 #include "device.h"
 #include "exploring_body.h"
@@ -15,6 +18,7 @@
 #include "study_data.h"
 #include "terminal.h"
 #include "topics.h"
+#include "view_preparation.h"
 #include "view_serving.h"
 #include "view_systems.h"
 
@@ -40,6 +44,9 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   source.scenes = recorded_scenes(std::move(session.objects));
   source.thing = thing;
   source.systems = std::move(systems);
+  if (arguments.has("demo")) plan_demonstration(source);
+  if (arguments.has("RECORDING") || arguments.has("model")) return source;
+  SOMATO_TRY_VOID(prepare_system(arguments, session.body, source));
   return source;
 }
 
@@ -60,11 +67,23 @@ bool has_body(const Arguments& arguments) {
   return arguments.has("body") || arguments.has("device") || arguments.has("topics");
 }
 
+// The flags that have no effect on a demonstration.
+Result<void> check_demonstration(const Arguments& arguments) {
+  if (!arguments.has("demo")) return {};
+  for (const std::string& other : {"RECORDING", "device", "topics", "object"}) {
+    if (!arguments.has(other)) continue;
+    return fail(ErrorKind::kUsage, "a demonstration explores all objects of a simulated body",
+                other == "RECORDING" ? arguments.text(other) : "--" + other, "omit it, or --demo");
+  }
+  return {};
+}
+
 Result<void> check_flags(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_demonstration(arguments));
   const bool explores = has_body(arguments);
   if (!arguments.has("RECORDING") && !explores) {
     return fail(ErrorKind::kUsage, "a recording or a body that explores is required", "view",
-                "somato view FILE.mcap, or somato view --body lucs2 --object boule");
+                "somato view --demo, somato view FILE.mcap, or somato view --body lucs2");
   }
   for (const auto& [flag, problem] :
        {std::pair("object", "the objects of a recording are fixed"),
@@ -84,27 +103,51 @@ Result<ViewSource> read_source(const Arguments& arguments) {
   if (arguments.has("model")) {
     SOMATO_TRY(auto model, trained_system(arguments.text("model")));
     source->systems.insert(source->systems.begin(), std::move(model));
+    source->system = 0;
   }
-  if (!source->systems.empty()) source->system = 0;
+  if (!source->system && !source->systems.empty()) source->system = 0;
   return source;
+}
+
+// A demonstration has a body, if none is named.
+Arguments with_body(Arguments arguments) {
+  if (arguments.has("demo") && !arguments.has("body")) arguments.texts["body"] = "lucs2";
+  return arguments;
+}
+
+ViewSettings settings_of(const Arguments& arguments) {
+  ViewSettings settings;
+  if (arguments.has("demo")) settings.speed = demonstration_speed(arguments.text("body"));
+  return settings;
+}
+
+// A browser that cannot be started is no reason to end.
+std::optional<BrowserStart> start_browser(const Arguments& arguments, const std::string& address) {
+  if (!arguments.has("open")) return {};
+  auto browser = BrowserStart::open(address);
+  if (browser) return std::move(*browser);
+  std::fputs(fmt::format("somato: {}\n", to_string(browser.error())).c_str(), stderr);
+  return {};
 }
 
 void wait_for_interrupt() {
   while (!stop_requested()) ::usleep(50000);
 }
 
-Result<void> run_view(const Arguments& arguments) {
+Result<void> run_view(const Arguments& given) {
+  const Arguments arguments = with_body(given);
   SOMATO_TRY(auto settings, read_server_settings(arguments));
   SOMATO_TRY(auto source, read_source(arguments));
   SOMATO_TRY(auto served, view_pages());
   SessionRecording recording(arguments.text("output"));
   SOMATO_TRY_VOID(recording.begin(source));
   catch_stop_requests();
-  ViewSession session(std::move(source));
+  ViewSession session(std::move(source), settings_of(arguments));
   session.start();
   SOMATO_TRY(auto server, ViewServer::start(session, std::move(served), settings));
   fmt::print("Open {}\n", server->start_address());
   std::fflush(stdout);
+  const auto browser = start_browser(arguments, server->start_address());
   std::fputs("Press Ctrl-C to close the view.\n", stderr);
   wait_for_interrupt();
   server.reset();
@@ -128,6 +171,11 @@ Command view_command() {
       {{"--body",
         "Simulated body that explores, instead of a recording: lucs2, lucs3, texture or hardness"},
        device_flag(),
+       {"--demo",
+        "Show a trained system while a simulated hand explores all objects in turn, in a loop; "
+        "--body selects another body than lucs2",
+        false, false},
+       {"--open", "Open the page in a browser, with xdg-open", false, false},
        {"--object",
         "Name of the object or material to explore first. Default: the first of the table"},
        input_flag("--objects",

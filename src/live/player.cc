@@ -33,7 +33,10 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       queue_(queue),
       replay_(hub, pace_, source_.readings),
       system_(source_.system),
+      saved_(source_.recording.explorations.size()),
       had_viewer_(!settings.wait_for_viewer),
+      demonstration_(source_.demonstrates),
+      result_pause_(settings.result_pause),
       thing_(source_.thing),
       body_(queue, {[this](const auto& body, const auto& scene) { grow(body, scene); },
                     [this](BodyStep step) { coming_ = std::move(step); },
@@ -58,6 +61,7 @@ void Player::begin() {
 void Player::run() {
   while (!closed_) guarded([this] { turn(); });
   body_.join();
+  guarded([this] { save_before(source_.recording.explorations.size()); });
 }
 
 // A body that is stopped ends its exploration by finish().
@@ -93,6 +97,7 @@ void Player::turn() {
 // Whether all that was to be read has been played.
 bool Player::is_complete() const {
   if (!source_.explorer) return replay_.tap().ended() == source_.recording.explorations.size();
+  if (demonstration_.runs()) return false;
   const bool has_begun = planned_ > 0 && planned_ == source_.plan.size();
   return has_begun && !wants_exploring_ && !body_.is_exploring() && !replay_.is_behind();
 }
@@ -112,6 +117,7 @@ Result<void> Player::handle(const ViewCommand& command) {
                                [&](const ThingCommand& one) { return choose_thing(one.name); },
                                [&](const PlacementCommand& one) { return place(one.placement); },
                                [&](const ExploreCommand&) { return begin_exploring(); },
+                               [&](const NameCommand& one) { return name(one.label); },
                                [&](const SystemCommand& one) { return choose_system(one.name); },
                                [&](const auto&) -> Result<void> {
                                  return not_now("the command is not supported");
@@ -139,21 +145,31 @@ std::optional<Pace::Clock::time_point> Player::due() const {
   if (!replay_.is_over()) return pace_.due(replay_.pause());
   if (coming_) return pace_.due(growing_->seconds_to(*coming_));
   if (growing_ || replay_.played() == nullptr) return {};
+  if (demonstration_.runs()) return pace_.due(result_pause_ * pace_.speed);
   return pace_.due(kBetweenExplorations);
 }
 
-// After the last exploration everything rests.
 void Player::advance() {
   if (!replay_.is_over()) return replay_.show(replay_.next());
   if (coming_) return show_step();
-  const std::size_t next = replay_.played()->index + 1;
-  if (next < source_.recording.explorations.size() && !source_.explorer) {
-    begin_exploration(next);
-    replay_.show(0);
-  } else {
-    rest();
-  }
+  play_next();
   publish_state();
+}
+
+// After the last exploration everything rests; a demonstration begins again.
+void Player::play_next() {
+  const std::size_t count = source_.recording.explorations.size();
+  std::size_t next = replay_.played()->index + 1;
+  if (demonstration_.runs()) {
+    wants_exploring_ = next == count && planned_ < source_.plan.size();
+    if (wants_exploring_) return;
+    if (next == count) demonstration_.complete_round();
+    next %= count;
+  } else if (next == count || source_.explorer) {
+    return rest();
+  }
+  begin_exploration(next);
+  replay_.show(0);
 }
 
 void Player::rest() {
@@ -218,7 +234,7 @@ Result<void> Player::seek(const SeekCommand& seek) {
 
 Result<void> Player::choose_thing(const std::string& name) {
   if (!source_.explorer) return not_now("the object of a recording cannot be changed");
-  if (!source_.plan.empty()) return not_now("the explorations of this session are fixed");
+  SOMATO_TRY_VOID(take_over());
   const auto& things = source_.explorer->things();
   const auto found = std::find_if(things.begin(), things.end(),
                                   [&](const ExploredThing& thing) { return thing.name == name; });
@@ -228,18 +244,29 @@ Result<void> Player::choose_thing(const std::string& name) {
 }
 
 Result<void> Player::place(const Placement& placement) {
-  const bool is_free = source_.explorer && source_.plan.empty();
-  if (!is_free || !source_.explorer->things()[thing_].object) {
+  if (!source_.explorer || !take_over() || !source_.explorer->things()[thing_].object) {
     return not_now("no object can be placed");
   }
   placement_ = placement;
   return {};
 }
 
+// A plan is fixed, but a viewer ends a demonstration. Its explorations were the first trial.
+Result<void> Player::take_over() {
+  if (!source_.plan.empty() && !demonstration_.runs()) {
+    return not_now("the explorations of this session are fixed");
+  }
+  if (demonstration_.runs()) trials_ = 1;
+  demonstration_.end();
+  source_.plan.clear();
+  planned_ = 0;
+  return {};
+}
+
 // The exploration in progress ends first.
 Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
-  if (!source_.plan.empty()) return not_now("the explorations of this session are fixed");
+  SOMATO_TRY_VOID(take_over());
   if (source_.recording.explorations.size() >= kMostExplorations) {
     return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
   }
@@ -290,7 +317,8 @@ std::optional<Strips> Player::strips() const {
 
 void Player::publish_state() {
   shown_system_problem_ = replay_.reader().problem();
-  ViewState state{source_, replay_.reader().picture(), replay_.played()};
+  ViewState state{source_, replay_.reader().picture(), names_, replay_.played()};
+  state.labels = shown_labels();
   state.frame = replay_.next();
   state.playing = pace_.playing;
   state.speed = std::min(pace_.speed, 100.0);  // the fastest that a page can choose
@@ -299,6 +327,7 @@ void Player::publish_state() {
   state.system = system_;
   state.system_problem = shown_system_problem_;
   state.training = training_;
+  state.demonstrated = demonstration_.rounds();
   state.clients = hub_.viewers();
   state.problem = problem_;
   hub_.publish(EventKind::kState, json_text(state_json(state)));
@@ -311,10 +340,11 @@ void Player::explore() {
   pace_.playing = true;
   moments_left_ = 0;
   if (source_.plan.empty()) {
+    exploring_ = thing_;
     return body_.start(*source_.explorer, thing_, trials_++, placement_);
   }
   const PlannedExploration& next = source_.plan[planned_++];
-  thing_ = next.thing;
+  exploring_ = thing_ = next.thing;
   body_.start(*source_.explorer, next.thing, next.trial, {});
 }
 
@@ -344,6 +374,7 @@ void Player::finish(std::future<Result<Exploration>> explored) {
   replay_.end();
   growing_.reset();
   coming_.reset();
+  const bool plays_on = demonstration_.runs() && pace_.playing;
   rest();
   if (auto exploration = explored.get(); !exploration) {
     fail_exploring(exploration.error());
@@ -351,7 +382,10 @@ void Player::finish(std::future<Result<Exploration>> explored) {
     problem_ = sentence_of(kept.error());
     replay_.tap().finish(kept);
   }
-  wants_exploring_ = wants_exploring_ || planned_ < source_.plan.size();
+  // A demonstration shows the end of each exploration for a while.
+  pace_.playing = plays_on && replay_.played() != nullptr;
+  const bool goes_on = planned_ < source_.plan.size() && !pace_.playing;
+  wants_exploring_ = wants_exploring_ || goes_on;
   publish_state();
 }
 
@@ -363,6 +397,7 @@ void Player::catch_up() {
 }
 
 void Player::fail_exploring(const Error& error) {
+  names_.forget(source_.recording.explorations.size());
   if (error.kind == ErrorKind::kInterrupted) return;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);
@@ -376,12 +411,50 @@ Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> 
   const Exploration& first = explorations.empty() ? single.explorations[0] : explorations[0];
   auto valid =
       validate(single).and_then([&] { return check_alike(single.explorations[0], first); });
-  if (!valid) return valid;
+  if (!valid) {
+    names_.forget(explorations.size());
+    return valid;
+  }
+  save_before(explorations.size());
   explorations.push_back(std::move(single.explorations[0]));
   explored_scenes_.push_back(std::move(scene));
   begin_exploration(explorations.size() - 1);
   replay_.show(replay_.moments() - 1);
-  return source_.sink ? source_.sink(Exploration(explorations.back())) : Result<void>();
+  return {};
+}
+
+// An exploration is saved when the next one has ended: it can be named until then.
+void Player::save_before(std::size_t end) {
+  for (; saved_ < end; ++saved_) {
+    if (!source_.sink) continue;
+    Exploration exploration = source_.recording.explorations[saved_];
+    exploration.labels = names_.labels(saved_, std::move(exploration.labels));
+    const auto taken = source_.sink(std::move(exploration));
+    if (taken) continue;
+    problem_ = sentence_of(taken.error());
+    replay_.tap().finish(taken);
+  }
+}
+
+// Names the exploration that is shown.
+Result<void> Player::name(const Label& given) {
+  if (replay_.played() == nullptr) return not_now("there is no exploration to name");
+  const std::size_t index = replay_.played()->index;
+  if (source_.sink && index < saved_) {
+    return not_now("this exploration is saved already; only the last one can be named");
+  }
+  names_.give(index, given);
+  return {};
+}
+
+// While a body explores, the name of the thing that it was given.
+std::vector<Label> Player::shown_labels() const {
+  if (replay_.played() == nullptr) return {};
+  const PlayedExploration& played = *replay_.played();
+  if (played.has_ended) return names_.labels(played.index, played.exploration->labels);
+  const ExploredThing& thing = source_.explorer->things()[exploring_];
+  const bool is_material = !thing.object && !thing.material.name.empty();
+  return names_.labels(played.index, {{is_material ? "material" : "object", thing.name}});
 }
 
 }  // namespace somato::live

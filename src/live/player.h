@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "live/body_thread.h"
+#include "live/demonstration.h"
 #include "live/event_hub.h"
+#include "live/given_names.h"
 #include "live/growing_exploration.h"
 #include "live/pace.h"
 #include "live/replay.h"
@@ -41,6 +43,9 @@ class Player {
 
   const ViewSource& source() const { return source_; }
 
+  /// The labels that viewers gave to explorations.
+  const GivenNames& names() const { return names_; }
+
   /// The system that is chosen, or nullptr.
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
 
@@ -65,6 +70,9 @@ class Player {
   void rest();
   std::optional<Pace::Clock::time_point> due() const;
 
+  Result<void> take_over();
+  void play_next();
+
   Result<void> play();
   Result<void> step(std::int64_t frames);
   Result<void> seek(const SeekCommand& seek);
@@ -81,6 +89,9 @@ class Player {
   void catch_up();
   void fail_exploring(const Error& error);
   Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
+  Result<void> name(const Label& given);
+  std::vector<Label> shown_labels() const;
+  void save_before(std::size_t end);
 
   ViewSource source_;
   EventHub& hub_;
@@ -88,6 +99,8 @@ class Player {
   Pace pace_;
   Replay replay_;
   std::optional<std::size_t> system_;
+  GivenNames names_;
+  std::size_t saved_;  // explorations that were passed to the sink, and those of the source
   std::string problem_;
   std::string shown_system_problem_;
   bool training_ = false;
@@ -95,8 +108,11 @@ class Player {
   bool had_viewer_ = false;
 
   // The state of a body.
+  Demonstration demonstration_;
+  double result_pause_ = 0.0;  // s
   Placement placement_;
   std::size_t thing_ = 0;
+  std::size_t exploring_ = 0;  // the thing that is explored
   std::size_t trials_ = 0;
   std::size_t planned_ = 0;  // explorations of the plan that have begun
   bool wants_exploring_ = false;

@@ -48,6 +48,18 @@ class CommandFields {
     return {};
   }
 
+  // The name or value of a label.
+  std::string word(const std::string& name) {
+    std::string value = text(name);
+    const bool has_control = std::any_of(value.begin(), value.end(), [](char c) {
+      return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    });
+    if (value.empty() || has_control) {
+      keep(fmt::format("'{}' must be a text without line breaks and not empty", name));
+    }
+    return value;
+  }
+
   // After all known fields.
   Result<void> finish() {
     for (const auto& [name, field] : json_.items()) {
@@ -96,6 +108,13 @@ ViewCommand placement_of(CommandFields& fields) {
   return command;
 }
 
+ViewCommand name_of(CommandFields& fields) {
+  NameCommand command;
+  command.label.name = fields.word("label");
+  command.label.value = fields.word("value");
+  return command;
+}
+
 using Reader = ViewCommand (*)(CommandFields&);
 
 const std::vector<std::pair<std::string, Reader>>& readers() {
@@ -112,6 +131,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
        [](CommandFields& fields) -> ViewCommand { return ThingCommand{fields.text("name")}; }},
       {"placement", placement_of},
       {"explore", [](CommandFields&) -> ViewCommand { return ExploreCommand{}; }},
+      {"name", name_of},
       {"system",
        [](CommandFields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
       {"train", [](CommandFields&) -> ViewCommand { return TrainCommand{}; }},

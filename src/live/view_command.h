@@ -8,6 +8,7 @@
 
 #include "somato/bodies/placement.h"
 #include "somato/core/result.h"
+#include "somato/recording/recording.h"
 
 namespace somato::live {
 
@@ -31,6 +32,9 @@ struct PlacementCommand {
   Placement placement;
 };
 struct ExploreCommand {};
+struct NameCommand {
+  Label label;  ///< Such as {"object", "cup"}.
+};
 struct SystemCommand {
   std::string name;
 };
@@ -38,8 +42,8 @@ struct TrainCommand {};
 struct StopTrainingCommand {};
 
 using ViewCommand = std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand,
-                                 ThingCommand, PlacementCommand, ExploreCommand, SystemCommand,
-                                 TrainCommand, StopTrainingCommand>;
+                                 ThingCommand, PlacementCommand, ExploreCommand, NameCommand,
+                                 SystemCommand, TrainCommand, StopTrainingCommand>;
 
 /// The command that a text in JSON holds. Errors (kUsage): no JSON, no known command, fields that
 /// are missing, unknown, of another type or out of range.

@@ -62,6 +62,17 @@ HttpResponse answer_of(Result<std::string> answer) {
   return answer ? json_response(std::move(*answer)) : error_response(answer.error());
 }
 
+// A file for the viewer, who chooses where it is saved.
+HttpResponse file_response(Result<std::string> bytes, std::string_view name) {
+  if (!bytes) return error_response(bytes.error());
+  HttpResponse response;
+  response.type = "application/octet-stream";
+  response.body = std::move(*bytes);
+  response.headers.emplace_back("Content-Disposition",
+                                fmt::format("attachment; filename=\"{}\"", name));
+  return response;
+}
+
 std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
   const auto text = request.parameter(name);
   std::size_t number = 0;
@@ -143,6 +154,12 @@ class ViewServer::Impl {
     if (request.path == "/api/neuron") return neuron(request);
     if (request.path == "/api/taxel") return taxel(request);
     if (request.path == "/api/strips") return answer_of(session_.strips());
+    if (request.path == "/api/recording") {
+      return file_response(session_.recording_file(), "session.mcap");
+    }
+    if (request.path == "/api/system") {
+      return file_response(session_.system_file(), "system.somato");
+    }
     if (request.path == "/api/events") return events();
     if (request.path == "/api/command") return refused(405, "Commands require POST.");
     return refused(404, "Not found.");

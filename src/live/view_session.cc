@@ -11,9 +11,11 @@
 #include <utility>
 #include <variant>
 
+#include "live/downloads.h"
 #include "live/event_hub.h"
 #include "live/inquiries.h"
 #include "live/player.h"
+#include "live/preparation.h"
 #include "live/task_queue.h"
 #include "live/training_thread.h"
 #include "live/viewed_system.h"
@@ -38,6 +40,7 @@ class ViewSession::Impl {
   // Requests after this point receive the initial state.
   void start() {
     player_.begin();
+    prepare();
     thread_ = std::thread([this] { player_.run(); });
   }
 
@@ -46,6 +49,7 @@ class ViewSession::Impl {
     queue_.close();
     if (thread_.joinable()) thread_.join();
     training_.stop();
+    preparation_.stop();
   }
 
   // Waits until it has been done: the player looks after tasks with every frame.
@@ -72,6 +76,19 @@ class ViewSession::Impl {
   Result<std::string> strips() {
     return run_task<std::optional<live::Strips>>([this] { return player_.strips(); })
         .map([](const auto& strips) { return strips ? live::strips_text(*strips) : "null"; });
+  }
+
+  Result<std::string> recording_file() {
+    using Shared = std::shared_ptr<const Recording>;
+    return run_task<Shared>([this]() -> Result<Shared> {
+             if (!player_.source().recording.explorations.empty()) return explored();
+             return fail(ErrorKind::kUsage, "there is no exploration to save yet");
+           })
+        .and_then([](const Shared& recording) { return live::recording_bytes(*recording); });
+  }
+  Result<std::string> system_file() {
+    return inquired_system().and_then(
+        [](const live::InquiredSystem& system) { return live::system_bytes(*system.model); });
   }
 
   live::EventHub& hub() { return hub_; }
@@ -110,7 +127,7 @@ class ViewSession::Impl {
     return run_task<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
       const ViewSystem* system = player_.system();
       if (system != nullptr && system->trained) {
-        return live::InquiredSystem{system->trained, to_learn_from()};
+        return live::InquiredSystem{system->trained, explored()};
       }
       return fail(ErrorKind::kUsage, "no trained system is selected");
     });
@@ -118,22 +135,55 @@ class ViewSession::Impl {
 
   Result<void> handle(const live::ViewCommand& command) {
     if (std::holds_alternative<live::TrainCommand>(command)) return train();
+    if (std::holds_alternative<live::NameCommand>(command)) explored_.reset();
     if (std::holds_alternative<live::StopTrainingCommand>(command)) {
       training_.request_stop();
+      preparation_.request_stop();
       return {};
     }
     return player_.handle(command);
   }
 
   // The explorations of a body grow meanwhile; a recording does not change.
-  std::shared_ptr<const Recording> to_learn_from() {
+  std::shared_ptr<const Recording> explored() {
     const ViewSource& source = player_.source();
-    if (!source.explorer) return {std::shared_ptr<const Recording>(), &source.recording};
+    if (!source.explorer && player_.names().empty()) {
+      return {std::shared_ptr<const Recording>(), &source.recording};
+    }
     const std::size_t explorations = source.recording.explorations.size();
     if (!explored_ || explored_->explorations.size() != explorations) {
-      explored_ = std::make_shared<const Recording>(source.recording);
+      explored_ = std::make_shared<const Recording>(player_.names().apply(source.recording));
     }
     return explored_;
+  }
+
+  // What was explored before the view counts, too.
+  std::shared_ptr<const Recording> to_learn_from() {
+    if (!prepared_) return explored();
+    auto all = std::make_shared<Recording>(*prepared_);
+    for (const Exploration& one : explored()->explorations) all->explorations.push_back(one);
+    return all;
+  }
+
+  // Until it is done, no other system can be trained.
+  void prepare() {
+    const PriorExplorations& explorations = player_.source().prior_explorations;
+    const ViewSystem* system = player_.system();
+    if (explorations.rounds == 0 || system == nullptr || system->trained) return;
+    is_training_ = true;
+    player_.show_training(true);
+    preparation_.start(*system, explorations, player_.source().seed,
+                       [this, name = system->name](const Result<live::Prepared>& prepared) {
+                         queue_.post([this, name, prepared] { end_preparation(name, prepared); });
+                       });
+  }
+
+  void end_preparation(const std::string& name, const Result<live::Prepared>& prepared) {
+    if (!prepared) return end_training(name, fail(prepared.error()));
+    prepared_ = prepared->recording;
+    if (prepared->is_last) return end_training(name, prepared->model);
+    player_.take_trained(name, prepared->model);
+    player_.publish_state();
   }
 
   Result<void> train() {
@@ -143,7 +193,7 @@ class ViewSession::Impl {
       return fail(ErrorKind::kUsage, "this system is already trained");
     }
     if (is_training_) return fail(ErrorKind::kUsage, "a system is already being trained");
-    if (player_.source().recording.explorations.empty()) {
+    if (player_.source().recording.explorations.empty() && !prepared_) {
       return fail(ErrorKind::kUsage, "no explorations to learn from yet");
     }
     player_.show_problem({});
@@ -171,10 +221,12 @@ class ViewSession::Impl {
   TaskQueue queue_;
   live::Player player_;
   live::TrainingThread training_;
+  live::Preparation preparation_;
   live::Inquiries inquiries_{[this] { return hub_.is_closed(); }};
   // Only for the player's thread.
   bool is_training_ = false;
   std::shared_ptr<const Recording> explored_;
+  std::shared_ptr<const Recording> prepared_;  // explored before the view
   std::thread thread_;
 };
 
@@ -211,6 +263,14 @@ Result<std::string> ViewSession::taxel(std::size_t element) {
 
 Result<std::string> ViewSession::strips() {
   return impl_->strips();
+}
+
+Result<std::string> ViewSession::recording_file() {
+  return impl_->recording_file();
+}
+
+Result<std::string> ViewSession::system_file() {
+  return impl_->system_file();
 }
 
 live::EventHub& ViewSession::hub() {

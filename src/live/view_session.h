@@ -49,6 +49,12 @@ class ViewSession {
   /// null. From any thread. Errors (kUsage): the view is busy or about to end.
   Result<std::string> strips();
 
+  /// The bytes of an MCAP file with all explorations so far, with the names that viewers gave, and
+  /// of a file with the selected system. From any thread. Errors: kUsage without an exploration or
+  /// a trained system; those of recording_bytes() and system_bytes().
+  Result<std::string> recording_file();
+  Result<std::string> system_file();
+
   /// Where events are published.
   live::EventHub& hub();
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,17 @@ struct PlannedExploration {
   std::size_t trial = 0;
 };
 
+/// What a body explores before the explorations of the view, for a system that is trained on it
+/// when the view starts.
+struct PriorExplorations {
+  std::size_t rounds = 0;  ///< The system is trained again after each.
+
+  /// Explores each thing once, in the thread of its caller. `should_continue` is called regularly;
+  /// if it returns false, the result is an Error of kInterrupted.
+  std::function<Result<Recording>(std::size_t round, const std::function<bool()>& should_continue)>
+      explore = {};
+};
+
 /// The source of the view: a recording, or a body that explores, simulated or real.
 struct ViewSource {
   std::string name;          ///< The file's name, or the body's.
@@ -42,6 +54,11 @@ struct ViewSource {
   /// The explorations of the body, one after the other, each object placed at random; it then
   /// explores nothing else. Empty: one thing, and what commands say.
   std::vector<PlannedExploration> plan = {};
+  /// Whether the plan is a demonstration: after its last exploration all are played again, in a
+  /// loop, until a viewer explores or selects an object.
+  bool demonstrates = false;
+  /// The selected system is trained on these; may have no rounds.
+  PriorExplorations prior_explorations = {};
   std::uint64_t seed = 1;     ///< The seed of training.
   ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
   SceneFinder scenes = {};    ///< For recordings; may be empty.
@@ -61,6 +78,7 @@ struct ViewSettings {
   /// Seconds between two of the hundred snapshots of a map in training: at full speed they could
   /// not be followed.
   double training_pause = 0.06;
+  double result_pause = 1.5;  ///< Seconds for which a demonstration shows each result.
 };
 
 }  // namespace somato

@@ -11,11 +11,12 @@ Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-Json explorations_json(const Recording& recording) {
+Json explorations_json(const Recording& recording, const GivenNames& names) {
   Json explorations = Json::array();
   for (const Exploration& one : recording.explorations) {
     const std::size_t index = explorations.size();
-    explorations.push_back({{"index", index}, {"labels", detail::labels_json(one.labels)}});
+    explorations.push_back(
+        {{"index", index}, {"labels", detail::labels_json(names.labels(index, one.labels))}});
   }
   return explorations;
 }
@@ -70,8 +71,9 @@ Json state_json(const ViewState& state) {
   Json json{{"version", 1},
             {"source", state.source.explorer ? "body" : "recording"},
             {"name", state.source.name},
-            {"explorations", explorations_json(state.source.recording)},
+            {"explorations", explorations_json(state.source.recording, state.names)},
             {"exploration", state.played != nullptr ? Json(state.played->index) : Json()},
+            {"labels", detail::labels_json(state.labels)},
             {"frame", state.frame}};
   add_length(state.played, json);
   json["playing"] = state.playing;
@@ -81,6 +83,7 @@ Json state_json(const ViewState& state) {
   add_things(state, json);
   add_systems(state, json);
   json["training"] = state.training;
+  json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
   json["clients"] = state.clients;
   json["problem"] = or_null(state.problem);
   return json;

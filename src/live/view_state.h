@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "live/given_names.h"
 #include "live/played_exploration.h"
 #include "live/view_json.h"
 #include "live/view_source.h"
@@ -16,7 +18,9 @@ namespace somato::live {
 struct ViewState {
   const ViewSource& source;
   const SystemPicture& picture;
+  const GivenNames& names;
   const PlayedExploration* played = nullptr;  ///< Or nothing.
+  std::vector<Label> labels = {};             ///< Of the exploration that is played.
   std::size_t frame = 0;
   bool playing = false;
   double speed = 1.0;
@@ -25,6 +29,7 @@ struct ViewState {
   std::optional<std::size_t> system = {};
   std::string system_problem = {};
   bool training = false;
+  std::optional<std::size_t> demonstrated = {};  ///< Rounds of a demonstration.
   std::size_t clients = 0;
   std::string problem = {};
 };

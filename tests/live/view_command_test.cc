@@ -31,6 +31,10 @@ TEST(ViewCommand, IsReadFromJson) {
   EXPECT_EQ(read<SeekCommand>(R"({"command":"seek","exploration":3,"frame":4})").frame, 4U);
   EXPECT_EQ(read<SpeedCommand>(R"({"speed":0.05,"command":"speed"})").speed, 0.05);
   EXPECT_EQ(read<ThingCommand>(R"({"command":"thing","name":"a \"b\""})").name, "a \"b\"");
+  const Label given = read<NameCommand>(
+                          R"({"command":"name","label":"object","value":"tea cup"})")
+                          .label;
+  EXPECT_EQ(given, (Label{"object", "tea cup"}));
   EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
   EXPECT_EQ(
       read<PlacementCommand>(R"({"command":"placement","x":1,"y":-2.5,"turn":90})").placement.y,
@@ -46,6 +50,10 @@ TEST(ViewCommand, SaysWhatIsWrong) {
             "'speed' must be a number from 0.05 to 100");
   EXPECT_EQ(refusal(R"({"command":"speed","speed":"1"})"),
             "'speed' must be a number from 0.05 to 100");
+  for (const std::string value : {"", "two\\nlines"}) {
+    EXPECT_EQ(refusal(R"({"command":"name","label":"object","value":")" + value + "\"}"),
+              "'value' must be a text without line breaks and not empty");
+  }
   EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "the command has an unknown field");
   EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(257, 'a') + "\"}"),
             "'name' must be a text of at most 256 bytes");

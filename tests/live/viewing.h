@@ -25,7 +25,7 @@ inline ViewSource hand_source(std::size_t explorations = 3) {
 
 /// A client that does not wait.
 inline ViewSettings at_once() {
-  return {false, 100.0, 0.0};
+  return {false, 100.0, 0.0, 0.0};
 }
 
 /// A session and its server, with a page of one line.

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,6 +27,9 @@ TEST_F(View, RefusesWhatItCannotShow) {
           {{"view", "a.mcap", "--body", "lucs9"}, {"lucs9"}},
           {{"view", "--body", "lucs4"}, {"lucs4", "did you mean", "lucs"}},
           {{"view", "--body", "probes"}, {"only one body"}},
+          {{"view", "--demo", "--body", "probes"}, {"only one body"}},
+          {{"view", "a.mcap", "--demo"}, {"a.mcap", "demonstration"}},
+          {{"view", "--demo", "--object", "boule"}, {"--object", "demonstration"}},
           {{"view", "--body", "lucs2", "--object", "boul"}, {"boul", "did you mean 'boule'"}},
           {{"view", "a.mcap", "--object", "boule"}, {"--object", "objects of a recording"}},
           {{"view", "a.mcap", "-o", "b.mcap"}, {"--output", "recorded again"}},
@@ -124,6 +128,41 @@ TEST_F(View, SavesWhatABodyExplores) {
   ASSERT_TRUE(live);
   ASSERT_EQ(live->explorations.size(), 1U);
   EXPECT_EQ(live->explorations[0], read_recording(path("pressed.mcap"))->explorations[0]);
+}
+
+// A page that leads to the address: other users can read the arguments of xdg-open.
+TEST_F(View, OpensABrowserWithoutTheTokenInItsArguments) {
+  write("xdg-open", "#!/bin/sh\ncat \"$1\" > opened.part\nmv opened.part opened.html\n");
+  std::filesystem::permissions(path("xdg-open"), std::filesystem::perms::owner_all);
+  ProgramWorld world;
+  world.environment = {{"PATH", path("") + ":/usr/bin:/bin"}};
+  world.interrupt_at = "Press Ctrl-C to close the view.";
+  std::string address;
+  world.before_interrupt = [&](const std::string& said) {
+    address = said.substr(5, said.find('\n') - 5);
+    for (int i = 0; i < 3000 && !std::filesystem::exists(path("opened.html")); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  };
+  const ProgramRun done = run({"view", "--demo", "--body", "hardness", "--open"}, world);
+  if (done.err.find("without its pages") != std::string::npos) {
+    GTEST_SKIP() << "the program was built without npm";
+  }
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(read("opened.html").find("url=" + address + "\""), std::string::npos) << address;
+}
+
+TEST_F(View, SaysThatNoBrowserCanBeStarted) {
+  ProgramWorld world;
+  world.environment = {{"PATH", path("")}};
+  world.interrupt_at = "Press Ctrl-C to close the view.";
+  const ProgramRun done = run({"view", "--body", "hardness", "--open"}, world);
+  if (done.err.find("without its pages") != std::string::npos) {
+    GTEST_SKIP() << "the program was built without npm";
+  }
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("xdg-open: no browser can be started"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("open the address in a browser"), std::string::npos) << done.err;
 }
 
 TEST_F(View, RefusesObjectsThatItCannotRead) {

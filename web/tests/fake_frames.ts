@@ -205,6 +205,7 @@ export function fakeState(): State {
       labels: { object: thingOf(index).name, trial: String(1 + Math.floor(index / 3)) },
     })),
     exploration: 0,
+    labels: { object: thingOf(0).name, trial: "1" },
     frame: 1,
     frames: kFrames,
     duration: (kFrames - 1) / kRate,
@@ -243,6 +244,7 @@ export function fakeState(): State {
     ],
     label: "object",
     training: false,
+    demonstrated: null,
     clients: 1,
     problem: null,
   };

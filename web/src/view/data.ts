@@ -62,6 +62,11 @@ export interface State {
   explorations: ExplorationLabels[];
   /** Index of the current exploration; while a body explores, the index that it will have. */
   exploration: number | null;
+  /**
+   * The labels of the current exploration, with the names that viewers gave; while a body explores,
+   * only what is known already.
+   */
+  labels: Labels;
   /** Index of the next frame. */
   frame: number;
   /** The number of frames of this exploration; null while a body explores it. */
@@ -91,6 +96,8 @@ export interface State {
   label: string | null;
   /** Whether a system is being trained. */
   training: boolean;
+  /** The number of complete rounds of a demonstration, or null. */
+  demonstrated: number | null;
   /** Number of connected viewers. */
   clients: number;
   /** A sentence: the last error. */
@@ -297,6 +304,7 @@ export type Command =
   | SpeedCommand
   | ThingCommand
   | PlacementCommand
+  | NameCommand
   | SystemCommand;
 
 /** A command without fields. `explore` starts an exploration of a body with the selected thing. */
@@ -339,6 +347,15 @@ export interface PlacementCommand {
   y: number;
   /** In degrees. */
   turn: number;
+}
+
+/** Gives the current exploration a label, such as the name of what is touched. */
+export interface NameCommand {
+  command: "name";
+  /** The name of the label, such as "object". */
+  label: string;
+  /** Its value; at most 256 bytes, without line breaks, not empty. */
+  value: string;
 }
 
 /** Selects the system for the reading. */

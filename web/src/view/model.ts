@@ -81,6 +81,15 @@ export class Model implements Source {
     }
   }
 
+  async file(name: "recording" | "system"): Promise<Blob | null> {
+    try {
+      return await this.server.file(name);
+    } catch (problem) {
+      this.problem.set(sentenceOf(problem));
+      return null;
+    }
+  }
+
   async askNeuron(map: string, neuron: number): Promise<void> {
     const question: Question = { about: "neuron", map, neuron, answer: null };
     await this.answer(question, async () => ({ ...question, answer: await this.server.neuron(map, neuron) }));

@@ -5,13 +5,16 @@ import { CloserPanel } from "./closer_panel";
 import { HandPanel } from "./hand_panel";
 import { pageHeader } from "./header";
 import { helpDialog } from "./help";
+import { invitation } from "./invitation";
 import { listenToKeys } from "./keys";
 import { LinkBanner } from "./link_banner";
 import { MapPanel } from "./map_panel";
 import type { Model } from "./model";
+import { Naming } from "./naming";
 import type { Panel } from "./panel";
 import { problemBar } from "./problem_bar";
 import { ReadingPanel } from "./reading_panel";
+import { sessionFiles } from "./session_files";
 import { StatusLine } from "./status_line";
 import { StripsPanel } from "./strips_panel";
 import { SystemPanel } from "./system_panel";
@@ -36,11 +39,14 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
   const messages = element("div", { class: "messages" }, [
     new LinkBanner(model, tryNow).root,
     problemBar(model),
+    invitation(model),
   ]);
+  const session = element("div", { class: "session" }, [new Naming(model).root, sessionFiles(model)]);
   fill(root, [
     pageHeader(model, help.show),
     messages,
     arrange(columns),
+    session,
     transport.root,
     status.root,
     help.root,

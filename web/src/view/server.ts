@@ -53,6 +53,12 @@ export class Server {
     await answerOf(await this.fetch("api/command", { method: "POST", headers, body }));
   }
 
+  /** The recording of the session, or the selected system. */
+  async file(name: "recording" | "system"): Promise<Blob> {
+    const response = await this.fetch(`api/${name}`, {});
+    return response.ok ? response.blob() : ((await answerOf(response)) as never);
+  }
+
   private async get<Name extends keyof Answers>(name: Name, query = ""): Promise<Answers[Name]> {
     return (await answerOf(await this.fetch(`api/${name}${query}`, {}))) as Answers[Name];
   }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "command_line.h"
+#include "live/view_source.h"
+#include "somato/core/result.h"
+
+namespace somato::program {
+
+/// Selects the system with which the simulated body of --body begins, and has it trained when the
+/// view starts, on explorations that differ from those of the view. Without effect for a source
+/// with fewer than two things. Errors: those of body_session().
+Result<void> prepare_system(const Arguments& arguments, const std::string& body,
+                            ViewSource& source);
+
+/// The plan of --demo: each thing of the source in turn.
+void plan_demonstration(ViewSource& source);
+
+/// The speed at which a demonstration of that body is shown.
+double demonstration_speed(const std::string& body);
+
+}  // namespace somato::program

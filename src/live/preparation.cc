@@ -1,0 +1,63 @@
+#include "live/preparation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iterator>
+#include <utility>
+
+#include "live/map_training.h"
+
+namespace somato::live {
+namespace {
+
+Result<Prepared> train(const ViewSystem& system, const Recording& explored, std::uint64_t seed,
+                       const std::function<bool()>& should_continue) {
+  Prepared prepared;
+  prepared.recording = std::make_shared<const Recording>(explored);
+  SOMATO_TRY(prepared.model, train_visibly(
+                                 system, *prepared.recording, seed,
+                                 [&](const TrainingSnapshot&) { return should_continue(); },
+                                 should_continue));
+  return prepared;
+}
+
+}  // namespace
+
+// An internal error must not end the program.
+void Preparation::start(ViewSystem system, PriorExplorations explorations, std::uint64_t seed,
+                        Done done) {
+  thread_ = std::thread([this, seed, system = std::move(system),
+                         explorations = std::move(explorations), done = std::move(done)] {
+    try {
+      const auto prepared = prepare(system, explorations, seed, done);
+      if (!prepared) done(fail(prepared.error()));
+    } catch (const std::exception& error) {
+      done(fail(ErrorKind::kData, fmt::format("the training failed: {}", error.what())));
+    }
+  });
+}
+
+Result<void> Preparation::prepare(const ViewSystem& system, const PriorExplorations& explorations,
+                                  std::uint64_t seed, const Done& done) const {
+  const std::function<bool()> should_continue = [this] { return !stopping_; };
+  Recording explored;
+  for (std::size_t round = 0; round < explorations.rounds; ++round) {
+    SOMATO_TRY(auto more, explorations.explore(round, should_continue));
+    std::move(more.explorations.begin(), more.explorations.end(),
+              std::back_inserter(explored.explorations));
+    SOMATO_TRY(auto prepared, train(system, explored, seed, should_continue));
+    prepared.is_last = round + 1 == explorations.rounds;
+    done(std::move(prepared));
+  }
+  return {};
+}
+
+void Preparation::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+}  // namespace somato::live

@@ -1,0 +1,71 @@
+#include "live/demonstration.h"
+
+#include <gtest/gtest.h>
+
+#include "live/sessions.h"
+#include "live/viewing.h"
+
+namespace somato {
+namespace {
+
+using nlohmann::json;
+
+using testing::command;
+using testing::eventually;
+using testing::state_of;
+
+TEST(Demonstration, CountsRoundsUntilItEnds) {
+  live::Demonstration demonstration(true);
+  EXPECT_EQ(demonstration.rounds(), 0U);
+  demonstration.complete_round();
+  EXPECT_EQ(demonstration.rounds(), 1U);
+  demonstration.end();
+  EXPECT_FALSE(demonstration.rounds());
+  EXPECT_FALSE(live::Demonstration(false).runs());
+}
+
+// The explorations of a FakeExplorer last a second, a hundredth at this speed.
+ViewSource demonstrated() {
+  ViewSource source = testing::body_source();
+  source.demonstrates = true;
+  source.plan = {{0, 0}, {1, 0}};
+  return source;
+}
+
+TEST(DemonstrationThread, ExploresEachThingOnceAndThenRepeatsUntilAViewerExplores) {
+  ViewSession session(demonstrated(), testing::at_once());
+  session.start();
+  EXPECT_EQ(state_of(session)["demonstrated"], 0);
+  ASSERT_TRUE(eventually([&] { return state_of(session)["demonstrated"] == 2; }));
+  json state = state_of(session);
+  ASSERT_EQ(state["explorations"].size(), 2U);
+  EXPECT_EQ(state["explorations"][0]["labels"]["object"], "ball");
+  EXPECT_EQ(state["explorations"][1]["labels"]["object"], "cube");
+  EXPECT_EQ(state["playing"], true);
+  command(session, R"({"command":"thing","name":"cube"})");
+  EXPECT_EQ(state_of(session)["demonstrated"], nullptr);
+  command(session, R"({"command":"explore"})");
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 3; }));
+  ASSERT_TRUE(eventually([&] { return state_of(session)["playing"] == false; }));
+  state = state_of(session);
+  EXPECT_EQ(state["explorations"][2]["labels"]["object"], "cube");
+  session.stop();
+  // Another trial than in the demonstration.
+  const auto& explored = session.recording().explorations;
+  EXPECT_NE(explored[2].channels, explored[1].channels);
+}
+
+TEST(DemonstrationThread, StandsStillDuringAPause) {
+  ViewSession session(demonstrated(), testing::at_once());
+  session.start();
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
+  command(session, R"({"command":"pause"})");
+  const json state = state_of(session);
+  EXPECT_EQ(state["playing"], false);
+  EXPECT_EQ(state["demonstrated"], 0);
+  command(session, R"({"command":"play"})");
+  EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] == 1; }));
+}
+
+}  // namespace
+}  // namespace somato

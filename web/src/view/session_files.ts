@@ -1,0 +1,33 @@
+// Saves the explorations of this session as a recording, and the selected system, as downloads.
+
+import { element } from "../parts/dom";
+import { saveFile } from "../parts/save";
+import type { State } from "./data";
+import type { Model } from "./model";
+
+export function sessionFiles(model: Model): HTMLElement {
+  const recording = element("button", { type: "button", title: "All explorations, as an MCAP file" }, [
+    "Save recording",
+  ]);
+  const system = element("button", { type: "button", title: "The trained system, for somato apply and somato live" }, [
+    "Save system",
+  ]);
+  recording.addEventListener("click", () => void save(model, "recording", (state) => `${stem(state.name)}.mcap`));
+  system.addEventListener("click", () => void save(model, "system", (state) => `${stem(state.system ?? "system")}.somato`));
+  model.shownState.watch((state) => {
+    recording.disabled = (state?.explorations.length ?? 0) === 0;
+    system.disabled = !(state?.maps.some(({ classes }) => classes.length > 0) ?? false);
+  });
+  return element("div", { class: "session-files", role: "group", "aria-label": "Save" }, [recording, system]);
+}
+
+async function save(model: Model, what: "recording" | "system", name: (state: State) => string): Promise<void> {
+  const state = model.shownState.value;
+  const file = await model.file(what);
+  if (state !== null && file !== null) saveFile(name(state), file);
+}
+
+/** The name of a file without its ending. */
+function stem(name: string): string {
+  return name.replace(/\.(mcap|somato)$/, "");
+}
