@@ -1,7 +1,7 @@
 #include "browser.h"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -40,8 +40,9 @@ Result<void> start_browser(std::string file) {
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (error == 0) return {};
-  return fail(ErrorKind::kSystem, fmt::format("no browser can be started: {}", std::strerror(error)),
-              "xdg-open", "open the address in a browser, or install the package xdg-utils");
+  return fail(ErrorKind::kSystem,
+              fmt::format("no browser can be started: {}", std::strerror(error)), "xdg-open",
+              "open the address in a browser, or install the package xdg-utils");
 }
 
 }  // namespace

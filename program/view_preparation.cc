@@ -74,10 +74,10 @@ Result<void> prepare_system(const Arguments& arguments, const std::string& body,
   SOMATO_TRY(auto session, body_session(arguments, kPriorSeed));
   const std::shared_ptr<const Explorer> explorer = std::move(session.explorer);
   source.system = static_cast<std::size_t>(found - source.systems.begin());
-  source.prior_explorations = {
-      beginning->rounds, [explorer](std::size_t round, const auto& should_continue) {
-        return explore(*explorer, round, should_continue);
-      }};
+  source.prior_explorations = {beginning->rounds,
+                               [explorer](std::size_t round, const auto& should_continue) {
+                                 return explore(*explorer, round, should_continue);
+                               }};
   return {};
 }
 

@@ -18,14 +18,12 @@ Result<std::string> content(const std::function<Result<void>(const std::string& 
 }  // namespace
 
 Result<std::string> recording_bytes(const Recording& recording) {
-  return content(
-      [&](const std::string& path) { return write_recording(path, recording); });
+  return content([&](const std::string& path) { return write_recording(path, recording); });
 }
 
 Result<std::string> system_bytes(const SystemModel& model) {
-  return content([&](const std::string& path) {
-    return save_system(path, model.system, model.answer);
-  });
+  return content(
+      [&](const std::string& path) { return save_system(path, model.system, model.answer); });
 }
 
 }  // namespace somato::live

@@ -9,8 +9,8 @@
 
 namespace somato::live {
 
-/// Labels that viewers gave to explorations, such as the name of what was touched. They stand beside
-/// the recording, which other threads may read.
+/// Labels that viewers gave to explorations, such as the name of what was touched. They stand
+/// beside the recording, which other threads may read.
 class GivenNames {
  public:
   /// Gives a label to the exploration with that index, which may not have ended yet.

@@ -17,10 +17,10 @@ Result<Prepared> train(const ViewSystem& system, const Recording& explored, std:
                        const std::function<bool()>& should_continue) {
   Prepared prepared;
   prepared.recording = std::make_shared<const Recording>(explored);
-  SOMATO_TRY(prepared.model, train_visibly(
-                                 system, *prepared.recording, seed,
-                                 [&](const TrainingSnapshot&) { return should_continue(); },
-                                 should_continue));
+  SOMATO_TRY(prepared.model,
+             train_visibly(
+                 system, *prepared.recording, seed,
+                 [&](const TrainingSnapshot&) { return should_continue(); }, should_continue));
   return prepared;
 }
 

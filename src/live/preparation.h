@@ -13,7 +13,7 @@
 
 namespace somato::live {
 
-/// What was explored before the view so far, and the system that was trained on it.
+/// The explorations before the view so far, and the system that was trained on it.
 struct Prepared {
   std::shared_ptr<const Recording> recording;
   std::shared_ptr<const SystemModel> model;

@@ -157,7 +157,7 @@ class ViewSession::Impl {
     return explored_;
   }
 
-  // What was explored before the view counts, too.
+  // The explorations before the view are included.
   std::shared_ptr<const Recording> to_learn_from() {
     if (!prepared_) return explored();
     auto all = std::make_shared<Recording>(*prepared_);

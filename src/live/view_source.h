@@ -34,7 +34,7 @@ struct PlannedExploration {
   std::size_t trial = 0;
 };
 
-/// What a body explores before the explorations of the view, for a system that is trained on it
+/// Explorations of a body before those of the view, for a system that is trained on them
 /// when the view starts.
 struct PriorExplorations {
   std::size_t rounds = 0;  ///< The system is trained again after each.

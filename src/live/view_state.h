@@ -20,7 +20,7 @@ struct ViewState {
   const SystemPicture& picture;
   const GivenNames& names;
   const PlayedExploration* played = nullptr;  ///< Or nothing.
-  std::vector<Label> labels = {};             ///< Of the exploration that is played.
+  std::vector<Label> labels = {};             ///< The labels of what is played.
   std::size_t frame = 0;
   bool playing = false;
   double speed = 1.0;

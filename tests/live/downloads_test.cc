@@ -23,10 +23,8 @@ using testing::state_of;
 
 class DownloadsThread : public ::testing::Test {
  protected:
-  // What a viewer has saved.
-  std::string save(const std::string& bytes) const {
-    return folder_.with("saved", bytes);
-  }
+  // The file that a viewer has saved.
+  std::string save(const std::string& bytes) const { return folder_.with("saved", bytes); }
 
  private:
   TemporaryFolder folder_;
@@ -35,7 +33,8 @@ class DownloadsThread : public ::testing::Test {
 TEST_F(DownloadsThread, AreTheFilesThatOtherCommandsRead) {
   const Recording recording = testing::hand_recording(2, 1);
   EXPECT_EQ(read_recording(save(live::recording_bytes(recording).value())).value(), recording);
-  const auto model = testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2));
+  const auto model =
+      testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2));
   const SystemModel loaded = load_system(save(live::system_bytes(*model).value())).value();
   EXPECT_EQ(loaded.answer->classes, model->answer->classes);
 }

@@ -24,7 +24,7 @@ Recording labelled(std::size_t explorations) {
   return testing::hand_source(explorations).recording;
 }
 
-// What each round of a preparation that ends by itself yields.
+// The result of each round of a preparation that ends by itself.
 std::vector<Result<live::Prepared>> prepared(PriorExplorations explorations) {
   std::vector<Result<live::Prepared>> rounds;
   std::promise<void> done;
@@ -58,9 +58,8 @@ TEST(PreparationThread, PassesErrorsOn) {
                                 }});
   ASSERT_EQ(failed.size(), 1U);
   EXPECT_EQ(failed[0].error().what, "too far away");
-  const auto single = prepared({1, [](std::size_t, const auto&) -> Result<Recording> {
-                                  return labelled(1);
-                                }});
+  const auto single =
+      prepared({1, [](std::size_t, const auto&) -> Result<Recording> { return labelled(1); }});
   EXPECT_FALSE(single[0]);
 }
 

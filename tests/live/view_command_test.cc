@@ -31,9 +31,8 @@ TEST(ViewCommand, IsReadFromJson) {
   EXPECT_EQ(read<SeekCommand>(R"({"command":"seek","exploration":3,"frame":4})").frame, 4U);
   EXPECT_EQ(read<SpeedCommand>(R"({"speed":0.05,"command":"speed"})").speed, 0.05);
   EXPECT_EQ(read<ThingCommand>(R"({"command":"thing","name":"a \"b\""})").name, "a \"b\"");
-  const Label given = read<NameCommand>(
-                          R"({"command":"name","label":"object","value":"tea cup"})")
-                          .label;
+  const Label given =
+      read<NameCommand>(R"({"command":"name","label":"object","value":"tea cup"})").label;
   EXPECT_EQ(given, (Label{"object", "tea cup"}));
   EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
   EXPECT_EQ(

@@ -108,6 +108,8 @@ export class FakeServer {
       return json(response, 200, this.neuron(Number(url.searchParams.get("neuron"))));
     if (url.pathname === "/api/taxel")
       return json(response, 200, taxel(Number(url.searchParams.get("element"))));
+    if (url.pathname === "/api/recording") return void response.end("a recording");
+    if (url.pathname === "/api/system") return void response.end("a system");
     if (url.pathname === "/api/command") return this.take(await body(request), response);
     json(response, 404, { error: "Not found" });
   }

@@ -1,0 +1,49 @@
+// The view page against a server that speaks its protocol: names, files and the invitation of a demonstration.
+
+import { readFileSync } from "node:fs";
+
+import { expect, it } from "vitest";
+
+import { bodyState } from "./fake_frames";
+import { launchFlatBrowser } from "./view_browser";
+import { soon, ViewedPage } from "./viewed_page";
+
+const view = new ViewedPage(launchFlatBrowser);
+
+it("names what is touched by a click", async () => {
+  await view.open();
+  await view.page.locator(".naming-name").click();
+  const input = view.page.getByLabel("Name of what is touched");
+  await input.fill("tea cup");
+  await view.page.keyboard.press("Enter");
+  await view.received({ command: "name", label: "object", value: "tea cup" });
+  view.server.change({ labels: { object: "tea cup" } });
+  await soon(() => view.page.locator(".naming-name").innerText()).toContain("tea cup");
+});
+
+it("saves the recording and the system of a session", async () => {
+  await view.open();
+  for (const [button, name, content] of [
+    ["Save recording", "hand2.mcap", "a recording"],
+    ["Save system", "tensor_chain.somato", "a system"],
+  ] as const) {
+    const download = view.page.waitForEvent("download");
+    await view.page.getByRole("button", { name: button }).click();
+    const saved = await download;
+    expect(saved.suggestedFilename()).toBe(name);
+    expect(readFileSync(await saved.path(), "utf8")).toBe(content);
+  }
+});
+
+it("invites after a round of a demonstration, until it is closed", async () => {
+  await view.open({ ...bodyState(), demonstrated: 0 });
+  const invitation = view.page.getByRole("complementary", { name: "Invitation" });
+  await view.page.locator(".session").waitFor();
+  expect(await invitation.isVisible()).toBe(false);
+  view.server.change({ demonstrated: 1 });
+  await invitation.getByRole("button", { name: "Explore an object" }).click();
+  await view.received({ command: "explore" });
+  await soon(() => invitation.isVisible()).toBe(false);
+  view.server.change({ demonstrated: 2 });
+  expect(await invitation.isVisible()).toBe(false);
+});
