@@ -1,14 +1,10 @@
 #include "browser.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstring>
 #include <utility>
 
+#include "child_process.h"
 #include "files/whole_file.h"
 
 namespace somato::program {
@@ -22,27 +18,16 @@ std::string page_to(const std::string& address) {
       address);
 }
 
-// It may run as long as the browser; Ctrl-C ends this program only.
-Result<void> start_browser(std::string file) {
-  posix_spawn_file_actions_t files{};
-  posix_spawn_file_actions_init(&files);
-  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    posix_spawn_file_actions_addopen(&files, number, "/dev/null", O_RDWR, 0);
+// It may run as long as the browser.
+Result<void> start_browser(const std::string& file) {
+  auto browser = ChildProcess::start({"xdg-open", file});
+  if (!browser) {
+    browser.error().what = "no browser can be started: the program " + browser.error().what;
+    browser.error().advice = "open the address in a browser, or install the package xdg-utils";
+    return fail(std::move(browser.error()));
   }
-  posix_spawnattr_t attributes{};
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  std::string name = "xdg-open";
-  const std::array<char*, 3> arguments{name.data(), file.data(), nullptr};
-  pid_t process = 0;
-  const int error =
-      ::posix_spawnp(&process, "xdg-open", &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (error == 0) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("no browser can be started: {}", std::strerror(error)), "xdg-open",
-              "open the address in a browser, or install the package xdg-utils");
+  browser->leave();
+  return {};
 }
 
 }  // namespace

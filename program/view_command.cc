@@ -19,6 +19,7 @@
 #include "terminal.h"
 #include "topics.h"
 #include "view_preparation.h"
+#include "view_rendering.h"
 #include "view_serving.h"
 #include "view_systems.h"
 
@@ -80,6 +81,7 @@ Result<void> check_demonstration(const Arguments& arguments) {
 
 Result<void> check_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_demonstration(arguments));
+  SOMATO_TRY_VOID(check_rendering(arguments));
   const bool explores = has_body(arguments);
   if (!arguments.has("RECORDING") && !explores) {
     return fail(ErrorKind::kUsage, "a recording or a body that explores is required", "view",
@@ -138,6 +140,7 @@ Result<void> run_view(const Arguments& given) {
   const Arguments arguments = with_body(given);
   SOMATO_TRY(auto settings, read_server_settings(arguments));
   SOMATO_TRY(auto source, read_source(arguments));
+  if (arguments.has("render")) return render_view(arguments, std::move(source));
   SOMATO_TRY(auto served, view_pages());
   SessionRecording recording(arguments.text("output"));
   SOMATO_TRY_VOID(recording.begin(source));
@@ -188,6 +191,7 @@ Command view_command() {
                   "Trained system that evaluates the explorations, saved by 'somato run'")},
       {},
       run_view};
+  for (Flag& flag : rendering_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
   return command;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "somato/core/result.h"
@@ -22,5 +23,9 @@ void require_picture_size(std::size_t width, std::size_t height);
 /// Writes the image as a PNG file, atomically. Errors: kSystem with the system's reason. Throws
 /// InvalidArgument if it has no pixels, or a number that differs from its size.
 Result<void> write_png(const std::string& path, const Image& image);
+
+/// Reads the bytes of a PNG file; what is transparent becomes white. Errors (kData): damaged bytes;
+/// a picture of more than 16384 pixels along an axis.
+Result<Image> read_png(std::string_view bytes);
 
 }  // namespace somato::detail

@@ -130,6 +130,23 @@ TEST_F(View, SavesWhatABodyExplores) {
   EXPECT_EQ(live->explorations[0], read_recording(path("pressed.mcap"))->explorations[0]);
 }
 
+TEST_F(View, RefusesPicturesThatItCannotDraw) {
+  record();
+  expect_refused(2, {{{"view", "pressed.mcap", "--render", "out.gif"}, {"out.gif", ".webm"}},
+                     {{"view", "pressed.mcap", "--exploration", "2"}, {"--exploration"}},
+                     {{"view", "--demo", "--render", "out.png"}, {"--demo", "--render"}},
+                     {{"view", "pressed.mcap", "--exploration", "9", "--render", "out.png"},
+                      {"--exploration", "8 explorations"}}});
+}
+
+TEST_F(View, SaysWhichProgramsPicturesRequire) {
+  record();
+  ProgramWorld world;
+  world.environment = {{"PATH", path("")}};
+  expect_refused(1, {"view", "pressed.mcap", "--render", "out.png"},
+                 {"chromium", "apt-get install chromium"}, world);
+}
+
 // A page that leads to the address: other users can read the arguments of xdg-open.
 TEST_F(View, OpensABrowserWithoutTheTokenInItsArguments) {
   write("xdg-open", "#!/bin/sh\ncat \"$1\" > opened.part\nmv opened.part opened.html\n");

@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 
+#include "files/whole_file.h"
 #include "somato/core/check.h"
 #include "support/temporary_folder.h"
 
@@ -48,6 +50,21 @@ TEST(Png, HoldsThePixels) {
     ASSERT_TRUE(write_png(path, image));
     EXPECT_EQ(read_independently(path), as_text(image));
   }
+}
+
+TEST(Png, IsReadAgain) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("picture.png");
+  ASSERT_TRUE(write_png(path, gradient(5, 3)));
+  std::string bytes = somato::read_whole(path).value();
+  const auto image = read_png(bytes);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(as_text(*image), as_text(gradient(5, 3)));
+  for (const std::size_t length : {std::size_t{0}, std::size_t{20}, bytes.size() - 20}) {
+    EXPECT_FALSE(read_png(std::string_view(bytes).substr(0, length))) << length;
+  }
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  EXPECT_FALSE(read_png(bytes));
 }
 
 TEST(Png, IsNotThereWhenItCannotBeWritten) {

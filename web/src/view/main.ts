@@ -15,10 +15,16 @@ const root = document.getElementById("view");
 if (root !== null) start(root);
 
 function start(place: HTMLElement): void {
+  const whole = document.documentElement; // its data and class are for `somato view --render`
+  whole.classList.toggle("as-picture", new URL(window.location.href).searchParams.has("picture"));
   const server = new Server(takeToken());
   const model = new Model(server);
   const frames = new FrameLoop(
-    (text) => model.draw(JSON.parse(text) as Frame),
+    (text) => {
+      const frame = JSON.parse(text) as Frame;
+      model.draw(frame);
+      whole.dataset["shown"] = `${frame.exploration}:${frame.frame}`;
+    },
     (work) => page.status.work(work),
   );
   const trainings = new FrameLoop(
