@@ -99,8 +99,9 @@ class PicturedView {
   Result<void> show(std::size_t moment, const std::string& condition) {
     SOMATO_TRY_VOID(session_.command(
         fmt::format(R"({{"command":"seek","exploration":{},"frame":{}}})", exploration_, moment)));
-    return browser_.wait_until(fmt::format("document.documentElement?.dataset.shown === \"{}:{}\"{}",
-                                           exploration_, moment, condition));
+    return browser_.wait_until(
+        fmt::format("document.documentElement?.dataset.shown === \"{}:{}\"{}", exploration_, moment,
+                    condition));
   }
 
   ViewSession& session_;
