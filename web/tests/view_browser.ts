@@ -12,9 +12,15 @@ export { accessibilityViolations, launchBrowser } from "./browser";
 export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
 
 /** One that draws nothing in three dimensions. */
-export function launchFlatBrowser(): Promise<Browser> {
+export function launchFlatBrowser(args: string[] = []): Promise<Browser> {
   const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
-  return chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
+  const flat = ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"];
+  return chromium.launch({ executablePath, args: [...flat, ...args] });
+}
+
+/** The same; it permits a page to capture its tab without a question. */
+export function launchCapturingBrowser(): Promise<Browser> {
+  return launchFlatBrowser(["--auto-accept-this-tab-capture"]);
 }
 
 export async function screenshot(page: Page, name: string): Promise<void> {

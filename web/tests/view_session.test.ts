@@ -5,10 +5,10 @@ import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
 import { bodyState } from "./fake_frames";
-import { launchFlatBrowser } from "./view_browser";
+import { frameShown, launchCapturingBrowser } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
-const view = new ViewedPage(launchFlatBrowser);
+const view = new ViewedPage(launchCapturingBrowser);
 
 it("names what is touched by a click", async () => {
   await view.open();
@@ -46,4 +46,24 @@ it("invites after a round of a demonstration, until it is closed", async () => {
   await soon(() => invitation.isVisible()).toBe(false);
   view.server.change({ demonstrated: 2 });
   expect(await invitation.isVisible()).toBe(false);
+});
+
+it("saves a picture and a film of the tab", async () => {
+  await view.open();
+  const saved = async (button: string): Promise<Buffer> => {
+    const download = view.page.waitForEvent("download");
+    await view.page.getByRole("button", { name: button }).click();
+    return readFileSync(await (await download).path());
+  };
+  const picture = await saved("Save picture");
+  expect(picture.subarray(1, 4).toString()).toBe("PNG");
+  expect(picture.length).toBeGreaterThan(10_000); // an empty picture has less
+  await view.page.getByRole("button", { name: "Record film" }).click();
+  await view.page.getByRole("button", { name: "Stop film" }).waitFor();
+  view.server.show(0, 5);
+  await frameShown(view.page, 5);
+  const film = await saved("Stop film");
+  expect(film.subarray(0, 4).toString("hex")).toBe("1a45dfa3"); // of every WebM file
+  expect(film.length).toBeGreaterThan(1000);
+  await view.page.getByRole("button", { name: "Record film" }).waitFor();
 });

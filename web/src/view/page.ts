@@ -2,6 +2,7 @@
 
 import { element, fill } from "../parts/dom";
 import { CloserPanel } from "./closer_panel";
+import { FilmButtons } from "./film";
 import { HandPanel } from "./hand_panel";
 import { pageHeader } from "./header";
 import { helpDialog } from "./help";
@@ -41,7 +42,11 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
     problemBar(model),
     invitation(model),
   ]);
-  const session = element("div", { class: "session" }, [new Naming(model).root, sessionFiles(model)]);
+  const session = element("div", { class: "session" }, [
+    new Naming(model).root,
+    new FilmButtons(model).root,
+    sessionFiles(model),
+  ]);
   fill(root, [
     pageHeader(model, help.show),
     messages,
