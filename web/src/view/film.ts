@@ -1,4 +1,4 @@
-// Records the page as a film, or saves a picture of it: the browser captures this tab, after it has asked the user.
+// Records the page as a film, or saves a picture of it: the browser captures this tab with the permission of the user.
 
 import { element } from "../parts/dom";
 import { saveFile } from "../parts/save";
