@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <thread>
 #include <utility>
@@ -38,7 +39,7 @@ Colour colour_of_four(const detail::Image& picture, std::size_t row, std::size_t
 }
 
 char quantized(double value) {
-  return static_cast<char>(static_cast<std::uint8_t>(value + 0.5));
+  return static_cast<char>(static_cast<std::uint8_t>(std::lround(value)));
 }
 
 // ITU-R BT.709, section 3: luminance, and the differences of blue and red from it.

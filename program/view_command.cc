@@ -71,7 +71,7 @@ bool has_body(const Arguments& arguments) {
 // The flags that have no effect on a demonstration.
 Result<void> check_demonstration(const Arguments& arguments) {
   if (!arguments.has("demo")) return {};
-  for (const std::string& other : {"RECORDING", "device", "topics", "object"}) {
+  for (const std::string other : {"RECORDING", "device", "topics", "object"}) {
     if (!arguments.has(other)) continue;
     return fail(ErrorKind::kUsage, "a demonstration explores all objects of a simulated body",
                 other == "RECORDING" ? arguments.text(other) : "--" + other, "omit it, or --demo");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -48,12 +49,12 @@ Result<std::size_t> read_exploration(const Arguments& arguments, const Recording
 std::vector<std::size_t> film_moments(const Exploration& exploration) {
   const live::Timeline timeline(exploration);
   std::vector<std::size_t> moments;
-  double left = 0.0;  // s, of the moment that is shown
+  double end = 0.0;  // s, of the moment in the film
   for (std::size_t moment = 0; moment < timeline.moments(); ++moment) {
     const bool is_last = moment + 1 == timeline.moments();
     const double next = is_last ? timeline.time(moment) + kLongestPause : timeline.time(moment + 1);
-    left += std::clamp(next - timeline.time(moment), 0.0, kLongestPause);
-    for (; left > 0.0; left -= 1.0 / static_cast<double>(kFilmRate)) moments.push_back(moment);
+    end += std::clamp(next - timeline.time(moment), 0.0, kLongestPause);
+    moments.resize(static_cast<std::size_t>(std::lround(end * kFilmRate)), moment);
   }
   return moments;
 }
