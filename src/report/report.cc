@@ -10,6 +10,7 @@
 #include "report/curves.h"
 #include "report/evidence.h"
 #include "report/frame_curves.h"
+#include "report/moments_json.h"
 #include "report/not_given.h"
 #include "report/part_settings.h"
 #include "report/samples_json.h"
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 // As in results.json, each run with its recording, without what only verdicts are made of.
 Json protocols_json(const PartResults& part) {
@@ -132,11 +133,9 @@ class ReportWriter {
     for (Json& curve : detail::curves_json(parts_, outcomes_, sources_.units)) {
       curves.push_back(std::move(curve));
     }
-    const Json json = {{"version", kVersion},
-                       {"somato", sources_.version},
-                       {"systems", systems_},
-                       {"claims", claims_},
-                       {"curves", std::move(curves)}};
+    const Json json = {{"version", kVersion},         {"somato", sources_.version},
+                       {"systems", systems_},         {"claims", claims_},
+                       {"curves", std::move(curves)}, {"moments", moments_.list()}};
     return {json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
             claims_.size(), missing_};
   }
@@ -159,6 +158,7 @@ class ReportWriter {
          {"settings", detail::parameters_json(part.parameters)},
          {"data_hash", hash_of(evidence)},
          {"recordings", names_json(part.recordings)},
+         {"recording", evidence.recording ? Json(evidence.recording_number) : Json(nullptr)},
          {"protocols", protocols_json(part)},
          {"graph", graph_or_null(evidence)},
          {"grid", std::move(grid)},
@@ -166,7 +166,7 @@ class ReportWriter {
          {"things", detail::things_json(evidence, sources_.things)},
          {"not_given", detail::not_given_json(part.parameters)},
          {"trained", std::move(trained)},
-         {"moments", is_as_it_stands(part) ? detail::moments_json(evidence) : Json::array()},
+         {"moments", moments_.numbers(evidence, is_as_it_stands(part))},
          {"missing", evidence.missing}});
     remember(evidence.missing);
     return {};
@@ -185,6 +185,7 @@ class ReportWriter {
   std::vector<const ClaimOutcome*> outcomes_;
   Json systems_ = Json::array();
   Json claims_ = Json::array();
+  detail::Moments moments_;
   std::vector<std::string> missing_;
 };
 

@@ -11,6 +11,7 @@
 #include "graph/channel_planes.h"
 #include "graph/learned_parts.h"
 #include "recording/recording_json.h"
+#include "report/packed_json.h"
 #include "report/short_number.h"
 #include "somato/graph/evaluation.h"
 #include "somato/maps/som_quality.h"
@@ -23,13 +24,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostNumbers = 20000;
 
 Json planes_json(const ChannelPlanes& planes) {
-  Json values = Json::array();
-  for (std::size_t neuron = 0; neuron < planes.values.rows(); ++neuron) {
-    values.push_back(short_numbers(planes.values.row(neuron)));
-  }
-  return {{"channel", channel_json(planes.name, planes.unit, planes.elements, planes.shape)},
-          {"unit", planes.value_unit},
-          {"values", std::move(values)}};
+  return {
+      {"channel", channel_json(planes.name, planes.unit, planes.elements, planes.shape)},
+      {"unit", planes.value_unit},
+      {"values", packed_rows(planes.values.values(), planes.values.columns(), PackedBits::k16)}};
 }
 
 // The neurons of the saved map that win the samples.
@@ -92,15 +90,13 @@ Json field_json(const System& system, std::size_t module, const TMpsom& map, std
   const Matrix<float> weights = map.weights(input);
   const Matrix<float> arbor = map.arbor(input);
   Json numbers = Json::array();
-  Json rows = Json::array();
+  std::vector<double> receptive;
   const std::size_t step = step_for(weights.rows(), weights.columns(), p.shape[1]);
   for (std::size_t neuron = 0; neuron < weights.rows(); neuron += step) {
-    std::vector<double> receptive(weights.columns());
-    for (std::size_t k = 0; k < receptive.size(); ++k) {
-      receptive[k] = double{arbor(neuron, k)} * double{weights(neuron, k)};
+    for (std::size_t k = 0; k < weights.columns(); ++k) {
+      receptive.push_back(double{arbor(neuron, k)} * double{weights(neuron, k)});
     }
     numbers.push_back(neuron);
-    rows.push_back(short_numbers(std::span<const double>(receptive)));
   }
   return {{"module", own.name},
           {"shape", {p.shape[0], p.shape[1]}},
@@ -108,7 +104,7 @@ Json field_json(const System& system, std::size_t module, const TMpsom& map, std
           {"axis", p.axes()[input]},
           {"elements", weights.columns()},
           {"neurons", std::move(numbers)},
-          {"weights", std::move(rows)}};
+          {"weights", packed_rows(receptive, weights.columns(), PackedBits::k16)}};
 }
 
 }  // namespace

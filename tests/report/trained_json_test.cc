@@ -7,6 +7,7 @@
 #include "graph/learned_parts.h"
 #include "support/json_schema.h"
 #include "support/systems.h"
+#include "support/unpacked_json.h"
 
 namespace somato {
 namespace {
@@ -47,11 +48,14 @@ TEST(ReceptiveFields, AreArborTimesWeightOfNeuronsOfAllColumns) {
     std::set<std::size_t> columns;
     for (const std::size_t neuron : neurons) columns.insert(neuron % 22);
     EXPECT_EQ(columns.size(), 22U);
+    const std::vector<double> weights = testing::unpacked(field["weights"]);
+    ASSERT_EQ(weights.size(), neurons.size() * elements);
+    const double range = field["weights"]["high"].get<double>();
     for (std::size_t i = 0; i < neurons.size(); i += 37) {
       for (std::size_t k = 0; k < elements; ++k) {
         const double expected =
             double{map->weights(input)(neurons[i], k)} * double{map->arbor(input)(neurons[i], k)};
-        EXPECT_NEAR(field["weights"][i][k].get<double>(), expected, 1e-5 * expected + 1e-300);
+        EXPECT_NEAR(weights[i * elements + k], expected, 0.51 / 65534.0 * range + 1e-6 * range);
       }
     }
   }

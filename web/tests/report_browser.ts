@@ -3,10 +3,20 @@
 import { readFileSync } from "node:fs";
 
 import type { Browser, Download, Locator, Page } from "playwright-core";
-import { afterAll, beforeAll, expect } from "vitest";
+import { afterAll, beforeAll } from "vitest";
 
-import type { ReportData } from "../src/report/data";
+import type { ReportData } from "../src/report/unpacked";
 import { asScriptText, launchBrowser, writeReport } from "./browser";
+
+/** The report as a file has it: every exploration once, to which systems refer by number. */
+export function fileText(data: ReportData): string {
+  const moments: unknown[] = [];
+  const systems = data.systems.map((system) => ({
+    ...system,
+    moments: system.moments.map((one) => (one === null ? null : moments.push(one) - 1)),
+  }));
+  return asScriptText({ ...data, systems, moments });
+}
 
 interface Opened {
   page: Page;
@@ -27,21 +37,24 @@ export class ReportBrowser {
   async open(of: ReportData | string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<Opened> {
     const viewport = { width: 1280, height: 800 };
     const page = await this.browser.newPage({ viewport, acceptDownloads: true, ...options });
+    page.setDefaultTimeout(10_000);
     const problems: string[] = [];
     page.on("pageerror", (error) => problems.push(error.message));
     page.on("console", (message) => {
       if (message.type() === "error") problems.push(message.text());
     });
-    await page.goto(writeReport(typeof of === "string" ? of : asScriptText(of)));
+    await page.goto(writeReport(typeof of === "string" ? of : fileText(of)));
     return { page, problems };
   }
 }
 
-/** Goes to a system as its link does, so that all of it is drawn. */
-export async function goTo(page: Page, system: number): Promise<Locator> {
-  await page.evaluate((id) => (location.hash = id), `system-${system}`);
-  const section = page.locator(`#system-${system}`);
-  await expect.poll(() => section.locator(".lazy:empty").count()).toBe(0);
+/** Opens all parts of a section, and goes there as its link does, so that all of it is drawn. */
+export async function goTo(page: Page, id: string): Promise<Locator> {
+  const section = page.locator(`#${id}`);
+  await page.evaluate((hash) => (location.hash = hash), id);
+  await section.locator("details.block").evaluateAll((all) => all.forEach((one) => one.setAttribute("open", "")));
+  await page.evaluate((hash) => (location.hash = hash), `${id}?`);
+  await page.waitForFunction((of) => !document.querySelector(`[id="${of}"] .lazy:empty`), id);
   return section;
 }
 

@@ -25,7 +25,7 @@ describe("what goes wrong", () => {
 
   test("a report without systems says so", async () => {
     const { page, problems } = await report.open({
-      version: 1,
+      version: 2,
       somato: "1",
       systems: [],
       claims: [],
@@ -38,19 +38,19 @@ describe("what goes wrong", () => {
 
   test("says what is missing and how to get it", async () => {
     const { page } = await report.open(data);
-    expect(await (await goTo(page, 4)).textContent()).toContain("keep system.somato beside results.json");
+    expect(await (await goTo(page, "bare")).textContent()).toContain("keep system.somato beside results.json");
     await page.close();
   });
 
   test("a system with half its fields is shown as far as it goes", async () => {
     const half = {
-      version: 1,
+      version: 2,
       somato: "1",
       systems: [{ name: "half", protocols: [{ protocol: "train_is_test" }], trained: { planes: [{}] } }],
     };
     const { page, problems } = await report.open(JSON.stringify(half));
-    expect(await page.locator("#system-1 h2").textContent()).toBe("half");
-    await goTo(page, 1);
+    expect(await page.locator("section.system h2").first().textContent()).toBe("half");
+    await goTo(page, "half");
     expect(problems).toEqual([]);
     await page.close();
   });
@@ -58,8 +58,8 @@ describe("what goes wrong", () => {
   test("hostile names are text, and numbers that are none are not drawn", async () => {
     const nasty = hostileFixture();
     const { page, problems } = await report.open(nasty);
-    for (const system of [1, 2]) await goTo(page, system);
-    expect(await page.locator("#system-1 h2").textContent()).toBe(nasty.systems[0]!.name);
+    await goTo(page, (await page.locator("section.system").first().getAttribute("id"))!);
+    expect(await page.locator("section.system h2").first().textContent()).toBe(nasty.systems[0]!.name);
     expect(await page.evaluate(() => (globalThis as { __hurt?: number }).__hurt)).toBeUndefined();
     expect(await page.locator("main img").count()).toBe(0);
     expect(await page.locator("svg [d*=NaN], svg [cx=NaN], svg [x=NaN]").count()).toBe(0);
@@ -73,8 +73,8 @@ describe("what goes wrong", () => {
     const { page, problems } = await report.open(largeFixture());
     // Only what is near to what is seen is drawn.
     expect(await page.locator("[data-cell]").count()).toBeLessThan(20_000);
-    await goTo(page, 30);
-    expect(await page.locator("#system-30 [data-cell]").count()).toBeGreaterThan(900);
+    await goTo(page, "system_30");
+    expect(await page.locator("#system_30 [data-cell]").count()).toBeGreaterThan(900);
     expect(problems).toEqual([]);
     await page.close();
   });

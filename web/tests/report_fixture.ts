@@ -2,7 +2,7 @@
 // large one.
 
 import type { GridData } from "../src/parts/data";
-import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../src/report/data";
+import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../src/report/unpacked";
 import { emptySystem } from "../src/report/read";
 import {
   clusteredRun,
@@ -53,7 +53,7 @@ export function reportFixture(): ReportData {
     claim(hand, "Each exploration is named rightly in most runs", "accuracy", 0.5, null),
     claim(probe, "At least three materials are separated", "classes_separated", 3, 3),
   ];
-  return { version: 1, somato: "0.0.0", systems, claims, curves: curves() };
+  return { version: 2, somato: "0.0.0", systems, claims, curves: curves() };
 }
 
 /** Invalid names and texts, and invalid numbers. */
@@ -95,7 +95,7 @@ export function hostileFixture(): ReportData {
   };
   const curveLine = { name: nasty, points: [{ x: 1, mean: null, sd: null, values: [null] }] };
   return {
-    version: 1,
+    version: 2,
     somato: nasty,
     systems: [hostile, empty],
     claims: [nastyClaim],

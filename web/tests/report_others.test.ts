@@ -4,8 +4,9 @@
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import type { ReportData } from "../src/report/data";
-import { asScriptText, launchBrowser, writeReport } from "./browser";
+import type { ReportData } from "../src/report/unpacked";
+import { launchBrowser, writeReport } from "./browser";
+import { fileText, goTo } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 
 let browser: Browser;
@@ -60,9 +61,8 @@ function ofOthers(): ReportData {
 beforeAll(async () => {
   browser = await launchBrowser();
   page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
-  await page.goto(writeReport(asScriptText(ofOthers())));
-  await page.evaluate(() => (location.hash = "system-1"));
-  await page.waitForFunction(() => document.querySelector("#system-1 .lazy:empty") === null);
+  await page.goto(writeReport(fileText(ofOthers())));
+  await goTo(page, "t_mpsom_multiplied");
 });
 
 afterAll(async () => {
@@ -125,9 +125,10 @@ test("names rows of a matrix without writing one over the other", async () => {
   expect(overlaps(await boxesOf(words))).toBe(0);
 });
 
-test("says of sensors on no hand which moment it shows", async () => {
+test("marks the time that is shown in a course", async () => {
   const note = page.locator('figure[aria-label="Joints over time"] figcaption');
-  expect(await note.textContent()).toContain("the vertical line marks the last frame");
+  expect(await note.textContent()).toContain("the vertical line marks the time above");
+  expect(await page.locator(".player output").textContent()).toBe("2.0 s");
 });
 
 test("lays a curve's planes out beside each other, and names beside names", async () => {
@@ -153,7 +154,7 @@ test("distinguishes systems of one name by their files", async () => {
   const twins = await browser.newPage();
   const systems = files.map((file) => ({ ...system, file }));
   const claims = files.map((file) => ({ ...claim, file, system: system.name, variation: "", question: "" }));
-  await twins.goto(writeReport(asScriptText({ ...data, systems, claims })));
+  await twins.goto(writeReport(fileText({ ...data, systems, claims })));
   const links = await twins.locator("nav.side a", { hasText: system.name }).allTextContents();
   expect(links.map((one) => one.replaceAll("\u200b", ""))).toEqual([
     `${system.name} (noise0)`,
@@ -164,9 +165,10 @@ test("distinguishes systems of one name by their files", async () => {
 });
 
 test("counts a single run as one", async () => {
-  const words = await page.locator("#system-1 .what").allTextContents();
+  const words = await page.locator("#t_mpsom_multiplied .what").allTextContents();
   expect(words.some((one) => /, 1 run of /.test(one))).toBe(true);
-  expect(words.some((one) => one.endsWith("the only run"))).toBe(true);
+  expect(await page.locator('figure[aria-label^="Confusion matrix"]').count()).toBe(1);
+  expect(await page.getByRole("slider", { name: "Seed" }).count()).toBe(0);
   expect(words.join()).not.toMatch(/\b1 runs/);
   expect(await page.locator('figure[aria-label="Systems"] tbody').textContent()).not.toContain("±");
 });

@@ -72,9 +72,9 @@ beforeAll(async () => {
   page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
-  await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#system-1`);
+  await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#pressed`);
   await page.waitForFunction(
-    () => document.querySelector("#system-1 .lazy") && !document.querySelector("#system-1 .lazy:empty"),
+    () => document.querySelector("#pressed .lazy") && !document.querySelector("#pressed .lazy:empty"),
   );
 });
 

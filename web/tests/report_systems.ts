@@ -2,7 +2,7 @@
 // a variation, and one system of which little is known.
 
 import type { GridData } from "../src/parts/data";
-import type { ClaimReport, SystemReport } from "../src/report/data";
+import type { ClaimReport, SystemReport } from "../src/report/unpacked";
 import { emptySystem } from "../src/report/read";
 import { clusteredRun, kObjects, kShapeOf, protocol, range } from "./report_runs";
 import { kJoints, kTouch, moment, things } from "./report_things";
@@ -54,7 +54,8 @@ export function handSystem(): SystemReport {
       [planes(kRectangular, kTouch, "N", 3), planes(kRectangular, kJoints, "", 4)],
       [fields("hand", [5, 5], "wrist", 0, 10), fields("posture", [6, 15], "joints", 1, 60)],
     ),
-    moments: kObjects.map((name, i) => moment(name, 50 + i)),
+    recording: 0,
+    moments: labels.map((object, i) => moment(object, 50 + i, (i % 5) + 1)),
     missing: [],
   };
 }
@@ -82,6 +83,7 @@ export function probeSystem(variation: string): SystemReport {
     variation,
     question: variation === "" ? "" : "Does the size of the map matter?",
     recordings: ["probes-1.mcap", "probes-2.mcap"],
+    recording: null,
     protocols: [protocol("train_is_test", undefined, "material", runs)],
     graph: null,
     grid: kHexagonal,

@@ -1,7 +1,7 @@
 // Made-up things of the report's fixture, and what was felt of them.
 
 import type { ChannelData, ThingData } from "../src/parts/data";
-import type { MomentData } from "../src/report/data";
+import type { MomentData } from "../src/report/unpacked";
 import { kShapeOf, randomNumbers, range, round } from "./report_runs";
 
 export function touchElements(): string[] {
@@ -77,7 +77,7 @@ export function things(): ThingData[] {
   ];
 }
 
-export function moment(name: string, seed: number): MomentData {
+export function moment(name: string, seed: number, trial: number): MomentData {
   const random = randomNumbers(seed);
   const times = range(60).map((i) => round(i * 0.1));
   const peaks = kTouch.elements.map(() => (random() < 0.35 ? 1 + 4 * random() : 0));
@@ -86,7 +86,7 @@ export function moment(name: string, seed: number): MomentData {
     kJoints.elements.map((_, i) => round(30 * Math.min(1, time / 4) - (i % 2) * 70 * (1 - time / 6))),
   );
   return {
-    labels: { object: name, shape: kShapeOf[name] ?? "", trial: "1" },
+    labels: { object: name, shape: kShapeOf[name] ?? "", trial: String(trial) },
     channels: [
       { channel: kTouch, rate: 10, frame: 50, time: 5, values: touch[50] ?? [], times, series: touch },
       { channel: kJoints, rate: 10, frame: 50, time: 5, values: joints[50] ?? [], times, series: joints },

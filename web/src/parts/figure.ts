@@ -3,12 +3,21 @@
 //   const shown = figure({ title: "U-matrix", file: "system-u-matrix", body: picture.element,
 //                          picture: () => picture.svg, numbers: () => table });
 //
-// `picture` and `numbers` are called when a button is pressed, so they return the current content.
-// A figure without a picture (a table) offers only CSV.
+// `picture`, `numbers` and `about` are called when a button is pressed, so they return the current
+// content. A figure without a picture (a table) offers CSV and LaTeX. Its `file` is its id as well,
+// so that a link can lead to it.
 
 import { csv, type Table } from "./csv";
 import { element, type Child } from "./dom";
-import { pngOf, saveFile, svgText } from "./save";
+import { latex } from "./latex";
+import { pngOf, saveFile, svgText, type About } from "./save";
+
+/** The present content of a figure, and its origin. */
+export interface Shown {
+  words: string; // such as "Train = test, by object, seed 2011"
+  name: string; // such as "train_is_test-object-seed2011": a part of the names of files
+  facts: [name: string, value: string][];
+}
 
 export interface FigureOptions {
   title: string;
@@ -18,23 +27,31 @@ export interface FigureOptions {
   body: Node;
   picture?: () => SVGSVGElement | null;
   numbers: () => Table;
+  about?: () => Shown;
   wide?: boolean;
 }
 
-const kPngScale = 3;
-
 export function figure(options: FigureOptions): HTMLElement {
-  const title = element("p", { class: "figure-title" }, [options.title]);
+  const id = idOf(options.file);
+  const link = element("a", { href: `#${id}`, class: "figure-link no-print", "aria-label": `Link to ${options.title}` }, [
+    "#",
+  ]);
+  const title = element("p", { class: "figure-title" }, [options.title, " ", link]);
   const header = element("header", {}, [title, saveButtons(options)]);
   const controls = options.controls ? element("div", { class: "controls" }, options.controls) : null;
   const note = options.note ? element("figcaption", {}, [options.note]) : null;
   const kind = options.wide ? "figure wide" : "figure";
-  return element("figure", { class: kind, "aria-label": options.title }, [
+  return element("figure", { id, class: kind, "aria-label": options.title }, [
     header,
     controls,
     options.body,
     note,
   ]);
+}
+
+/** The part of an address that leads to a figure or a section called `name`. */
+export function idOf(name: string): string {
+  return fileName(name).toLowerCase();
 }
 
 /** A table in a place that scrolls sideways where the table is too wide. */
@@ -44,14 +61,13 @@ export function scrolled(label: string, table: HTMLTableElement): HTMLElement {
 
 function saveButtons(options: FigureOptions): HTMLElement {
   const { picture, numbers, title } = options;
-  const name = fileName(options.file);
-  const buttons: Child[] = picture
+  const buttons = picture
     ? [
-        saver("SVG", title, () => saveSvg(name, picture())),
-        saver("PNG", title, () => savePng(name, picture())),
+        saver("SVG", title, () => saveSvg(options, picture())),
+        saver("PNG", title, () => savePng(options, picture())),
       ]
-    : [];
-  buttons.push(saver("CSV", title, () => saveCsv(name, numbers())));
+    : [saver("LaTeX", title, () => saveText(options, "tex", latex(numbers(), captionOf(options))))];
+  buttons.push(saver("CSV", title, () => saveText(options, "csv", csv(numbers()))));
   return element("div", { class: "save no-print", role: "group", "aria-label": `Save ${title}` }, buttons);
 }
 
@@ -70,22 +86,39 @@ function saver(kind: string, title: string, save: () => Promise<void>): HTMLElem
   return button;
 }
 
-async function saveSvg(name: string, picture: SVGSVGElement | null): Promise<void> {
+async function saveSvg(options: FigureOptions, picture: SVGSVGElement | null): Promise<void> {
   if (picture === null) return;
-  saveFile(`${name}.svg`, new Blob([svgText(picture)], { type: "image/svg+xml" }));
+  saveFile(nameOf(options, "svg"), new Blob([svgText(picture, aboutOf(options))], { type: "image/svg+xml" }));
 }
 
-async function savePng(name: string, picture: SVGSVGElement | null): Promise<void> {
+async function savePng(options: FigureOptions, picture: SVGSVGElement | null): Promise<void> {
   if (picture === null) return;
-  saveFile(`${name}.png`, await pngOf(svgText(picture), kPngScale));
+  const about = aboutOf(options);
+  saveFile(nameOf(options, "png"), await pngOf(svgText(picture, about), about));
 }
 
-async function saveCsv(name: string, table: Table): Promise<void> {
-  saveFile(`${name}.csv`, new Blob([csv(table)], { type: "text/csv" }));
+async function saveText(options: FigureOptions, ending: string, words: string): Promise<void> {
+  saveFile(nameOf(options, ending), new Blob([words], { type: "text/plain" }));
+}
+
+function nameOf({ file, about }: FigureOptions, ending: string): string {
+  const name = about?.().name ?? "";
+  return `${fileName(name === "" ? file : `${file}-${name}`)}.${ending}`;
+}
+
+function captionOf({ title, note, about }: FigureOptions): string {
+  return [title, about?.().words ?? "", note ?? ""].filter((part) => part !== "").join(". ");
+}
+
+function aboutOf({ title, note, about }: FigureOptions): About {
+  const shown = about?.();
+  const words = shown?.words ?? "";
+  const caption = [words === "" ? "" : `${words}.`, note ?? ""].filter((part) => part !== "").join(" ");
+  return { title, caption, facts: shown?.facts ?? [] };
 }
 
 /** A name that is valid on every file system. */
 export function fileName(words: string): string {
   const name = words.replaceAll(/[^\p{L}\p{N}._-]+/gu, "-").replaceAll(/^[-.]+|[-.]+$/g, "");
-  return [...name].slice(0, 80).join("") || "figure";
+  return [...name].slice(0, 120).join("") || "figure";
 }

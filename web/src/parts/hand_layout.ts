@@ -35,6 +35,19 @@ export function handLayout(elements: readonly string[]): HandLayout | null {
   );
 }
 
+/** Consecutive elements of one finger, such as the rows of a table of all elements; [] if they are of no hand. */
+export function fingerRuns(elements: readonly string[]): { name: string; from: number; to: number }[] {
+  if (handLayout(elements) === null) return [];
+  const runs: { name: string; from: number; to: number }[] = [];
+  elements.forEach((element, i) => {
+    const name = partOf(element, i)?.finger ?? "";
+    const last = runs.at(-1);
+    if (last?.name === name) last.to = i + 1;
+    else runs.push({ name, from: i, to: i + 1 });
+  });
+  return runs;
+}
+
 function partOf(name: string, element: number): Part | null {
   const match = /^(?:taxel_)?(.+)_(proximal|middle|distal|tip)(?:_(\d+))?$/.exec(name);
   if (!match) return null;

@@ -34,24 +34,29 @@ export function colourBar(width: number, unit: string, colour: (share: number) =
 const kRow = 20;
 const kTall = 5; // rows: of more names long ones are shortened, so that they stand in two columns
 
-/** Markers of the classes in columns, with `counts` beside the names if given. */
+/** Markers of the classes in columns, with `counts` beside the names unless `hasCounts` is false; classes with a count of 0 are left out. */
 export function markerLegend(
   width: number,
   names: readonly string[],
   counts: readonly number[] = [],
+  hasCounts = true,
 ): { group: SVGGElement; height: number } {
-  const words = names.map((name, i) => (counts[i] === undefined ? name : `${name} (${counts[i]})`));
+  const words = names.flatMap((name, number) => {
+    const count = counts[number];
+    if (count === 0) return [];
+    return [{ number, name, label: count === undefined || !hasCounts ? name : `${name} (${count})` }];
+  });
   const room = words.length > kTall ? width / 2 : width;
-  const widest = Math.min(room, 34 + Math.max(24, ...words.map((name) => textWidth(name, 12))));
+  const widest = Math.min(room, 34 + Math.max(24, ...words.map(({ label }) => textWidth(label, 12))));
   const columns = Math.max(1, Math.floor(width / widest));
   const rows = Math.ceil(words.length / columns);
   const group = shape("g", { class: "marker-legend" });
-  words.forEach((name, i) => {
+  words.forEach(({ number, name, label: whole }, i) => {
     const x = Math.floor(i / rows) * widest;
     const y = (i % rows) * kRow + 8;
-    const label = text(x + 20, y + 4, shortened(name, widest - 22, 12));
+    const label = text(x + 20, y + 4, shortened(whole, widest - 22, 12));
     label.append(shape("title", {}, [name]));
-    group.append(marker(i, x + 8, y, 5), label);
+    group.append(marker(number, x + 8, y, 5), label);
   });
   return { group, height: rows * kRow };
 }

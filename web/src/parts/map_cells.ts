@@ -22,18 +22,20 @@ export interface MapFrame extends CursorPlace {
 
 const kMargin = 3; // room for rings at the edge
 const kFootGap = 12;
+const kLargestCell = 90; // of a map of few neurons
+const kLegendWidth = 240; // at least
 
 /** Pixels per cell such that a map is about `size` wide and not taller. */
 function cellSize(grid: GridData, size = 420): number {
   const fitting = Math.min(size / widthOf(grid), size / heightOf(grid));
-  return Math.max(6, Math.min(56, fitting));
+  return Math.max(6, Math.min(kLargestCell, fitting));
 }
 
 export function mapFrame(grid: GridData, { label, size }: MapOptions, footHeight: number): MapFrame {
   const cell = cellSize(grid, size);
   const width = widthOf(grid) * cell;
   const height = heightOf(grid) * cell;
-  const wide = Math.max(width, footHeight > 0 ? 180 : 0);
+  const wide = Math.max(width, footHeight > 0 ? Math.min(kLegendWidth, size ?? kLegendWidth) : 0);
   const cells = Array.from({ length: neuronCount(grid) }, (_, neuron) => cellOf(grid, neuron, cell));
   const border = borderOf(grid, cell);
   const [marks, winner, rings] = [layer("map-marks"), layer("map-winner"), layer("map-rings")];

@@ -23,6 +23,7 @@ export interface CellPicture {
   element: HTMLElement; // the picture with its readout
   svg: SVGSVGElement;
   select(cell: number | null): void;
+  mark(cells: readonly number[]): void; // several at once, such as what belongs to a selection elsewhere
   refresh(): void; // says again what is pointed at, after values have changed
 }
 
@@ -39,6 +40,7 @@ export function cellPicture(
     element: element("div", { class: kind }, [place.svg, readout]),
     svg: place.svg,
     select: (cell) => cursor.select(cell),
+    mark: (cells) => cursor.mark(cells),
     refresh: () => cursor.say(),
   };
 }
@@ -53,6 +55,7 @@ const kSteps: Record<string, [number, number]> = {
 class CellCursor {
   private pointed: number | null = null;
   private selected: number | null = null;
+  private marked: readonly number[] = [];
 
   constructor(
     private readonly place: CursorPlace,
@@ -66,8 +69,18 @@ class CellCursor {
 
   select(cell: number | null): void {
     this.selected = cell;
-    drawRings(this.place, this.pointed, this.selected);
+    this.drawRings();
     this.say();
+  }
+
+  mark(cells: readonly number[]): void {
+    this.marked = cells;
+    this.drawRings();
+  }
+
+  private drawRings(): void {
+    const rings: [number | null, string][] = this.marked.map((cell) => [cell, "map-ring marked"]);
+    drawRings(this.place, [...rings, [this.selected, "map-ring"], [this.pointed, "map-ring pointed"]]);
   }
 
   say(): void {
@@ -88,7 +101,7 @@ class CellCursor {
   private point(cell: number | null): void {
     if (this.pointed === cell) return;
     this.pointed = cell;
-    drawRings(this.place, this.pointed, this.selected);
+    this.drawRings();
     this.say();
     this.options.onPoint?.(cell);
   }
@@ -131,12 +144,9 @@ function target(place: CursorPlace, at: number, key: string): number | null {
   return step ? place.step(at, step[0], step[1]) : null;
 }
 
-function drawRings(place: CursorPlace, pointed: number | null, selected: number | null): void {
+function drawRings(place: CursorPlace, rings: [cell: number | null, kind: string][]): void {
   const drawn: SVGElement[] = [];
-  for (const [cell, kind] of [
-    [selected, "map-ring"],
-    [pointed, "map-ring pointed"],
-  ] as const) {
+  for (const [cell, kind] of rings) {
     const d = cell === null ? null : (place.cells[cell]?.getAttribute("d") ?? null);
     if (d === null) continue;
     drawn.push(shape("path", { d, class: "map-ring-back" }), shape("path", { d, class: kind }));

@@ -21,14 +21,41 @@ export interface LabelsOptions extends MapOptions {
 type Won = Map<number, Map<number, number>>;
 
 export function labelsPicture(grid: GridData, options: LabelsOptions): CellPicture {
-  const won = wonBy(options.winners, options.classes);
-  const frame = mapFrame(grid, options, 1);
+  const { frame, won } = draw(grid, options);
   const legend = markerLegend(frame.width, options.names, countsOf(options));
   frame.foot.append(legend.group);
   setFootHeight(frame, legend.height);
+  return cellPicture(frame, "map-picture", (neuron) => describe(grid, neuron, won, options.names), options);
+}
+
+/** The same as a small picture without a legend, which is only looked at. */
+export function labelsThumbnail(grid: GridData, options: LabelsOptions): SVGSVGElement {
+  const { frame } = draw(grid, options);
+  setFootHeight(frame, 0);
+  joinCells(frame);
+  return frame.svg;
+}
+
+/** One path for all cells of the same colour: a page may have many such pictures. */
+function joinCells({ cells }: MapFrame): void {
+  const outlines = new Map<string, string>();
+  for (const cell of cells) {
+    const key = `${cell.getAttribute("fill") ?? "none"} ${cell.getAttribute("fill-opacity") ?? ""}`;
+    outlines.set(key, (outlines.get(key) ?? "") + (cell.getAttribute("d") ?? ""));
+  }
+  const joined = [...outlines].map(([key, d]) => {
+    const [fill = "none", opacity = ""] = key.split(" ");
+    return shape("path", { d, fill, ...(opacity === "" ? {} : { "fill-opacity": opacity }) });
+  });
+  cells[0]?.parentElement?.replaceChildren(...joined);
+}
+
+function draw(grid: GridData, options: LabelsOptions): { frame: MapFrame; won: Won } {
+  const won = wonBy(options.winners, options.classes);
+  const frame = mapFrame(grid, options, 1);
   if (options.areas && won.size > 0) drawAreas(frame, areasOf(grid, options.winners, options.classes), won);
   for (const [neuron, counts] of won) drawWon(frame, neuron, counts);
-  return cellPicture(frame, "map-picture", (neuron) => describe(grid, neuron, won, options.names), options);
+  return { frame, won };
 }
 
 function countsOf(options: LabelsOptions): number[] {

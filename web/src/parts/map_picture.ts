@@ -14,9 +14,9 @@
 import type { GridData } from "./data";
 import { sequenceColour } from "./colour_maps";
 import { centreOf, placeOf } from "./grid";
-import { mapFrame, type MapFrame, type MapOptions } from "./map_cells";
+import { mapFrame, setFootHeight, type MapFrame, type MapOptions } from "./map_cells";
 import { cellPicture, type CellPicture } from "./map_cursor";
-import { colourBar } from "./legend";
+import { colourBar, markerLegend } from "./legend";
 import { marker } from "./markers";
 import { rangeOf, readable, withUnit } from "./numbers";
 import { painter } from "./painter";
@@ -37,7 +37,7 @@ export interface ValuesPicture extends CellPicture {
 
 export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPicture {
   const hasLegend = options.legend !== false;
-  const frame = mapFrame(grid, options, hasLegend ? 30 : 0);
+  const frame = mapFrame(grid, options, hasLegend ? kBar : 0);
   const bar = hasLegend ? colourBar(frame.width, options.unit ?? "", options.colour ?? sequenceColour) : null;
   if (bar) frame.foot.append(bar.group);
   let shown: readonly (number | null)[] = [];
@@ -65,8 +65,27 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
       marks = classes;
       names = classNames;
       drawMarks(frame, classes);
+      drawMarkLegend(frame, classes, classNames, hasLegend);
     },
   };
+}
+
+const kBar = 30; // height of the bar of colours
+
+/** The names of the markers below the bar of colours. */
+function drawMarkLegend(
+  frame: MapFrame,
+  classes: readonly (number | null)[],
+  names: readonly string[],
+  hasBar: boolean,
+): void {
+  const counts = names.map((_, number) => classes.filter((one) => one === number).length);
+  const { group, height } = markerLegend(frame.width, names, counts, false);
+  const top = hasBar ? kBar + 8 : 0;
+  group.setAttribute("transform", `translate(0 ${top})`);
+  frame.foot.querySelector(".marker-legend")?.remove();
+  frame.foot.append(group);
+  setFootHeight(frame, top + height);
 }
 
 function setWinner(frame: MapFrame, neuron: number | null): void {

@@ -7,8 +7,8 @@
 //   const colour = scaled(pixelRamp(sequenceColour), low, high);
 //   const image = pixelImage(box, columns, rows, (x, y) => colour(values[y]?.[x]));
 
-import { parsed, type Colour } from "./colour_maps";
-import { shape, type Box } from "./svg";
+import { hex, parsed, type Colour } from "./colour_maps";
+import { rounded, shape, type Box } from "./svg";
 
 type Value = number | null | undefined;
 
@@ -78,10 +78,51 @@ export function paintPixels(canvas: HTMLCanvasElement, columns: number, rows: nu
   context.putImageData(new ImageData(bytes, columns, rows), 0, 0);
 }
 
+export interface Pixels {
+  box: Box;
+  columns: number;
+  rows: number;
+  at: PixelAt;
+}
+
+const drawn = new WeakMap<Element, Pixels>();
+
 /** The pixels as a part of a picture, stretched over `box`. */
 export function pixelImage(box: Box, columns: number, rows: number, at: PixelAt): SVGImageElement {
   const canvas = document.createElement("canvas");
   paintPixels(canvas, columns, rows, at);
   const href = canvas.toDataURL("image/png");
-  return shape("image", { ...box, href, preserveAspectRatio: "none", style: "image-rendering:pixelated" });
+  const crisp = { preserveAspectRatio: "none", "image-rendering": "pixelated" };
+  const image = shape("image", { ...box, href, ...crisp });
+  drawn.set(image, { box, columns, rows, at });
+  return image;
+}
+
+/** The pixels that pixelImage() drew as rectangles: a path for each colour, because viewers smooth images. */
+export function pixelPaths(image: Element): SVGGElement | null {
+  const pixels = drawn.get(image);
+  if (!pixels) return null;
+  const paths = [...outlines(pixels)].map(([value, d]) => shape("path", { d, fill: cssOf(value) }));
+  return shape("g", { "shape-rendering": "crispEdges" }, paths);
+}
+
+/** For each value of a pixel the outlines of its runs in rows. */
+function outlines({ box, columns, rows, at }: Pixels): Map<number, string> {
+  const found = new Map<number, string>();
+  const x = (column: number) => rounded(box.x + (column * box.width) / columns);
+  const y = (row: number) => rounded(box.y + (row * box.height) / rows);
+  for (let row = 0; row < rows; row += 1) {
+    for (let from = 0, to = 0; from < columns; from = to) {
+      const value = at(from, row);
+      for (to = from + 1; to < columns && at(to, row) === value; ) to += 1;
+      if (value === null) continue;
+      const d = `M${x(from)} ${y(row)}H${x(to)}V${y(row + 1)}H${x(from)}Z`;
+      found.set(value, (found.get(value) ?? "") + d);
+    }
+  }
+  return found;
+}
+
+function cssOf(value: number): string {
+  return hex([value & 0xff, (value >> 8) & 0xff, (value >> 16) & 0xff]);
 }

@@ -4,7 +4,7 @@
 import { between, kSequence, sequenceColour } from "../parts/colour_maps";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
+import { figure, type Shown } from "../parts/figure";
 import { neuronAtPixel, pixelColumns } from "../parts/grid";
 import { gridLayout, handLayout, type HandLayout } from "../parts/hand_layout";
 import { boneAt } from "../parts/hand_map";
@@ -25,6 +25,7 @@ export function allPlanesFigure(
   range: [number, number],
   file: string,
   onChoose: (element: number) => void,
+  shown: Shown,
 ): Child {
   const { channel } = planes;
   if (channel.elements.length < 2 || channel.elements.length > kMost) return null;
@@ -43,7 +44,8 @@ export function allPlanesFigure(
     body: element("div", { class: "all-planes" }, [picture]),
     picture: () => picture,
     numbers: () => neuronTable(grid, channel.elements, (i) => planes.values[i] ?? []),
-    note: "All panels share one colour scale. Click an element to select it for the figures above.",
+    about: () => shown,
+    note: "All panels share one colour scale.",
     wide: true,
   });
 }

@@ -3,19 +3,33 @@
 import type { Table } from "../parts/csv";
 import { breakable, element, type Child } from "../parts/dom";
 import { figure, scrolled } from "../parts/figure";
-import { percent, readable } from "../parts/numbers";
-import type { ClaimReport, ReportData } from "./data";
+import { countOf, percent, readable } from "../parts/numbers";
+import type { ClaimReport, ReportData } from "./unpacked";
 import type { Placed } from "./same_names";
-import { kindOf } from "./words";
+import { kindOf, kVerdicts } from "./words";
 
+/** The claims, and how many of those of papers have each verdict. */
 export function claimsSection(data: ReportData): HTMLElement {
   return element("section", { id: "claims", "aria-labelledby": "claims-title" }, [
     element("h2", { id: "claims-title" }, ["Claims"]),
     element("p", { class: "muted lead" }, [
       "The papers trained each system once and interpreted a figure. Here each claim is a measured number, evaluated for every run.",
     ]),
-    claimsFigure(data.claims, "somato-claims", true),
+    ...tiles(data.claims.filter(isOfPaper)),
+    claimsFigure(data.claims, "claims-results", true),
   ]);
+}
+
+function tiles(claims: ClaimReport[]): Child[] {
+  if (claims.length === 0) return [];
+  const counted = kVerdicts.flatMap(([verdict, kind]) => {
+    const count = claims.filter((claim) => claim.verdict === verdict).length;
+    if (count === 0) return [];
+    const number = element("strong", {}, [String(count)]);
+    return [element("div", { class: `tile ${kind}` }, [number, element("span", {}, [verdict])])];
+  });
+  const label = `Of ${countOf(claims.length, "claim")} of the papers`;
+  return [element("div", { class: "tiles", role: "group", "aria-label": label }, [element("p", {}, [label]), ...counted])];
 }
 
 export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boolean): HTMLElement {
@@ -32,7 +46,7 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
     file,
     body: scrolled("Claims", table),
     numbers: () => claimsTable(claims),
-    note: "Here: median, minimum and maximum over the runs. By chance: the same for wrong groupings.",
+    note: "Here: median, minimum and maximum over the runs. By chance: the mean for wrong groupings, and how many of them meet the claim.",
     wide: true,
   });
 }
@@ -89,7 +103,7 @@ function claimRow(claim: ClaimReport): HTMLElement {
     element("td", { class: "paper" }, [claim.paper || "ours"]),
     element("td", { class: "number" }, [readable(claim.published)]),
     element("td", { class: "number" }, hereWords(claim.values)),
-    element("td", { class: "number" }, [readable(claim.by_chance)]),
+    element("td", { class: "number" }, chanceWords(claim)),
     element("td", {}, [shareBar(claim)]),
   ]);
 }
@@ -113,6 +127,11 @@ function hereWords(values: (number | null)[]): Child[] {
   return low === high
     ? [middle]
     : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
+}
+
+function chanceWords({ by_chance, chance_share }: ClaimReport): Child[] {
+  if ((chance_share ?? null) === null) return [readable(by_chance)];
+  return [readable(by_chance), element("span", { class: "range" }, [`met by ${percent(chance_share)}`])];
 }
 
 /** The median of sorted numbers. */

@@ -5,9 +5,10 @@ import * as Plot from "@observablehq/plot";
 import { choice } from "../parts/controls";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import type { ReceptiveFields, SystemReport } from "./data";
+import type { ReceptiveFields, SystemReport } from "./unpacked";
 import { matrixPicture, type MatrixPicture } from "./matrix";
 import { plotFigure, plotPicture } from "./plots";
+import { shownOfSaved } from "./origin";
 import { systemName } from "./words";
 
 export function connectivityFigures(system: SystemReport): Child[] {
@@ -43,6 +44,7 @@ class Fields {
       unit: "weight",
       rowEnds: [String((fields.neurons[0] ?? 0) + 1), String((fields.neurons[last] ?? 0) + 1)],
       columnEnds: ["1", String(fields.elements)],
+      describe: (row, column) => `neuron ${(fields.neurons[row] ?? 0) + 1}, element ${column + 1}`,
       onRow: (row) => this.setRow(row),
     });
     const id = uniqueId("neuron");
@@ -64,8 +66,9 @@ class Fields {
       figure({
         title: `Weights of ${fields.module} for ${fields.input}`,
         file: `${name}-connectivity`,
-        body: this.matrix.svg,
+        body: this.matrix.element,
         picture: () => this.matrix.svg,
+        about: () => shownOfSaved(this.system),
         numbers: () => ({
           columns: ["neuron", ...elementNames(fields)],
           rows: fields.weights.map((weights, i) => [(fields.neurons[i] ?? 0) + 1, ...weights]),
@@ -78,6 +81,7 @@ class Fields {
         controls: [this.sliderPlace],
         body: element("div", {}, [this.title, this.plot]),
         picture: () => plotPicture(this.plot, []),
+        about: () => shownOfSaved(this.system),
         numbers: () => ({
           columns: ["element", "weight"],
           rows: (fields.weights[this.row] ?? []).map((weight, i) => [i + 1, weight]),

@@ -8,7 +8,7 @@ import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { markerShape, plotSymbol } from "../parts/markers";
 import { shortened } from "../parts/svg";
-import type { CurveReport, ReportData } from "./data";
+import type { CurveReport, ReportData } from "./unpacked";
 import { lazy } from "./lazy";
 import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
 import { isShare, metricName } from "./words";

@@ -4,7 +4,6 @@
 
 import type {
   ChannelData,
-  ChannelPlanes,
   GraphData,
   GridData,
   Labels,
@@ -15,12 +14,39 @@ import type {
 
 /** The whole report. */
 export interface ReportData {
-  version: 1;
+  version: 2;
   /** Version of the program. */
   somato: string;
   systems: SystemReport[];
   claims: ClaimReport[];
   curves: CurveReport[];
+  /** Sensor readings of explorations, each once, although several systems may refer to it. */
+  moments: MomentData[];
+}
+
+/**
+ * A list of numbers. Integer i stands for low + i * (high - low) / (2^bits - 2); the largest
+ * integer, 2^bits - 1, for a missing number.
+ */
+export interface PackedNumbers {
+  /** The size of an integer. */
+  bits: 8 | 16;
+  low: number;
+  high: number;
+  /** Unsigned integers, the lower byte first, in base64 (RFC 4648, section 4). */
+  packed: string;
+}
+
+/** Rows of numbers, one after the other, as PackedNumbers. */
+export interface PackedRows {
+  /** Numbers in a row. */
+  columns: number;
+  /** The size of an integer. */
+  bits: 8 | 16;
+  low: number;
+  high: number;
+  /** As in PackedNumbers. */
+  packed: string;
 }
 
 /** A metric over the runs of a protocol. */
@@ -72,6 +98,10 @@ export interface SystemReport {
   data_hash: string;
   /** Names. */
   recordings: string[];
+  /**
+   * Index into `recordings` of the one with the `samples` and `moments`; null without a recording.
+   */
+  recording: number | null;
   protocols: ProtocolData[];
   graph: GraphData | null;
   /** The grid of the output map. */
@@ -86,10 +116,11 @@ export interface SystemReport {
   /** Data of the trained system, for the saved seed; null without system.somato. */
   trained: TrainedData | null;
   /**
-   * Sensor readings of one exploration of each thing, if a recording was available. [] for
-   * variations and questions, whose recordings are similar to those of the original system.
+   * For each sample the number of its readings in the `moments` of the report, or null; [] without
+   * a recording. For variations and questions only readings that an earlier original system refers
+   * to.
    */
-  moments: MomentData[];
+  moments: (number | null)[];
   /** Sentences that state what is missing and how to obtain it. */
   missing: string[];
 }
@@ -117,8 +148,19 @@ export interface TrainedData {
   /** For each neuron the number of samples, of the saved system; [] without a recording. */
   hits: number[];
   /** Component planes: all elements of a short input, else those of the channels. */
-  planes: ChannelPlanes[];
+  planes: PackedPlanes[];
   receptive_fields: ReceptiveFields[];
+}
+
+/** The component planes of a channel, as ChannelPlanes of parts.json. */
+export interface PackedPlanes {
+  channel: ChannelData;
+  /** The unit of the values; "" for weights without one. */
+  unit: string;
+  /**
+   * A row for each neuron, a column for each element; missing where the weights determine no value.
+   */
+  values: PackedRows;
 }
 
 /**
@@ -137,8 +179,8 @@ export interface ReceptiveFields {
   elements: number;
   /** Numbers of the neurons in `weights`. */
   neurons: number[];
-  /** weights[neuron][element]: arbor times weight. */
-  weights: number[][];
+  /** A row for each of `neurons`, a column for each element: arbor times weight. */
+  weights: PackedRows;
 }
 
 /** The sensor readings at one moment and over one exploration. */
@@ -147,7 +189,7 @@ export interface MomentData {
   channels: MomentChannel[];
 }
 
-/** One channel at the moment, and at most 200 evenly chosen frames of the exploration. */
+/** One channel at the moment, and evenly chosen frames of the exploration, at most 200. */
 export interface MomentChannel {
   channel: ChannelData;
   /** Frames per second; 0 if unknown. */
@@ -159,9 +201,9 @@ export interface MomentChannel {
   /** At that frame, one for each element. */
   values: NumberOrNull[];
   /** The times of the chosen frames, in seconds; the number of the frame if times are unknown. */
-  times: number[];
-  /** series[frame][element]; [] for more than 64 elements. */
-  series: NumberOrNull[][];
+  times: PackedNumbers;
+  /** A row for each chosen frame, a column for each element; no rows for more than 64 elements. */
+  series: PackedRows;
 }
 
 /** A claim, and how often it holds. */

@@ -4,7 +4,7 @@ import type { ModuleData } from "../parts/data";
 import { element, fill, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { graphPicture } from "../parts/graph_picture";
-import type { SystemReport } from "./data";
+import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
 export function graphFigure(system: SystemReport): Child {

@@ -1,6 +1,6 @@
 // The classes of a system's samples, by each known label.
 
-import type { ProtocolData, RunData, SystemReport } from "./data";
+import type { ProtocolData, RunData, SystemReport } from "./unpacked";
 
 /** The labels for display: that of the study, then those of the explorations. */
 export function labelNames(system: SystemReport, protocol: ProtocolData): string[] {

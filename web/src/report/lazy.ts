@@ -42,16 +42,25 @@ export function drawNow(place: Element): void {
   draw?.();
 }
 
-/** Draws the pending parts inside `place`, for example before scrolling to it. */
+/** Draws the pending parts inside `place` that are not collapsed, for example before scrolling to it. */
 export function drawInside(place: Element): void {
   // Drawn parts may contain further pending parts.
+  for (const one of waiting.keys()) if (place.contains(one) && !isCollapsed(one)) drawNow(one);
+}
+
+/** The same with collapsed parts. */
+export function drawAllInside(place: Element): void {
   for (const one of waiting.keys()) if (place.contains(one)) drawNow(one);
+}
+
+function isCollapsed(one: Element): boolean {
+  return one.closest("details:not([open])") !== null;
 }
 
 export function drawAllForPrint(): void {
   const drawAll = () => {
     // Collapsed parts are not printed.
-    for (const one of waiting.keys()) if (!one.closest("details:not([open])")) drawNow(one);
+    for (const one of waiting.keys()) if (!isCollapsed(one)) drawNow(one);
   };
   addEventListener("beforeprint", drawAll);
   matchMedia("print").addEventListener("change", (event) => (event.matches ? drawAll() : undefined));

@@ -1,12 +1,14 @@
 // A picture of a matrix, drawn once on a canvas because it may have tens of thousands of elements.
 
+import { element } from "../parts/dom";
 import { sequenceColour } from "../parts/colour_maps";
 import { colourBar } from "../parts/legend";
-import { rangeOf } from "../parts/numbers";
+import { rangeOf, readable, withUnit } from "../parts/numbers";
 import { pixelImage, pixelRamp, scaled } from "../parts/painter";
 import { rounded, shape, shortened, svg, text, textWidth } from "../parts/svg";
 
 export interface MatrixPicture {
+  element: HTMLElement; // the picture with a line that states the value under the pointer
   svg: SVGSVGElement;
   markRow(row: number): void;
   markColumn(column: number): void;
@@ -21,6 +23,8 @@ export interface MatrixOptions {
   height?: number;
   rowEnds: [string, string];
   columnEnds: [string, string];
+  describe: (row: number, column: number) => string;
+  bands?: { name: string; from: number; to: number }[]; // consecutive rows with a common name
   onRow?: (row: number) => void;
 }
 
@@ -48,7 +52,7 @@ export function matrixPicture(
     text(kLeft, below, options.columnEnds[0], { class: "muted" }),
     text(kLeft + width / 2, below, `${options.columnName} →`, { class: "muted middle" }),
     text(kLeft + width, below, options.columnEnds[1], { class: "muted end" }),
-    ...besideRows(options, height),
+    ...(options.bands?.length ? bandsBeside(options.bands, rows, height) : besideRows(options, height)),
   ];
   const frame = shape("rect", { x: kLeft, y: kTop, width, height, class: "rule" });
   const picture = svg(kLeft + width + 6, kTop + height + 66, options.label, [
@@ -58,8 +62,21 @@ export function matrixPicture(
     ...words,
     bar.group,
   ]);
-  if (options.onRow) listen(picture, image, rows, options.onRow);
+  const readout = element("output", { class: "readout", "aria-live": "polite" });
+  const cell = (event: MouseEvent) => cellAt(image, rows, columns, event);
+  picture.addEventListener("pointermove", (event) => {
+    const at = cell(event);
+    const value = at && withUnit(readable(values[at.row]?.[at.column]), options.unit);
+    readout.textContent = at ? `${options.describe(at.row, at.column)}: ${value}` : "";
+  });
+  picture.addEventListener("pointerleave", () => (readout.textContent = ""));
+  picture.addEventListener("click", (event) => {
+    const at = cell(event);
+    if (at) options.onRow?.(at.row);
+  });
+  picture.style.cursor = "crosshair";
   return {
+    element: element("div", {}, [picture, readout]),
     svg: picture,
     markRow: (row) => mark(line, rows, row, width, height),
     markColumn: (column) => markColumn(line, columns, column, width, height),
@@ -79,6 +96,15 @@ function besideRows({ rowName, rowEnds }: MatrixOptions, height: number): SVGTex
     ...(hasRoom ? [sideways(between, kTop + height / 2, "middle")] : []),
     sideways(last ?? "", kTop + height, ""),
   ];
+}
+
+/** Names of the bands, with lines between them. */
+function bandsBeside(bands: { name: string; from: number; to: number }[], rows: number, height: number): SVGElement[] {
+  const y = (row: number) => kTop + (row * height) / rows;
+  return bands.flatMap(({ name, from, to }) => [
+    shape("path", { d: `M${kLeft - 24} ${rounded(y(from))}H${kLeft}`, class: "rule" }),
+    sideways(shortened(name, y(to) - y(from) - 4, kLetters), (y(from) + y(to)) / 2, "middle"),
+  ]);
 }
 
 function sideways(words: string, y: number, anchor: string): SVGTextElement {
@@ -109,16 +135,14 @@ function place(line: SVGRectElement, x: number, y: number, width: number, height
     line.setAttribute(name, String(rounded(value)));
 }
 
-function listen(
-  picture: SVGSVGElement,
+function cellAt(
   image: SVGImageElement,
   rows: number,
-  onRow: (row: number) => void,
-): void {
-  picture.style.cursor = "crosshair";
-  picture.addEventListener("click", (event) => {
-    const box = image.getBoundingClientRect();
-    const row = Math.floor(((event.clientY - box.top) / box.height) * rows);
-    if (row >= 0 && row < rows) onRow(row);
-  });
+  columns: number,
+  { clientX, clientY }: MouseEvent,
+): { row: number; column: number } | null {
+  const box = image.getBoundingClientRect();
+  const row = Math.floor(((clientY - box.top) / box.height) * rows);
+  const column = Math.floor(((clientX - box.left) / box.width) * columns);
+  return row < 0 || row >= rows || column < 0 || column >= columns ? null : { row, column };
 }

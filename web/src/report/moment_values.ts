@@ -6,9 +6,10 @@ import type { Table } from "../parts/csv";
 import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { readable, withUnit } from "../parts/numbers";
-import type { MomentChannel, SystemReport } from "./data";
+import type { MomentChannel, SystemReport } from "./unpacked";
 import { capital } from "./groups";
 import { plotFigure, plotPicture } from "./plots";
+import { shownOf } from "./origin";
 import { systemName } from "./words";
 
 export function valuesFigure(system: SystemReport, of: MomentChannel, name: string): Child {
@@ -31,9 +32,10 @@ function fewValues(system: SystemReport, of: MomentChannel, name: string): Child
   return figure({
     title: `${capital(channel.name)} at the end`,
     file: `${systemName(system)}-${channel.name}-moment`,
+    note: name,
     body: element("dl", { class: "facts values" }, values),
     numbers: () => valuesTable(of),
-    note: name,
+    about: () => shownOf(system, name),
   });
 }
 
@@ -61,8 +63,9 @@ function manyValues(system: SystemReport, of: MomentChannel, name: string): Chil
     title: `${capital(channel.name)} at a moment`,
     file: `${systemName(system)}-${channel.name}-moment`,
     body: plot,
+    note: name,
     picture: () => plotPicture(plot, []),
     numbers: () => valuesTable(of),
-    note: name,
+    about: () => shownOf(system, name),
   });
 }

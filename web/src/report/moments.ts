@@ -1,92 +1,107 @@
-// The sensor readings during an exploration: touch on the hand at one moment, and joints and
-// touch over time.
+// The sensor readings of an exploration: touch on the hand at one moment, and joints and touch over
+// time. The exploration is that of a sample of the selected neuron, and plays.
 
 import { choice } from "../parts/controls";
 import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
-import { rangeOf, readable } from "../parts/numbers";
+import { rangeOf, readable, seconds } from "../parts/numbers";
 import { courseFigure } from "./courses";
-import type { MomentChannel, MomentData, SystemReport } from "./data";
+import { Exploration, frameAt, momentTime } from "./exploration";
 import { capital } from "./groups";
-import { momentIndex, momentTime } from "./moment_time";
 import { valuesFigure, valuesTable } from "./moment_values";
+import { shownOf } from "./origin";
+import type { Samples } from "./samples";
+import type { MomentChannel, SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
-export function momentFigures(system: SystemReport): Child[] {
-  const names = system.moments.map((moment, i) => momentName(system, moment, i));
+export function momentFigures(system: SystemReport, samples: Samples): Child[] {
   const place = element("div", { class: "figures" });
-  const show = (index: number) => {
-    const moment = system.moments[index];
-    if (moment) fill(place, figuresOf(system, moment, names[index] ?? ""));
+  const player = element("span", { class: "player" });
+  let shown: Exploration | null = null;
+  const list = choice("Exploration of", samples.names, 0, (index) => samples.choose(index));
+  const show = () => {
+    const moment = samples.moment;
+    if (!moment) return;
+    shown?.stop();
+    shown = new Exploration(moment, samples.name);
+    list.set(samples.index);
+    fill(place, figuresOf(system, shown));
+    fill(player, playerOf(shown));
+    if (samples.plays) shown.play();
   };
-  show(0);
-  return [element("div", { class: "controls" }, [choice("Exploration of", names, 0, show).element]), place];
+  show();
+  samples.listen(show);
+  return [element("div", { class: "controls" }, [list.element, player]), place];
 }
 
-/** The label of the study if it is known, because explorations may have many labels. */
-function momentName(system: SystemReport, { labels }: MomentData, index: number): string {
-  const own =
-    labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${index + 1}`;
-  return labels["trial"] === undefined ? own : `${own}, trial ${labels["trial"]}`;
+function playerOf(exploration: Exploration): Child[] {
+  const [from, to] = exploration.times;
+  if (to <= from) return [];
+  const id = uniqueId("time");
+  const slider = element("input", { type: "range", id, min: from, max: to, step: (to - from) / 200 });
+  slider.addEventListener("input", () => {
+    exploration.stop();
+    exploration.setTime(Number(slider.value));
+  });
+  const button = element("button", { type: "button" });
+  button.addEventListener("click", () => (exploration.plays ? exploration.stop() : exploration.play()));
+  const words = element("output", { for: id, class: "run-words" });
+  const show = () => {
+    slider.value = String(exploration.time);
+    words.textContent = seconds(exploration.time);
+    slider.setAttribute("aria-valuetext", seconds(exploration.time));
+    button.textContent = exploration.plays ? "Stop" : "Play";
+  };
+  show();
+  exploration.listen(show);
+  return [button, element("span", { class: "control" }, [element("label", { for: id }, ["Time"]), slider, words])];
 }
 
-function figuresOf(system: SystemReport, moment: MomentData, name: string): Child[] {
+function figuresOf(system: SystemReport, exploration: Exploration): Child[] {
   const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
   const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
   // Channels on the hand come first, touch before joints.
-  const channels = [...moment.channels].sort((one, other) => size(other) - size(one));
+  const channels = [...exploration.moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
     const isOnHand = isHand(one);
     const hasCourse = one.series.length > 1;
     return [
-      isOnHand ? handFigure(system, one, name) : null,
-      hasCourse ? courseFigure(system, moment, one, name) : null,
-      isOnHand || hasCourse ? null : valuesFigure(system, one, name),
+      isOnHand ? handFigure(system, one, exploration) : null,
+      hasCourse ? courseFigure(system, one, exploration) : null,
+      isOnHand || hasCourse ? null : valuesFigure(system, one, exploration.name),
     ];
   });
 }
 
-/** The hand at a moment, selected by a slider if there is more than one. */
-function handFigure(system: SystemReport, of: MomentChannel, name: string): Child {
-  const { channel, series, times } = of;
+/** The hand at the time of the exploration; at first at the moment of greatest contact. */
+function handFigure(system: SystemReport, of: MomentChannel, exploration: Exploration): Child {
+  const { channel, series } = of;
+  const { name } = exploration;
   const picture = handMap(channel, {
     label: `${channel.name} while exploring ${name}`,
     unit: channel.unit,
     size: 380,
   });
   const range = rangeOf(series.flatMap((values) => rangeOf(values) ?? [])) ?? rangeOf(of.values) ?? [0, 1];
-  const frames = [...series.map((values, i) => ({ time: times[i] ?? 0, values }))];
-  let shown = { time: momentTime(of), values: of.values };
+  const values = () =>
+    exploration.time === momentTime(of) ? of.values : (series[frameAt(of, exploration.time)] ?? of.values);
+  const words = () => `${name}, at ${readable(Math.round(exploration.time * 100) / 100)} s`;
   const title = element("p", { class: "small what" });
   const show = () => {
-    picture.setValues(shown.values, [Math.min(0, range[0]), range[1]]);
-    title.textContent = `${name}, at ${readable(shown.time)} s`;
+    picture.setValues(values(), [Math.min(0, range[0]), range[1]]);
+    title.textContent = words();
   };
   show();
-  const slider =
-    frames.length < 2 ? [] : [timeSlider(of, (index) => ((shown = frames[index] ?? shown), show()))];
+  exploration.listen(show);
   return figure({
     title: `${capital(channel.name)} at a moment`,
     file: `${systemName(system)}-${channel.name}-moment`,
-    controls: slider,
     body: element("div", {}, [title, picture.element]),
     picture: () => picture.svg,
-    numbers: () => valuesTable({ ...of, values: shown.values }),
-    note: "Initially the moment of maximum touch is shown.",
+    numbers: () => valuesTable({ ...of, values: values() }),
+    about: () => shownOf(system, words()),
+    note: "Starts at the moment of greatest contact.",
   });
-}
-
-function timeSlider(of: MomentChannel, onChange: (index: number) => void): HTMLElement {
-  const id = uniqueId("time");
-  const slider = element("input", { type: "range", id, min: 0, max: of.times.length - 1, step: 1 });
-  slider.value = String(momentIndex(of));
-  const say = () => slider.setAttribute("aria-valuetext", `${readable(of.times[Number(slider.value)])} s`);
-  say();
-  slider.addEventListener("input", () => {
-    say();
-    onChange(Number(slider.value));
-  });
-  return element("span", { class: "control" }, [element("label", { for: id }, ["Time"]), slider]);
 }

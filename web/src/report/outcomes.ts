@@ -2,26 +2,37 @@
 
 import type { Table } from "../parts/csv";
 import { element } from "../parts/dom";
+import type { Shown } from "../parts/figure";
 import { countOf } from "../parts/numbers";
-import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "./data";
+import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "./unpacked";
 import { classesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
+import { nameOf, shownOf } from "./origin";
 import type { Selection } from "./selection";
 import { stripsPicture, type Strip } from "./strips";
 import { metricName, metricRange, protocolName, splitMetric, systemName } from "./words";
 
-export function outcomesFigure(
-  system: SystemReport,
-  selection: Selection,
-  claims: ClaimReport[],
-): HTMLElement {
+export function outcomesFigure(selection: Selection, claims: ClaimReport[]): HTMLElement {
+  const { system } = selection;
+  const hasSeveral = system.protocols.some(({ runs }) => runs.length > 1);
   const options = {
     title: "Outcomes",
     file: `${systemName(system)}-outcomes`,
-    note: "Each dot is a run; equal runs share one dot whose area is proportional to their number. The vertical line is the median.",
+    note: hasSeveral
+      ? "Each dot is a run; equal runs share one dot whose area is proportional to their number. The vertical line is the median."
+      : "",
     wide: true,
+    about: () => shown(selection),
   };
-  return liveFigure(options, selection, () => draw(system, selection, claims)).element;
+  return liveFigure(options, selection, () => draw(system, selection, claims));
+}
+
+function shown(selection: Selection): Shown {
+  const { system, protocol, label } = selection;
+  if (!protocol) return shownOf(system);
+  const runs = countOf(protocol.runs.length, "run");
+  const words = `${protocolName(protocol)}, ${label}, ${runs} of ${countOf(protocol.samples, "sample")}`;
+  return shownOf(system, words, nameOf(selection, [label]));
 }
 
 function draw(system: SystemReport, selection: Selection, claims: ClaimReport[]): Drawn {
@@ -29,7 +40,7 @@ function draw(system: SystemReport, selection: Selection, claims: ClaimReport[])
   if (!protocol) return nothing("There are no protocols.");
   const strips = stripsOf(system, protocol, label, claims);
   if (strips.length === 0) return nothing(`There are no metrics for the label ${label} under this protocol.`);
-  const words = `${protocolName(protocol)}, ${label}, ${countOf(protocol.runs.length, "run")} of ${countOf(protocol.samples, "sample")}`;
+  const { words } = shown(selection);
   const picture = stripsPicture(strips, `Outcomes: ${words}`);
   const seeds = protocol.runs.map((run) => run.seed);
   return {

@@ -1,32 +1,37 @@
-// The whole page: side navigation, overview, claims and curves, and a section for each system.
+// The whole page: side navigation, overview, claims and curves, a comparison, and a section for each
+// system with its variations.
 
-import { breakable, element } from "../parts/dom";
+import { breakable, element, type Child } from "../parts/dom";
 import { themeButton } from "../parts/theme";
+import { parsedAddress, restoreSection, showFigureInAddress } from "./address";
 import { claimsSection } from "./claims";
+import { canCompare, compareSection } from "./compare";
 import { curvesSection } from "./curves";
-import type { ReportData } from "./data";
-import { questionsOf, standing, systemId, type Numbered } from "./groups";
-import { drawInside, tried } from "./lazy";
-import { overviewSection } from "./overview";
+import { groupsOf, questionsOf } from "./groups";
+import { drawAllInside, drawInside, tried } from "./lazy";
+import { overviewSection, titleOf } from "./overview";
 import { questionSection } from "./question";
+import { savingControls } from "./saving_controls";
 import { systemSection } from "./system";
-import { systemName } from "./words";
+import type { ReportData } from "./unpacked";
 
 interface Entry {
   id: string;
   name: string;
-  isVariation: boolean;
 }
 
 export function reportPage(place: HTMLElement, data: ReportData): void {
+  const groups = groupsOf(data);
+  const isFolded = groups.length > 1;
   const sections = [
     ...tried(() => [overviewSection(data)]),
-    ...(data.claims.length > 0 ? tried(() => [claimsSection(data)]) : []),
-    ...(data.curves.length > 0 ? tried(() => [curvesSection(data)]) : []),
-    ...standing(data).flatMap(({ system, index }) => tried(() => [systemSection(system, index, data)])),
+    ...(canCompare(data) ? tried(() => [compareSection(data)]) : []),
+    ...groups.flatMap((group) => tried(() => [systemSection(group, data, isFolded)])),
     ...questionsOf(data).flatMap((question) => tried(() => [questionSection(question, data)])),
+    ...(data.curves.length > 0 ? tried(() => [curvesSection(data)]) : []),
+    ...(data.claims.length > 0 ? tried(() => [claimsSection(data)]) : []),
   ];
-  document.title = titleOf(data);
+  document.title = `${titleOf(data)} – Somato report`;
   const skip = element("a", { class: "skip", href: "#overview" }, ["To the report"]);
   place.before(skip);
   place.before(navigation(data));
@@ -34,33 +39,17 @@ export function reportPage(place: HTMLElement, data: ReportData): void {
   followLinks();
 }
 
-function titleOf(data: ReportData): string {
-  const [first] = data.systems;
-  if (data.systems.length === 1 && first) return `${systemName(first)} – Somato report`;
-  return "Somato report";
-}
-
-function entriesOf(data: ReportData): Entry[] {
-  return [
-    { id: "overview", name: "Overview", isVariation: false },
-    ...(data.claims.length > 0 ? [{ id: "claims", name: "Claims", isVariation: false }] : []),
-    ...(data.curves.length > 0 ? [{ id: "curves", name: "Curves", isVariation: false }] : []),
-  ];
-}
-
-function systemEntries(systems: Numbered[]): Entry[] {
-  return systems.map(({ system, index }, i) => {
-    const isVariation = system.variation !== "" && systems[i - 1]?.system.name === system.name;
-    return { id: systemId(index), name: isVariation ? system.variation : systemName(system), isVariation };
-  });
-}
-
 function navigation(data: ReportData): HTMLElement {
-  const questions = questionsOf(data).map(({ id, name }) => ({ id, name, isVariation: false }));
+  const part = (id: string, name: string, isThere: boolean): Entry[] => (isThere ? [{ id, name }] : []);
   const lists = [
-    ...entryList("", entriesOf(data)),
-    ...entryList("Systems", systemEntries(standing(data))),
-    ...entryList("Questions", questions),
+    ...entryList("", [
+      { id: "overview", name: "Overview" },
+      ...part("compare", "Side by side", canCompare(data)),
+      ...part("curves", "Curves", data.curves.length > 0),
+      ...part("claims", "Claims", data.claims.length > 0),
+    ]),
+    ...entryList("Systems", groupsOf(data)),
+    ...entryList("Questions", questionsOf(data)),
   ];
   const brand = element("p", { class: "brand" }, ["Somato", element("span", {}, ["report"])]);
   const fold = element("details", { class: "contents" }, [element("summary", {}, ["Contents"]), ...lists]);
@@ -71,17 +60,14 @@ function navigation(data: ReportData): HTMLElement {
   unfold();
   wide.addEventListener("change", unfold);
   lists.forEach((list) => list.addEventListener("click", unfold));
-  const foot = element("p", { class: "small muted version" }, [`Somato ${data.somato}`]);
-  const parts = [brand, themeButton(), fold, foot];
+  const parts: Child[] = [brand, themeButton(), fold, savingControls(data.somato)];
   return element("nav", { class: "side no-print", "aria-label": "Contents" }, parts);
 }
 
 function entryList(title: string, entries: Entry[]): HTMLElement[] {
   if (entries.length === 0) return [];
-  const links = entries.map(({ id, name, isVariation }) =>
-    element("li", { class: isVariation ? "variation" : "" }, [
-      element("a", { href: `#${id}` }, breakable(name)),
-    ]),
+  const links = entries.map(({ id, name }) =>
+    element("li", {}, [element("a", { href: `#${id}` }, breakable(name))]),
   );
   const list = element("ul", {}, links);
   return title === "" ? [list] : [element("p", { class: "list-title" }, [title]), list];
@@ -90,8 +76,9 @@ function entryList(title: string, entries: Entry[]): HTMLElement[] {
 /** Draws the target of a link before scrolling to it, and marks the current section. */
 function followLinks(): void {
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.side a")];
-  addEventListener("hashchange", goToHash);
-  if (location.hash !== "") goToHash();
+  addEventListener("hashchange", goToAddress);
+  addEventListener("click", putFigureInAddress);
+  if (location.hash !== "") goToAddress();
   const sections = [...document.querySelectorAll("main > section")];
   // The current section is that at a fifth of the height.
   const atLine = { rootMargin: "-20% 0px -79% 0px" };
@@ -104,13 +91,28 @@ function sectionAtLine(sections: Element[]): string {
   return (above.at(-1) ?? sections[0])?.id ?? "";
 }
 
-function goToHash(): void {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (!target) return;
-  const fold = target.closest("details");
-  if (fold) fold.open = true;
-  drawInside(target);
+function goToAddress(): void {
+  const address = parsedAddress(location.hash);
+  const section = restoreSection(address);
+  if (!section) return;
+  openAround(section);
+  drawInside(section);
+  if (!document.getElementById(address.id)) drawAllInside(section);
+  const target = document.getElementById(address.id) ?? section;
+  openAround(target);
   target.scrollIntoView();
+}
+
+function openAround(target: Element): void {
+  for (let fold = target.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
+}
+
+/** The address of a figure contains the selection with which it is shown. */
+function putFigureInAddress(event: Event): void {
+  const link = event.target instanceof Element ? event.target.closest<HTMLAnchorElement>("a.figure-link") : null;
+  if (!link) return;
+  event.preventDefault();
+  showFigureInAddress(parsedAddress(link.hash).id);
 }
 
 function mark(links: HTMLAnchorElement[], id: string): void {

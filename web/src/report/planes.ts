@@ -10,24 +10,36 @@ import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
 import { rangeOf } from "../parts/numbers";
 import { allPlanesFigure } from "./all_planes";
-import type { SystemReport } from "./data";
+import { axisOf } from "./frequencies";
+import { linePicture } from "./line_picture";
+import { shownOfSaved } from "./origin";
+import { savedNotice } from "./saved_notice";
 import type { Selection } from "./selection";
 import { neuronTable } from "./system_map";
+import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
-export function planeFigures(system: SystemReport, _selection: Selection): Child[] {
+export function planeFigures(system: SystemReport, selection: Selection): Child[] {
   const { grid, trained } = system;
   if (!grid || !trained) return [];
   const place = element("div", { class: "figures" });
+  const notice = element("div");
+  let linked: LinkedPlanes | null = null;
   const names = trained.planes.map((planes) => planes.channel.name);
   const show = (index: number) => {
     const planes = trained.planes[index];
-    if (planes) fill(place, new LinkedPlanes(system, grid, planes).figures());
+    if (!planes) return;
+    linked = new LinkedPlanes(system, grid, planes, selection);
+    fill(place, linked.figures());
   };
+  const redraw = () => fill(notice, [savedNotice(selection)]);
+  redraw();
+  selection.listen(redraw);
+  selection.listenToNeuron((neuron) => linked?.follow(neuron));
   const first = richest(trained.planes);
   show(first);
   const channels = names.length > 1 ? [choice("Channel", names, first, show).element] : [];
-  return [element("div", { class: "controls" }, channels), place];
+  return [notice, element("div", { class: "controls" }, channels), place];
 }
 
 /** The plane with most elements comes first. */
@@ -49,13 +61,14 @@ class LinkedPlanes {
     private readonly system: SystemReport,
     private readonly grid: GridData,
     private readonly planes: ChannelPlanes,
+    private readonly selection: Selection,
   ) {
     const { channel, unit } = planes;
-    this.neuron = busiest(planes);
+    this.neuron = (selection.isOfSavedMap ? selection.neuron : null) ?? busiest(planes);
     this.element = strongest(planes.values[this.neuron] ?? []);
     const mapLabel = `Component plane of ${channel.name}`;
     const keep = {
-      onChoose: (neuron: number) => this.setNeuron(neuron),
+      onChoose: (neuron: number) => this.chooseNeuron(neuron),
       onPoint: (neuron: number | null) => this.preview(neuron),
     };
     this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
@@ -64,7 +77,9 @@ class LinkedPlanes {
       onChoose: (one: number) => this.setElement(one),
       onPoint: (one: number | null) => this.previewPlane(one),
     };
-    this.hand = handMap(channel, { label: handLabel, unit, size: 380, ...keepElement });
+    const options = { label: handLabel, unit, size: 380, ...keepElement };
+    const axis = axisOf(system, channel);
+    this.hand = axis ? linePicture(axis, options) : handMap(channel, options);
     this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
     this.setElement(this.element);
     this.setNeuron(this.neuron);
@@ -83,6 +98,7 @@ class LinkedPlanes {
         picture: () => this.map.svg,
         numbers: () =>
           neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
+        about: () => shownOfSaved(this.system),
         note: isOne
           ? ""
           : "Select a neuron to see its weights. The CSV contains the planes of all elements.",
@@ -93,14 +109,26 @@ class LinkedPlanes {
         body: element("div", {}, [this.handTitle, this.hand.element]),
         picture: () => this.hand.svg,
         numbers: () => this.neuronNumbers(),
+        about: () => this.shownNeuron(),
         note: "Select an element to see its component plane.",
       }),
     ];
     if (isOne) return figures.slice(0, 1);
     const all = allPlanesFigure(this.grid, this.planes, rangeOfAll(this.planes), name, (one) =>
       this.setElement(one),
+      shownOfSaved(this.system),
     );
     return [...figures, all];
+  }
+
+  /** Shows the neuron that was selected in another figure of the same map. */
+  follow(neuron: number | null): void {
+    if (neuron !== null && neuron !== this.neuron && this.selection.isOfSavedMap) this.setNeuron(neuron);
+  }
+
+  private chooseNeuron(neuron: number): void {
+    this.setNeuron(neuron);
+    if (this.selection.isOfSavedMap) this.selection.setNeuron(neuron);
   }
 
   private setElement(one: number): void {
@@ -128,6 +156,12 @@ class LinkedPlanes {
     const neuron = pointed ?? this.neuron;
     this.hand.setValues(this.planes.values[neuron] ?? [], rangeOfAll(this.planes));
     this.handTitle.textContent = `Neuron at ${placeOf(this.grid, neuron)}`;
+  }
+
+  private shownNeuron() {
+    const place = placeOf(this.grid, this.neuron);
+    const shown = shownOfSaved(this.system);
+    return { ...shown, words: `${shown.words}, neuron at ${place}`, name: `${shown.name}-neuron${this.neuron + 1}` };
   }
 
   private neuronNumbers() {

@@ -3,19 +3,23 @@
 import { breakable, element } from "../parts/dom";
 import { countOf } from "../parts/numbers";
 import { claimsFigure } from "./claims";
-import type { ReportData } from "./data";
 import type { Question } from "./groups";
 import { drawInside } from "./lazy";
+import { systemParts } from "./system";
 import { claimsOf, systemsFigure } from "./systems_table";
-import { systemSection } from "./system";
+import type { ReportData } from "./unpacked";
 import { systemName } from "./words";
 
 export function questionSection(question: Question, data: ReportData): HTMLElement {
   const { id, name, systems } = question;
   const claims = systems.flatMap(({ system }) => claimsOf(system, data));
-  const folds = systems.map(({ system, index }) => {
-    const summary = element("summary", {}, breakable(systemName(system)));
-    const fold = element("details", { class: "fold" }, [summary, systemSection(system, index, data)]);
+  const folds = systems.map((one) => {
+    const summary = element("summary", {}, breakable(systemName(one.system)));
+    const parts = systemParts(one.system, data, true);
+    const fold = element("details", { class: "fold", id: one.link.slice(1) }, [
+      summary,
+      element("div", { class: "system" }, [parts]),
+    ]);
     fold.addEventListener("toggle", () => (fold.open ? drawInside(fold) : undefined));
     return fold;
   });

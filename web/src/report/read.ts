@@ -1,7 +1,15 @@
 // Reads the data that `somato report` wrote into the page. Missing fields are replaced by empty
 // values, so that the report of another version of the program is shown as far as possible.
 
-import type { ClaimReport, ProtocolData, ReportData, SystemReport, TrainedData } from "./data";
+import {
+  unpacked,
+  type ClaimReport,
+  type MomentData,
+  type ProtocolData,
+  type ReportData,
+  type SystemReport,
+  type TrainedData,
+} from "./unpacked";
 import { withPlaces } from "./same_names";
 
 export type Read = { data: ReportData } | { problem: string };
@@ -18,23 +26,33 @@ export function readReport(text: string): Read {
   } catch (problem) {
     return { problem: `The results in this page are damaged (${String(problem)}). ${kMakeAnother}` };
   }
-  return checked(parsed);
+  try {
+    return checked(unpacked(parsed));
+  } catch (problem) {
+    return { problem: `The numbers in this page are damaged (${String(problem)}). ${kMakeAnother}` };
+  }
 }
+
+const kVersion = 2;
 
 function checked(parsed: unknown): Read {
   if (!isObject(parsed)) return { problem: `The results in this page are not a report. ${kMakeAnother}` };
-  if (parsed["version"] !== 1) {
+  if (parsed["version"] !== kVersion) {
     const version = String(parsed["version"]);
     return {
-      problem: `The results in this page have version ${version}; this page reads version 1. ${kMakeAnother}`,
+      problem: `The results in this page have version ${version}; this page reads version ${kVersion}. ${kMakeAnother}`,
     };
   }
-  const systems = listOf(parsed["systems"]).filter(isObject).map(completed);
+  const moments = listOf(parsed["moments"]) as MomentData[];
+  const somato = String(parsed["somato"] ?? "");
+  const systems = listOf(parsed["systems"])
+    .filter(isObject)
+    .map((system) => ({ ...completed(system, moments), somato }));
   const [claims, curves] = [listOf(parsed["claims"]) as ClaimReport[], listOf(parsed["curves"])];
   return {
     data: {
       ...parsed,
-      somato: String(parsed["somato"] ?? ""),
+      somato,
       ...withPlaces(systems, claims),
       curves,
     } as unknown as ReportData,
@@ -51,6 +69,7 @@ export function emptySystem(): SystemReport {
     settings: {},
     data_hash: "",
     recordings: [],
+    recording: null,
     protocols: [],
     graph: null,
     grid: null,
@@ -76,11 +95,13 @@ const kEmptyTrained: TrainedData = {
   receptive_fields: [],
 };
 
-function completed(system: Record<string, unknown>): SystemReport {
+function completed(system: Record<string, unknown>, moments: MomentData[]): SystemReport {
   const whole: SystemReport = { ...emptySystem(), ...given(system) };
+  const moment = (number: unknown) => (typeof number === "number" ? (moments[number] ?? null) : null);
   const protocols = listOf(whole.protocols).filter(isObject);
   return {
     ...whole,
+    moments: listOf(system["moments"]).map(moment),
     protocols: protocols.map((protocol) => ({ ...kEmptyProtocol, ...given(protocol) })),
     trained: isObject(whole.trained) ? { ...kEmptyTrained, ...given(whole.trained) } : null,
   };

@@ -1,7 +1,7 @@
 // Systems of the same name from several files are distinguished by the folder of their files, or
 // by the whole path if the folders have the same name, too.
 
-import type { ClaimReport, SystemReport } from "./data";
+import type { ClaimReport, SystemReport } from "./unpacked";
 
 /** `place` distinguishes it from one of the same name; it is found here, not in the report's JSON. */
 export type Placed<One> = One & { place?: string };

@@ -1,13 +1,18 @@
-// The selection for a system: a protocol, a label and a run. Figures listen to its changes.
+// The selection for a system: a protocol, a label, a run and a neuron. Figures listen to its changes.
 
 import { labelNames } from "./labels";
-import type { ProtocolData, RunData, SystemReport } from "./data";
+import type { ProtocolData, RunData, SystemReport } from "./unpacked";
+import { hasOneMap } from "./words";
 
 export class Selection {
   protocolIndex = 0;
   labelIndex = 0;
   runIndex = 0;
+  neuron: number | null = null;
+  marks: readonly number[] = []; // neurons that correspond to a selection on another map
   private readonly listeners: (() => void)[] = [];
+  private readonly neuronListeners: ((neuron: number | null) => void)[] = [];
+  private readonly markListeners: (() => void)[] = [];
 
   constructor(readonly system: SystemReport) {}
 
@@ -25,6 +30,19 @@ export class Selection {
 
   get run(): RunData | undefined {
     return this.protocol?.runs[this.runIndex];
+  }
+
+  /** Whether the selected winners are neurons of the trained system that was saved. */
+  get isOfSavedMap(): boolean {
+    const { protocol, run, system } = this;
+    if (!protocol || !run || !system.trained) return false;
+    return hasOneMap(protocol) && run.seed === system.trained.seed && run.recording === 0;
+  }
+
+  /** The run of the saved system, if the protocol has it. */
+  get savedRunIndex(): number {
+    const seed = this.system.trained?.seed;
+    return this.protocol?.runs.findIndex((run) => run.seed === seed && run.recording === 0) ?? -1;
   }
 
   /** The label and the run are kept if the new protocol has them. */
@@ -46,8 +64,29 @@ export class Selection {
     this.notify();
   }
 
+  setNeuron(neuron: number | null): void {
+    if (neuron === this.neuron) return;
+    this.neuron = neuron;
+    this.neuronListeners.forEach((listener) => listener(neuron));
+  }
+
+  setMarks(neurons: readonly number[]): void {
+    this.marks = neurons;
+    this.markListeners.forEach((listener) => listener());
+  }
+
+  /** Calls `listener` after each change of protocol, label and run. */
   listen(listener: () => void): void {
     this.listeners.push(listener);
+  }
+
+  /** Calls `listener` after each change of the neuron. */
+  listenToNeuron(listener: (neuron: number | null) => void): void {
+    this.neuronListeners.push(listener);
+  }
+
+  listenToMarks(listener: () => void): void {
+    this.markListeners.push(listener);
   }
 
   private notify(): void {

@@ -1,47 +1,71 @@
-// The section of one system.
+// The section of a system and its variations, of which one is shown at a time.
 
-import { element, type Child } from "../parts/dom";
+import { choice } from "../parts/controls";
+import { element, fill, type Child } from "../parts/dom";
 import { countOf } from "../parts/numbers";
-import { claimsFigure } from "./claims";
+import { registerSection, showInAddress } from "./address";
 import { confusionFigures } from "./confusions";
 import { connectivityFigures } from "./connectivity";
-import type { ReportData, SystemReport } from "./data";
-import { systemId } from "./groups";
 import { graphFigure } from "./graph";
-import { lazy } from "./lazy";
+import type { Group } from "./groups";
+import { drawInside, lazy } from "./lazy";
 import { momentFigures } from "./moments";
 import { outcomesFigure } from "./outcomes";
-import { claimsOf } from "./systems_table";
 import { planeFigures } from "./planes";
+import { Samples } from "./samples";
 import { Selection } from "./selection";
-import { mapFigure, savedMapFigures } from "./system_map";
+import { restored, stateOf } from "./selection_state";
+import { mapFigures } from "./system_map";
+import { claimsOf } from "./systems_table";
 import { missingList, notGivenFigure, settingsList } from "./tables";
 import { thingsFigure } from "./things";
 import { toolbar } from "./toolbar";
-import { systemName } from "./words";
+import type { ReportData, SystemReport } from "./unpacked";
+import { wonSamples } from "./won_samples";
 
-export function systemSection(system: SystemReport, index: number, data: ReportData): HTMLElement {
-  const id = systemId(index);
-  const section = element("section", { id, class: "system", "aria-labelledby": `${id}-title` }, [
-    systemHeader(system, `${id}-title`),
+/** `isFolded`: all parts but the maps are closed at first, because the report has many systems. */
+export function systemSection({ id, name, systems }: Group, data: ReportData, isFolded: boolean): HTMLElement {
+  const [place, facts] = [element("div"), element("dl", { class: "facts" })];
+  const names = systems.map(({ system }) => system.variation || "original");
+  const selections = systems.map(({ system }) => new Selection(system));
+  const variations = choice("Variation", names, 0, (index) => show(index, true));
+  let shown = -1;
+  const state = () => ({
+    ...(systems.length > 1 ? { variation: systems[shown]?.system.variation ?? "" } : {}),
+    ...stateOf(selections[shown]!),
+  });
+  const write = () => showInAddress(id);
+  const show = (index: number, isChosen: boolean) => {
+    const selection = selections[index];
+    if (!selection || index === shown) return;
+    shown = index;
+    variations.set(index);
+    fill(facts, factsOf(selection.system).flatMap(([one, value]) => fact(one, value)));
+    const first = systems.length > 1 ? [variations.element] : [];
+    fill(place, [systemBody(selection, data, isFolded, first)]);
+    if (isChosen) write();
+  };
+  selections.forEach((selection) => {
+    selection.listen(write);
+    selection.listenToNeuron(write);
+  });
+  const restore = (from: URLSearchParams) => {
+    const variation = systems.findIndex(({ system }) => system.variation === (from.get("variation") ?? ""));
+    show(Math.max(0, variation), false);
+    restored(selections[shown]!, from);
+  };
+  registerSection(id, { state, restore });
+  show(0, false);
+  const title = element("h2", { id: `${id}-title`, class: "system-title" }, [name]);
+  return element("section", { id, class: "system", "aria-labelledby": `${id}-title` }, [
+    element("header", { class: "system-header" }, [title, facts]),
+    place,
   ]);
-  section.append(lazy(900, () => systemParts(system, data, id)));
-  return section;
 }
 
-function systemHeader(system: SystemReport, id: string): HTMLElement {
-  // Below the heading of a question the level is lower.
-  const title = element(system.question === "" ? "h2" : "h3", { id, class: "system-title" }, [
-    systemName(system),
-  ]);
-  return element("header", { class: "system-header" }, [
-    title,
-    element(
-      "dl",
-      { class: "facts" },
-      factsOf(system).flatMap(([name, value]) => fact(name, value)),
-    ),
-  ]);
+/** A system without a section of its own. */
+export function systemParts(system: SystemReport, data: ReportData, isFolded: boolean): HTMLElement {
+  return systemBody(new Selection(system), data, isFolded, []);
 }
 
 function fact(name: string, value: string): Child[] {
@@ -66,59 +90,79 @@ function recordingWords(recordings: string[]): string {
   return `${countOf(recordings.length, "recording")}: ${recordings[0] ?? ""} to ${recordings.at(-1) ?? ""}`;
 }
 
-function systemParts(system: SystemReport, data: ReportData, id: string): Child[] {
-  const selection = new Selection(system);
-  const claims = claimsOf(system, data);
-  const { trained } = system;
-  const parts: [string, number, boolean, () => Child[]][] = [
-    ["The graph of its modules", 260, system.graph !== null, () => [graphFigure(system)]],
-    ["The map", 620, system.protocols.length > 0, () => mapFigures(system, selection)],
-    [
-      "Weights of the neurons",
-      560,
-      system.grid !== null && (trained?.planes.length ?? 0) > 0,
-      () => planeFigures(system, selection),
-    ],
-    ["Connectivity", 480, (trained?.receptive_fields.length ?? 0) > 0, () => connectivityFigures(system)],
-    ["Sensor readings", 480, system.moments.length > 0, () => momentFigures(system)],
-    ["Over the seeds", 420, system.protocols.length > 0, () => [outcomesFigure(system, selection, claims)]],
-    [
-      "Confusion matrix",
-      420,
-      system.protocols.length > 0,
-      () => figuresOf(confusionFigures(system, selection)),
-    ],
-    ["Claims", 200, claims.length > 0, () => [claimsFigure(claims, `${systemName(system)}-claims`, false)]],
-    ["Objects and materials", 240, system.things.length > 0, () => [thingsFigure(system)]],
-    ["Not given in the papers", 160, system.not_given.length > 0, () => [notGivenFigure(system)]],
-  ];
-  const blocks = parts
-    .filter(([, , isThere]) => isThere)
-    .map(([title, height, , make], i) => block(`${id}-part-${i}`, title, height, make));
+function systemBody(selection: Selection, data: ReportData, isFolded: boolean, first: Child[]): HTMLElement {
+  return lazy(900, () => bodyParts(selection, data, isFolded, first));
+}
+
+interface Part {
+  title: string;
+  height: number; // about how tall it is, in pixels
+  isThere: boolean;
+  make: () => Child[];
+}
+
+function bodyParts(selection: Selection, data: ReportData, isFolded: boolean, first: Child[]): Child[] {
+  const { system } = selection;
+  const samples = new Samples(system);
+  const readings: Part = {
+    title: "Sensor readings",
+    height: 480,
+    isThere: samples.names.length > 0,
+    make: () => momentFigures(system, samples),
+  };
+  const shownReadings = readings.isThere ? block(readings, !isFolded) : null;
+  const showReadings = () => {
+    if (!shownReadings) return;
+    shownReadings.open = true;
+    drawInside(shownReadings);
+    shownReadings.scrollIntoView({ block: "start" });
+  };
+  const others = otherParts(selection, data).filter(({ isThere }) => isThere);
+  const hasProtocols = system.protocols.length > 0;
   return [
     ...missingList(system),
-    system.protocols.length > 0 ? toolbar(selection) : noProtocols(),
-    ...blocks,
+    hasProtocols ? toolbar(selection, first) : noProtocols(first),
+    hasProtocols ? maps(selection, wonSamples(selection, samples, showReadings)) : null,
+    shownReadings,
+    ...others.map((part) => block(part, !isFolded)),
     ...settingsList(system),
   ];
 }
 
-function figuresOf(figures: HTMLElement[]): Child[] {
-  return [element("div", { class: "figures" }, figures)];
-}
-
-function noProtocols(): Child {
-  return element("p", { class: "message" }, [
-    "These results contain no protocol.",
+/** Winners and their samples, with the other maps beside them. */
+function maps(selection: Selection, samples: HTMLElement): HTMLElement {
+  const [winners, ...others] = mapFigures(selection);
+  return element("div", { class: "maps" }, [
+    element("div", {}, [winners ?? null, samples]),
+    element("div", { class: "maps-beside" }, others),
   ]);
 }
 
-function mapFigures(system: SystemReport, selection: Selection): Child[] {
-  const saved = savedMapFigures(system);
-  const beside = saved.length === 0 ? null : element("div", { class: "stack" }, saved);
-  return [element("div", { class: beside ? "map-row" : "" }, [mapFigure(system, selection), beside])];
+function otherParts(selection: Selection, data: ReportData): Part[] {
+  const { system } = selection;
+  const { trained, protocols, graph, grid, things, not_given } = system;
+  const claims = claimsOf(system, data);
+  const hasProtocols = protocols.length > 0;
+  const runs = Math.max(0, ...protocols.map((protocol) => protocol.runs.length));
+  const hasPlanes = grid !== null && (trained?.planes.length ?? 0) > 0;
+  const hasFields = (trained?.receptive_fields.length ?? 0) > 0;
+  const part = (title: string, height: number, isThere: boolean, make: () => Child[]) => ({ title, height, isThere, make });
+  return [
+    part("Weights of the neurons", 560, hasPlanes, () => planeFigures(system, selection)),
+    part("Connectivity", 480, hasFields, () => connectivityFigures(system)),
+    part(runs > 1 ? "Metrics over the runs" : "Metrics", 420, hasProtocols, () => [outcomesFigure(selection, claims)]),
+    part("Confusion matrix", 420, hasProtocols, () => [element("div", { class: "figures" }, confusionFigures(selection))]),
+    part("Graph of the modules", 260, graph !== null, () => [graphFigure(system)]),
+    part("Objects and materials", 240, things.length > 0, () => [thingsFigure(system)]),
+    part("Settings not given in the papers", 160, not_given.length > 0, () => [notGivenFigure(system)]),
+  ];
 }
 
-function block(id: string, title: string, height: number, make: () => Child[]): HTMLElement {
-  return element("div", { class: "block", id }, [element("h3", {}, [title]), lazy(height, make)]);
+function noProtocols(first: Child[]): Child {
+  return element("div", {}, [...first, element("p", { class: "message" }, ["These results contain no protocol."])]);
+}
+
+function block({ title, height, make }: Part, isOpen: boolean): HTMLDetailsElement {
+  const summary = element("summary", {}, [element("h3", {}, [title])]);
+  return element("details", { class: "block", open: isOpen }, [summary, lazy(height, make)]);
 }

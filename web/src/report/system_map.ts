@@ -1,63 +1,88 @@
-// The map of a system: its winners by class, as in the papers' figures, and the data of the saved
-// map.
+// The maps of a system: winners by class, as in the papers' figures, U-matrix and hits.
 
 import type { Table } from "../parts/csv";
 import type { GridData } from "../parts/data";
-import { element, type Child } from "../parts/dom";
-import { figure } from "../parts/figure";
+import { element } from "../parts/dom";
 import { columnOf, neuronCount, rowOf } from "../parts/grid";
 import { hitsPicture } from "../parts/map_hits";
-import { labelsPicture } from "../parts/map_labels";
+import { labelsPicture, type LabelsOptions } from "../parts/map_labels";
 import { valuesPicture } from "../parts/map_picture";
-import type { SystemReport, TrainedData } from "./data";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
+import { shownBySelection, shownOfSaved } from "./origin";
+import { savedNotice } from "./saved_notice";
 import type { Selection } from "./selection";
-import { runWords } from "./toolbar";
-import { hasOneMap, protocolName, systemName } from "./words";
+import type { ProtocolData, RunData, SystemReport, TrainedData } from "./unpacked";
+import { hasOneMap, systemName } from "./words";
 
-export function mapFigure(system: SystemReport, selection: Selection): HTMLElement {
-  const options = {
-    title: "Winners",
-    file: `${systemName(system)}-map`,
-    note: "Each marker is a sample at its winner; an area contains the neurons nearest to the winners of a class. Opposite dotted borders are connected.",
-  };
-  return liveFigure(options, selection, () => drawMap(system, selection)).element;
+export interface MapSizes {
+  large: number;
+  small: number;
 }
 
-function drawMap(system: SystemReport, selection: Selection): Drawn {
-  const { grid } = system;
-  const { protocol, run, label } = selection;
-  if (!grid) return nothing("The map cannot be drawn because its shape is unknown.");
-  if (!protocol || !run) return nothing("This protocol has no runs.");
-  const values = valuesOf(system, protocol, run, label);
-  if (!values) return nothing(`The label ${label} is unknown for the samples of this run.`);
-  const names = classesOf(system, label);
-  const classes = numbered(values, names);
-  const isOneMap = hasOneMap(protocol);
-  const words = `${protocolName(protocol)}, by ${label}, seed ${runWords(selection)}`;
-  const shown = {
-    label: `Winners: ${words}`,
-    names,
-    winners: run.winners,
-    classes,
-    areas: isOneMap,
-    size: 520,
+const kSizes: MapSizes = { large: 520, small: 300 };
+
+/** Names of files begin with `prefix`, so that the same map may be on the page twice. */
+export function mapFigures(selection: Selection, sizes = kSizes, prefix = ""): HTMLElement[] {
+  const { grid, trained } = selection.system;
+  const name = `${prefix}${systemName(selection.system)}`;
+  const figures = [winnersFigure(selection, name, sizes.large)];
+  if (grid && (trained?.u_matrix.length ?? 0) > 0) figures.push(uMatrixFigure(selection, name, grid, sizes.small));
+  if (grid) figures.push(hitsFigure(selection, name, grid, sizes.small));
+  return figures;
+}
+
+function winnersFigure(selection: Selection, name: string, size: number): HTMLElement {
+  const { grid } = selection.system;
+  const torus = grid?.topology === "torus" ? " Opposite dotted borders are connected." : "";
+  const options = {
+    title: "Winners",
+    file: `${name}-winners`,
+    note: `Each marker is a sample at its winner; an area contains the neurons nearest to the winners of a class.${torus}`,
   };
-  const picture = labelsPicture(grid, shown);
-  const folds = isOneMap ? null : element("p", { class: "small muted" }, [kManyMaps]);
-  const table = mapTable(grid, run.winners, values, predictionsOf(protocol, run, label));
+  return liveFigure(options, selection, () => drawWinners(selection, size));
+}
+
+/** The winners of a run by class, for a picture; null if the label is unknown. */
+export function winnersOf(
+  system: SystemReport,
+  protocol: ProtocolData,
+  run: RunData,
+  label: string,
+): Omit<LabelsOptions, "label"> | null {
+  const values = valuesOf(system, protocol, run, label);
+  if (!values) return null;
+  const names = classesOf(system, label);
+  return { names, winners: run.winners, classes: numbered(values, names), areas: hasOneMap(protocol) };
+}
+
+function drawWinners(selection: Selection, size: number): Drawn {
+  const { protocol, run, label, system } = selection;
+  if (!system.grid) return nothing("The map cannot be drawn because its shape is unknown.");
+  if (!protocol || !run) return nothing("This protocol has no runs.");
+  const winners = winnersOf(system, protocol, run, label);
+  if (!winners) return nothing(`The label ${label} is unknown for the samples of this run.`);
+  const { words } = shownBySelection(selection);
+  const picture = labelsPicture(system.grid, {
+    ...winners,
+    label: `Winners: ${words}`,
+    size,
+    onChoose: (neuron) => selection.setNeuron(neuron),
+  });
+  const folds = winners.areas ? null : element("p", { class: "small muted" }, [kManyMaps]);
+  const values = winners.classes.map((number) => winners.names[number] ?? "");
   return {
     body: [element("p", { class: "small what" }, [words]), picture.element, folds],
     svg: picture.svg,
-    table,
+    table: winnersTable(system.grid, run.winners, values, predictionsOf(protocol, run, label)),
+    map: picture,
   };
 }
 
 const kManyMaps =
   "Each sample was tested on a separate map trained without it: positions on different maps are not comparable, and no areas are drawn.";
 
-function mapTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
+function winnersTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
   const columns = ["sample", "winner", "row", "column", "class", "named"];
   const rows = winners.map((winner, i) => [
     i + 1,
@@ -70,53 +95,70 @@ function mapTable(grid: GridData, winners: number[], values: string[], named: st
   return { columns, rows };
 }
 
-/** U-matrix and hits of the saved system. */
-export function savedMapFigures(system: SystemReport): Child[] {
-  const { grid, trained } = system;
-  if (!grid || !trained) return [];
-  const seed = trained.seed === null ? "of the saved system" : `of the saved system, seed ${trained.seed}`;
-  const figures: Child[] = [];
-  if (trained.u_matrix.length > 0) figures.push(uMatrixFigure(system, grid, trained, seed));
-  if (trained.hits.length > 0) figures.push(hitsFigure(system, grid, trained, seed));
-  return figures;
-}
-
-function uMatrixFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
-  const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size: 300 });
-  picture.setValues(trained.u_matrix);
-  // Classes have the same marks as on the map of winners.
-  const label = system.protocols[0]?.label ?? "";
-  const names = [...new Set([...classesOf(system, label), ...trained.classes])];
-  const classes = trained.neuron_classes.map((one) =>
-    one === null ? null : names.indexOf(trained.classes[one] ?? ""),
-  );
-  picture.setMarks(classes, names);
-  return figure({
+function uMatrixFigure(selection: Selection, name: string, grid: GridData, size: number): HTMLElement {
+  const options = {
     title: "U-matrix",
-    file: `${systemName(system)}-u-matrix`,
-    note: `The mean distance between a neuron's weights and those of its neighbours, ${seed}: light ridges separate different samples. A marker is the class of a neuron.`,
-    body: picture.element,
-    picture: () => picture.svg,
-    numbers: () =>
-      neuronTable(grid, ["distance", "class"], (i) => [trained.u_matrix[i] ?? null, className(trained, i)]),
-  });
+    file: `${name}-u-matrix`,
+    note: "The mean distance between a neuron's weights and those of its neighbours: light ridges separate different samples. A marker is the class of most samples that a neuron wins.",
+    about: () => (selection.isOfSavedMap ? shownBySelection(selection) : shownOfSaved(selection.system)),
+  };
+  return liveFigure(options, selection, () => drawUMatrix(selection, grid, size));
 }
 
-function className(trained: TrainedData, neuron: number): string | null {
-  const number = trained.neuron_classes[neuron];
-  return number === null || number === undefined ? null : (trained.classes[number] ?? null);
+/** Markers are only drawn for winners on the same map. */
+function drawUMatrix(selection: Selection, grid: GridData, size: number): Drawn {
+  const { system, isOfSavedMap } = selection;
+  const distances = (system.trained as TrainedData).u_matrix;
+  const onChoose = (neuron: number) => (isOfSavedMap ? selection.setNeuron(neuron) : undefined);
+  const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size, onChoose });
+  picture.setValues(distances);
+  const marks = marksOf(selection, grid);
+  if (marks) picture.setMarks(marks.classes, marks.names);
+  const table = neuronTable(grid, ["distance", "class"], (i) => [
+    distances[i] ?? null,
+    marks?.names[marks.classes[i] ?? -1] ?? null,
+  ]);
+  return {
+    body: [savedNotice(selection), picture.element],
+    svg: picture.svg,
+    table,
+    ...(isOfSavedMap ? { map: picture } : {}),
+  };
 }
 
-function hitsFigure(system: SystemReport, grid: GridData, trained: TrainedData, seed: string): Child {
-  const picture = hitsPicture(grid, trained.hits, { label: "Hits", size: 300 });
-  return figure({
-    title: "Hits",
-    file: `${systemName(system)}-hits`,
-    note: `Number of samples won by each neuron, ${seed}.`,
-    body: picture.element,
-    picture: () => picture.svg,
-    numbers: () => neuronTable(grid, ["samples"], (i) => [trained.hits[i] ?? null]),
+/** The class of most samples that each neuron wins, of equals the first. */
+function marksOf(selection: Selection, grid: GridData): { classes: (number | null)[]; names: readonly string[] } | null {
+  const { system, protocol, run, label, isOfSavedMap } = selection;
+  const won = isOfSavedMap && protocol && run ? winnersOf(system, protocol, run, label) : null;
+  if (!won) return null;
+  const counts = Array.from({ length: neuronCount(grid) }, () => new Map<number, number>());
+  won.winners.forEach((winner, i) => {
+    const number = won.classes[i] ?? 0;
+    counts[winner]?.set(number, (counts[winner]?.get(number) ?? 0) + 1);
   });
+  const most = (of: Map<number, number>) => [...of].sort((one, other) => other[1] - one[1] || one[0] - other[0])[0];
+  return { classes: counts.map((of) => most(of)?.[0] ?? null), names: won.names };
+}
+
+function hitsFigure(selection: Selection, name: string, grid: GridData, size: number): HTMLElement {
+  const options = { title: "Hits", file: `${name}-hits`, note: "Number of samples won by each neuron." };
+  return liveFigure(options, selection, () => drawHits(selection, grid, size));
+}
+
+function drawHits(selection: Selection, grid: GridData, size: number): Drawn {
+  const { protocol, run } = selection;
+  if (!protocol || !run) return nothing("This protocol has no runs.");
+  if (!hasOneMap(protocol)) return nothing("The samples were tested on different maps, whose neurons are not comparable.");
+  const hits = new Array<number>(neuronCount(grid)).fill(0);
+  for (const winner of run.winners) hits[winner] = (hits[winner] ?? 0) + 1;
+  const onChoose = (neuron: number) => selection.setNeuron(neuron);
+  const picture = hitsPicture(grid, hits, { label: "Hits", size, onChoose });
+  return {
+    body: [picture.element],
+    svg: picture.svg,
+    table: neuronTable(grid, ["samples"], (i) => [hits[i] ?? null]),
+    map: picture,
+  };
 }
 
 export function neuronTable(

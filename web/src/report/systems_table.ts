@@ -1,25 +1,20 @@
-// A table of systems: main metrics, and the number of claims that hold.
+// A table of systems: accuracy on samples of the training and on held-out ones, and the number of
+// claims that hold.
 
 import type { Table } from "../parts/csv";
 import { breakable, element, type Child } from "../parts/dom";
 import { figure, scrolled } from "../parts/figure";
 import { hundredths } from "../parts/numbers";
 import { isOfPaper } from "./claims";
-import type { ClaimReport, MetricData, ReportData, SystemReport } from "./data";
-import { systemId, type Numbered } from "./groups";
-import { systemName } from "./words";
+import type { Numbered } from "./groups";
+import { mainResults, type Result } from "./main_results";
+import type { ClaimReport, MetricData, ReportData, SystemReport } from "./unpacked";
+import { protocolName, systemName } from "./words";
 
-const kColumns = [
-  "system",
-  "runs",
-  "accuracy, train = test",
-  "held out",
-  "nearest neighbour, held out",
-  "claims that hold",
-];
+const kColumns = ["system", "runs", "training samples", "samples left out", "things left out", "claims that hold"];
 
 export function systemsFigure(systems: Numbered[], data: ReportData, file: string): HTMLElement {
-  const rows = systems.map(({ system, index }) => systemRow(system, index, data));
+  const rows = systems.map((one) => systemRow(one, data));
   const head = kColumns.map((name, i) =>
     element("th", { scope: "col", class: i > 0 ? "number" : "" }, [name]),
   );
@@ -33,24 +28,31 @@ export function systemsFigure(systems: Numbered[], data: ReportData, file: strin
     body: scrolled("Systems", table),
     numbers: () => systemsTable(systems, data),
     wide: true,
-    note: "Mean ± standard deviation over the seeds. Held out: the first protocol with separate test data. Claims: only those of papers.",
+    note: "Accuracy: mean and standard deviation over the runs; below it that of the nearest neighbour. Of several held-out protocols and labels the one with the lowest accuracy. Things left out are objects or materials that the training did not contain; another label of them is predicted.",
   });
 }
 
-function systemRow(system: SystemReport, index: number, data: ReportData): HTMLElement {
-  const main = mainFigures(system);
-  const link = element("a", { href: `#${systemId(index)}` }, breakable(systemName(system)));
-  const cells: Child[] = [
-    String(main.runs),
-    spread(main.trained),
-    spread(main.heldOut),
-    spread(main.baseline),
-    claimsWords(claimsOf(system, data).filter(isOfPaper)),
+function systemRow({ system, link }: Numbered, data: ReportData): HTMLElement {
+  const { runs, trained, known, fresh } = mainResults(system);
+  const name = element("a", { href: link }, breakable(systemName(system)));
+  const cells: Child[][] = [
+    [String(runs)],
+    [spread(trained?.accuracy)],
+    resultWords(known),
+    resultWords(fresh),
+    [claimsWords(claimsOf(system, data).filter(isOfPaper))],
   ];
   return element("tr", {}, [
-    element("th", { scope: "row" }, [link]),
-    ...cells.map((cell) => element("td", { class: "number" }, [cell])),
+    element("th", { scope: "row" }, [name]),
+    ...cells.map((cell) => element("td", { class: "number" }, cell)),
   ]);
+}
+
+function resultWords(result: Result | null): Child[] {
+  if (!result) return ["–"];
+  const label = result.label === result.protocol.label ? "" : `${result.label}, `;
+  const baseline = `${label}neighbour ${hundredths(result.baseline?.mean)}`;
+  return [spread(result.accuracy), element("span", { class: "range", title: protocolName(result.protocol) }, [baseline])];
 }
 
 export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] {
@@ -70,24 +72,6 @@ function holding(claims: ClaimReport[]): number {
   return claims.filter((claim) => claim.verdict === "holds").length;
 }
 
-interface MainFigures {
-  runs: number;
-  trained: MetricData | undefined;
-  heldOut: MetricData | undefined;
-  baseline: MetricData | undefined;
-}
-
-function mainFigures(system: SystemReport): MainFigures {
-  const trained = system.protocols.find((one) => one.protocol === "train_is_test");
-  const heldOut = system.protocols.find((one) => one.protocol !== "train_is_test");
-  return {
-    runs: Math.max(0, ...system.protocols.map((one) => one.runs.length)),
-    trained: trained?.metrics["accuracy"],
-    heldOut: heldOut?.metrics["accuracy"],
-    baseline: heldOut?.metrics["baseline_accuracy"],
-  };
-}
-
 /** "0.85 ± 0.07"; a single run has no spread. */
 function spread(metric: MetricData | undefined): string {
   if (!metric) return "–";
@@ -96,35 +80,21 @@ function spread(metric: MetricData | undefined): string {
 }
 
 function systemsTable(systems: Numbered[], data: ReportData): Table {
-  const columns = [
-    "system",
-    "variation",
-    "runs",
-    "accuracy_train_is_test",
-    "accuracy_train_is_test_sd",
-    "accuracy_held_out",
-    "accuracy_held_out_sd",
-    "baseline_accuracy_held_out",
-    "claims_that_hold",
-    "claims",
-    "file",
-  ];
+  const ofResult = (name: string) => [name, `${name}_sd`, `${name}_label`, `${name}_protocol`, `${name}_baseline`];
+  const columns = ["system", "variation", "runs"]
+    .concat(ofResult("training_samples"), ofResult("samples_left_out"), ofResult("things_left_out"))
+    .concat("claims_that_hold", "claims", "file");
   const rows = systems.map(({ system }) => {
-    const main = mainFigures(system);
+    const { runs, trained, known, fresh } = mainResults(system);
     const claims = claimsOf(system, data).filter(isOfPaper);
-    return [
-      system.name,
-      system.variation,
-      main.runs,
-      main.trained?.mean ?? null,
-      main.trained?.sd ?? null,
-      main.heldOut?.mean ?? null,
-      main.heldOut?.sd ?? null,
-      main.baseline?.mean ?? null,
-      holding(claims),
-      claims.length,
-      system.file,
-    ];
+    const cells = [trained, known, fresh].flatMap((result) => [
+      result?.accuracy.mean ?? null,
+      result?.accuracy.sd ?? null,
+      result?.label ?? null,
+      result ? protocolName(result.protocol) : null,
+      result?.baseline?.mean ?? null,
+    ]);
+    return [system.name, system.variation, runs, ...cells, holding(claims), claims.length, system.file];
   });
   return { columns, rows };
 }

@@ -2,7 +2,7 @@
 
 import { element, type Child } from "../parts/dom";
 import { figure, scrolled } from "../parts/figure";
-import type { SystemReport } from "./data";
+import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
 export function notGivenFigure(system: SystemReport): Child {

@@ -4,12 +4,13 @@ import type { Table } from "../parts/csv";
 import type { ThingData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure, scrolled } from "../parts/figure";
-import { readable } from "../parts/numbers";
+import { fixed, readable } from "../parts/numbers";
 import { commonScale, thingPicture } from "../parts/thing_picture";
-import type { SystemReport } from "./data";
+import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
 const kSize = 84;
+
 
 export function thingsFigure(system: SystemReport): Child {
   const { things } = system;
@@ -60,13 +61,19 @@ const kColumns: Column[] = [
   {
     name: "mass, g",
     isNumber: true,
-    value: (thing) => (thing.mass === null ? "" : readable(thing.mass * 1000)),
+    value: (thing) => (thing.mass === null ? "" : grams(thing.mass)),
   },
 ];
 
 /** The columns that are not empty. */
 function columnsOf(things: ThingData[]): Column[] {
   return kColumns.filter(({ value }) => things.some((thing) => value(thing) !== ""));
+}
+
+/** Whole grams: a table of heavy and light things has equally many decimals. */
+function grams(kilograms: number): string {
+  const mass = kilograms * 1000;
+  return mass < 10 ? readable(mass) : fixed(mass, 0);
 }
 
 function sizeWords(thing: ThingData): string {

@@ -1,6 +1,6 @@
 // The names of protocols and metrics in words. docs/reference/results.md defines every metric.
 
-import type { ProtocolData, SystemReport } from "./data";
+import type { ProtocolData, SystemReport } from "./unpacked";
 import type { Placed } from "./same_names";
 
 export function systemName(system: Placed<SystemReport>): string {
