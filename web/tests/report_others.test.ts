@@ -126,8 +126,8 @@ test("names rows of a matrix without writing one over the other", async () => {
 });
 
 test("marks the time that is shown in a course", async () => {
-  const note = page.locator('figure[aria-label="Joints over time"] figcaption');
-  expect(await note.textContent()).toContain("the vertical line marks the time above");
+  const hint = page.locator('figure[aria-label="Joints over time"] > p');
+  expect(await hint.textContent()).toBe("The vertical line marks the time above.");
   expect(await page.locator(".player output").textContent()).toBe("2.0 s");
 });
 

@@ -79,10 +79,10 @@ test("the pixels of all planes are the weights", async () => {
   expect(svg).not.toContain("<image");
   const all = planes.values.flat().map((value) => value ?? 0);
   const [low, high] = [Math.min(...all), Math.max(...all)];
-  // Where the pixels of the first three elements lie: 15 x 15 neurons in a box of the page's picture.
+  // Where the pixels of the first two elements lie: 15 x 15 neurons in a box of the page's picture.
   const boxes = await figureOf(section, "Component planes of touch, arranged on the hand")
     .locator("image")
-    .evaluateAll((images) => images.slice(0, 3).map((one) => ["x", "y", "width"].map((name) => Number(one.getAttribute(name)))));
+    .evaluateAll((images) => images.slice(0, 2).map((one) => ["x", "y", "width"].map((name) => Number(one.getAttribute(name)))));
   for (const [element, [x, y, side]] of boxes.entries()) {
     const points = planes.values.map((_, neuron): [number, number] => [
       x! + (((neuron % 15) + 0.3) * side!) / 15,

@@ -21,7 +21,8 @@ export interface Shown {
 
 export interface FigureOptions {
   title: string;
-  note?: string; // a sentence below
+  note?: string; // a sentence below, also in saved files
+  hint?: string; // how to use it on the page
   file: string; // what saved files are called, without the ending
   controls?: Child[];
   body: Node;
@@ -46,6 +47,7 @@ export function figure(options: FigureOptions): HTMLElement {
     controls,
     options.body,
     note,
+    options.hint ? element("p", { class: "small muted no-print" }, [options.hint]) : null,
   ]);
 }
 

@@ -18,7 +18,7 @@ const kId = "compare";
 export function compareSection(data: ReportData): HTMLElement {
   const section = element("section", { id: kId, "aria-labelledby": "compare-title" }, [
     element("h2", { id: "compare-title" }, ["Side by side"]),
-    element("p", { class: "muted lead" }, [
+    element("p", { class: "muted lead no-print" }, [
       "Select a neuron on one side: the neurons that win the same samples are marked on the other side.",
     ]),
   ]);

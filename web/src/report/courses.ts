@@ -33,7 +33,8 @@ export function courseFigure(system: SystemReport, of: MomentChannel, exploratio
       rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]),
     }),
     about: () => shownOf(system, name),
-    note: `${isFew ? "The" : "Each row is an element; the"} vertical line marks the time above.`,
+    note: isFew ? "" : "Each row is an element.",
+    hint: "The vertical line marks the time above.",
   });
 }
 

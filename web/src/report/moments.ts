@@ -102,6 +102,6 @@ function handFigure(system: SystemReport, of: MomentChannel, exploration: Explor
     picture: () => picture.svg,
     numbers: () => valuesTable({ ...of, values: values() }),
     about: () => shownOf(system, words()),
-    note: "Starts at the moment of greatest contact.",
+    hint: "Starts at the moment of greatest contact.",
   });
 }

@@ -99,9 +99,7 @@ class LinkedPlanes {
         numbers: () =>
           neuronTable(this.grid, this.planes.channel.elements, (i) => this.planes.values[i] ?? []),
         about: () => shownOfSaved(this.system),
-        note: isOne
-          ? ""
-          : "Select a neuron to see its weights. The CSV contains the planes of all elements.",
+        hint: isOne ? "" : "Select a neuron to see its weights. The CSV contains the planes of all elements.",
       }),
       figure({
         title: this.hand.isHand ? "Weights of one neuron on the hand" : "Weights of one neuron",
@@ -110,7 +108,7 @@ class LinkedPlanes {
         picture: () => this.hand.svg,
         numbers: () => this.neuronNumbers(),
         about: () => this.shownNeuron(),
-        note: "Select an element to see its component plane.",
+        hint: "Select an element to see its component plane.",
       }),
     ];
     if (isOne) return figures.slice(0, 1);
