@@ -7,7 +7,7 @@
 
 import type { GraphData, ModuleData } from "./data";
 import { graphLayout, type GraphLayout } from "./graph_layout";
-import { rounded, shape, shortened, svg, text } from "./svg";
+import { rounded, shape, shortened, svg, text, textWidth } from "./svg";
 
 export interface GraphPicture {
   svg: SVGSVGElement;
@@ -19,42 +19,58 @@ const kBoxHeight = 50;
 const kRowStep = 66;
 const kMargin = 4;
 const kLoopRoom = 12; // beside the first and the last layer
-const kRoom = 880; // about how wide a picture may be before it is scrolled
+const kGap = 30; // between layers
+const kNarrowest = 114; // of modules
+const kWidest = 260;
+const kLeastScale = 0.75; // of a picture that is wider than its place; below, it is scrolled
 
+/** Left edge and width of the modules in each layer, wide enough for their texts. */
 interface Sizes {
-  box: number; // width of a module
-  step: number; // from layer to layer
+  left: number[];
+  width: number[];
 }
 
-/** Wide spacing if there is space. */
-function sizesFor(layers: number): Sizes {
-  const box = layers > 5 ? 114 : 138;
-  const step = (kRoom - box) / Math.max(1, layers - 1);
-  return { box, step: Math.max(box + 26, Math.min(box + 44, step)) };
+function sizesFor(graph: GraphData, layout: GraphLayout): Sizes {
+  const width = Array.from({ length: layout.layerCount }, (_, layer) => {
+    const modules = graph.modules.filter((_module, i) => layout.layers[i] === layer);
+    const widest = Math.max(0, ...modules.map((module) => roomFor(graph, module)));
+    return Math.min(kWidest, Math.max(kNarrowest, Math.ceil(widest)));
+  });
+  const left = width.map((_, layer) => width.slice(0, layer).reduce((sum, one) => sum + one + kGap, 0));
+  return { left, width };
+}
+
+function roomFor(graph: GraphData, module: ModuleData): number {
+  const lines = [typeWords(module), phaseWords(graph, module)].map((words) => textWidth(words, kLineSize));
+  return kTextLeft + 8 + Math.max(textWidth(module.name, kNameSize) * kBold, ...lines);
 }
 
 export function graphPicture(graph: GraphData, onChoose?: (module: ModuleData) => void): GraphPicture {
   const layout = graphLayout(graph.modules);
-  const sizes = sizesFor(layout.layerCount);
+  const sizes = sizesFor(graph, layout);
+  const widths = graph.modules.map((_, i) => widthOf(layout, i, sizes));
   const boxes = graph.modules.map((module, i) =>
-    boxOf(graph, module, placeOf(layout, i, sizes), sizes.box, onChoose),
+    boxOf(graph, module, placeOf(layout, i, sizes), widths[i]!, onChoose),
   );
   const backs = layout.links.filter((link) => link.isBack).length;
   const left = backs > 0 ? kLoopRoom + 3 * backs : kMargin;
-  const width = (layout.layerCount - 1) * sizes.step + sizes.box + left + kLoopRoom;
+  const right = (sizes.left.at(-1) ?? 0) + (sizes.width.at(-1) ?? 0);
+  const width = right + left + kLoopRoom + 3 * backs;
   const height =
     (layout.rowCount - 1) * kRowStep + kBoxHeight + backs * 16 + (backs > 0 ? 12 : 0) + 2 * kMargin;
   const links = shape("g", { class: "graph-links" }, linkPaths(layout, sizes));
   const inner = shape("g", { transform: `translate(${left} ${kMargin})` }, [links, ...boxes]);
   const picture = svg(width, height, `Graph of ${graph.modules.length} modules`, [inner]);
   picture.setAttribute("role", "group");
+  picture.style.width = `clamp(${Math.round(kLeastScale * width)}px, 100%, ${Math.round(width)}px)`;
   const boxOfName = new Map(graph.modules.map((module, i) => [module.name, boxes[i]!]));
+  const widthOfName = new Map(graph.modules.map((module, i) => [module.name, widths[i]!]));
   return {
     svg: picture,
     select: (name) => boxOfName.forEach((box, own) => box.classList.toggle("chosen", own === name)),
     mark: (name, words) => {
       const line = boxOfName.get(name)?.querySelector(".module-mark");
-      if (line && line.textContent !== words) line.textContent = shortened(words, sizes.box - 18, 10.5);
+      if (line && line.textContent !== words) line.textContent = shortened(words, textRoom(widthOfName.get(name)!), kLineSize);
     },
   };
 }
@@ -64,9 +80,19 @@ interface Place {
   y: number;
 }
 
-function placeOf(layout: GraphLayout, module: number, { step }: Sizes): Place {
-  return { x: (layout.layers[module] ?? 0) * step, y: (layout.rows[module] ?? 0) * kRowStep };
+function placeOf(layout: GraphLayout, module: number, { left }: Sizes): Place {
+  return { x: left[layout.layers[module] ?? 0] ?? 0, y: (layout.rows[module] ?? 0) * kRowStep };
 }
+
+function widthOf(layout: GraphLayout, module: number, { width }: Sizes): number {
+  return width[layout.layers[module] ?? 0] ?? kNarrowest;
+}
+
+const kTextLeft = 17;
+const kNameSize = 12;
+const kBold = 1.08; // width of bold letters by that of others
+const kLineSize = 10.5;
+const textRoom = (width: number) => width - kTextLeft - 1;
 
 /** The role of a module: "sense", "code", "learn" or "answer". */
 export function kindOf(graph: GraphData, module: ModuleData): string {
@@ -82,9 +108,6 @@ function boxOf(
   width: number,
   onChoose?: (module: ModuleData) => void,
 ): SVGGElement {
-  const words = [module.type.replaceAll("_", " "), shapeWords(module)]
-    .filter((one) => one !== "")
-    .join(" · ");
   const attributes = {
     transform: `translate(${rounded(at.x)} ${rounded(at.y)})`,
     class: `module ${kindOf(graph, module)}`,
@@ -92,9 +115,9 @@ function boxOf(
   const box = shape("g", attributes, [
     shape("rect", { width, height: kBoxHeight, rx: 5, class: "module-box" }),
     shape("rect", { width: 4, height: kBoxHeight - 12, x: 6, y: 6, rx: 2, class: "module-kind" }),
-    text(17, 19, shortened(module.name, width - 22, 12), { class: "strong" }),
-    text(17, 32.5, shortened(words, width - 18, 10.5), { class: "muted module-line" }),
-    text(17, 44, shortened(phaseWords(graph, module), width - 18, 10.5), {
+    text(kTextLeft, 19, shortened(module.name, textRoom(width) - 4, kNameSize), { class: "strong" }),
+    text(kTextLeft, 32.5, shortened(typeWords(module), textRoom(width), kLineSize), { class: "muted module-line" }),
+    text(kTextLeft, 44, shortened(phaseWords(graph, module), textRoom(width), kLineSize), {
       class: "muted module-line module-mark",
     }),
   ]);
@@ -113,6 +136,10 @@ function makeButton(box: SVGGElement, module: ModuleData, onChoose: (module: Mod
   });
 }
 
+function typeWords(module: ModuleData): string {
+  return [module.type.replaceAll("_", " "), shapeWords(module)].filter((one) => one !== "").join(" · ");
+}
+
 function shapeWords(module: ModuleData): string {
   return module.shape.length === 0 ? "1" : module.shape.join(" × ");
 }
@@ -127,14 +154,15 @@ function linkPaths(layout: GraphLayout, sizes: Sizes): SVGElement[] {
   let loops = 0;
   return layout.links.flatMap((link) => {
     const [from, to] = [placeOf(layout, link.from, sizes), placeOf(layout, link.to, sizes)];
-    const start = { x: from.x + sizes.box, y: from.y + kBoxHeight / 2 };
+    const start = { x: from.x + widthOf(layout, link.from, sizes), y: from.y + kBoxHeight / 2 };
     const end = { x: to.x, y: to.y + kBoxHeight / 2 };
     if (link.isBack) return linkShapes(loopPath(layout, start, end, loops++), end, "back");
     const bends = link.bends.map(({ layer, row }) => ({
-      x: layer * sizes.step,
+      x: sizes.left[layer] ?? 0,
       y: row * kRowStep + kBoxHeight / 2,
+      width: sizes.width[layer] ?? 0,
     }));
-    return linkShapes(forwardPath(start, bends, end, sizes.box), end, "");
+    return linkShapes(forwardPath(start, bends, end), end, "");
   });
 }
 
@@ -146,12 +174,12 @@ function linkShapes(d: string, end: Place, kind: string): SVGElement[] {
   return [shape("path", { d, class: `link ${kind}` }), shape("path", { d: head, class: "link-head" })];
 }
 
-function forwardPath(start: Place, bends: Place[], end: Place, width: number): string {
+function forwardPath(start: Place, bends: (Place & { width: number })[], end: Place): string {
   let d = `M${rounded(start.x)} ${rounded(start.y)}`;
   let last = start;
   for (const bend of bends) {
-    d += `${curveTo(last, bend)}H${rounded(bend.x + width)}`;
-    last = { x: bend.x + width, y: bend.y };
+    d += `${curveTo(last, bend)}H${rounded(bend.x + bend.width)}`;
+    last = { x: bend.x + bend.width, y: bend.y };
   }
   return `${d}${curveTo(last, { x: end.x - kArrow + 1, y: end.y })}`;
 }

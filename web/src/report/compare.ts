@@ -50,8 +50,8 @@ class Sides {
       this.link(from);
       showInAddress(kId);
     };
-    this.sides = [left, right].map((index, i) => new Side(systems, index, i, () => changed(i)));
-    if (left === right) this.sides[1]?.selection.setRun(1);
+    const runs = [0, left === right ? 1 : 0]; // a system beside itself shows two runs
+    this.sides = [left, right].map((index, i) => new Side(systems, index, runs[i]!, i, () => changed(i)));
     fill(this.element, this.sides.map((side) => side.element));
   }
 
@@ -96,14 +96,15 @@ class Side {
   constructor(
     private readonly all: SystemReport[],
     index: number,
+    run: number,
     private readonly number: number,
     private readonly onChange: () => void,
   ) {
     this.systems = choice("System", all.map((system) => systemName(system)), index, (chosen) => {
-      this.show(chosen);
+      this.show(chosen, 0);
       this.onChange();
     });
-    this.show(index);
+    this.show(index, run);
     fill(this.element, [element("div", { class: "controls" }, [this.systems.element]), this.place]);
   }
 
@@ -112,7 +113,7 @@ class Side {
   }
 
   restore(state: URLSearchParams): void {
-    this.show(Math.min(this.all.length, Math.max(1, Number(state.get("system") ?? 1))) - 1);
+    this.show(Math.min(this.all.length, Math.max(1, Number(state.get("system") ?? 1))) - 1, 0);
     restored(this.selection, state);
   }
 
@@ -120,12 +121,13 @@ class Side {
     this.selection.setMarks(neurons);
   }
 
-  private show(index: number): void {
+  private show(index: number, run: number): void {
     const system = this.all[index];
     if (!system || index === this.index) return;
     this.index = index;
     this.systems.set(index);
     this.selection = new Selection(system);
+    this.selection.setRun(run);
     const figures = mapFigures(this.selection, { large: 420, small: 260 }, `${kId}-${this.number + 1}-`);
     this.selection.listen(this.onChange);
     this.selection.listenToNeuron(this.onChange);

@@ -1,36 +1,76 @@
-// All maps as small pictures, each a link to its section.
+// All maps as small pictures, each a link to its section: of all systems, or of all runs of a single
+// one.
 
 import { breakable, element, type Child } from "../parts/dom";
 import { labelsThumbnail } from "../parts/map_labels";
-import { percent } from "../parts/numbers";
-import type { Numbered } from "./groups";
+import { countOf, percent } from "../parts/numbers";
+import { addressOf } from "./address";
+import type { Group } from "./groups";
 import { lazy } from "./lazy";
 import { mainResults } from "./main_results";
+import { seedWords } from "./origin";
 import { Selection } from "./selection";
 import { winnersOf } from "./system_map";
 import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
-export function galleryOf(systems: readonly Numbered[]): HTMLElement {
-  const cards = systems.map((one) => element("li", {}, [card(one)]));
+interface Card {
+  selection: Selection;
+  link: string;
+  name: string;
+  words: string;
+}
+
+/** Null if there is only one map. */
+export function galleryOf(groups: readonly Group[]): Child {
+  const systems = groups.flatMap((group) => group.systems);
+  const [first] = groups;
+  if (systems.length > 1) {
+    const cards = systems.map(({ system, link }) => ({
+      selection: new Selection(system),
+      link,
+      name: systemName(system),
+      words: accuracyWords(system),
+    }));
+    return gallery("All maps", cards);
+  }
+  return first ? galleryOfRuns(first) : null;
+}
+
+const kMostRuns = 24;
+
+function galleryOfRuns({ id, systems: [only] }: Group): Child {
+  const runs = only?.system.protocols[0]?.runs ?? [];
+  if (!only || runs.length < 2) return null;
+  const cards = runs.slice(0, kMostRuns).map((_, run): Card => {
+    const selection = new Selection(only.system);
+    selection.setRun(run);
+    const state = { run: String(run + 1) };
+    return { selection, link: addressOf(id, state), name: `Seed ${seedWords(selection)}`, words: "" };
+  });
+  const title = runs.length > kMostRuns ? `Maps of the first ${kMostRuns} of ${countOf(runs.length, "run")}` : "Maps of all runs";
+  return gallery(title, cards);
+}
+
+function gallery(title: string, cards: readonly Card[]): HTMLElement {
+  const items = cards.map((one) => element("li", {}, [cardOf(one)]));
   return element("div", { class: "gallery" }, [
-    element("h2", { class: "gallery-title" }, ["All maps"]),
-    element("ul", {}, cards),
+    element("h2", { class: "gallery-title" }, [title]),
+    element("ul", {}, items),
   ]);
 }
 
-function card({ system, link }: Numbered): HTMLElement {
+function cardOf({ selection, link, name, words }: Card): HTMLElement {
   return element("a", { href: link }, [
-    element("span", { class: "thumbnail" }, [lazy(0, () => [thumbnail(system)])]),
-    element("span", { class: "gallery-name" }, breakable(systemName(system))),
-    element("span", { class: "muted" }, [accuracyWords(system)]),
+    element("span", { class: "thumbnail" }, [lazy(0, () => [thumbnail(selection)])]),
+    element("span", { class: "gallery-name" }, breakable(name)),
+    words === "" ? null : element("span", { class: "muted" }, [words]),
   ]);
 }
 
 const kSize = 150;
 
-function thumbnail(system: SystemReport): Child {
-  const { protocol, run, label } = new Selection(system);
+function thumbnail({ system, protocol, run, label }: Selection): Child {
   const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
   if (!system.grid || !winners) return null;
   return labelsThumbnail(system.grid, { ...winners, label: `Map of ${systemName(system)}`, size: kSize });

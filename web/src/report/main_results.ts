@@ -86,16 +86,17 @@ export function summaryOf(systems: readonly SystemReport[]): string {
 
 function summaryOfOne(system: SystemReport): string {
   const { trained, known, fresh, runs } = mainResults(system);
-  const over = runs > 1 ? `, on average over ${runs} runs` : "";
-  const parts = [
-    trained && `${shareOf(trained)} of the samples it was trained on`,
-    known && `${shareOf(known)} of samples left out${beside(known)}`,
-    fresh && `the ${words(fresh.label)} of ${shareOf(fresh)} of samples of a ${words(fresh.protocol.label)} left out${beside(fresh)}`,
+  const label = words((trained ?? known)?.label ?? "");
+  const own = [
+    trained && `of ${shareOf(trained)} of the training samples`,
+    known && `of ${shareOf(known)} of samples left out${beside(known)}`,
   ].filter((part) => part !== null);
+  const other =
+    fresh &&
+    `the ${words(fresh.label)} of ${shareOf(fresh)} of samples whose ${words(fresh.protocol.label)} was left out${beside(fresh)}`;
+  const parts = [...(own.length > 0 ? [`the ${label} ${own.join(" and ")}`] : []), ...(other ? [other] : [])];
   if (parts.length === 0) return "";
-  const label = words((trained ?? known ?? fresh)?.protocol.label ?? "class");
-  const what = trained || known ? `the ${label} of ` : "";
-  return `${systemName(system)} identifies ${what}${list(parts)}${over}.`;
+  return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.`;
 }
 
 const words = (label: string) => label.replaceAll("_", " ");
@@ -105,17 +106,13 @@ function beside({ baseline }: Result): string {
   return baseline ? ` (nearest neighbour: ${percent(baseline.mean)})` : "";
 }
 
-function list(parts: string[]): string {
-  return parts.length < 2 ? parts.join("") : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1) ?? ""}`;
-}
-
 function summaryOfMany(systems: readonly SystemReport[]): string {
   const results = systems.map(mainResults);
   const parts = [
     range(results.map(({ known }) => known), "of samples left out"),
     range(results.map(({ fresh }) => fresh), "of samples of things left out, by their other labels"),
   ].filter((part) => part !== null);
-  return parts.length === 0 ? "" : `${systems.length} systems identify ${list(parts)}.`;
+  return parts.length === 0 ? "" : `${systems.length} systems identify ${parts.join(" and ")}.`;
 }
 
 function range(results: (Result | null)[], of: string): string | null {

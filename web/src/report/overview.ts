@@ -32,7 +32,7 @@ export function overviewSection(data: ReportData): HTMLElement {
           "No results were given. Name one or more results.json: somato report RESULTS.json -o report.html",
         ])
       : null,
-    best ? hero(best, standing.length > 1 ? galleryOf(standing) : null) : null,
+    best ? hero(best, galleryOf(groups)) : null,
     standing.length > 0 ? systemsFigure(standing, data, "systems") : null,
   ]);
 }

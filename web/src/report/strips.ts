@@ -15,8 +15,8 @@ export interface Strip {
   range: [number, number] | null; // null: as far as the values go
 }
 
-const kNames = 236;
-const kWidth = 590;
+const kNames = 312;
+const kWidth = 530;
 const kRight = 40;
 const kRow = 54;
 const kHead = 34;
