@@ -41,6 +41,11 @@ export class Exploration {
     this.listeners.forEach((listener) => listener());
   }
 
+  playFromStart(): void {
+    this.setTime(this.times[0]);
+    this.play();
+  }
+
   /** From the beginning if the end is reached; plays until it is stopped, or until the end. */
   play(): void {
     const [from, to] = this.times;

@@ -29,7 +29,7 @@ export function momentFigures(system: SystemReport, samples: Samples): Child[] {
     list.set(samples.index);
     fill(place, figuresOf(system, shown));
     fill(player, playerOf(shown));
-    if (samples.plays) shown.play();
+    if (samples.plays) shown.playFromStart();
   };
   show();
   samples.listen(show);
