@@ -82,6 +82,9 @@ afterAll(async () => {
   await browser?.close();
 });
 
+/** The section of the system; the page shows its maps side by side, too. */
+const section = () => page.locator("#pressed");
+
 async function savedRows(figure: Locator): Promise<string[][]> {
   const waiting = page.waitForEvent("download");
   await figure.getByRole("button", { name: /^CSV:/ }).click();
@@ -94,11 +97,11 @@ async function savedRows(figure: Locator): Promise<string[][]> {
 }
 
 test("has the winners and what was named of results.json, for every protocol and seed", async () => {
-  const winners = page.locator('figure[aria-label="Winners"]');
+  const winners = section().locator('figure[aria-label="Winners"]');
   for (const [protocol, { runs }] of results.parts[0]!.protocols.entries()) {
-    await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: protocol });
+    await section().getByRole("combobox", { name: "Protocol" }).selectOption({ index: protocol });
     for (const [seed, run] of runs.entries()) {
-      await page.getByRole("slider", { name: "Seed" }).fill(String(seed));
+      await section().getByRole("slider", { name: "Seed" }).fill(String(seed));
       const rows = (await savedRows(winners)).slice(1);
       expect(rows.map((row) => Number(row[1]) - 1)).toEqual(run.winners);
       expect(rows.map((row) => row[5])).toEqual(run.predictions);
@@ -107,8 +110,8 @@ test("has the winners and what was named of results.json, for every protocol and
 });
 
 test("has the outcomes of results.json", async () => {
-  await page.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 0 });
-  const rows = await savedRows(page.locator('figure[aria-label="Outcomes"]'));
+  await section().getByRole("combobox", { name: "Protocol" }).selectOption({ index: 0 });
+  const rows = await savedRows(section().locator('figure[aria-label="Outcomes"]'));
   const values = rows
     .filter((row) => row[0] === "quantization_error" && row[1] === "here")
     .map((row) => Number(row[3]));
@@ -116,12 +119,12 @@ test("has the outcomes of results.json", async () => {
 });
 
 test("has the graph, the trained map, the moments and the materials", async () => {
-  expect(await page.locator('figure[aria-label="Modules"] .module').count()).toBe(3);
-  expect(await page.locator('figure[aria-label="U-matrix"] [data-cell]').count()).toBe(48);
-  expect(await page.locator('figure[aria-label="Potentiometer at the end"] dd').textContent()).toContain(
+  expect(await section().locator('figure[aria-label="Modules"] .module').count()).toBe(3);
+  expect(await section().locator('figure[aria-label="U-matrix"] [data-cell]').count()).toBe(48);
+  expect(await section().locator('figure[aria-label="Potentiometer at the end"] dd').textContent()).toContain(
     "counts",
   );
-  expect(await page.locator(".things tbody tr").count()).toBe(8);
+  expect(await section().locator(".things tbody tr").count()).toBe(8);
 });
 
 test("finds no barrier and no error, and looks like this", async () => {

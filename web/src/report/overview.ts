@@ -22,9 +22,9 @@ export function overviewSection(data: ReportData): HTMLElement {
   const groups = groupsOf(data);
   const best = bestSystem(originals(data));
   const standing = groups.flatMap(({ systems }) => systems);
-  return element("section", { id: "overview", class: "overview", "aria-labelledby": "overview-title" }, [
+  return element("section", { id: "overview", class: "overview", "aria-label": "Overview" }, [
     element("header", { class: "title" }, [
-      element("h1", { id: "overview-title" }, [titleOf(data)]),
+      element("h1", {}, [titleOf(data)]),
       element("p", { class: "summary" }, [summaryOf(originals(data))]),
     ]),
     data.systems.length === 0
