@@ -7,8 +7,10 @@ import { registerSection, showInAddress } from "./address";
 import { lazy } from "./lazy";
 import { bestSystem, originals } from "./main_results";
 import { Selection } from "./selection";
+import { planeFigures } from "./planes";
 import { restored, stateOf } from "./selection_state";
 import { mapFigures } from "./system_map";
+import { block, type Part } from "./system_part";
 import { toolbar } from "./toolbar";
 import type { ReportData, SystemReport } from "./unpacked";
 import { systemName } from "./words";
@@ -121,6 +123,11 @@ class Side {
     this.selection.setMarks(neurons);
   }
 
+  private weights(): Part {
+    const { selection, number } = this;
+    return { title: "Weights of the neurons", height: 560, make: () => planeFigures(selection, `${kId}-${number + 1}-`) };
+  }
+
   private show(index: number, run: number): void {
     const system = this.all[index];
     if (!system || index === this.index) return;
@@ -129,8 +136,10 @@ class Side {
     this.selection = new Selection(system);
     this.selection.setRun(run);
     const figures = mapFigures(this.selection, { large: 420, small: 260 }, `${kId}-${this.number + 1}-`);
+    const hasPlanes = (system.trained?.planes.length ?? 0) > 0;
+    const weights = hasPlanes ? block(this.weights(), false) : null;
     this.selection.listen(this.onChange);
     this.selection.listenToNeuron(this.onChange);
-    fill(this.place, [toolbar(this.selection), element("div", { class: "maps-of-side" }, figures)]);
+    fill(this.place, [toolbar(this.selection), element("div", { class: "maps-of-side" }, figures), weights]);
   }
 }

@@ -19,8 +19,9 @@ import { neuronTable } from "./system_map";
 import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
-export function planeFigures(system: SystemReport, selection: Selection): Child[] {
-  const { grid, trained } = system;
+/** Names of files begin with `prefix`, so that the same planes may be on the page twice. */
+export function planeFigures(selection: Selection, prefix = ""): Child[] {
+  const { grid, trained } = selection.system;
   if (!grid || !trained) return [];
   const place = element("div", { class: "figures" });
   const notice = element("div");
@@ -29,13 +30,14 @@ export function planeFigures(system: SystemReport, selection: Selection): Child[
   const show = (index: number) => {
     const planes = trained.planes[index];
     if (!planes) return;
-    linked = new LinkedPlanes(system, grid, planes, selection);
+    linked = new LinkedPlanes(selection, grid, planes, prefix);
     fill(place, linked.figures());
   };
   const redraw = () => fill(notice, [savedNotice(selection)]);
   redraw();
   selection.listen(redraw);
   selection.listenToNeuron((neuron) => linked?.follow(neuron));
+  selection.listenToMarks(() => linked?.mark());
   const first = richest(trained.planes);
   show(first);
   const channels = names.length > 1 ? [choice("Channel", names, first, show).element] : [];
@@ -49,6 +51,7 @@ function richest(all: ChannelPlanes[]): number {
 }
 
 class LinkedPlanes {
+  private readonly system: SystemReport;
   private element = 0;
   private neuron = 0;
   private readonly map: ValuesPicture;
@@ -58,11 +61,12 @@ class LinkedPlanes {
   private readonly handTitle = element("p", { class: "small what" });
 
   constructor(
-    private readonly system: SystemReport,
+    private readonly selection: Selection,
     private readonly grid: GridData,
     private readonly planes: ChannelPlanes,
-    private readonly selection: Selection,
+    private readonly prefix: string,
   ) {
+    this.system = selection.system;
     const { channel, unit } = planes;
     this.neuron = (selection.isOfSavedMap ? selection.neuron : null) ?? busiest(planes);
     this.element = strongest(planes.values[this.neuron] ?? []);
@@ -78,7 +82,7 @@ class LinkedPlanes {
       onPoint: (one: number | null) => this.previewPlane(one),
     };
     const options = { label: handLabel, unit, size: 380, ...keepElement };
-    const axis = axisOf(system, channel);
+    const axis = axisOf(this.system, channel);
     this.hand = axis ? linePicture(axis, options) : handMap(channel, options);
     this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
     this.setElement(this.element);
@@ -87,7 +91,7 @@ class LinkedPlanes {
 
   figures(): Child[] {
     const { channel } = this.planes;
-    const name = `${systemName(this.system)}-${channel.name}`;
+    const name = `${this.prefix}${systemName(this.system)}-${channel.name}`;
     const isOne = channel.elements.length === 1;
     const figures: Child[] = [
       figure({
@@ -122,6 +126,11 @@ class LinkedPlanes {
   /** Shows the neuron that was selected in another figure of the same map. */
   follow(neuron: number | null): void {
     if (neuron !== null && neuron !== this.neuron && this.selection.isOfSavedMap) this.setNeuron(neuron);
+  }
+
+  /** Marks the neurons that correspond to a selection on another map. */
+  mark(): void {
+    this.map.mark(this.selection.isOfSavedMap ? this.selection.marks : []);
   }
 
   private chooseNeuron(neuron: number): void {

@@ -16,6 +16,7 @@ import { Samples } from "./samples";
 import { Selection } from "./selection";
 import { restored, stateOf } from "./selection_state";
 import { mapFigures } from "./system_map";
+import { block, type Part } from "./system_part";
 import { claimsOf } from "./systems_table";
 import { missingList, notGivenFigure, settingsList } from "./tables";
 import { thingsFigure } from "./things";
@@ -94,30 +95,22 @@ function systemBody(selection: Selection, data: ReportData, isFolded: boolean, f
   return lazy(900, () => bodyParts(selection, data, isFolded, first));
 }
 
-interface Part {
-  title: string;
-  height: number; // about how tall it is, in pixels
-  isThere: boolean;
-  make: () => Child[];
-}
-
 function bodyParts(selection: Selection, data: ReportData, isFolded: boolean, first: Child[]): Child[] {
   const { system } = selection;
   const samples = new Samples(system);
   const readings: Part = {
     title: "Sensor readings",
     height: 480,
-    isThere: samples.names.length > 0,
     make: () => momentFigures(system, samples),
   };
-  const shownReadings = readings.isThere ? block(readings, !isFolded) : null;
+  const shownReadings = samples.names.length > 0 ? block(readings, !isFolded) : null;
   const showReadings = () => {
     if (!shownReadings) return;
     shownReadings.open = true;
     drawInside(shownReadings);
     shownReadings.scrollIntoView({ block: "start" });
   };
-  const others = otherParts(selection, data).filter(({ isThere }) => isThere);
+  const others = otherParts(selection, data);
   const hasProtocols = system.protocols.length > 0;
   return [
     ...missingList(system),
@@ -146,23 +139,19 @@ function otherParts(selection: Selection, data: ReportData): Part[] {
   const runs = Math.max(0, ...protocols.map((protocol) => protocol.runs.length));
   const hasPlanes = grid !== null && (trained?.planes.length ?? 0) > 0;
   const hasFields = (trained?.receptive_fields.length ?? 0) > 0;
-  const part = (title: string, height: number, isThere: boolean, make: () => Child[]) => ({ title, height, isThere, make });
+  const part = (title: string, height: number, isThere: boolean, make: () => Child[]): Part[] =>
+    isThere ? [{ title, height, make }] : [];
   return [
-    part("Weights of the neurons", 560, hasPlanes, () => planeFigures(system, selection)),
-    part("Connectivity", 480, hasFields, () => connectivityFigures(system)),
-    part(runs > 1 ? "Metrics over the runs" : "Metrics", 420, hasProtocols, () => [outcomesFigure(selection, claims)]),
-    part("Confusion matrix", 420, hasProtocols, () => [element("div", { class: "figures" }, confusionFigures(selection))]),
-    part("Graph of the modules", 260, graph !== null, () => [graphFigure(system)]),
-    part("Objects and materials", 240, things.length > 0, () => [thingsFigure(system)]),
-    part("Settings not given in the papers", 160, not_given.length > 0, () => [notGivenFigure(system)]),
+    ...part("Weights of the neurons", 560, hasPlanes, () => planeFigures(selection)),
+    ...part("Connectivity", 480, hasFields, () => connectivityFigures(system)),
+    ...part(runs > 1 ? "Metrics over the runs" : "Metrics", 420, hasProtocols, () => [outcomesFigure(selection, claims)]),
+    ...part("Confusion matrix", 420, hasProtocols, () => [element("div", { class: "figures" }, confusionFigures(selection))]),
+    ...part("Graph of the modules", 260, graph !== null, () => [graphFigure(system)]),
+    ...part("Objects and materials", 240, things.length > 0, () => [thingsFigure(system)]),
+    ...part("Settings not given in the papers", 160, not_given.length > 0, () => [notGivenFigure(system)]),
   ];
 }
 
 function noProtocols(first: Child[]): Child {
   return element("div", {}, [...first, element("p", { class: "message" }, ["These results contain no protocol."])]);
-}
-
-function block({ title, height, make }: Part, isOpen: boolean): HTMLDetailsElement {
-  const summary = element("summary", {}, [element("h3", {}, [title])]);
-  return element("details", { class: "block", open: isOpen }, [summary, lazy(height, make)]);
 }
