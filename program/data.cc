@@ -54,6 +54,7 @@ std::vector<Flag> table_flags() {
            "Columns to use as features, separated by commas: names or patterns such as 'tax_*', or "
            "numbers from 1 and ranges such as 2..17 if columns have no names. Default: all"},
           {"--skip", "Columns to leave out, in the same form"},
+          {"--variable", "Array of an NPZ archive or a MAT-file with several"},
           {"--missing",
            fmt::format("Treatment of missing values (empty fields, NaN and words such as NA): {}",
                        "refuse; mean uses the mean of the known training values of the column; "
@@ -75,6 +76,7 @@ std::vector<Flag> data_flags() {
 Result<CsvOptions> read_table_options(const Arguments& arguments) {
   CsvOptions options;
   options.label_column = arguments.text("label-column");
+  options.variable = arguments.text("variable");
   SOMATO_TRY(auto header, read_header(arguments));
   SOMATO_TRY(auto decimal, read_decimal(arguments));
   SOMATO_TRY(auto use, read_items(arguments, "columns-to-use"));

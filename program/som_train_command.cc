@@ -134,16 +134,17 @@ Command som_train_command() {
                    "Accept columns that have the same value in every row", false, false});
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
-  return {"som train",
-          "Train a map on a table of numbers",
-          {{"DATA",
-            "NPY file, or text with one sample per line and numbers separated by commas, "
-            "semicolons, tabs or blanks",
-            true}},
-          std::move(flags),
-          SomParameters::declarations().infos(),
-          train,
-          "map"};
+  return {
+      "som train",
+      "Train a map on a table of numbers",
+      {{"DATA",
+        "NPY, NPZ or MAT file, or text with one sample per line and numbers separated by commas, "
+        "semicolons, tabs or blanks",
+        true}},
+      std::move(flags),
+      SomParameters::declarations().infos(),
+      train,
+      "map"};
 }
 
 }  // namespace somato::program

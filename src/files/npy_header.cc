@@ -136,10 +136,12 @@ Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where
   return header;
 }
 
-std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape) {
+std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape,
+                           bool fortran_order) {
   constexpr std::size_t kAlignment = 64;
-  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}",
-                                   type, fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': ({}{}), }}",
+                                   type, fortran_order ? "True" : "False", fmt::join(shape, ", "),
+                                   shape.size() == 1 ? "," : "");
   const std::size_t before = kNpyMagic.size() + 4;
   while ((before + header.size() + 1) % kAlignment != 0) header += ' ';
   header += '\n';

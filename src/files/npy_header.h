@@ -25,8 +25,8 @@ struct NpyHeader {
 /// Errors: kData at `where`.
 Result<NpyHeader> parse_npy_header(std::string_view text, std::string_view where);
 
-/// The bytes before the first number of a file of version 1.0 in C order, of a type in numpy's
-/// notation.
-std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape);
+/// The bytes before the first number of a file of version 1.0, of a type in numpy's notation.
+std::string npy_file_start(std::string_view type, std::span<const std::size_t> shape,
+                           bool fortran_order = false);
 
 }  // namespace somato

@@ -59,13 +59,6 @@ constexpr NpyType kTypes[] = {
     {"|b1", 1, read_bool},
 };
 
-const NpyType* find_type(std::string_view name) {
-  for (const NpyType& type : kTypes) {
-    if (type.name == name) return &type;
-  }
-  return nullptr;
-}
-
 tl::unexpected<Error> cut_within_header(std::string_view where) {
   return refuse(where, "the file ends within its header", "copy or save it again");
 }
@@ -132,6 +125,13 @@ bool copy_if_finite(std::string_view bytes, std::span<float> out) {
 
 }  // namespace
 
+const NpyType* npy_type(std::string_view name) {
+  for (const NpyType& type : kTypes) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
+
 Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_size,
                                     std::string_view where) {
   if (!is_npy(bytes)) {
@@ -158,7 +158,7 @@ Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
   if (start > bytes.size()) return cut_within_header(where);
   const std::size_t before = bytes[6] == 1 ? 10 : 12;
   SOMATO_TRY(const NpyHeader header, parse_npy_header(bytes.substr(before, start - before), where));
-  const NpyType* type = find_type(header.type);
+  const NpyType* type = npy_type(header.type);
   if (!type) {
     return refuse(where, fmt::format("arrays of type {} are not supported", shown(header.type)),
                   "convert it first: array.astype('float32')");

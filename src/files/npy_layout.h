@@ -20,6 +20,9 @@ struct NpyType {
   double (*read)(const char*);  ///< Turns them into the nearest double.
 };
 
+/// The type with that name in numpy's notation, such as "<f4", or nullptr.
+const NpyType* npy_type(std::string_view name);
+
 /// Position and type of the numbers of an NPY file.
 struct NpyLayout {
   const NpyType* type = nullptr;

@@ -9,9 +9,9 @@
 
 namespace somato {
 
-/// The table in the file at `path`: NPY when it begins as NPY does, otherwise CSV.
-/// Errors: see read_whole(), decode_npy() and parse_csv(); kUsage for a label column or a decimal
-/// comma of an NPY file; kData for more than `limit` bytes.
+/// The table in the file at `path`: NPY, NPZ or MAT if it begins as these do, otherwise CSV.
+/// Errors: see read_whole(), decode_npy(), npy_in_npz(), npy_in_mat() and parse_csv(); kUsage for a
+/// label column or a decimal comma of a file that is not CSV; kData for more than `limit` bytes.
 Result<NumberTable> read_numbers(const std::string& path, const CsvOptions& options = {},
                                  std::size_t limit = kLargestFile);
 

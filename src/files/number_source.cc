@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "files/csv_source.h"
+#include "files/mat_array.h"
 #include "files/npy_source.h"
 #include "files/numbers_in_memory.h"
 #include "files/unchanged_file.h"
@@ -37,9 +38,14 @@ Result<std::unique_ptr<NumberSource>> detail::open_numbers(FileSystem& files,
                                                            const CsvOptions& options,
                                                            std::size_t part_bytes) {
   SOMATO_TRY(auto file, UnchangedFile::open(files, path));
-  char start[kNpyStart];
+  char start[kMatHeader];
   const std::size_t size = std::min(sizeof start, file.size());
   SOMATO_TRY_VOID(file.read(0, start, size));
+  if (holds_variables({start, size}) || !options.variable.empty()) {
+    std::string bytes(file.size(), '\0');
+    SOMATO_TRY_VOID(file.read(0, bytes.data(), bytes.size()));
+    return numbers_in(bytes, path, options);
+  }
   if (!is_npy({start, size})) return CsvSource::begin(std::move(file), options, part_bytes);
   return NpySource::begin(std::move(file), options, part_bytes);
 }

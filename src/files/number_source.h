@@ -45,8 +45,9 @@ class NumberSource : public SampleSource {
   Result<SamplePart> next() final;
 };
 
-/// Opens the file at `path`, which must be regular, as NPY if it begins like NPY, otherwise as CSV;
-/// the samples of a part take at most `part_bytes`, but a row is not divided. Errors: see
+/// Opens the file at `path`, which must be regular: NPY, NPZ and MAT are recognized by their first
+/// bytes, all others are CSV. The samples of a part take at most `part_bytes`, but a row is not
+/// divided, and NPZ and MAT files are one part. Errors: see
 /// read_numbers(); kSystem for a file that is not regular.
 Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
                                                    const CsvOptions& options,

@@ -5,8 +5,11 @@
 
 #include "files/csv_records.h"
 #include "files/csv_table_reader.h"
+#include "files/mat_array.h"
 #include "files/npy_layout.h"
+#include "files/npz_array.h"
 #include "files/text.h"
+#include "files/zip_reader.h"
 #include "somato/files/npy.h"
 
 namespace somato {
@@ -37,9 +40,21 @@ Result<WholeTable> csv_table(std::string_view text, std::string_view where,
   });
 }
 
+bool holds_variables(std::string_view start) {
+  return is_zip(start) || is_mat(start);
+}
+
 Result<WholeTable> whole_table(const std::string& bytes, const std::string& where,
                                const CsvOptions& options) {
-  return is_npy(bytes) ? npy_table(bytes, where, options) : csv_table(bytes, where, options);
+  if (!holds_variables(bytes) && !options.variable.empty()) {
+    return fail(ErrorKind::kUsage, "a variable is named, but the file has only one table", where,
+                "leave out the variable");
+  }
+  if (is_npy(bytes)) return npy_table(bytes, where, options);
+  if (!holds_variables(bytes)) return csv_table(bytes, where, options);
+  SOMATO_TRY(const std::string npy, is_zip(bytes) ? npy_in_npz(bytes, where, options.variable)
+                                                  : npy_in_mat(bytes, where, options.variable));
+  return npy_table(npy, where, options);
 }
 
 }  // namespace somato

@@ -19,6 +19,10 @@ struct WholeTable {
 Result<WholeTable> csv_table(std::string_view text, std::string_view where,
                              const CsvOptions& options);
 
+/// Whether a file with these first bytes (kMatHeader of them, or all) is an NPZ archive or a
+/// MAT-file, whose arrays have names.
+bool holds_variables(std::string_view start);
+
 /// The table in the bytes of a file; see read_numbers().
 Result<WholeTable> whole_table(const std::string& bytes, const std::string& where,
                                const CsvOptions& options);

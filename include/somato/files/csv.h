@@ -30,8 +30,9 @@ struct ColumnChoice {
   std::vector<std::string> features;
 };
 
-/// Options for reading a file of numbers; options that are not set are detected. For an NPY file
-/// only `columns` and `keeps_missing` apply; a label column and a decimal comma are refused.
+/// Options for reading a file of numbers; options that are not set are detected. For an NPY,
+/// NPZ or MAT file only `columns`, `variable` and `keeps_missing` apply; a label column and a decimal
+/// comma are refused. For other files `variable` is refused.
 struct CsvOptions {
   /// Separator of fields: comma, semicolon, tab or blank (any number of spaces and tabs). Detected:
   /// the first of tab, semicolon, comma and blank that occurs in the first line; with a decimal
@@ -45,6 +46,8 @@ struct CsvOptions {
   std::string label_column = {};
   /// Which of the other columns are read; the content of skipped columns is ignored.
   ColumnChoice columns = {};
+  /// The array of a file with several (NPZ, MAT); empty: the only one.
+  std::string variable = {};
   /// Treatment of missing numbers: an error, or NaN.
   bool keeps_missing = false;
   /// The decimal separator: '.' or ','. A decimal comma cannot separate fields as well; with a

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "somato/core/matrix.h"
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// A recorded sound.
+struct Sound {
+  double rate = 0.0;  ///< Samples per second, in Hz.
+  Matrix<float>
+      samples;  ///< samples x channels; integers are divided so that the range is [-1, 1).
+};
+
+/// The sound in the bytes of a WAV file, from the source `where`: PCM of 8, 16, 24 or 32 bits, and
+/// floating-point numbers of 32 or 64 bits. Errors (kData): damaged and other files, such as
+/// compressed ones; samples that are not finite. Source: Multimedia Programming Interface and Data
+/// Specifications 1.0 (Microsoft, IBM), chapter 3, and WAVEFORMATEXTENSIBLE.
+Result<Sound> decode_wav(std::string_view bytes, const std::string& where);
+
+}  // namespace somato
