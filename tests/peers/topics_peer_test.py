@@ -3,6 +3,7 @@
 import asyncio
 import json
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -19,7 +20,7 @@ from mcap.reader import make_reader
 PROGRAM = os.environ["SOMATO_PROGRAM"]
 ELEMENTS = 1089  # of the skin of an ORCA Touch hand
 RATE = 1000.0
-SECONDS = int(os.environ.get("SOMATO_TOPIC_SECONDS", "3"))
+SECONDS = int(os.environ.get("SOMATO_TOPIC_SECONDS", "2"))
 
 
 def payload(number):
@@ -31,9 +32,12 @@ def payload(number):
 class Robot:
     """A server of the Foxglove SDK that counts its messages upwards from 0."""
 
-    def __init__(self, topic="/touch"):
+    def __init__(self, topic="/touch", port=0, damaged=None):
+        """`damaged` is the number of a message that is cut."""
+        self.damaged = damaged
         # The server keeps what a busy machine delays; by default it drops messages after a second.
-        self.server = foxglove.start_server(host="127.0.0.1", port=0, message_backlog_size=60_000)
+        self.server = foxglove.start_server(host="127.0.0.1", port=port,
+                                            message_backlog_size=60_000)
         schema = foxglove.Schema(name="test_msgs/msg/Touch", encoding="ros2msg",
                                  data=b"float32[] forces\n")
         self.context = foxglove.Context()
@@ -50,7 +54,10 @@ class Robot:
         begun = time.monotonic()
         number = 0
         while not self.stopping.is_set():
-            self.channel.log(payload(float(number)), log_time=int(number * 1e9 / RATE))
+            message = payload(float(number))
+            if number == self.damaged:
+                message = message[:100]
+            self.channel.log(message, log_time=int(number * 1e9 / RATE))
             number += 1
             time.sleep(max(0.0, begun + number / RATE - time.monotonic()))
 
@@ -100,6 +107,50 @@ class Topics(unittest.TestCase):
         self.assertEqual(values, [values[0] + i for i in range(len(values))])
         self.assertNotIn("dropped", done.stderr)
 
+    def test_a_program_that_is_slowed_loses_nothing(self):
+        robot = Robot()
+        self.addCleanup(robot.stop)
+        running = subprocess.Popen(
+            [PROGRAM, "explore", "--topics", robot.address, "--channels", "touch:N=/touch:forces",
+             "--explorations", "1", "--duration", "2", "-o", self.recording],
+            stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.7)
+        running.send_signal(signal.SIGSTOP)
+        time.sleep(0.7)
+        running.send_signal(signal.SIGCONT)
+        _, errors = running.communicate(timeout=120)
+        self.assertEqual(running.returncode, 0, errors)
+        values, _ = frames(self.recording)
+        self.assertEqual(values, [values[0] + i for i in range(int(2 * RATE) + 1)])
+
+    def test_a_robot_that_starts_again_is_explored_again(self):
+        robots = [Robot()]
+        port = robots[0].server.port
+
+        def start_again():
+            robots.pop().stop()
+            robots.append(Robot(port=port))
+
+        timer = threading.Timer(0.7, start_again)
+        timer.start()
+        done = somato("explore", "--topics", f"ws://127.0.0.1:{port}", "--channels",
+                      "touch:N=/touch:forces", "--explorations", "3", "--duration", "1", "-o",
+                      self.recording)
+        timer.join()
+        robots[0].stop()
+        values, _ = frames(self.recording)
+        explorations, rest = divmod(len(values), int(RATE) + 1)
+        self.assertEqual(rest, 0)
+        self.assertGreaterEqual(explorations, 2, done.stderr)
+
+    def test_a_damaged_message_is_named(self):
+        robot = Robot(damaged=1500)
+        self.addCleanup(robot.stop)
+        done = self.explore(robot.address, "--duration", "10")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/touch", done.stderr)
+        self.assertIn("forces", done.stderr)
+
     def test_names_the_topics_that_there_are(self):
         robot = Robot("/skin")
         self.addCleanup(robot.stop)
@@ -110,7 +161,7 @@ class Topics(unittest.TestCase):
 
     def test_a_robot_that_stops_ends_the_exploration(self):
         robot = Robot()
-        timer = threading.Timer(2.0, robot.stop)
+        timer = threading.Timer(1.0, robot.stop)
         timer.start()
         done = self.explore(robot.address, "--duration", "60")
         timer.join()
