@@ -3,15 +3,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 
-#include "bags/bag_import.h"
 #include "commands.h"
 #include "exports/recording_export.h"
 #include "output.h"
+#include "recording/checked_explorations.h"
+#include "recording/exploration_frames.h"
+#include "simulation/recorded_scenes.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording_file.h"
 #include "study_data.h"
@@ -21,45 +23,44 @@
 namespace somato::program {
 namespace {
 
-// Takes explorations one after the other, checked as validate() checks a recording.
-class CheckedExport {
+// Passes explorations on until a stop is requested.
+class StoppableExplorations final : public FrameSink {
  public:
-  explicit CheckedExport(RecordingExport& to) : to_(&to) {}
+  explicit StoppableExplorations(FrameSink& to) : to_(&to) {}
 
-  Result<void> add(Exploration exploration) {
-    if (stop_requested()) return fail(ErrorKind::kInterrupted, "the conversion was stopped");
-    Recording single;
-    single.explorations.push_back(std::move(exploration));
-    const Exploration& added = single.explorations.front();
-    SOMATO_TRY_VOID(validate(single));
-    if (explorations_ == 0) first_ = sketch_of(added);
-    SOMATO_TRY_VOID(check_alike(added, first_));
-    ++explorations_;
-    return to_->add(added);
+  Result<void> begin_exploration(const ExplorationStart& start) override {
+    return checked().and_then([&] { return to_->begin_exploration(start); });
   }
 
-  std::uint64_t explorations() const { return explorations_; }
+  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
+                     std::span<const std::uint8_t> valid) override {
+    return checked().and_then([&] { return to_->frame(channel, values, time, valid); });
+  }
+
+  Result<void> end_exploration() override { return to_->end_exploration(); }
 
  private:
-  RecordingExport* to_;
-  Exploration first_;
-  std::uint64_t explorations_ = 0;
+  static Result<void> checked() {
+    if (!stop_requested()) return {};
+    return fail(ErrorKind::kInterrupted, "the conversion was stopped");
+  }
+
+  FrameSink* to_;
 };
 
-// Only one exploration of a file is in memory.
-Result<void> convert_file(const std::string& path, CheckedExport& to) {
+Result<void> convert_file(const std::string& path, FrameSink& to) {
   SOMATO_TRY(RecordingReader reader, RecordingReader::open(path));
   for (;;) {
-    SOMATO_TRY(std::optional<Exploration> exploration, reader.next());
-    if (!exploration) return {};
-    SOMATO_TRY_VOID(to.add(std::move(*exploration)));
+    SOMATO_TRY(const bool found, reader.next(to));
+    if (!found) return {};
   }
 }
 
-Result<void> convert_folder(const std::string& path, CheckedExport& to) {
-  SOMATO_TRY(Recording recording, read_study_data(RecordingFormat::kAutomatic, path));
-  for (Exploration& exploration : recording.explorations) {
-    SOMATO_TRY_VOID(to.add(std::move(exploration)));
+Result<void> convert_folder(const std::string& path, FrameSink& to) {
+  SOMATO_TRY(const Recording recording, read_study_data(RecordingFormat::kAutomatic, path));
+  SOMATO_TRY_VOID(validate(recording));
+  for (const Exploration& exploration : recording.explorations) {
+    SOMATO_TRY_VOID(hand_frames(exploration, to));
   }
   return {};
 }
@@ -81,35 +82,39 @@ Result<void> run_convert(const Arguments& arguments) {
   SOMATO_TRY(const ExportFormat format, format_of(arguments));
   SOMATO_TRY_VOID(check_target(format, from, path));
   catch_stop_requests();
-  SOMATO_TRY(const std::unique_ptr<RecordingExport> to, begin_export(format, path));
-  CheckedExport checked(*to);
+  SOMATO_TRY(const std::unique_ptr<RecordingExport> to,
+             begin_export(format, path, recorded_scenes()));
+  CheckedExplorations checked(*to);
+  StoppableExplorations stoppable(checked);
   std::error_code failure;
-  auto converted = std::filesystem::is_directory(from, failure) ? convert_folder(from, checked)
-                                                                : convert_file(from, checked);
-  if (converted && checked.explorations() == 0) {
+  auto converted = std::filesystem::is_directory(from, failure) ? convert_folder(from, stoppable)
+                                                                : convert_file(from, stoppable);
+  if (converted && checked.count() == 0) {
     converted = fail(ErrorKind::kData, "there are no explorations", from);
   }
   if (converted) converted = to->finish();
   if (!converted) return fail(with_place(std::move(converted.error()), from));
-  print_summary(fmt::format("{}: {}\n", path, counted(checked.explorations(), "exploration")));
+  print_summary(fmt::format("{}: {}\n", path, counted(checked.count(), "exploration")));
   return {};
 }
 
 }  // namespace
 
 Command convert_command() {
-  return {"convert",
-          "Write a recording for pandas, numpy or ROS 2",
-          {{"DATA", "Recording: its file, or a folder of original files", true}},
-          {{"-o,--output",
-            "Folder (csv, bag), which must not exist, or file (npz). A name that ends with .npz, "
-            "_csv or _bag states the format",
-            true, true, Role::kOutputFolder},
-           {"--format",
-            "csv: a table and a description for each channel; npz: arrays for numpy; bag: a bag "
-            "of ROS 2"}},
-          {},
-          run_convert};
+  return {
+      "convert",
+      "Write a recording for pandas, numpy, ROS 2, Foxglove or Rerun",
+      {{"DATA", "Recording: its file, or a folder of original files", true}},
+      {{"-o,--output",
+        "Folder (csv, bag, foxglove), which must not exist, or file (npz). A name that ends with "
+        ".npz, _csv, _bag or _foxglove states the format",
+        true, true, Role::kOutputFolder},
+       {"--format",
+        "csv: a table and a description for each channel; npz: arrays for numpy; bag: a bag "
+        "of ROS 2; foxglove: a bag with a 3D scene of simulated bodies and a layout for "
+        "Foxglove"}},
+      {},
+      run_convert};
 }
 
 }  // namespace somato::program

@@ -10,6 +10,7 @@
 #include "files/text.h"
 #include "files/toml_file.h"
 #include "recording/mcap_trials.h"
+#include "recording/wav_trials.h"
 #include "recording/yarp_dumps.h"
 #include "somato/recording/csv_import.h"
 #include "somato/recording/format.h"
@@ -24,6 +25,7 @@ constexpr const char* kCsv = "csv";
 constexpr const char* kMcap = "mcap";
 constexpr const char* kBag = "bag";
 constexpr const char* kYarp = "yarp";
+constexpr const char* kWav = "wav";
 
 // A recording and an additional message.
 struct Imported {
@@ -37,12 +39,13 @@ Imported without_remark(Recording recording) {
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
-  names.reserve(Choices<RecordingFormat>::all().size() + 4);
+  names.reserve(Choices<RecordingFormat>::all().size() + 5);
   for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
   names.emplace_back(kCsv);
   names.emplace_back(kMcap);
   names.emplace_back(kBag);
   names.emplace_back(kYarp);
+  names.emplace_back(kWav);
   return names;
 }
 
@@ -145,16 +148,19 @@ Result<Imported> import_csv(const Arguments& arguments) {
       .map([&](Recording recording) { return Imported{std::move(recording), line_of(left_out)}; });
 }
 
-Result<Imported> import_mcap(const Arguments& arguments) {
+// Files that define their channels; `import_trials` takes the folder, the pattern and whether to
+// pass over other files.
+template <typename ImportTrials>
+Result<Imported> import_described(const Arguments& arguments, const ImportTrials& import_trials) {
   const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
   if (!flag.empty()) {
-    return fail(ErrorKind::kUsage, "recordings define their channels", flag,
+    return fail(ErrorKind::kUsage, "the files define their channels", flag,
                 "leave out the flag, or import as csv");
   }
   return read_flags<CsvTrials>(arguments)
       .and_then([&](const CsvTrials& trials) {
-        return import_mcap_trials(arguments.text("DIR"), trials.files,
-                                  trials.other_files == Unmentioned::kIgnore);
+        return import_trials(arguments.text("DIR"), trials.files,
+                             trials.other_files == Unmentioned::kIgnore);
       })
       .map(without_remark);
 }
@@ -191,7 +197,9 @@ Result<Imported> import(const Arguments& arguments) {
   const std::string& format = arguments.text("FORMAT");
   if (format == kCsv) return import_csv(arguments);
   if (format == kYarp) return import_yarp(arguments);
-  return format == kMcap ? import_mcap(arguments) : import_named(arguments);
+  if (format == kWav) return import_described(arguments, import_wav_trials);
+  if (format == kMcap) return import_described(arguments, import_mcap_trials);
+  return import_named(arguments);
 }
 
 std::string summary(const Exploration& first, std::size_t explorations) {
@@ -247,11 +255,10 @@ std::string lines_of(const BagImportReport& report) {
 Result<void> run_bag_import(const Arguments& arguments) {
   SOMATO_TRY(const BagImport description, bag_description_of(arguments));
   const std::string path = arguments.text("output");
+  catch_stop_requests();
   SOMATO_TRY(RecordingFile file, RecordingFile::begin(path));
-  SOMATO_TRY(const BagImportReport report,
-             import_bags(arguments.text("DIR"), description, [&](Exploration exploration) {
-               return file.add(std::move(exploration));
-             }));
+  SOMATO_TRY(const BagImportReport report, import_bags(arguments.text("DIR"), description, file,
+                                                       [] { return !stop_requested(); }));
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {}\n{}", path, summary(report.first, report.explorations),
                             lines_of(report)));
@@ -291,27 +298,28 @@ std::vector<ParameterInfo> import_parameters() {
 }  // namespace
 
 Command import_command() {
-  return {"import",
-          "Import a folder of recorded files as a recording",
-          {{"FORMAT",
-            fmt::format(
-                "Format of the files: {}; mcap and yarp take the flags --files and --other-files",
-                fmt::join(formats(), ", ")),
-            true, false, Role::kValue, formats},
-           {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
-            true}},
-          {output_flag("-o,--output", "File for the recording", true),
-           input_flag("--description",
-                      "For csv and bag: TOML file with the tables [import] and [[channel]] (and "
-                      "[[label]] for bag), instead of the flags below"),
-           {"--channels",
-            "For csv: the channels with their units and columns, such as "
-            "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
-            "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z'; without "
-            "it the channels of all known types"}},
-          import_parameters(),
-          run_import,
-          "import"};
+  return {
+      "import",
+      "Import a folder of recorded files as a recording",
+      {{"FORMAT",
+        fmt::format(
+            "Format of the files: {}; mcap, wav and yarp take the flags --files and --other-files",
+            fmt::join(formats(), ", ")),
+        true, false, Role::kValue, formats},
+       {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
+        true}},
+      {output_flag("-o,--output", "File for the recording", true),
+       input_flag("--description",
+                  "For csv and bag: TOML file with the tables [import] and [[channel]] (and "
+                  "[[label]] for bag), instead of the flags below"),
+       {"--channels",
+        "For csv: the channels with their units and columns, such as "
+        "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
+        "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z'; without "
+        "it the channels of all known types"}},
+      import_parameters(),
+      run_import,
+      "import"};
 }
 
 }  // namespace somato::program

@@ -18,7 +18,7 @@ DIRECT = {
     "ros": ["files"],
     "recording": ["ros"],
     "bags": ["recording"],
-    "exports": ["recording"],
+    "exports": ["bodies"],
     "drawing": ["maps"],
     "graph": ["codes", "maps", "recording"],
     "bodies": ["recording"],

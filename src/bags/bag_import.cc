@@ -13,23 +13,21 @@
 #include "bags/bag_source.h"
 #include "bags/span_table.h"
 #include "bags/topic_use.h"
-#include "core/memory.h"
 #include "files/text.h"
-#include "recording/collected_channel.h"
+#include "recording/checked_explorations.h"
 #include "recording/name_pattern.h"
 #include "recording/nanoseconds.h"
+#include "recording/spooled_frames.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
 namespace {
 
-using AddExploration = std::function<Result<void>(Exploration)>;
-
 // A channel of the exploration that is open.
 struct ImportedChannel {
   ChannelDescription description;
-  CollectedChannel frames;
-  std::size_t elements = 0;
+  std::size_t index = 0;     // In the order of channels.
+  std::size_t elements = 0;  // 0 until there is a frame.
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
 };
 
@@ -38,44 +36,24 @@ bool is_end(const std::string& value) {
   return value.empty() || value == "0";
 }
 
-// The explorations of all bags, checked against the first one.
-class ExplorationSink {
- public:
-  ExplorationSink(BagImportReport& report, const AddExploration& add)
-      : report_(&report), add_(&add) {}
-
-  Result<void> take(Exploration exploration) {
-    if (report_->explorations == 0) report_->first = sketch_of(exploration);
-    SOMATO_TRY_VOID(check_alike(exploration, report_->first));
-    ++report_->explorations;
-    return (*add_)(std::move(exploration));
-  }
-
- private:
-  BagImportReport* report_;
-  const AddExploration* add_;
-};
-
 // Reads one bag.
 class BagReading {
  public:
   BagReading(const BagLocation& bag, std::vector<Label> labels, const BagImport& description,
-             const std::vector<BagSpan>& spans, ExplorationSink& sink)
+             const std::vector<BagSpan>& spans, FrameSink& sink)
       : bag_(&bag),
         name_labels_(std::move(labels)),
         description_(&description),
         spans_(&spans),
         sink_(&sink),
-        most_memory_(free_memory() / 3),
         values_of_labels_(description.labels.size()) {
-    for (const BagChannel& channel : description.channels) {
-      if (channels_.try_emplace(channel.name).second) order_.push_back(channel.name);
-    }
+    for (const BagChannel& channel : description.channels) (void)channel_named(channel.name);
   }
 
-  Result<void> run(BagImportReport& report) {
+  Result<void> run(BagImportReport& report, const std::function<bool()>& should_continue) {
     SOMATO_TRY(source_, open_bag(*bag_, description_->trials.definitions));
     for (;;) {
+      if (!should_continue()) return fail(ErrorKind::kInterrupted, "the import was stopped");
       Result<std::optional<BagMessage>> message = source_->next();
       if (!message) return fail(std::move(message.error()));
       if (!*message) break;
@@ -165,7 +143,6 @@ class BagReading {
   void begin(const std::vector<Label>& labels) {
     is_open_ = true;
     start_.reset();
-    taken_ = 0;
     labels_ = name_labels_;
     labels_.insert(labels_.end(), labels.begin(), labels.end());
   }
@@ -198,14 +175,21 @@ class BagReading {
     return add_frame(*channel, source.description.factor, time);
   }
 
+  ImportedChannel& channel_named(const std::string& name) {
+    const auto [known, is_new] = channels_.try_emplace(name);
+    if (is_new) {
+      known->second.description.name = name;
+      known->second.index = order_.size();
+      order_.push_back(name);
+    }
+    return known->second;
+  }
+
   Result<ImportedChannel*> channel_for(const TopicUse::Channel& source, const BagMessage& message) {
     const std::string& name = source.description.name;
-    const auto [known, is_new] = channels_.try_emplace(name);
-    if (is_new) order_.push_back(name);
-    ImportedChannel& channel = known->second;
+    ImportedChannel& channel = channel_named(name);
     if (channel.elements != 0) return &channel;
     channel.elements = values_.size();
-    channel.description.name = name;
     channel.description.unit = source.description.unit;
     SOMATO_TRY(channel.description.element_names,
                located(source.reader.element_names(message.data), message));
@@ -234,36 +218,29 @@ class BagReading {
       if (!is_valid) valid_[frame_.size()] = 0;
       frame_.push_back(is_valid ? static_cast<float>(factor * value) : 0.0F);
     }
-    taken_ += frame_.size() * (sizeof(float) + 1) + sizeof(double);
-    if (taken_ > most_memory_) {
-      return fail(ErrorKind::kSystem,
-                  fmt::format("an exploration exceeds the available memory of {}",
-                              memory_text(static_cast<double>(most_memory_))),
-                  bag_->path, "cut the bag into shorter explorations");
-    }
-    channel.frames.add(frame_, valid_, seconds_of(time - *start_));
-    return {};
+    return frames_.add(channel.index, frame_, seconds_of(time - *start_), valid_);
   }
 
   Result<void> end() {
     if (!is_open_) return {};
     is_open_ = false;
-    Exploration exploration{labels_, bag_->path, {}};
-    SOMATO_TRY_VOID(add_labels(exploration));
+    ExplorationStart start{labels_, bag_->path, {}};
+    SOMATO_TRY_VOID(add_labels(start.labels));
+    SOMATO_TRY_VOID(check_channels());
     for (const std::string& name : order_) {
       ImportedChannel& channel = channels_[name];
-      if (channel.frames.frames() == 0) continue;
-      exploration.channels.push_back(channel.frames.take(channel.description, channel.elements));
+      start.channels.push_back(channel.description);
       channel.latest = std::numeric_limits<std::int64_t>::min();
       channel.elements = 0;
     }
-    SOMATO_TRY_VOID(check_channels(exploration));
-    Result<void> taken = sink_->take(std::move(exploration));
-    if (!taken && taken.error().where.empty()) taken.error().where = place_of_exploration();
-    return taken;
+    Result<void> handed = frames_.hand_over(std::move(start), *sink_);
+    if (!handed && handed.error().kind == ErrorKind::kData) {
+      handed.error().where = place_of_exploration();
+    }
+    return handed;
   }
 
-  Result<void> add_labels(Exploration& exploration) const {
+  Result<void> add_labels(std::vector<Label>& labels) const {
     for (std::size_t i = 0; i < description_->labels.size(); ++i) {
       const BagLabel& label = description_->labels[i];
       if (!label.topic.empty() && !values_of_labels_[i]) {
@@ -273,21 +250,20 @@ class BagReading {
                                 label.topic, shown(label.name)),
                     place_of_exploration());
       }
-      exploration.labels.push_back(
-          {label.name, label.topic.empty() ? label.value : *values_of_labels_[i]});
+      labels.push_back({label.name, label.topic.empty() ? label.value : *values_of_labels_[i]});
     }
     return {};
   }
 
-  Result<void> check_channels(const Exploration& exploration) const {
+  Result<void> check_channels() const {
     for (const BagChannel& channel : description_->channels) {
-      if (find_channel(exploration, channel.name)) continue;
+      if (channels_.at(channel.name).elements != 0) continue;
       return fail(
           ErrorKind::kData,
           fmt::format("the channel {} has no frames in the exploration", shown(channel.name)),
           place_of_exploration(), "check its topic, and where explorations are cut");
     }
-    if (!exploration.channels.empty()) return {};
+    if (start_) return {};
     return fail(ErrorKind::kData, "the exploration has no frames", place_of_exploration(),
                 "describe its channels with --channels");
   }
@@ -354,21 +330,20 @@ class BagReading {
   std::vector<Label> name_labels_;
   const BagImport* description_;
   const std::vector<BagSpan>* spans_;
-  ExplorationSink* sink_;
-  std::size_t most_memory_;
+  FrameSink* sink_;
   std::vector<std::optional<std::string>> values_of_labels_;
   std::unique_ptr<BagSource> source_;
   std::vector<TopicUse> uses_;
   std::vector<std::uint64_t> messages_;
   std::map<std::string, ImportedChannel> channels_;
   std::vector<std::string> order_;
+  SpooledFrames frames_;
   std::vector<Label> labels_;
   bool is_open_ = false;
   std::optional<std::int64_t> zero_;   // The time of the first message of the bag.
   std::optional<std::int64_t> start_;  // The time of the first frame of the exploration.
   std::int64_t latest_frame_ = 0;
   std::size_t next_span_ = 0;
-  std::size_t taken_ = 0;
   std::uint64_t frames_outside_ = 0;
   std::vector<double> values_;
   std::vector<float> frame_;
@@ -390,20 +365,8 @@ Result<std::optional<std::vector<Label>>> labels_of_name(const BagLocation& bag,
 
 }  // namespace
 
-Exploration sketch_of(const Exploration& exploration) {
-  Exploration sketch{exploration.labels, exploration.source, {}};
-  sketch.channels.reserve(exploration.channels.size());
-  for (const Channel& channel : exploration.channels) {
-    const auto row = channel.frames.row(0);
-    sketch.channels.push_back(
-        channel_of(description_of(channel),
-                   Matrix<float>(1, row.size(), std::vector<float>(row.begin(), row.end()))));
-  }
-  return sketch;
-}
-
 Result<BagImportReport> import_bags(const std::filesystem::path& path, const BagImport& description,
-                                    const AddExploration& add) {
+                                    FrameSink& to, const std::function<bool()>& should_continue) {
   SOMATO_TRY_VOID(check_bag_import(description));
   SOMATO_TRY(const std::vector<BagLocation> bags, find_bags(path));
   std::vector<BagSpan> spans;
@@ -411,13 +374,18 @@ Result<BagImportReport> import_bags(const std::filesystem::path& path, const Bag
     SOMATO_TRY(spans, read_span_table(description.trials.spans));
   }
   BagImportReport report;
-  ExplorationSink sink(report, add);
+  CheckedExplorations checked(to);
   for (const BagLocation& bag : bags) {
     SOMATO_TRY(auto labels, labels_of_name(bag, description.trials));
     if (!labels) continue;
-    SOMATO_TRY_VOID(BagReading(bag, std::move(*labels), description, spans, sink).run(report));
+    BagReading reading(bag, std::move(*labels), description, spans, checked);
+    SOMATO_TRY_VOID(reading.run(report, should_continue));
   }
-  if (report.explorations > 0) return report;
+  report.explorations = checked.count();
+  if (report.explorations > 0) {
+    report.first = checked.first();
+    return report;
+  }
   return fail(
       ErrorKind::kData, "there are no explorations", path.string(),
       "check the topics, and where explorations are cut; `somato inspect` lists the topics");

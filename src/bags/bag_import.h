@@ -9,6 +9,7 @@
 
 #include "bags/bag_description.h"
 #include "somato/core/result.h"
+#include "somato/recording/frame_sink.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -29,23 +30,22 @@ struct BagImportReport {
   std::vector<LeftOutTopic> left_out;
 };
 
-/// The exploration with the first frame of each channel only, each of which has one.
-Exploration sketch_of(const Exploration& exploration);
-
-/// Reads the bags at `path` (see find_bags()) and hands their explorations to `add`, one after the
-/// other; memory is bounded by one exploration. Without a description of channels, all topics of
+/// Reads the bags at `path` (see find_bags()) and hands their explorations to `to`, one after the
+/// other; memory grows neither with the bags nor with an exploration, whose frames wait in
+/// SpooledFrames until its labels are known. Ends with an error (kInterrupted) when
+/// `should_continue` returns false. Without a description of channels, all topics of
 /// known types are channels, named as in RecordingReader.
 ///
 /// A bag is one exploration, unless the description cuts it. Times are relative to the first frame
 /// of the exploration. Labels come from the name of the bag, the span and the description, in this
 /// order. The source is the path of the bag.
 ///
-/// Errors: those of find_bags(), open_bag(), read_span_table() and `add`; kUsage for topics that do
+/// Errors: those of find_bags(), open_bag(), read_span_table() and `to`; kUsage for topics that do
 /// not exist and fields that their type does not have; kData with bag, topic and time for messages
 /// that cannot be decoded, frames with another number of elements, clocks that are set back (unless
 /// the description permits it), labels without a message, channels without frames, explorations
 /// with other channels or labels than the first one.
 Result<BagImportReport> import_bags(const std::filesystem::path& path, const BagImport& description,
-                                    const std::function<Result<void>(Exploration)>& add);
+                                    FrameSink& to, const std::function<bool()>& should_continue);
 
 }  // namespace somato

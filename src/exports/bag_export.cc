@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "files/text.h"
-#include "recording/frame_writer.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_layout.h"
 #include "ros/cdr.h"
@@ -18,10 +17,8 @@
 namespace somato {
 namespace {
 
-constexpr const char* kBagFile = "bag_0.mcap";
 constexpr const char* kJointStates = "sensor_msgs/msg/JointState";
 constexpr std::int64_t kMillisecond = 1'000'000;
-constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 
 McapSchema text_schema() {
   return {0, "std_msgs/msg/String", "ros2msg", "string data\n"};
@@ -42,6 +39,12 @@ std::string ros_topic(const std::string& name) {
   return topic;
 }
 
+Result<std::int64_t> nanoseconds(double seconds) {
+  const auto time = nanoseconds_of(seconds);
+  if (time) return *time;
+  return fail(ErrorKind::kData, fmt::format("a time is beyond {} s", kLatestSecond));
+}
+
 std::string toml(const std::string& text) {
   return to_toml(Value(text));
 }
@@ -49,137 +52,84 @@ std::string toml(const std::string& text) {
 }  // namespace
 
 Result<std::unique_ptr<RecordingExport>> BagExport::begin(const std::string& path) {
-  SOMATO_TRY(NewFolder folder, NewFolder::begin(path));
-  SOMATO_TRY(FileWriter file, FileWriter::begin(folder.file(kBagFile)));
-  auto bag = std::make_unique<BagExport>(std::move(folder), std::move(file));
-  SOMATO_TRY_VOID(bag->writer_.begin({"ros2", "somato"}));
-  return bag;
+  SOMATO_TRY(auto writer, BagWriter::begin(path));
+  return std::make_unique<BagExport>(std::move(writer));
 }
 
-BagExport::BagExport(NewFolder folder, FileWriter file)
-    : folder_(std::move(folder)),
-      file_(std::move(file)),
-      writer_([this](std::string_view bytes) { return file_.write(bytes); }, Compression::kZstd,
-              kChunkBytes) {}
-
-Result<std::size_t> BagExport::open_topic(const std::string& name, const McapSchema& schema,
-                                          McapChannel channel) {
-  channel.topic = name;
-  channel.message_encoding = "cdr";
-  channel.metadata["offered_qos_profiles"] = "";
-  SOMATO_TRY(const std::uint16_t id, writer_.channel(&schema, std::move(channel)));
-  topics_.push_back({name, schema.name, id});
-  return topics_.size() - 1;
-}
-
-Result<void> BagExport::open_topics(const Exploration& first) {
+Result<void> BagExport::open_topics(const ExplorationStart& first) {
   std::set<std::string> taken;
-  SOMATO_TRY(events_, open_topic(free_name("/exploration", taken), text_schema(), {}));
+  SOMATO_TRY(events_, writer_->open_topic(free_name("/exploration", taken), text_schema()));
   for (const Label& label : first.labels) {
     const std::string topic = free_name("/labels/" + plain_name(label.name, "_"), taken);
-    SOMATO_TRY(const std::size_t index, open_topic(topic, text_schema(), {}));
+    SOMATO_TRY(const std::size_t index, writer_->open_topic(topic, text_schema()));
     labels_.push_back(index);
     label_names_.push_back(label.name);
   }
-  for (const Channel& channel : first.channels) {
-    ChannelDescription description = description_of(channel);
+  for (ChannelDescription description : first.channels) {
     description.rate = 0.0;  // A topic has one description, and its messages have times.
     description.times_known = true;
-    const std::string topic = free_name(ros_topic(channel.name), taken);
+    const std::string topic = free_name(ros_topic(description.name), taken);
     SOMATO_TRY(const std::size_t index,
-               open_topic(topic, schema_for(description), channel_for(description)));
+               writer_->open_topic(topic, schema_for(description), channel_for(description)));
     channels_.push_back(index);
     descriptions_.push_back(std::move(description));
   }
   return {};
 }
 
-Result<void> BagExport::write(std::size_t topic, std::int64_t time, std::string_view message) {
-  if (!first_time_) first_time_ = time;
-  latest_time_ = time;
-  const auto log_time = static_cast<std::uint64_t>(time);
-  Topic& to = topics_[topic];
-  return writer_.add({to.id, to.messages++, log_time, log_time, message});
-}
-
-// The labels and the event precede the frames, so that no reader confuses their order.
-Result<void> BagExport::begin_exploration(const Exploration& exploration, std::int64_t start) {
-  for (std::size_t i = 0; i < labels_.size(); ++i) {
-    SOMATO_TRY_VOID(
-        write(labels_[i], start - 2 * kMillisecond, string_message(exploration.labels[i].value)));
-  }
-  return write(events_, start - kMillisecond, string_message(std::to_string(explorations_)));
-}
-
-Result<void> BagExport::add(const Exploration& exploration) {
-  if (explorations_ == 0) SOMATO_TRY_VOID(open_topics(exploration));
+// The labels and the event precede the frames, so that no reader confuses their order. Times of a
+// calendar, which ascend, are unchanged.
+Result<void> BagExport::begin_exploration(const ExplorationStart& start) {
+  if (explorations_ == 0) SOMATO_TRY_VOID(open_topics(start));
   ++explorations_;
-  const std::vector<PlacedFrame> frames = frames_in_time(exploration);
-  const auto start = nanoseconds_of(frames.front().time);
-  const auto end = nanoseconds_of(frames.back().time);
-  if (!start || !end) {
-    return fail(ErrorKind::kData,
-                fmt::format("exploration {} has times beyond {} s", explorations_, kLatestSecond));
+  open_.clear();
+  double time = start.time;
+  for (const ChannelDescription& channel : start.channels) {
+    if (channel.rate > 0.0) time = std::min(time, 0.0);
+    open_.push_back({channel.rate});
   }
-  // Times of a calendar, which ascend, are unchanged.
-  const std::int64_t zero = std::max<std::int64_t>(0, latest_time_ + kNanosecondsASecond - *start);
-  SOMATO_TRY_VOID(begin_exploration(exploration, zero + *start));
-  for (const PlacedFrame& placed : frames) {
-    const std::int64_t time = zero + nanoseconds_of(placed.time).value_or(*end);
-    SOMATO_TRY_VOID(add_frame(exploration, placed.channel, placed.frame, time));
+  SOMATO_TRY(const std::int64_t begin, nanoseconds(time));
+  zero_ = std::max<std::int64_t>(0, writer_->latest_time() + kNanosecondsASecond - begin);
+  frame_time_ = zero_ + begin;
+  const std::int64_t labelled = zero_ + begin - 2 * kMillisecond;
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    SOMATO_TRY_VOID(writer_->write(labels_[i], labelled, string_message(start.labels[i].value)));
   }
-  return write(events_, zero + *end + kMillisecond, string_message(""));
+  return writer_->write(events_, labelled + kMillisecond,
+                        string_message(std::to_string(explorations_)));
 }
 
-Result<void> BagExport::add_frame(const Exploration& exploration, std::size_t channel,
-                                  std::size_t frame, std::int64_t time) {
-  const Channel& of = exploration.channels[channel];
-  const auto row = of.frames.row(frame);
-  values_.assign(row.begin(), row.end());
-  for (std::size_t i = 0; !of.valid.empty() && i < values_.size(); ++i) {
-    if (of.valid(frame, i) == 0) values_[i] = std::numeric_limits<float>::quiet_NaN();
+Result<void> BagExport::frame(std::size_t channel, std::span<const float> values, double time,
+                              std::span<const std::uint8_t> valid) {
+  ExportedChannel& of = open_[channel];
+  if (of.rate > 0.0) time = static_cast<double>(of.frames) / of.rate;
+  ++of.frames;
+  SOMATO_TRY(const std::int64_t since, nanoseconds(time));
+  frame_time_ = zero_ + since;
+  values_.assign(values.begin(), values.end());
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    if (valid[i] == 0) values_[i] = std::numeric_limits<float>::quiet_NaN();
   }
-  return write(channels_[channel], time,
-               frame_message(descriptions_[channel], static_cast<std::uint64_t>(time), values_));
+  const auto stamp = static_cast<std::uint64_t>(frame_time_);
+  return writer_->write(channels_[channel], frame_time_,
+                        frame_message(descriptions_[channel], stamp, values_));
 }
 
-std::string BagExport::metadata() const {
-  std::uint64_t messages = 0;
-  for (const Topic& topic : topics_) messages += topic.messages;
-  const std::int64_t start = first_time_.value_or(0);
-  const std::int64_t duration = latest_time_ - start;
-  std::string text = fmt::format(
-      "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n  duration:\n"
-      "    nanoseconds: {}\n  starting_time:\n    nanoseconds_since_epoch: {}\n"
-      "  message_count: {}\n  topics_with_message_count:\n",
-      duration, start, messages);
-  for (const Topic& topic : topics_) {
-    text += fmt::format(
-        "    - topic_metadata:\n        name: {}\n        type: {}\n"
-        "        serialization_format: cdr\n        offered_qos_profiles: \"\"\n"
-        "      message_count: {}\n",
-        topic.name, topic.type, topic.messages);
-  }
-  return text + fmt::format(
-                    "  compression_format: \"\"\n  compression_mode: \"\"\n"
-                    "  relative_file_paths:\n    - {0}\n  files:\n    - path: {0}\n"
-                    "      starting_time:\n        nanoseconds_since_epoch: {1}\n"
-                    "      duration:\n        nanoseconds: {2}\n      message_count: {3}\n",
-                    kBagFile, start, duration, messages);
+Result<void> BagExport::end_exploration() {
+  return writer_->write(events_, writer_->latest_time() + kMillisecond, string_message(""));
 }
 
 std::string BagExport::description() const {
   std::string text = fmt::format(
       "# somato import bag BAG -o RECORDING --description BAG/import.toml\n\n[import]\n"
       "events = {}\n",
-      toml(topics_[events_].name + ":data"));
+      toml(writer_->name_of(events_) + ":data"));
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const ChannelDescription& channel = descriptions_[i];
-    const Topic& topic = topics_[channels_[i]];
-    const bool is_joints = topic.type == kJointStates;
+    const bool is_joints = writer_->type_of(channels_[i]) == kJointStates;
     text += fmt::format("\n[[channel]]\nname = {}\nunit = {}\ntopic = {}\nfields = [\"{}\"]\n",
-                        toml(channel.name), toml(channel.unit), toml(topic.name),
-                        is_joints ? "position" : "data");
+                        toml(channel.name), toml(channel.unit), toml(topic_of_channel(i)),
+                        field_of_channel(i));
     if (is_joints && !channel.element_names.empty()) text += "names = \"name\"\n";
     if (is_joints && channel.unit == "deg") {
       text += fmt::format("factor = {}\n", to_toml(Value(180.0 / std::numbers::pi)));
@@ -190,22 +140,18 @@ std::string BagExport::description() const {
   }
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     text += fmt::format("\n[[label]]\nname = {}\ntopic = {}\nfield = \"data\"\n",
-                        toml(label_names_[i]), toml(topics_[labels_[i]].name));
+                        toml(label_names_[i]), toml(writer_->name_of(labels_[i])));
   }
   return text;
 }
 
-Result<void> BagExport::save(const std::string& name, const std::string& text) const {
-  SOMATO_TRY(FileWriter file, FileWriter::begin(folder_.file(name)));
-  return file.write(text).and_then([&] { return file.commit(); });
+std::string BagExport::field_of_channel(std::size_t channel) const {
+  return writer_->type_of(channels_[channel]) == kJointStates ? "position" : "data";
 }
 
 Result<void> BagExport::finish() {
-  SOMATO_TRY_VOID(writer_.finish());
-  SOMATO_TRY_VOID(file_.commit());
-  SOMATO_TRY_VOID(save("metadata.yaml", metadata()));
-  SOMATO_TRY_VOID(save("import.toml", description()));
-  return folder_.commit();
+  SOMATO_TRY_VOID(writer_->save("import.toml", description()));
+  return writer_->finish();
 }
 
 }  // namespace somato

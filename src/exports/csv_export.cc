@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "somato/core/value.h"
 #include "somato/files/csv.h"
@@ -11,7 +13,7 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kPartBytes = std::size_t{1} << 20;
+constexpr std::size_t kPartBytes = std::size_t{1} << 16;
 
 // Whether an import takes the column's name for a range or a pattern.
 bool is_special(const std::string& name) {
@@ -21,7 +23,8 @@ bool is_special(const std::string& name) {
 
 // The names of the elements, or numbered names of the channel: of elements without names, and
 // where a name does not identify a column.
-std::vector<std::string> columns_of(const Channel& channel, const std::set<std::string>& taken) {
+std::vector<std::string> columns_of(const ChannelDescription& channel, std::size_t elements,
+                                    const std::set<std::string>& taken) {
   std::set<std::string> names = taken;
   const bool are_usable = !channel.element_names.empty() &&
                           std::all_of(channel.element_names.begin(), channel.element_names.end(),
@@ -32,8 +35,8 @@ std::vector<std::string> columns_of(const Channel& channel, const std::set<std::
   names = taken;
   const std::string stem = is_special(channel.name) ? "value" : channel.name;
   std::vector<std::string> columns;
-  columns.reserve(channel.frames.columns());
-  for (std::size_t i = 1; i <= channel.frames.columns(); ++i) {
+  columns.reserve(elements);
+  for (std::size_t i = 1; i <= elements; ++i) {
     columns.push_back(free_name(fmt::format("{}_{}", stem, i), names));
   }
   return columns;
@@ -51,10 +54,9 @@ std::string quoted(const std::string& text) {
 }
 
 // The time of a frame in seconds, or nothing.
-std::string time_of(const Channel& channel, std::size_t frame) {
-  if (!channel.times.empty()) return fmt::format("{}", channel.times[frame]);
+std::string time_text(const ChannelDescription& channel, std::uint64_t frame, double time) {
   if (channel.rate > 0.0) return fmt::format("{}", static_cast<double>(frame) / channel.rate);
-  return {};
+  return channel.times_known ? fmt::format("{}", time) : std::string();
 }
 
 }  // namespace
@@ -64,57 +66,70 @@ Result<std::unique_ptr<RecordingExport>> CsvExport::begin(const std::string& pat
   return std::make_unique<CsvExport>(std::move(folder));
 }
 
-Result<void> CsvExport::open_tables(const Exploration& first) {
+Result<void> CsvExport::open_tables(const ExplorationStart& first) {
   std::set<std::string> files;
   for (const Label& label : first.labels) labels_.push_back(label.name);
   tables_.reserve(first.channels.size());
-  for (const Channel& channel : first.channels) {
+  for (const ChannelDescription& channel : first.channels) {
     std::set<std::string> taken(labels_.begin(), labels_.end());
     const std::string exploration = free_name("exploration", taken);
     const std::string time = free_name("time", taken);
     const std::string name = free_name(plain_name(channel.name, "_-."), files);
     SOMATO_TRY(FileWriter file, FileWriter::begin(folder_.file(name + ".csv")));
-    tables_.push_back({name, std::move(file), description_of(channel), exploration, time,
-                       columns_of(channel, taken)});
-    ChannelTable& table = tables_.back();
-    std::string header = csv_field(exploration);
-    for (const std::string& label : labels_) header += "," + csv_field(label);
-    header += "," + csv_field(time);
-    for (const std::string& element : table.elements) header += "," + csv_field(element);
-    SOMATO_TRY_VOID(table.file.write(header + "\n"));
+    tables_.push_back({name, std::move(file), channel, exploration, time});
   }
   return {};
 }
 
-Result<void> CsvExport::add(const Exploration& exploration) {
-  if (explorations_ == 0) SOMATO_TRY_VOID(open_tables(exploration));
+Result<void> CsvExport::begin_exploration(const ExplorationStart& start) {
+  if (explorations_ == 0) SOMATO_TRY_VOID(open_tables(start));
   ++explorations_;
+  channels_ = start.channels;
+  beginning_ = fmt::format("{}", explorations_);
+  for (const Label& label : start.labels) beginning_ += "," + csv_field(label.value);
   for (std::size_t i = 0; i < tables_.size(); ++i) {
-    SOMATO_TRY_VOID(add_frames(tables_[i], exploration, exploration.channels[i]));
+    ChannelTable& table = tables_[i];
+    const ChannelDescription& channel = channels_[i];
+    table.frames = 0;
+    table.is_rate_constant = table.is_rate_constant && channel.rate == table.description.rate;
+    table.is_time_known = table.is_time_known && (channel.times_known || channel.rate > 0.0);
   }
   return {};
 }
 
-Result<void> CsvExport::add_frames(ChannelTable& table, const Exploration& exploration,
-                                   const Channel& channel) const {
-  table.is_rate_constant = table.is_rate_constant && channel.rate == table.description.rate;
-  table.is_time_known = table.is_time_known && (!channel.times.empty() || channel.rate > 0.0);
-  std::string beginning = fmt::format("{}", explorations_);
-  for (const Label& label : exploration.labels) beginning += "," + csv_field(label.value);
-  std::string rows;
-  for (std::size_t frame = 0; frame < channel.frames.rows(); ++frame) {
-    rows += beginning + "," + time_of(channel, frame);
-    for (std::size_t i = 0; i < channel.frames.columns(); ++i) {
-      const bool is_valid = channel.valid.empty() || channel.valid(frame, i) != 0;
-      table.has_missing = table.has_missing || !is_valid;
-      rows += is_valid ? fmt::format(",{}", channel.frames(frame, i)) : ",";
-    }
-    rows += '\n';
-    if (rows.size() < kPartBytes) continue;
-    SOMATO_TRY_VOID(table.file.write(rows));
-    rows.clear();
+// The number of elements is known once there is a frame.
+void CsvExport::begin_table(ChannelTable& table, std::size_t elements,
+                            const std::vector<std::string>& labels) {
+  std::set<std::string> taken(labels.begin(), labels.end());
+  taken.insert({table.exploration, table.time});
+  table.elements = columns_of(table.description, elements, taken);
+  table.rows = csv_field(table.exploration);
+  for (const std::string& label : labels) table.rows += "," + csv_field(label);
+  table.rows += "," + csv_field(table.time);
+  for (const std::string& element : table.elements) table.rows += "," + csv_field(element);
+  table.rows += '\n';
+}
+
+Result<void> CsvExport::frame(std::size_t channel, std::span<const float> values, double time,
+                              std::span<const std::uint8_t> valid) {
+  ChannelTable& table = tables_[channel];
+  if (table.elements.empty()) begin_table(table, values.size(), labels_);
+  table.rows += beginning_ + "," + time_text(channels_[channel], table.frames++, time);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool is_valid = valid.empty() || valid[i] != 0;
+    table.has_missing = table.has_missing || !is_valid;
+    table.rows += ',';
+    if (is_valid) fmt::format_to(std::back_inserter(table.rows), "{}", values[i]);
   }
-  return table.file.write(rows);
+  table.rows += '\n';
+  if (table.rows.size() < kPartBytes) return {};
+  SOMATO_TRY_VOID(table.file.write(table.rows));
+  table.rows.clear();
+  return {};
+}
+
+Result<void> CsvExport::end_exploration() {
+  return {};
 }
 
 std::string CsvExport::description_of_table(const ChannelTable& table) const {
@@ -140,6 +155,7 @@ std::string CsvExport::description_of_table(const ChannelTable& table) const {
 
 Result<void> CsvExport::finish() {
   for (ChannelTable& table : tables_) {
+    SOMATO_TRY_VOID(table.file.write(table.rows));
     SOMATO_TRY_VOID(table.file.commit());
     SOMATO_TRY(FileWriter description, FileWriter::begin(folder_.file(table.name + ".toml")));
     SOMATO_TRY_VOID(description.write(description_of_table(table)));

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +24,10 @@ class CsvExport final : public RecordingExport {
 
   explicit CsvExport(NewFolder folder) : folder_(std::move(folder)) {}
 
-  Result<void> add(const Exploration& exploration) override;
+  Result<void> begin_exploration(const ExplorationStart& start) override;
+  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
+                     std::span<const std::uint8_t> valid) override;
+  Result<void> end_exploration() override;
   Result<void> finish() override;
 
  private:
@@ -33,20 +37,24 @@ class CsvExport final : public RecordingExport {
     ChannelDescription description;
     std::string exploration;  // Names of columns.
     std::string time;
-    std::vector<std::string> elements;
+    std::vector<std::string> elements = {};  // Once there is a frame.
+    std::string rows = {};                   // Not yet written.
+    std::uint64_t frames = 0;                // Belongs to the exploration.
     bool is_time_known = true;
     bool is_rate_constant = true;
     bool has_missing = false;
   };
 
-  Result<void> open_tables(const Exploration& first);
-  Result<void> add_frames(ChannelTable& table, const Exploration& exploration,
-                          const Channel& channel) const;
+  Result<void> open_tables(const ExplorationStart& first);
+  static void begin_table(ChannelTable& table, std::size_t elements,
+                          const std::vector<std::string>& labels);
   std::string description_of_table(const ChannelTable& table) const;
 
   NewFolder folder_;
   std::vector<std::string> labels_;
   std::vector<ChannelTable> tables_;
+  std::vector<ChannelDescription> channels_;  // Belongs to the exploration.
+  std::string beginning_;                     // The first fields of each row.
   std::uint64_t explorations_ = 0;
 };
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "exports/bag_export.h"
 #include "exports/csv_export.h"
+#include "exports/foxglove_export.h"
 #include "exports/npz_export.h"
 
 namespace somato {
@@ -18,12 +20,15 @@ bool is_letter_or_digit(char c) {
 
 const std::vector<std::pair<ExportFormat, std::string>>& Choices<ExportFormat>::all() {
   static const std::vector<std::pair<ExportFormat, std::string>> choices{
-      {ExportFormat::kCsv, "csv"}, {ExportFormat::kNpz, "npz"}, {ExportFormat::kBag, "bag"}};
+      {ExportFormat::kCsv, "csv"},
+      {ExportFormat::kNpz, "npz"},
+      {ExportFormat::kBag, "bag"},
+      {ExportFormat::kFoxglove, "foxglove"}};
   return choices;
 }
 
-Result<std::unique_ptr<RecordingExport>> begin_export(ExportFormat format,
-                                                      const std::string& path) {
+Result<std::unique_ptr<RecordingExport>> begin_export(ExportFormat format, const std::string& path,
+                                                      SceneFinder scenes) {
   switch (format) {
     case ExportFormat::kCsv:
       return CsvExport::begin(path);
@@ -31,6 +36,8 @@ Result<std::unique_ptr<RecordingExport>> begin_export(ExportFormat format,
       return NpzExport::begin(path);
     case ExportFormat::kBag:
       return BagExport::begin(path);
+    case ExportFormat::kFoxglove:
+      return FoxgloveExport::begin(path, std::move(scenes));
   }
   return fail(ErrorKind::kUsage, "this format cannot be written");
 }
@@ -41,8 +48,10 @@ Result<ExportFormat> export_format_of(const std::string& path) {
   for (const auto& [format, ending] : Choices<ExportFormat>::all()) {
     if (name == ending) return format;
   }
-  return fail(ErrorKind::kUsage, "the name does not state the format", path,
-              "use a name that ends with .npz, _csv or _bag, or --format csv, npz or bag");
+  return fail(
+      ErrorKind::kUsage, "the name does not state the format", path,
+      "use a name that ends with .npz, _csv, _bag or _foxglove, or --format csv, npz, bag or "
+      "foxglove");
 }
 
 std::string free_name(std::string name, std::set<std::string>& taken) {

@@ -7,36 +7,29 @@
 #include <utility>
 #include <vector>
 
+#include "somato/bodies/scene.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
-#include "somato/recording/recording.h"
+#include "somato/recording/frame_sink.h"
 
 namespace somato {
 
-/// A recording in the format of another program, written exploration by exploration. Nothing is at
-/// its path before finish(); without it nothing is left behind.
-class RecordingExport {
+/// A recording in the format of another program, written frame by frame. All explorations have the
+/// channels and labels of the first one. Nothing is at its path before finish(); without it nothing
+/// is left behind. Errors: kSystem with the system's reason; kData for what the format cannot
+/// represent.
+class RecordingExport : public FrameSink {
  public:
-  RecordingExport() = default;
-  RecordingExport(const RecordingExport&) = delete;
-  RecordingExport(RecordingExport&&) = delete;
-  RecordingExport& operator=(const RecordingExport&) = delete;
-  RecordingExport& operator=(RecordingExport&&) = delete;
-  virtual ~RecordingExport() = default;
-
-  /// Writes an exploration that validate() accepts, with the channels and labels of the first one.
-  /// Errors: kSystem with the system's reason; kData for what the format cannot represent.
-  virtual Result<void> add(const Exploration& exploration) = 0;
-
   /// Completes the files and moves them to the path. Errors: kSystem with the system's reason.
   virtual Result<void> finish() = 0;
 };
 
 /// The formats; docs/your-data.md describes them.
 enum class ExportFormat {
-  kCsv,  ///< A folder with a table and a description for each channel.
-  kNpz,  ///< A file with arrays for numpy.
-  kBag,  ///< A bag of ROS 2: a folder with an MCAP file and metadata.yaml.
+  kCsv,       ///< A folder with a table and a description for each channel.
+  kNpz,       ///< A file with arrays for numpy.
+  kBag,       ///< A bag of ROS 2: a folder with an MCAP file and metadata.yaml.
+  kFoxglove,  ///< The same with the scene of known bodies and a layout for Foxglove.
 };
 
 template <>
@@ -44,10 +37,13 @@ struct Choices<ExportFormat> {
   static const std::vector<std::pair<ExportFormat, std::string>>& all();
 };
 
-/// Begins to write. Errors: kSystem with the system's reason, also if a folder exists at the path.
-Result<std::unique_ptr<RecordingExport>> begin_export(ExportFormat format, const std::string& path);
+/// Begins to write; `scenes` finds what kFoxglove shows. Errors: kSystem with the system's reason,
+/// also if a folder exists at the path.
+Result<std::unique_ptr<RecordingExport>> begin_export(ExportFormat format, const std::string& path,
+                                                      SceneFinder scenes);
 
-/// The format of a path that ends with its name, such as grasps.npz, grasps_csv or grasps_bag.
+/// The format of a path that ends with its name, such as grasps.npz, grasps_csv or
+/// grasps_bag.
 /// Errors: kUsage for other paths.
 Result<ExportFormat> export_format_of(const std::string& path);
 

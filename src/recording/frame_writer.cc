@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "files/text.h"
@@ -18,26 +17,6 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kMostAnnounced = std::size_t{1} << 20;
-
-constexpr double kFramesASecond =
-    100.0;  // Used if the rate is unknown: viewers show the frames in order.
-
-double time_of(const Channel& channel, std::size_t frame, double earliest) {
-  if (!channel.times.empty()) return channel.times[frame];
-  if (channel.rate > 0.0) return static_cast<double>(frame) / channel.rate;
-  return earliest + static_cast<double>(frame) / kFramesASecond;
-}
-
-// The first known time, or 0 s.
-double earliest_time(const Exploration& exploration) {
-  std::optional<double> earliest;
-  for (const Channel& channel : exploration.channels) {
-    if (channel.times.empty() && channel.rate == 0.0) continue;
-    const double first = channel.times.empty() ? 0.0 : channel.times.front();
-    earliest = std::min(earliest.value_or(first), first);
-  }
-  return earliest.value_or(0.0);
-}
 
 tl::unexpected<Error> bad(std::string what, const std::string& path, std::string advice = {}) {
   return fail(ErrorKind::kData, std::move(what), path, std::move(advice));
@@ -102,21 +81,6 @@ std::size_t expected_elements(const ChannelDescription& description) {
 }
 
 }  // namespace
-
-std::vector<PlacedFrame> frames_in_time(const Exploration& exploration) {
-  const double earliest = earliest_time(exploration);
-  std::vector<PlacedFrame> frames;
-  for (std::size_t channel = 0; channel < exploration.channels.size(); ++channel) {
-    const std::size_t count = exploration.channels[channel].frames.rows();
-    for (std::size_t frame = 0; frame < count; ++frame) {
-      frames.push_back({time_of(exploration.channels[channel], frame, earliest), channel, frame});
-    }
-  }
-  std::sort(frames.begin(), frames.end(), [](const PlacedFrame& a, const PlacedFrame& b) {
-    return std::tie(a.time, a.channel, a.frame) < std::tie(b.time, b.channel, b.frame);
-  });
-  return frames;
-}
 
 Result<void> FrameWriter::begin_file() {
   return file_.begin({std::string(kRecordingProfile), "somato"});

@@ -13,21 +13,9 @@
 
 namespace somato {
 
-/// A frame of an exploration and its time in seconds.
-struct PlacedFrame {
-  double time = 0.0;
-  std::size_t channel = 0;
-  std::size_t frame = 0;
-};
-
-/// All frames in the order of time; those of the same time in the order of channels. Frames of
-/// unknown times follow each other from the earliest known time, or 0 s, at 100 Hz, so that viewers
-/// show them in order.
-std::vector<PlacedFrame> frames_in_time(const Exploration& exploration);
-
 /// Writes explorations frame by frame into an MCAP file: what RecordingWriter does, for one thread
 /// and without a clock.
-class FrameWriter {
+class FrameWriter final : public FrameSink {
  public:
   /// `path` is for messages.
   FrameWriter(McapWriter::Sink sink, std::string path, const RecordingFileParameters& parameters)
@@ -38,13 +26,13 @@ class FrameWriter {
   FrameWriter(FrameWriter&&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
   FrameWriter& operator=(FrameWriter&&) = delete;
-  ~FrameWriter() = default;
+  ~FrameWriter() override = default;
 
   Result<void> begin_file();
-  Result<void> begin_exploration(const ExplorationStart& start);
+  Result<void> begin_exploration(const ExplorationStart& start) override;
   Result<void> frame(std::size_t channel, std::span<const float> values, double time,
-                     std::span<const std::uint8_t> valid);
-  Result<void> end_exploration() { return log_.end(); }
+                     std::span<const std::uint8_t> valid) override;
+  Result<void> end_exploration() override { return log_.end(); }
   Result<void> end_chunk() { return file_.end_chunk(); }
   Result<void> finish() { return file_.finish(); }
 

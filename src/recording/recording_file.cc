@@ -7,37 +7,13 @@
 
 #include "core/memory.h"
 #include "files/replacement.h"
+#include "recording/exploration_frames.h"
 #include "recording/frame_writer.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_reader.h"
+#include "somato/core/check.h"
 
 namespace somato {
-namespace {
-
-ExplorationStart start_of(const Exploration& exploration, const std::vector<PlacedFrame>& frames) {
-  ExplorationStart start{exploration.labels, exploration.source, {}, frames.front().time};
-  start.channels.reserve(exploration.channels.size());
-  for (const Channel& channel : exploration.channels) {
-    start.channels.push_back(description_of(channel));
-  }
-  return start;
-}
-
-Result<void> write_exploration(FrameWriter& file, const Exploration& exploration) {
-  const std::vector<PlacedFrame> frames = frames_in_time(exploration);
-  Result<void> done = file.begin_exploration(start_of(exploration, frames));
-  for (const PlacedFrame& placed : frames) {
-    if (!done) return done;
-    const Channel& channel = exploration.channels[placed.channel];
-    const auto valid =
-        channel.valid.empty() ? std::span<const std::uint8_t>() : channel.valid.row(placed.frame);
-    done = file.frame(placed.channel, channel.frames.row(placed.frame), placed.time, valid);
-  }
-  return done.and_then([&] { return file.end_exploration(); });
-}
-
-}  // namespace
-
 class RecordingFile::Impl {
  public:
   Impl(Replacement file, const std::string& path, const RecordingFileParameters& parameters)
@@ -52,9 +28,7 @@ class RecordingFile::Impl {
     return state;
   }
 
-  Result<void> add(const Exploration& exploration) {
-    return write_exploration(writer_, exploration);
-  }
+  FrameWriter& writer() { return writer_; }
 
   Result<void> finish() {
     return writer_.finish().and_then([&] { return file_.commit(); });
@@ -76,13 +50,30 @@ Result<RecordingFile> RecordingFile::begin(const std::string& path,
   return RecordingFile(std::move(state));
 }
 
+Result<void> RecordingFile::begin_exploration(const ExplorationStart& start) {
+  require(!impl_->writer().is_open(), "an exploration is open already");
+  return impl_->writer().begin_exploration(start);
+}
+
+Result<void> RecordingFile::frame(std::size_t channel, std::span<const float> values, double time,
+                                  std::span<const std::uint8_t> valid) {
+  require(impl_->writer().is_open(), "no exploration is open");
+  return impl_->writer().frame(channel, values, time, valid);
+}
+
+Result<void> RecordingFile::end_exploration() {
+  require(impl_->writer().is_open(), "no exploration is open");
+  return impl_->writer().end_exploration();
+}
+
 Result<void> RecordingFile::add(Exploration exploration) {
   Recording single;
   single.explorations.push_back(std::move(exploration));
-  return validate(single).and_then([&] { return impl_->add(single.explorations.front()); });
+  return validate(single).and_then([&] { return hand_frames(single.explorations.front(), *this); });
 }
 
 Result<void> RecordingFile::finish() {
+  require(!impl_->writer().is_open(), "an exploration is open");
   return impl_->finish();
 }
 
@@ -105,7 +96,7 @@ Result<void> write_recording(FileSystem& files, const std::string& path, const R
   if (!valid) return valid;
   SOMATO_TRY(auto file, RecordingFile::Impl::begin(files, path, parameters));
   for (const Exploration& exploration : recording.explorations) {
-    SOMATO_TRY_VOID(file->add(exploration));
+    SOMATO_TRY_VOID(hand_frames(exploration, file->writer()));
   }
   return file->finish();
 }

@@ -10,6 +10,7 @@
 #include "recording/mcap_reader.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_interpreter.h"
+#include "recording/spooled_frames.h"
 
 namespace somato {
 namespace {
@@ -29,34 +30,54 @@ class RecordingReader::Impl {
   ~Impl() = default;
 
   Result<std::optional<Exploration>> next() {
-    while (!done_) {
-      Result<std::optional<Exploration>> found = step();
-      if (!found) done_ = true;
-      if (!found || *found) return found;
-    }
-    return std::optional<Exploration>();
+    SOMATO_TRY(const bool found, read([&](const Frame& frame) { return collect(frame); }));
+    return found ? std::optional(take()) : std::nullopt;
+  }
+
+  Result<bool> next(FrameSink& to) {
+    SOMATO_TRY(const bool found, read([&](const Frame& frame) {
+                 return spooled_.add(frame.channel, frame.values, seconds_of(frame.time),
+                                     frame.valid);
+               }));
+    if (!found) return false;
+    return spooled_.hand_over(start(), to).map([] { return true; });
   }
 
  private:
-  // Reads a message; an exploration if that was its last.
-  Result<std::optional<Exploration>> step() {
+  using Frame = RecordingInterpreter::Frame;
+
+  // Reads an exploration to its end, or the end of the file, and hands its frames to `take_frame`.
+  template <typename TakeFrame>
+  Result<bool> read(const TakeFrame& take_frame) {
+    while (!done_) {
+      Result<bool> found = step(take_frame);
+      if (!found) done_ = true;
+      if (!found || *found) return found;
+    }
+    return false;
+  }
+
+  // Reads a message; whether an exploration ends with it.
+  template <typename TakeFrame>
+  Result<bool> step(const TakeFrame& take_frame) {
     SOMATO_TRY(const std::optional<McapMessage> message, file_.next());
     if (!message) return finish();
     SOMATO_TRY(const Meaning meaning, interpreter_.interpret(*message));
-    if (meaning == Meaning::kBegin) channels_.assign(interpreter_.channels().size(), {});
     if (meaning == Meaning::kFrame) {
-      channels_.resize(interpreter_.channels().size());
-      for (const RecordingInterpreter::Frame& frame : interpreter_.frames()) {
-        SOMATO_TRY_VOID(take_memory(frame));
-        channels_[frame.channel].add(frame.values, frame.valid, seconds_of(frame.time));
-      }
+      for (const Frame& frame : interpreter_.frames()) SOMATO_TRY_VOID(take_frame(frame));
     }
-    if (meaning == Meaning::kEnd) return take();
-    return std::optional<Exploration>();
+    return meaning == Meaning::kEnd;
+  }
+
+  Result<void> collect(const Frame& frame) {
+    channels_.resize(interpreter_.channels().size());
+    SOMATO_TRY_VOID(take_memory(frame));
+    channels_[frame.channel].add(frame.values, frame.valid, seconds_of(frame.time));
+    return {};
   }
 
   // A small file can unpack to frames that no machine holds.
-  Result<void> take_memory(const RecordingInterpreter::Frame& frame) {
+  Result<void> take_memory(const Frame& frame) {
     taken_ += frame.values.size() * sizeof(float) + frame.valid.size() + sizeof(double);
     if (taken_ <= most_memory_) return {};
     return fail(ErrorKind::kSystem,
@@ -65,13 +86,24 @@ class RecordingReader::Impl {
                 {}, "use a shorter recording, or a machine with more memory");
   }
 
-  Result<std::optional<Exploration>> finish() {
+  Result<bool> finish() {
     done_ = true;
     SOMATO_TRY_VOID(interpreter_.finish());
-    return interpreter_.is_open() ? take() : std::nullopt;
+    return interpreter_.is_open();
   }
 
-  std::optional<Exploration> take() {
+  ExplorationStart start() const {
+    ExplorationStart start{
+        interpreter_.exploration().labels, interpreter_.exploration().source, {}};
+    start.channels.reserve(interpreter_.channels().size());
+    for (const InterpretedChannel& channel : interpreter_.channels()) {
+      start.channels.push_back(channel.description);
+    }
+    return start;
+  }
+
+  Exploration take() {
+    channels_.resize(interpreter_.channels().size());
     Exploration exploration{
         interpreter_.exploration().labels, interpreter_.exploration().source, {}};
     exploration.channels.reserve(channels_.size());
@@ -84,7 +116,8 @@ class RecordingReader::Impl {
 
   McapReader file_;
   RecordingInterpreter interpreter_;
-  std::vector<CollectedChannel> channels_;
+  std::vector<CollectedChannel> channels_;  // For next() without a sink.
+  SpooledFrames spooled_;                   // For next() with one.
   std::size_t most_memory_;
   std::size_t taken_ = 0;  // bytes of all frames so far
   bool done_ = false;
@@ -102,6 +135,10 @@ Result<RecordingReader> RecordingReader::open(const std::string& path, std::size
 
 Result<std::optional<Exploration>> RecordingReader::next() {
   return impl_->next();
+}
+
+Result<bool> RecordingReader::next(FrameSink& to) {
+  return impl_->next(to);
 }
 
 }  // namespace somato

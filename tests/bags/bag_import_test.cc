@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bags/made_bag.h"
+#include "recording/collected_explorations.h"
 #include "recording/ros_messages.h"
 #include "support/temporary_folder.h"
 
@@ -25,10 +26,11 @@ struct Imported {
 
 Imported imported(const std::string& path, const BagImport& description) {
   std::vector<Exploration> explorations;
-  auto report = import_bags(path, description, [&](Exploration exploration) {
+  CollectedExplorations collected([&](Exploration exploration) {
     explorations.push_back(std::move(exploration));
     return Result<void>();
   });
+  auto report = import_bags(path, description, collected, [] { return true; });
   return {std::move(report), std::move(explorations)};
 }
 

@@ -6,6 +6,8 @@
 #include "bags/bag_import.h"
 #include "exports/varied_recording.h"
 #include "files/toml_file.h"
+#include "recording/collected_explorations.h"
+#include "recording/exploration_frames.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
@@ -16,7 +18,7 @@ class BagExportTest : public testing::Test {
   void write(const Recording& recording) const {
     auto to = BagExport::begin(folder_.file("out")).value();
     for (const Exploration& exploration : recording.explorations) {
-      ASSERT_TRUE(to->add(exploration));
+      ASSERT_TRUE(hand_frames(exploration, *to));
     }
     ASSERT_TRUE(to->finish());
   }
@@ -25,10 +27,12 @@ class BagExportTest : public testing::Test {
     std::vector<Exploration> explorations;
     const auto description = read_toml(folder_.file("out/import.toml")).and_then(read_bag_import);
     EXPECT_TRUE(description) << to_string(description.error());
-    const auto report = import_bags(folder_.file("out"), description.value(), [&](Exploration e) {
-      explorations.push_back(std::move(e));
+    CollectedExplorations collected([&](Exploration exploration) {
+      explorations.push_back(std::move(exploration));
       return Result<void>();
     });
+    const auto report =
+        import_bags(folder_.file("out"), description.value(), collected, [] { return true; });
     EXPECT_TRUE(report) << to_string(report.error());
     return explorations;
   }

@@ -4,6 +4,7 @@
 
 #include "exports/varied_recording.h"
 #include "files/toml_file.h"
+#include "recording/exploration_frames.h"
 #include "somato/recording/csv_import.h"
 #include "support/temporary_folder.h"
 
@@ -15,7 +16,7 @@ class CsvExportTest : public testing::Test {
   void write(const Recording& recording) const {
     auto to = CsvExport::begin(folder_.file("out")).value();
     for (const Exploration& exploration : recording.explorations) {
-      ASSERT_TRUE(to->add(exploration));
+      ASSERT_TRUE(hand_frames(exploration, *to));
     }
     ASSERT_TRUE(to->finish());
   }
@@ -73,7 +74,7 @@ TEST_F(CsvExportTest, ATableHasARowForEachFrame) {
 TEST_F(CsvExportTest, NothingIsLeftOfAnExportThatIsNotFinished) {
   {
     auto to = CsvExport::begin(folder_.file("out")).value();
-    ASSERT_TRUE(to->add(varied_recording().explorations.front()));
+    ASSERT_TRUE(hand_frames(varied_recording().explorations.front(), *to));
     EXPECT_EQ(folder_.count(), 1);
   }
   EXPECT_EQ(folder_.count(), 0);

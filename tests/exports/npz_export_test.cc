@@ -7,6 +7,7 @@
 #include "exports/varied_recording.h"
 #include "files/checksum.h"
 #include "files/little_endian.h"
+#include "recording/exploration_frames.h"
 #include "somato/files/npy.h"
 #include "support/temporary_folder.h"
 
@@ -32,7 +33,8 @@ std::map<std::string, std::string> members_of(const std::string& zip) {
 
 std::map<std::string, std::string> written(const std::string& path, const Recording& recording) {
   auto to = NpzExport::begin(path).value();
-  for (const Exploration& exploration : recording.explorations) EXPECT_TRUE(to->add(exploration));
+  for (const Exploration& exploration : recording.explorations)
+    EXPECT_TRUE(hand_frames(exploration, *to));
   EXPECT_TRUE(to->finish());
   return members_of(bytes_of(path));
 }
@@ -67,7 +69,7 @@ TEST(NpzExport, AFileIsReplacedAsAWhole) {
   folder.with("out.npz", "before");
   {
     auto to = NpzExport::begin(folder.file("out.npz")).value();
-    ASSERT_TRUE(to->add(varied_recording().explorations.front()));
+    ASSERT_TRUE(hand_frames(varied_recording().explorations.front(), *to));
   }
   EXPECT_EQ(bytes_of(folder.file("out.npz")), "before");
   EXPECT_EQ(folder.count(), 1);

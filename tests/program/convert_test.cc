@@ -39,6 +39,15 @@ TEST_F(Convert, TablesAndBagsAreImportedAgain) {
   EXPECT_TRUE(recording("c.mcap") == recording("a.mcap"));
 }
 
+TEST_F(Convert, HandsAreShownInFoxglove) {
+  output_of({"explore", "--body", "lucs2", "--explorations", "1", "-o", "hand.mcap"});
+  EXPECT_EQ(output_of({"convert", "hand.mcap", "-o", "hand_foxglove"}),
+            "hand_foxglove: 6 explorations\n");
+  EXPECT_NE(read("hand_foxglove/foxglove_layout.json").find("\"/taxels\""), std::string::npos);
+  const std::string topics = output_of({"inspect", "hand_foxglove"});
+  EXPECT_NE(topics.find("\"/tf\": tf2_msgs/msg/TFMessage"), std::string::npos) << topics;
+}
+
 TEST_F(Convert, DataSetsAreConverted) {
   output_of({"convert", kTrials, "-o", "grasps.npz"});
   EXPECT_TRUE(read("grasps.npz").starts_with("PK\3\4"));

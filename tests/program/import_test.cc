@@ -155,9 +155,9 @@ TEST_F(Import, JoinsRecordingsWithTheLabelsOfTheirNames) {
   };
   expect_refused(2, {{with({"x"}), {"'files': the pattern has no labels"}},
                      {with({"x", "--files", "{a}.mcap", "--window", "5"}),
-                      {"--window: recordings define their channels"}},
-                     {with({"x", "--description", "d.toml"}), {"--description: recordings define"}},
-                     {with({"x", "--channels", "touch=x"}), {"--channels: recordings define"}},
+                      {"--window: the files define their channels"}},
+                     {with({"x", "--description", "d.toml"}), {"--description: the files define"}},
+                     {with({"x", "--channels", "touch=x"}), {"--channels: the files define"}},
                      {with({"runs/a_1.mcap", "--files", "{h}_{d}.mcap"}),
                       {"runs/a_1.mcap: saving would overwrite a file of the folder DIR"}}});
   ASSERT_EQ(::mkfifo(path("runs/c_3.mcap").c_str(), 0600), 0);

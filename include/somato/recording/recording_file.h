@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "somato/core/result.h"
+#include "somato/recording/frame_sink.h"
 #include "somato/recording/recording.h"
 #include "somato/recording/recording_writer.h"
 
@@ -28,10 +29,10 @@ bool is_mcap_file(const std::string& path);
 Result<void> write_recording(const std::string& path, const Recording& recording,
                              const RecordingFileParameters& parameters = {});
 
-/// Writes a recording exploration by exploration, like write_recording(): the complete file
-/// replaces the previous one when it is finished; before, or without finishing, nothing changes at
-/// the path. Memory does not grow with the recording.
-class RecordingFile {
+/// Writes a recording frame by frame, or exploration by exploration, like write_recording(): the
+/// complete file replaces the previous one when it is finished; before, or without finishing,
+/// nothing changes at the path. Memory grows neither with the recording nor with an exploration.
+class RecordingFile final : public FrameSink {
  public:
   /// Errors: kSystem with the system's reason.
   static Result<RecordingFile> begin(const std::string& path,
@@ -41,13 +42,19 @@ class RecordingFile {
   RecordingFile(RecordingFile&& other) noexcept;
   RecordingFile& operator=(const RecordingFile&) = delete;
   RecordingFile& operator=(RecordingFile&& other) noexcept;
-  ~RecordingFile();
+  ~RecordingFile() override;
 
-  /// Errors: kData for a single exploration that validate() or RecordingWriter refuses; kSystem
-  /// with the system's reason.
+  /// Errors and exceptions as RecordingWriter.
+  Result<void> begin_exploration(const ExplorationStart& start) override;
+  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
+                     std::span<const std::uint8_t> valid = {}) override;
+  Result<void> end_exploration() override;
+
+  /// Writes a complete exploration. Errors: kData for a single exploration that validate() or
+  /// RecordingWriter refuses; kSystem with the system's reason.
   Result<void> add(Exploration exploration);
 
-  /// Errors: kSystem with the system's reason.
+  /// Completes the file; no exploration is open. Errors: kSystem with the system's reason.
   Result<void> finish();
 
   class Impl;
@@ -58,7 +65,7 @@ class RecordingFile {
 };
 
 /// Reads the explorations of an MCAP file one after the other; memory is bounded by one chunk (24
-/// MiB) and one exploration. A file of another program, without explorations, is read as one
+/// MiB) and what next() returns. A file of another program, without explorations, is read as one
 /// exploration without labels: its topics with messages of sensor_msgs/JointState and
 /// std_msgs/Float32MultiArray or Float64MultiArray are the channels, with times relative to its
 /// first message; others are left out. See docs/formats/recording.md.
@@ -84,6 +91,11 @@ class RecordingReader {
   /// wrong number of elements, or with decreasing times) and for a missing end. No exploration
   /// follows an error.
   Result<std::optional<Exploration>> next();
+
+  /// Hands the next exploration to `to` as soon as all its frames are read; false after the last
+  /// one. Frames beyond 16 MiB wait in a temporary file, so that memory does not grow with the
+  /// exploration. Errors: as next(), and those of `to`; kSystem for the temporary file.
+  Result<bool> next(FrameSink& to);
 
  private:
   class Impl;

@@ -10,7 +10,7 @@
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
-#include "somato/recording/recording.h"
+#include "somato/recording/frame_sink.h"
 
 namespace somato {
 
@@ -37,14 +37,6 @@ struct RecordingFileParameters {
   static const Declarations<RecordingFileParameters>& declarations();
 };
 
-/// The properties of an exploration that are known at its beginning.
-struct ExplorationStart {
-  std::vector<Label> labels;
-  std::string source;
-  std::vector<ChannelDescription> channels;
-  double time = 0.0;  ///< Seconds, on the clock of its frames.
-};
-
 /// Writes a recording live: an MCAP file as described in docs/formats/recording.md, in chunks that
 /// are written when they are full or their oldest message is `flush_after` old, independent of
 /// further calls. If the program is killed, no more than that is lost (a power failure may lose
@@ -52,7 +44,7 @@ struct ExplorationStart {
 ///
 /// Can be used by several threads. After a system error every call returns that error, and nothing
 /// more is written.
-class RecordingWriter {
+class RecordingWriter final : public FrameSink {
  public:
   /// Creates the file at `path`. Errors: kSystem with the system's reason, for example if the file
   /// exists.
@@ -65,12 +57,12 @@ class RecordingWriter {
   RecordingWriter& operator=(RecordingWriter&& other) noexcept;
 
   /// Writes the remaining data, without the marks of a complete file unless it was closed.
-  ~RecordingWriter();
+  ~RecordingWriter() override;
 
   /// Throws InvalidArgument if an exploration is open. Errors: kData for texts that are not UTF-8
   /// or longer than 256 KiB in total, channels with duplicate or missing names and times beyond
   /// +-9e9 s; kSystem with the system's reason.
-  Result<void> begin_exploration(const ExplorationStart& start);
+  Result<void> begin_exploration(const ExplorationStart& start) override;
 
   /// Adds a frame of the channel with that index in ExplorationStart::channels. Channels may be in
   /// any order, the frames of a channel are in the order of their times (s), which are not stored
@@ -81,10 +73,10 @@ class RecordingWriter {
   /// Errors: kData for a time that decreases or exceeds the above limit, and for more than 16 MiB;
   /// kSystem with the system's reason.
   Result<void> frame(std::size_t channel, std::span<const float> values, double time,
-                     std::span<const std::uint8_t> valid = {});
+                     std::span<const std::uint8_t> valid = {}) override;
 
   /// Throws InvalidArgument if none is open. Errors: kSystem with the system's reason.
-  Result<void> end_exploration();
+  Result<void> end_exploration() override;
 
   /// Completes the file and flushes it to the disk; throws InvalidArgument if an exploration is
   /// open or the file is already closed. Errors: kSystem with the system's reason.
