@@ -18,6 +18,7 @@ struct BodySession {
   std::string body;  ///< The simulated body, or the one that a device stands for; may be empty.
   std::vector<Object> objects;
   std::unique_ptr<Explorer> explorer;
+  std::vector<std::string> channels = {};  ///< Those of topics; empty for other bodies.
 };
 
 /// The body named by --body, or the device of --device, which explores what --objects names, or the

@@ -106,13 +106,16 @@ Result<BodySession> topic_session(const Arguments& arguments) {
   topics::TopicExploring exploring;
   exploring.address = arguments.text("topics");
   SOMATO_TRY(exploring.sensors, sensors_of(arguments));
+  std::vector<std::string> channels;
+  channels.reserve(exploring.sensors.size());
+  for (const topics::TopicSensor& sensor : exploring.sensors) channels.push_back(sensor.name);
   SOMATO_TRY(const auto duration, arguments.number("duration", 1));
   if (duration) exploring.duration = static_cast<double>(*duration);
   if (arguments.has("things")) exploring.place = place_by_person;
   exploring.on_end = report;
   SOMATO_TRY(auto things, things_of(arguments));
   SOMATO_TRY(auto explorer, topics::TopicExplorer::create(std::move(things), std::move(exploring)));
-  return BodySession{arguments.text("topics"), {}, {}, std::move(explorer)};
+  return BodySession{arguments.text("topics"), {}, {}, std::move(explorer), std::move(channels)};
 #else
   return fail(ErrorKind::kUsage, "this program was built without topics of robots", "--topics",
               "install libwebsockets-dev and build it with -DSOMATO_BUILD_TOPICS=ON");

@@ -33,7 +33,9 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   SOMATO_TRY(const auto thing, arguments.has("object")
                                    ? find_thing(*session.explorer, arguments.text("object"))
                                    : Result<std::size_t>(0));
-  SOMATO_TRY(auto systems, systems_for_body(session.body));
+  SOMATO_TRY(auto systems, session.channels.empty()
+                               ? systems_for_body(session.body)
+                               : systems_for_channels(session.channels, {"object"}));
   ViewSource source;
   if (arguments.has("RECORDING")) {
     SOMATO_TRY(auto recording,

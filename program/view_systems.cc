@@ -49,15 +49,16 @@ std::string body_in(const Table& content) {
   return text != nullptr ? *text : "";
 }
 
-// A single probe has one of the channels of both probes.
-bool hears_only(const SystemDescription& description, const std::string& channel) {
+// Whether all inputs of a system are among these channels.
+bool hears_only(const SystemDescription& description, const std::vector<std::string>& channels) {
   const auto system = System::build(description, {});
   if (!system) return false;
-  return std::all_of(system->modules().begin(), system->modules().end(),
-                     [&](const SystemModule& module) {
-                       const auto* source = dynamic_cast<const Source*>(module.module.get());
-                       return source == nullptr || source->channel() == channel;
-                     });
+  return std::all_of(
+      system->modules().begin(), system->modules().end(), [&](const SystemModule& module) {
+        const auto* source = dynamic_cast<const Source*>(module.module.get());
+        return source == nullptr ||
+               std::find(channels.begin(), channels.end(), source->channel()) != channels.end();
+      });
 }
 
 Result<std::vector<ViewSystem>> systems_that(
@@ -96,9 +97,18 @@ Result<std::vector<ViewSystem>> systems_for_body(const std::string& body) {
   return systems_that([&](const Table& content, const StudyDescription& description) {
     const std::string needed = body_in(content);
     if (needed != "probes") return needed == body;
-    return hears_only(description.system, body == "texture"    ? "sound"
-                                          : body == "hardness" ? "potentiometer"
-                                                               : "");
+    // A single probe has one of the channels of both probes.
+    return hears_only(description.system, {body == "texture"    ? "sound"
+                                           : body == "hardness" ? "potentiometer"
+                                                                : ""});
+  });
+}
+
+Result<std::vector<ViewSystem>> systems_for_channels(const std::vector<std::string>& channels,
+                                                     const std::vector<std::string>& labels) {
+  return systems_that([&](const Table&, const StudyDescription& description) {
+    return std::find(labels.begin(), labels.end(), description.study.label) != labels.end() &&
+           hears_only(description.system, channels);
   });
 }
 

@@ -111,7 +111,8 @@ Result<std::unique_ptr<BagSource>> open_bag_file(const std::string& path) {
     return fail(ErrorKind::kData, "the file is compressed as a whole", path,
                 "decompress it with `zstd -d`");
   }
-  return fail(ErrorKind::kData, "it is neither MCAP nor a database of rosbag2", path);
+  return fail(ErrorKind::kData, "it is neither MCAP nor a database of rosbag2", path,
+              "use a file that `ros2 bag record` or a program for MCAP has written");
 }
 
 // "package/Name" for "package/msg/Name.msg", or nothing.
@@ -230,7 +231,7 @@ Result<std::vector<BagLocation>> find_bags(const fs::path& path) {
   });
   if (!bags.empty()) return bags;
   return fail(ErrorKind::kData, "there are no bags (*.mcap, *.db3, folders with metadata.yaml)",
-              path.string());
+              path.string(), "use a bag, or a folder that contains bags");
 }
 
 Result<std::unique_ptr<BagSource>> open_bag(const BagLocation& bag,

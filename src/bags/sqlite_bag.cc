@@ -28,7 +28,7 @@ void SqliteBag::Close::operator()(sqlite3_stmt* statement) const {
 
 tl::unexpected<Error> SqliteBag::failure(const std::string& what) const {
   return fail(ErrorKind::kData, fmt::format("{} ({})", what, sqlite3_errmsg(database_.get())),
-              path_);
+              path_, "copy the bag again, with all its files");
 }
 
 Result<std::unique_ptr<BagSource>> SqliteBag::open(const std::string& path) {
@@ -106,7 +106,8 @@ Result<std::optional<BagMessage>> SqliteBag::next() {
   if (!has_row) return std::optional<BagMessage>();
   const auto topic = topic_by_id_.find(sqlite3_column_int64(messages_.get(), 0));
   if (topic == topic_by_id_.end()) {
-    return fail(ErrorKind::kData, "a message belongs to no topic of the bag", path_);
+    return fail(ErrorKind::kData, "a message belongs to no topic of the bag", path_,
+                "copy the bag again, with all its files");
   }
   const auto* data = static_cast<const char*>(sqlite3_column_blob(messages_.get(), 2));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(messages_.get(), 2));

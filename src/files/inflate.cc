@@ -17,9 +17,6 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 class Inflation {
  public:
   explicit Inflation(Deflated kind) {
-    stream_.zalloc = Z_NULL;
-    stream_.zfree = Z_NULL;
-    stream_.opaque = Z_NULL;
     is_ready_ = ::inflateInit2(&stream_, kind == Deflated::kRaw ? -MAX_WBITS : MAX_WBITS) == Z_OK;
   }
   Inflation(const Inflation&) = delete;
@@ -47,7 +44,7 @@ Result<std::string> inflate_bytes(std::string_view packed, std::size_t most, Def
   std::string bytes;
   int status = Z_OK;
   while (status == Z_OK && bytes.size() < most) {
-    const std::size_t piece = std::min({kPiece, most - bytes.size()});
+    const std::size_t piece = std::min(kPiece, most - bytes.size());
     if (bytes.size() + piece > most_memory) {
       return fail(ErrorKind::kSystem,
                   fmt::format("it inflates to more than the available memory of {}",

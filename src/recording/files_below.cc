@@ -52,7 +52,8 @@ bool ends_in(std::string_view name, std::string_view extension) {
 tl::unexpected<Error> unreadable(const fs::path& folder, const std::error_code& failure) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(folder, ignored))) {
-    return fail(ErrorKind::kSystem, "there is no such file or folder", folder.string());
+    return fail(ErrorKind::kSystem, "there is no such file or folder", folder.string(),
+                "check the path");
   }
   return fail(ErrorKind::kSystem, fmt::format("cannot be read ({})", failure.message()),
               folder.string(), "use the folder with the recorded files");

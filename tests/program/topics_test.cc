@@ -1,4 +1,8 @@
 #include "program/program_test.h"
+#include "support/http_client.h"
+
+#include <cstdint>
+#include <string>
 
 namespace somato {
 namespace {
@@ -30,6 +34,39 @@ TEST_F(Topics, RefusesFlagsWithoutEffectAndWrongValues) {
   Words wrong = with({});
   wrong[2] = "http://robot";
   expect_refused(2, {{wrong, {"http://robot", "ws://robot:8765"}}});
+}
+
+// The text between two others.
+std::string part_between(const std::string& text, const std::string& before,
+                         const std::string& after) {
+  const std::size_t start = text.find(before) + before.size();
+  return text.substr(start, text.find(after, start) - start);
+}
+
+// The state that the view at the printed address serves.
+std::string state_of(const std::string& out) {
+  const auto port =
+      static_cast<std::uint16_t>(std::stoi(part_between(out, "http://127.0.0.1:", "/")));
+  const std::string token = part_between(out, "?token=", "\n");
+  return testing::ask(port, testing::get_request(port, "/api/state?token=" + token));
+}
+
+// Built-in systems hear sounds and joints; none hears a channel of another name.
+TEST_F(Topics, TheViewOffersSystemsThatHearTheirChannels) {
+  const auto state_with = [&](const std::string& channels) {
+    std::string state;
+    ProgramWorld world;
+    world.before_interrupt = [&](const std::string& out) { state = state_of(out); };
+    world.interrupt_at = "Press Ctrl-C to close the view.";
+    const ProgramRun done =
+        run({"view", "--topics", "ws://127.0.0.1:9", "--channels", channels}, world);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return state;
+  };
+  const std::string skin = state_with("skin:N=/skin:forces");
+  EXPECT_NE(skin.find(R"("systems":[])"), std::string::npos) << skin;
+  const std::string sound = state_with("sound=/sound:samples,joints:deg=/joints:position");
+  EXPECT_EQ(sound.find(R"("systems":[])"), std::string::npos) << sound;
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct ColumnChoice {
 };
 
 /// Options for reading a file of numbers; options that are not set are detected. For an NPY,
-/// NPZ or MAT file only `columns`, `variable` and `keeps_missing` apply; a label column and a decimal
-/// comma are refused. For other files `variable` is refused.
+/// NPZ or MAT file only `columns`, `variable` and `keeps_missing` apply; a label column and a
+/// decimal comma are refused. For other files `variable` is refused.
 struct CsvOptions {
   /// Separator of fields: comma, semicolon, tab or blank (any number of spaces and tabs). Detected:
   /// the first of tab, semicolon, comma and blank that occurs in the first line; with a decimal
