@@ -42,11 +42,13 @@ Point Cells::unit() const {
 }
 
 double Cells::width() const {
+  if (grid_.graph()) return pixels_ * real(grid_.graph()->extent().column);
   const bool is_shifted = grid_.lattice() == Lattice::kHexagonal && grid_.rows() > 1;
   return pixels_ * (real(grid_.columns()) + (is_shifted ? 0.5 : 0.0));
 }
 
 double Cells::height() const {
+  if (grid_.graph()) return pixels_ * real(grid_.graph()->extent().row);
   if (grid_.lattice() == Lattice::kRectangular) return pixels_ * real(grid_.rows());
   return unit().y * (3 * real(grid_.rows()) + 1);
 }
@@ -57,6 +59,10 @@ double Cells::inner_side() const {
 }
 
 Point Cells::centre_in_units(std::size_t neuron) const {
+  if (const NeuronGraph* graph = grid_.graph()) {
+    const NeuronGraph::Cell& cell = graph->cells()[neuron];
+    return {real(2 * cell.column + 1), real(2 * cell.row + 1)};
+  }
   const std::size_t row = grid_.row_of(neuron);
   const std::size_t column = grid_.column_of(neuron);
   if (grid_.lattice() == Lattice::kRectangular) return {real(2 * column + 1), real(2 * row + 1)};
@@ -76,6 +82,17 @@ std::vector<Point> Cells::corners(std::size_t neuron) const {
     corners.push_back({corner.x + centre.x, corner.y + centre.y});
   }
   return corners;
+}
+
+std::vector<Point> Cells::connections() const {
+  std::vector<Point> ends;
+  if (!grid_.graph()) return ends;
+  ends.reserve(2 * grid_.graph()->edges().size());
+  for (const auto& [a, b] : grid_.graph()->edges()) {
+    ends.push_back(centre_in_units(a));
+    ends.push_back(centre_in_units(b));
+  }
+  return ends;
 }
 
 Cells::Borders Cells::borders(const std::vector<std::size_t>& area_of_neuron) const {

@@ -15,7 +15,7 @@ inline double real(std::size_t number) {
 }
 
 /// The positions of the cells of a map: squares, or hexagons with a corner at the top, without
-/// gaps.
+/// gaps. The neurons of a graph are squares with gaps.
 ///
 /// Corners are integer multiples of units, unit().x pixels wide and unit().y high: half a cell, or
 /// on a hexagonal grid half a cell and a quarter of its height. Cells therefore share exactly the
@@ -41,6 +41,9 @@ class Cells {
 
   /// In units, clockwise.
   std::vector<Point> corners(std::size_t neuron) const;
+
+  /// The edges of a graph, from centre to centre: pairs of ends, in units. Empty for a grid.
+  std::vector<Point> connections() const;
 
   /// The edges between cells of one area, of different areas, and around the map: pairs of ends,
   /// in units. Areas that meet only across the edge of a torus have no border there.

@@ -41,6 +41,9 @@ std::vector<Panel> component_panels(const Som& som, const std::vector<std::strin
 }
 
 std::string caption_of(const Grid& grid) {
+  if (const NeuronGraph* graph = grid.graph()) {
+    return fmt::format("{} neurons with {} connections", graph->size(), graph->edges().size());
+  }
   return fmt::format("{} x {} neurons, {} {}", grid.rows(), grid.columns(),
                      choice_name(grid.lattice()), choice_name(grid.topology()));
 }

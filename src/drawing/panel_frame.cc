@@ -24,7 +24,10 @@ constexpr std::size_t kMostTooltips = 2500;
 // poster.
 double cell_pixels(const Grid& grid) {
   constexpr double kMapSide = 480.0;
-  const auto longest = static_cast<double>(std::max(grid.rows(), grid.columns()));
+  const std::size_t longest_side =
+      grid.graph() ? std::max(grid.graph()->extent().row, grid.graph()->extent().column)
+                   : std::max(grid.rows(), grid.columns());
+  const auto longest = static_cast<double>(longest_side);
   return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
 }
 
@@ -38,6 +41,14 @@ std::map<std::string, std::vector<std::size_t>> neurons_by_fill(const std::vecto
   std::map<std::string, std::vector<std::size_t>> neurons;
   for (std::size_t i = 0; i < fills.size(); ++i) neurons[to_string(fills[i])].push_back(i);
   return neurons;
+}
+
+void draw_connections(SvgWriter& svg, const PanelFrame& frame) {
+  const std::vector<Point> ends = frame.cells.connections();
+  if (ends.empty()) return;
+  svg.open_group("connections", frame.map_corner(), {}, frame.cells.unit());
+  svg.segments(ends, {.fill = "none", .stroke = "#666666", .stroke_width = 0.06});
+  svg.close_group();
 }
 
 }  // namespace
@@ -89,9 +100,11 @@ void draw_cells(SvgWriter& svg, const PanelFrame& frame, const std::vector<Colou
     svg.close_group();
   }
   svg.close_group();
+  draw_connections(svg, frame);
 }
 
 std::string place_of(const Grid& grid, std::size_t neuron) {
+  if (grid.graph()) return fmt::format("neuron {}", neuron + 1);
   return fmt::format("row {}, column {}", grid.row_of(neuron) + 1, grid.column_of(neuron) + 1);
 }
 

@@ -8,10 +8,11 @@ namespace {
 
 std::vector<ModuleType> all_types() {
   std::vector<ModuleType> all;
-  for (auto group : {modules::source_types(), modules::code_types(), modules::scaling_types(),
-                     modules::frame_types(), modules::feature_types(), modules::drift_types(),
-                     modules::memory_types(), modules::som_types(), modules::t_mpsom_types(),
-                     modules::winner_types(), modules::association_types()}) {
+  for (auto group :
+       {modules::source_types(), modules::code_types(), modules::scaling_types(),
+        modules::frame_types(), modules::feature_types(), modules::drift_types(),
+        modules::memory_types(), modules::som_types(), modules::growing_types(),
+        modules::t_mpsom_types(), modules::winner_types(), modules::association_types()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

@@ -7,7 +7,7 @@
 #include "files/toml_file.h"
 #include "graph/labels_part.h"
 #include "graph/model_parts.h"
-#include "graph/modules/som_module.h"
+#include "graph/modules/map_module.h"
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
 
@@ -140,13 +140,13 @@ Result<System> build(const Archive& archive, const std::string& where) {
 }  // namespace
 
 const Som* som_of(const System& system, std::size_t module) {
-  const auto* som = dynamic_cast<const modules::SomModule*>(system.modules()[module].module.get());
+  const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
   return som != nullptr ? &som->som() : nullptr;
 }
 
 Grid grid_of(const System& system, std::size_t module) {
-  const auto* som = dynamic_cast<const modules::SomModule*>(system.modules()[module].module.get());
-  require(som != nullptr, "only a module of type som has a grid");
+  const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
+  require(som != nullptr, "only a map has a grid");
   return som->grid();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "somato/core/check.h"
 
@@ -43,6 +44,19 @@ Grid::Grid(std::size_t rows, std::size_t columns, Lattice lattice, Topology topo
   if (!valid) throw InvalidArgument(to_string(valid.error()));
 }
 
+Grid::Grid(std::shared_ptr<const NeuronGraph> graph)
+    : rows_(1), columns_(graph->size()), graph_(std::move(graph)) {
+  require(columns_ > 0, "a map needs at least one neuron");
+}
+
+bool Grid::operator==(const Grid& other) const {
+  const bool has_graph = graph_ != nullptr;
+  if (has_graph != (other.graph_ != nullptr)) return false;
+  if (has_graph) return *graph_ == *other.graph_;
+  return rows_ == other.rows_ && columns_ == other.columns_ && lattice_ == other.lattice_ &&
+         topology_ == other.topology_;
+}
+
 Result<void> Grid::validate(std::size_t rows, std::size_t columns, Lattice lattice,
                             Topology topology) {
   if (rows == 0 || columns == 0) {
@@ -65,6 +79,10 @@ Result<void> Grid::validate(std::size_t rows, std::size_t columns, Lattice latti
 }
 
 Position Grid::position(std::size_t neuron) const {
+  if (graph_) {
+    const NeuronGraph::Cell& cell = graph_->cells()[neuron];
+    return {static_cast<double>(cell.column), static_cast<double>(cell.row)};
+  }
   const auto row = static_cast<double>(row_of(neuron));
   const auto column = static_cast<double>(column_of(neuron));
   if (lattice_ == Lattice::kRectangular) return {column, row};
@@ -87,6 +105,11 @@ double Grid::vertical_difference(std::size_t row, std::size_t other_row) const {
 }
 
 double Grid::squared_distance(std::size_t a, std::size_t b) const {
+  if (graph_) {
+    const auto steps = graph_->steps(a, b);
+    if (!steps) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(*steps) * static_cast<double>(*steps);
+  }
   const double x = horizontal_difference(column_of(a), row_of(a) % 2, column_of(b), row_of(b) % 2);
   const double y = vertical_difference(row_of(a), row_of(b));
   return x * x + y * y;
@@ -98,6 +121,7 @@ bool Grid::adjacent(std::size_t a, std::size_t b) const {
 }
 
 std::vector<std::size_t> Grid::neighbours(std::size_t neuron) const {
+  if (graph_) return graph_->neighbours(neuron);
   std::vector<std::size_t> found;
   const std::size_t row = row_of(neuron);
   const std::size_t column = column_of(neuron);

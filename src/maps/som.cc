@@ -55,6 +55,14 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements ele
   require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
 }
 
+Som::Som(SomParameters parameters, const Matrix<float>& weights,
+         std::shared_ptr<const NeuronGraph> graph)
+    : Som(std::move(parameters), weights) {
+  require(grid_.rows() == 1 && grid_.columns() == graph->size(),
+          "a map needs a neuron of its graph in each column");
+  grid_ = Grid(std::move(graph));
+}
+
 Som::Som(std::shared_ptr<const ProductWeights> products)
     : parameters_(products->state().problem().parameters()),
       grid_(parameters_.grid()),

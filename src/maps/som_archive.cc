@@ -1,6 +1,7 @@
 #include "maps/som_archive.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -75,12 +76,50 @@ Result<StoredElements> read_elements(const Archive& archive, const std::string& 
   return StoredElements(size, std::move(listed));
 }
 
+// The number of neurons and of edges, then the two neurons of each edge.
+void add_graph(Archive& archive, const std::string& prefix, const NeuronGraph& graph) {
+  Array<std::int64_t> array{
+      {graph.edges().size() + 1, 2},
+      {static_cast<std::int64_t>(graph.size()), static_cast<std::int64_t>(graph.edges().size())}};
+  for (const auto& [a, b] : graph.edges()) {
+    array.values.push_back(static_cast<std::int64_t>(a));
+    array.values.push_back(static_cast<std::int64_t>(b));
+  }
+  archive.add(prefix + "graph", std::move(array));
+}
+
+// The same graph for the same numbers only.
+Result<std::shared_ptr<const NeuronGraph>> read_graph(const Archive& archive,
+                                                      const std::string& name, std::size_t neurons,
+                                                      const std::string& where) {
+  SOMATO_TRY(const auto found, archive.get<Array<std::int64_t>>(name, where));
+  const std::vector<std::int64_t>& values = found->values;
+  const auto damaged = [&] { return damaged_model("'" + name + "' is not a graph", where); };
+  if (neurons > NeuronGraph::kMostNeurons || found->shape.size() != 2 || found->shape[1] != 2 ||
+      std::cmp_not_equal(values[0], neurons) ||
+      std::cmp_not_equal(values[1], found->shape[0] - 1)) {
+    return damaged();
+  }
+  std::vector<NeuronGraph::Edge> edges;
+  edges.reserve(found->shape[0] - 1);
+  for (std::size_t i = 2; i < values.size(); i += 2) {
+    if (values[i] < 0 || values[i] >= values[i + 1] ||
+        std::cmp_greater_equal(values[i + 1], neurons)) {
+      return damaged();
+    }
+    edges.emplace_back(values[i], values[i + 1]);
+    if (edges.size() > 1 && !(edges[edges.size() - 2] < edges.back())) return damaged();
+  }
+  return std::make_shared<const NeuronGraph>(neurons, std::move(edges));
+}
+
 }  // namespace
 
 void add_som(Archive& archive, const std::string& prefix, const Som& som) {
   archive.add(prefix + "parameters", parameters_to_toml(som.parameters()));
   add_matrix(archive, prefix + "weights", som.weights().to_matrix());
   if (!som.elements().all()) add_elements(archive, prefix, som.elements());
+  if (som.grid().graph()) add_graph(archive, prefix, *som.grid().graph());
 }
 
 Result<Som> som_from(const Archive& archive, const std::string& prefix, const std::string& where) {
@@ -88,6 +127,11 @@ Result<Som> som_from(const Archive& archive, const std::string& prefix, const st
   SOMATO_TRY(auto weights, matrix_from(archive, prefix + "weights", where));
   if (weights.rows() != parameters.grid().size()) {
     return damaged_model("the map's weights do not fit its grid", where);
+  }
+  if (archive.find(prefix + "graph")) {
+    SOMATO_TRY(auto graph, read_graph(archive, prefix + "graph", weights.rows(), where));
+    if (parameters.grid().rows() == 1) return Som(parameters, weights, std::move(graph));
+    return damaged_model("the map's graph does not fit its grid", where);
   }
   SOMATO_TRY(auto elements, read_elements(archive, prefix, weights.columns(), where));
   return Som(parameters, LaneMatrix<float>(weights), std::move(elements));

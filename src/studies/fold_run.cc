@@ -172,6 +172,7 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
   const Samples& inputs = trained.inputs.samples;
   SomWorkspace workspace;
   FoldOutcome outcome;
+  outcome.grid = som.grid();
   nearest.resize(1 + prepared.alterations.size());
   outcome.nearest = std::move(nearest.front());
   for (const std::size_t sample : trained.inputs.places_of(fold.training)) {
@@ -182,7 +183,7 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
   for (const std::size_t sample : trained.inputs.places_of(fold.test)) {
     const Winners winners = som.winners(inputs, sample, workspace);
     const bool topographic_errors =
-        winners.first != winners.second && !prepared.grid.adjacent(winners.first, winners.second);
+        winners.first != winners.second && !som.grid().adjacent(winners.first, winners.second);
     outcome.winners.push_back(winners.first);
     outcome.summed_distance += som.distance(inputs, sample, winners.first, workspace);
     outcome.topographic_errors += topographic_errors ? 1.0 : 0.0;

@@ -44,6 +44,7 @@ struct FoldOutcome {
   std::vector<std::size_t> recalled = {};    ///< The strongest neurons of the activities called up
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
+  Grid grid = {};  ///< The grid of the trained map, which for maps that grow depends on training.
 
   bool operator==(const FoldOutcome&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 4;
+constexpr int kJournalVersion = 5;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -75,6 +76,27 @@ std::vector<PredictionOutcome> predictions_of(const SortedJson& all) {
   return predictions;
 }
 
+SortedJson json_of(const Grid& grid) {
+  SortedJson json{{"rows", grid.rows()},
+                  {"columns", grid.columns()},
+                  {"lattice", choice_name(grid.lattice())},
+                  {"topology", choice_name(grid.topology())}};
+  if (grid.graph()) json["edges"] = grid.graph()->edges();
+  return json;
+}
+
+// A line has a checksum, so that its grid is possible.
+Grid grid_of(const SortedJson& json) {
+  const auto columns = json.at("columns").get<std::size_t>();
+  if (json.contains("edges")) {
+    return Grid(std::make_shared<const NeuronGraph>(
+        columns, json.at("edges").get<std::vector<NeuronGraph::Edge>>()));
+  }
+  return {json.at("rows").get<std::size_t>(), columns,
+          choice_named<Lattice>("lattice", json.at("lattice").get<std::string>(), {}).value(),
+          choice_named<Topology>("topology", json.at("topology").get<std::string>(), {}).value()};
+}
+
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   return {{"protocol", protocol},
           {"training", training},
@@ -87,7 +109,8 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"topographic_errors", outcome.topographic_errors},
           {"altered", altered_json(outcome)},
           {"recalled", outcome.recalled},
-          {"predictions", numbers_of(outcome.predictions)}};
+          {"predictions", numbers_of(outcome.predictions)},
+          {"grid", json_of(outcome.grid)}};
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -107,6 +130,7 @@ FoldOutcome outcome_of(const SortedJson& line) {
   }
   line.at("recalled").get_to(outcome.recalled);
   outcome.predictions = predictions_of(line.at("predictions"));
+  outcome.grid = grid_of(line.at("grid"));
   return outcome;
 }
 

@@ -148,7 +148,7 @@ Numbers each_its_own(std::size_t count) {
 }
 
 // The training individuals, as the classes of their samples' surroundings.
-void read_outliers(const StudyParameters& study, const PreparedStudy& prepared,
+void read_outliers(const StudyParameters& study, const PreparedStudy& prepared, const Grid& grid,
                    const Numbers& winners, std::uint64_t seed, Readings& values) {
   const Numbers individuals = first_of(prepared.order->individuals, winners.size());
   const std::size_t known = *std::max_element(individuals.begin(), individuals.end()) + 1;
@@ -158,10 +158,14 @@ void read_outliers(const StudyParameters& study, const PreparedStudy& prepared,
   add_measure(
       "right_size_wrong_group", groupings,
       [&](const Numbers& dealt) {
-        return static_cast<double>(
-            samples_with_size_in_other_group(prepared.grid, winners, dealt, sized));
+        return static_cast<double>(samples_with_size_in_other_group(grid, winners, dealt, sized));
       },
       values);
+}
+
+// Parts are numbered in the order of their first neurons.
+std::size_t number_of_parts(const NeuronGraph& graph) {
+  return *std::max_element(graph.parts().begin(), graph.parts().end()) + 1;
 }
 
 // The share of samples mapped with one of the most similar individuals.
@@ -182,9 +186,8 @@ std::vector<Numbers> wrong_classes(const StudiedLabel& label, std::size_t explor
 }
 
 std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy& prepared,
-                              const Numbers& winners, std::uint64_t seed) {
+                              const Grid& grid, const Numbers& winners, std::uint64_t seed) {
   Readings values;
-  const Grid& grid = prepared.grid;
   for (const StudiedLabel& label : prepared.labels) {
     const bool own = &label == &prepared.labels.front();
     const Groupings groupings{first_of(label.classes.of_sample, winners.size()),
@@ -195,12 +198,18 @@ std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy&
                classes_of_surroundings(grid, winners, groupings.right), values);
   }
   if (prepared.order) {
-    read_order(*prepared.order, grid, winners, seed, values);
-    read_outliers(study, prepared, winners, seed, values);
+    // A graph can be drawn in many ways, so that positions have no meaning.
+    if (!grid.graph()) read_order(*prepared.order, grid, winners, seed, values);
+    read_outliers(study, prepared, grid, winners, seed, values);
   }
-  values.push_back({"on_border", share_on_border(grid, winners)});
-  const double evenly_spread = border_of(grid);  // an expectation over all groupings
-  values.push_back({"on_border_chance", evenly_spread, {{evenly_spread, 1}}});
+  if (grid.graph()) {
+    values.push_back({"neurons", static_cast<double>(grid.size())});
+    values.push_back({"connected_parts", static_cast<double>(number_of_parts(*grid.graph()))});
+  } else {
+    values.push_back({"on_border", share_on_border(grid, winners)});
+    const double evenly_spread = border_of(grid);  // an expectation over all groupings
+    values.push_back({"on_border_chance", evenly_spread, {{evenly_spread, 1}}});
+  }
   if (prepared.fixed_vectors) {
     values.push_back(
         {"cosine_between_classes",
@@ -236,7 +245,7 @@ std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcom
                 share_with(similar, neighbours(outcome.nearest.standardized)))}};
   Numbers winners = outcome.training_winners;
   winners.insert(winners.end(), outcome.winners.begin(), outcome.winners.end());
-  read_order(order, prepared.grid, winners, seed, values);
+  if (!outcome.grid.graph()) read_order(order, outcome.grid, winners, seed, values);
   return values;
 }
 

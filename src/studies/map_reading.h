@@ -25,9 +25,11 @@ std::vector<std::vector<std::size_t>> wrong_classes(const StudiedLabel& label,
                                                     std::uint64_t seed);
 
 /// The measures of a map with all samples, each with its value by chance:
-/// docs/reference/results.md. `winners` are those of the training samples.
+/// docs/reference/results.md. `winners` are those of the training samples on the map, which has
+/// `grid`.
 std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy& prepared,
-                              const std::vector<std::size_t>& winners, std::uint64_t seed);
+                              const Grid& grid, const std::vector<std::size_t>& winners,
+                              std::uint64_t seed);
 
 /// The measures for new individuals on a map: the share that is placed with the most similar known
 /// individual, and the same for the nearest neighbour; and the order of all individuals, new and

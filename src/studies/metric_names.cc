@@ -30,6 +30,8 @@ const std::vector<std::string>& plain_names() {
                                               "order_along",
                                               "right_size_wrong_group",
                                               "on_border",
+                                              "neurons",
+                                              "connected_parts",
                                               "cosine_between_classes",
                                               "placed_with_most_similar",
                                               "baseline_placed_with_most_similar",

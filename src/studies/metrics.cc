@@ -195,7 +195,7 @@ class MetricsMaker {
 
   // A measure of the areas that classes take, made once for the winners of a fold.
   using AreaMeasure = std::function<double(const Numbers& classes)>;
-  using MakeMeasure = std::function<AreaMeasure(const Numbers& winners)>;
+  using MakeMeasure = std::function<AreaMeasure(const Grid& grid, const Numbers& winners)>;
 
   // Sums over the folds, one for each wrong grouping.
   static void add_chance(const std::vector<double>& sums, double folds, Metric& by_chance) {
@@ -219,7 +219,7 @@ class MetricsMaker {
       std::vector<double> of_wrong(groupings.size(), 0.0);
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
         const FoldWinners all = fold_winners(seed, f);
-        const AreaMeasure measure = make(all.winners);
+        const AreaMeasure measure = make(seed.folds[f]->grid, all.winners);
         of_right += measure(at(label.classes.of_sample, all.samples));
         for (std::size_t g = 0; g < groupings.size(); ++g) {
           of_wrong[g] += measure(at(groupings[g], all.samples));
@@ -235,16 +235,18 @@ class MetricsMaker {
   }
 
   void add_areas(const StudiedLabel& label) {
-    add_area_measure("individuals_apart", label, [](const Numbers& winners) -> AreaMeasure {
-      return [&winners](const Numbers& classes) {
-        return individuals_apart(winners, classes) ? 1.0 : 0.0;
-      };
-    });
-    add_area_measure("areas_connected", label, [&](const Numbers& winners) -> AreaMeasure {
-      return [areas = WinnerAreas(study_.prepared.grid, winners)](const Numbers& classes) {
+    add_area_measure("individuals_apart", label,
+                     [](const Grid&, const Numbers& winners) -> AreaMeasure {
+                       return [&winners](const Numbers& classes) {
+                         return individuals_apart(winners, classes) ? 1.0 : 0.0;
+                       };
+                     });
+    const auto connected = [](const Grid& grid, const Numbers& winners) -> AreaMeasure {
+      return [areas = WinnerAreas(grid, winners)](const Numbers& classes) {
         return areas.connected(classes) ? 1.0 : 0.0;
       };
-    });
+    };
+    add_area_measure("areas_connected", label, connected);
   }
 
   // The measures of one map with all samples; or of one with new objects.
@@ -255,9 +257,9 @@ class MetricsMaker {
     readings.reserve(seeds_.size());
     for (const SeedOutcome& seed : seeds_) {
       const FoldOutcome& outcome = *seed.folds.front();
-      readings.push_back(one_map
-                             ? read_map(study_.study, study_.prepared, outcome.winners, seed.seed)
-                             : read_placed(study_.prepared, outcome, seed.seed));
+      readings.push_back(one_map ? read_map(study_.study, study_.prepared, outcome.grid,
+                                            outcome.winners, seed.seed)
+                                 : read_placed(study_.prepared, outcome, seed.seed));
     }
     for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
       Metric metric{readings.front()[reading].name, {}};

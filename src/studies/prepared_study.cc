@@ -211,7 +211,6 @@ Result<void> find_modules(const System& system, const StudyDescription& descript
         map));
   }
   prepared.vectors = {vectors_of_map(system, map)};
-  prepared.grid = grid_of(system, map);
   if (!description.study.recall.empty()) {
     SOMATO_TRY(prepared.recall,
                find_recall(system, map, description.study.recall, description.where));

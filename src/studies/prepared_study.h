@@ -9,7 +9,6 @@
 #include "somato/core/result.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
-#include "somato/maps/grid.h"
 #include "somato/maps/labels.h"
 #include "somato/recording/recording.h"
 #include "somato/studies/study_parameters.h"
@@ -47,7 +46,6 @@ struct PreparedStudy {
   std::optional<std::size_t> recall;  ///< The module that calls up its activity, if any.
   std::vector<std::size_t> vectors;   ///< The modules whose outputs the baseline compares.
   std::vector<Prediction> predictions;
-  Grid grid;  ///< The grid of the map.
   Activations fixed;
   std::optional<ExplorationValues>
       fixed_inputs;  ///< Inputs of the map, if nothing before it learns.

@@ -20,7 +20,9 @@ Settings settings_of(std::string part, const Parameters& parameters) {
 
 // The resolved values of automatic parameters.
 std::string decided(const ParameterInfo& parameter, const Som* som) {
-  const auto known = som ? SomParameters::declarations().find(parameter.name) : std::nullopt;
+  const bool is_automatic = parameter.default_text.find("automatic") != std::string::npos;
+  const auto known =
+      som && is_automatic ? SomParameters::declarations().find(parameter.name) : std::nullopt;
   return known ? to_toml(known->read(som->parameters())) : parameter.default_text;
 }
 

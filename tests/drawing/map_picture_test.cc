@@ -296,5 +296,17 @@ TEST(MapPicture, RefusesWhatCannotBeDrawn) {
   refuses(panel);
 }
 
+// Neurons in a triangle, two of them above or beside each other: 2 x 2 cells.
+TEST(MapPicture, DrawsTheEdgesOfAGraph) {
+  const Grid grid(std::make_shared<const NeuronGraph>(
+      3, std::vector<NeuronGraph::Edge>{{0, 1}, {0, 2}, {1, 2}}));
+  const std::string picture = draw_picture("Graph", "", {hits_panel(grid, {4, 0, 1})});
+  EXPECT_NE(picture.find("class=\"connections\""), std::string::npos);
+  EXPECT_NE(picture.find("neuron 3: 1"), std::string::npos);
+  const Grid row(1, 3, Lattice::kRectangular, Topology::kPlane);
+  const std::string without = draw_picture("Row", "", {hits_panel(row, {4, 0, 1})});
+  EXPECT_EQ(without.find("connections"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace somato

@@ -58,15 +58,36 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(
-      names,
-      (std::set<std::string>{
-          "channel",       "one_hot",   "tensor_product",  "concatenation", "sum",
-          "normalization", "scale",     "standardization", "first",         "last",
-          "delay",         "change",    "resampling",      "onset_window",  "mean_removal",
-          "tare",          "high_pass", "spectrum",        "accumulate",    "leaky_accumulate",
-          "number_code",   "som",       "t_mpsom",         "winner",        "window",
-          "association",   "mean"}));
+  EXPECT_EQ(names, (std::set<std::string>{"channel",
+                                          "one_hot",
+                                          "tensor_product",
+                                          "concatenation",
+                                          "sum",
+                                          "normalization",
+                                          "scale",
+                                          "standardization",
+                                          "first",
+                                          "last",
+                                          "delay",
+                                          "change",
+                                          "resampling",
+                                          "onset_window",
+                                          "mean_removal",
+                                          "tare",
+                                          "high_pass",
+                                          "spectrum",
+                                          "accumulate",
+                                          "leaky_accumulate",
+                                          "number_code",
+                                          "som",
+                                          "growing_when_required",
+                                          "growing_cells",
+                                          "growing_grid",
+                                          "t_mpsom",
+                                          "winner",
+                                          "window",
+                                          "association",
+                                          "mean"}));
 }
 
 TEST(Module, ChannelTakesFramesOrSomeOfTheirElements) {

@@ -110,5 +110,21 @@ TEST(Grid, RefusesWhatCannotBe) {
   EXPECT_THROW(Grid(3, 3, Lattice::kHexagonal, Topology::kTorus), InvalidArgument);
 }
 
+// 0 - 1 - 2, and 3 apart.
+TEST(Grid, MeasuresAGraphByItsEdges) {
+  const Grid grid(
+      std::make_shared<const NeuronGraph>(4, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}}));
+  EXPECT_EQ(grid.size(), 4U);
+  EXPECT_EQ(grid.squared_distance(0, 2), 4.0);
+  EXPECT_TRUE(std::isinf(grid.squared_distance(0, 3)));
+  EXPECT_TRUE(grid.adjacent(2, 1));
+  EXPECT_FALSE(grid.adjacent(2, 0));
+  EXPECT_EQ(grid.neighbours(1), (std::vector<std::size_t>{0, 2}));
+  EXPECT_NE(grid, Grid(1, 4, Lattice::kRectangular, Topology::kPlane));
+  EXPECT_NE(grid, Grid(std::make_shared<const NeuronGraph>(4, std::vector<NeuronGraph::Edge>{})));
+  EXPECT_THROW(Grid(std::make_shared<const NeuronGraph>(0, std::vector<NeuronGraph::Edge>{})),
+               InvalidArgument);
+}
+
 }  // namespace
 }  // namespace somato

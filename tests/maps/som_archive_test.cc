@@ -222,5 +222,35 @@ TEST(SomArchive, RefusesAGridBeyondMemory) {
   expect_line_refused("rows", "rows = 4194304", "do not fit its grid");
 }
 
+Som graph_som() {
+  SomParameters parameters;
+  parameters.rows = 1;
+  parameters.columns = 3;
+  return {resolve(parameters, 1, 2).value(), Matrix<float>(3, 2, {0, 1, 2, 3, 4, 5}),
+          std::make_shared<const NeuronGraph>(3, std::vector<NeuronGraph::Edge>{{0, 2}, {1, 2}})};
+}
+
+TEST(SomArchive, GivesTheSameGraphBack) {
+  const Som som = graph_som();
+  const Som again = som_from(archive_of(som), "map.", "here").value();
+  EXPECT_EQ(again.grid(), som.grid());
+  EXPECT_EQ(again.weights(), som.weights());
+  EXPECT_EQ(encode_archive(archive_of(again)), encode_archive(archive_of(som)));
+}
+
+TEST(SomArchive, RefusesADamagedGraph) {
+  using Integers = Array<std::int64_t>;
+  const Archive archive = archive_of(graph_som());
+  for (const Integers& graph :
+       {Integers{{3, 2}, {4, 2, 0, 2, 1, 2}}, Integers{{3, 2}, {3, 1, 0, 2, 1, 2}},
+        Integers{{3, 2}, {3, 2, 0, 3, 1, 2}}, Integers{{3, 2}, {3, 2, 2, 0, 1, 2}},
+        Integers{{3, 2}, {3, 2, 1, 2, 0, 2}}, Integers{{3, 2}, {3, 2, 0, 2, 0, 2}},
+        Integers{{3, 2}, {3, 2, -1, 2, 1, 2}}, Integers{{6}, {3, 2, 0, 2, 1, 2}}}) {
+    const auto som = som_from(with_part(archive, "map.graph", graph), "map.", "here");
+    ASSERT_FALSE(som);
+    EXPECT_EQ(som.error().kind, ErrorKind::kData);
+  }
+}
+
 }  // namespace
 }  // namespace somato

@@ -31,18 +31,18 @@ ByName by_name(const std::vector<Reading>& readings) {
   return values;
 }
 
-ByName read(const StudyParameters& study, const PreparedStudy& prepared, const Numbers& winners) {
-  return by_name(read_map(study, prepared, winners, kReadingSeed));
-}
-
 const Grid kRow(1, 9, Lattice::kRectangular, Topology::kPlane);
+
+ByName read(const StudyParameters& study, const PreparedStudy& prepared, const Numbers& winners,
+            const Grid& grid = kRow) {
+  return by_name(read_map(study, prepared, grid, winners, kReadingSeed));
+}
 
 // only C at 8; A and B share 4; the nearest to the first A is the B beside it.
 //   neuron  0 1 . . 4 . . . 8
 //   sample  A B     AB      CC
 TEST(ReadMap, CountsSeparatedClassesAndNeighboursOfTheSameClass) {
-  const PreparedStudy prepared =
-      testing::study_on(kRow, {testing::letter_label("object", "ABABCC")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABABCC")});
   const ByName values =
       read(study_reading({"A B", "B A", "A C", "C C"}), prepared, {0, 1, 4, 4, 8, 8});
   EXPECT_EQ(values.at("classes_separated"), 1.0);
@@ -57,8 +57,7 @@ TEST(ReadMap, CountsSeparatedClassesAndNeighboursOfTheSameClass) {
 
 // Only A's first sample is mapped with B: its nearest is the B at 1, while that B's nearest is 0.
 TEST(ReadMap, CountsWhichIsMappedWithWhich) {
-  const PreparedStudy prepared =
-      testing::study_on(kRow, {testing::letter_label("object", "ABBAA")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBAA")});
   const ByName values = read(study_reading({"A B", "B A"}), prepared, {1, 2, 2, 7, 8});
   EXPECT_EQ(values.at("mapped_with A B"), 1.0);
   EXPECT_EQ(values.at("mapped_with B A"), 0.0);
@@ -66,7 +65,7 @@ TEST(ReadMap, CountsWhichIsMappedWithWhich) {
 
 // Two neurons with two samples each, a class a neuron: every other dealing mixes both.
 TEST(ReadMap, ReportsValuesByChance) {
-  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABB")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AABB")});
   const ByName together = read(study_reading({}), prepared, {0, 0, 8, 8});
   EXPECT_EQ(together.at("classes_separated"), 2.0);
   EXPECT_EQ(together.at("classes_separated_chance"), 0.0);
@@ -85,8 +84,9 @@ TEST(ReadMap, ReportsValuesByChance) {
 // The first two samples share a neuron. There are two wrong groupings of A B B A: A A B B, for
 // which the map separates both classes, and A B A B, for which it separates none.
 TEST(ReadMap, KeepsTheValueOfEachWrongGrouping) {
-  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABBA")});
-  for (const Reading& reading : read_map(study_reading({}), prepared, {0, 0, 4, 8}, kReadingSeed)) {
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBA")});
+  for (const Reading& reading :
+       read_map(study_reading({}), prepared, kRow, {0, 0, 4, 8}, kReadingSeed)) {
     if (reading.name == "classes_separated_chance") {
       ASSERT_EQ(reading.of_each.size(), 2U);
       EXPECT_EQ(reading.of_each.at(0.0) + reading.of_each.at(2.0), 50U);
@@ -100,7 +100,7 @@ TEST(ReadMap, KeepsTheValueOfEachWrongGrouping) {
 }
 
 TEST(ReadMap, SaysNothingAboutChanceWithoutWrongGroupings) {
-  const PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABB")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AABB")});
   const ByName values = read(study_reading({}, 0), prepared, {0, 0, 8, 8});
   EXPECT_TRUE(values.contains("classes_separated"));
   for (const char* name :
@@ -110,8 +110,8 @@ TEST(ReadMap, SaysNothingAboutChanceWithoutWrongGroupings) {
 }
 
 TEST(ReadMap, MeasuresEveryLabel) {
-  const PreparedStudy prepared = testing::study_on(
-      kRow, {testing::letter_label("object", "ABCD"), testing::letter_label("shape", "rrss")});
+  const PreparedStudy prepared = testing::study_of(
+      {testing::letter_label("object", "ABCD"), testing::letter_label("shape", "rrss")});
   const ByName values = read(study_reading({"A B"}), prepared, {0, 0, 4, 8});
   EXPECT_EQ(values.at("classes_separated"), 2.0);
   EXPECT_EQ(values.at("shape.classes_separated"), 2.0);
@@ -126,16 +126,15 @@ TEST(ReadMap, MeasuresEveryLabel) {
 // 4 x 4 neurons, 12 of them on the border; three of five winners.
 TEST(ReadMap, SeesTheBorder) {
   const Grid square(4, 4, Lattice::kRectangular, Topology::kPlane);
-  const PreparedStudy prepared =
-      testing::study_on(square, {testing::letter_label("object", "AABBC")});
-  const ByName values = read(study_reading({}), prepared, {0, 5, 7, 10, 14});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AABBC")});
+  const ByName values = read(study_reading({}), prepared, {0, 5, 7, 10, 14}, square);
   EXPECT_EQ(values.at("on_border"), 0.6);
   EXPECT_EQ(values.at("on_border_chance"), 0.75);
 }
 
 // (3, 4) and (4, 3) of different classes have the cosine 24/25; the last one was not learned from.
 TEST(ReadMap, ComparesTheVectorsWhereNothingBeforeTheMapLearns) {
-  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABA")});
+  PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABA")});
   prepared.samples.samples = 2;
   EXPECT_FALSE(read(study_reading({}), prepared, {0, 8}).contains("cosine_between_classes"));
   prepared.fixed_vectors =
@@ -145,7 +144,7 @@ TEST(ReadMap, ComparesTheVectorsWhereNothingBeforeTheMapLearns) {
 
 // Explorations of what is tested with stand after those that were learned from.
 TEST(ReadMap, UsesOnlyTheTrainingSamples) {
-  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AABBAB")});
+  PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AABBAB")});
   prepared.samples.samples = 4;
   prepared.samples.test_samples = 2;
   prepared.order = StudiedOrder{{0, 0, 1, 2, 3, 4}, {1, 2, 3, 9, 0.5}, {0, 0, 0, 0, 0}};
@@ -164,10 +163,9 @@ class ReadOrder : public ::testing::Test {
   static ByName read_numbers(const std::vector<double>& numbers,
                              const Numbers& groups = {0, 0, 0, 0}) {
     const Grid square(3, 3, Lattice::kRectangular, Topology::kPlane);
-    PreparedStudy prepared =
-        testing::study_on(square, {testing::letter_label("object", "AABBCCDD")});
+    PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AABBCCDD")});
     prepared.order = StudiedOrder{{0, 0, 1, 1, 2, 2, 3, 3}, numbers, groups};
-    return read(study_reading({}), prepared, {0, 0, 2, 2, 8, 8, 6, 6});
+    return read(study_reading({}), prepared, {0, 0, 2, 2, 8, 8, 6, 6}, square);
   }
 };
 
@@ -196,7 +194,7 @@ TEST_F(ReadOrder, ByChanceIsBetweenTheWorstAndTheBest) {
 // -0.8. In the 24 orders of four numbers the absolute correlation is 1 in 2, 0.8 in 6, 0.6 in 2,
 // 0.4 in 8, 0.2 in 4 and 0 in 2.
 TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndComparedWithChance) {
-  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "ABCD")});
+  PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABCD")});
   prepared.order = StudiedOrder{{0, 1, 2, 3}, {4, 2, 3, 1}, {0, 0, 0, 0}};
   const ByName values = read(study_reading({}), prepared, {0, 3, 4, 8});
   EXPECT_DOUBLE_EQ(values.at("order_along"), 0.8);
@@ -208,7 +206,7 @@ TEST_F(ReadOrder, AlongTheMapIsAbsoluteAndComparedWithChance) {
 //   neuron  0 0 1 5 6 8 8
 //   sample  A A C C D B B
 TEST_F(ReadOrder, FindsOutliersOfTheRightSize) {
-  PreparedStudy prepared = testing::study_on(kRow, {testing::letter_label("object", "AACCDBB")});
+  PreparedStudy prepared = testing::study_of({testing::letter_label("object", "AACCDBB")});
   prepared.order = StudiedOrder{{0, 0, 1, 1, 2, 3, 3}, {1, 3, 4, 2}, {0, 1, 1, 0}};
   const ByName values = read(study_reading({}), prepared, {0, 0, 1, 5, 6, 8, 8});
   EXPECT_EQ(values.at("right_size_wrong_group"), 1.0);
@@ -226,7 +224,7 @@ TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
 class ReadPlaced : public ::testing::Test {
  protected:
   ReadPlaced() {
-    prepared_.grid = kRow;
+    outcome_.grid = kRow;
     prepared_.samples.samples = 4;
     prepared_.samples.test_samples = 4;
     prepared_.order = StudiedOrder{

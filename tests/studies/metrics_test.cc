@@ -21,9 +21,14 @@ Numbers first_numbers(std::size_t count) {
   return numbers;
 }
 
+// Diagonal neighbours do not touch, so the classes tear; dealt in either other way they do not.
+// All samples at one neuron are never apart, and one of the classes has no neuron.
+const Grid kSquare(2, 2, Lattice::kRectangular, Topology::kPlane);
+
 // All samples for both, in one training a seed.
 FoldOutcome tested_on_itself(const Numbers& winners) {
   FoldOutcome outcome;
+  outcome.grid = kSquare;
   outcome.training_winners = winners;
   outcome.winners = winners;
   outcome.named_by = winners;
@@ -66,13 +71,8 @@ class Metrics : public ::testing::Test {
   std::vector<Metric> metrics_;
 };
 
-// Diagonal neighbours do not touch, so the classes tear; dealt in either other way they do not.
-// All samples at one neuron are never apart, and one of the classes has no neuron.
-const Grid kSquare(2, 2, Lattice::kRectangular, Topology::kPlane);
-
 TEST_F(Metrics, OfAreasAreComparedWithChance) {
-  const PreparedStudy prepared =
-      testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBA")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
   measure(prepared, Protocol::kTrainIsTest, folds,
           {tested_on_itself({0, 1, 2, 3}), tested_on_itself({0, 0, 0, 0}),
@@ -87,14 +87,14 @@ TEST_F(Metrics, OfAreasAreComparedWithChance) {
 }
 
 TEST_F(Metrics, OfAreasAreMeansOverFolds) {
-  const PreparedStudy prepared =
-      testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
+  const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBA")});
   std::vector<FoldOutcome> outcomes(2);
   outcomes[0].training_winners = {1, 2};
   outcomes[0].winners = {0, 3};
   outcomes[1].training_winners = {0, 0};
   outcomes[1].winners = {0, 0};
   for (FoldOutcome& outcome : outcomes) {
+    outcome.grid = kSquare;
     outcome.named_by = {outcome.training_winners[0], outcome.training_winners[0]};
     outcome.nearest = {{1, 1}, {1, 1}};
   }
@@ -107,10 +107,11 @@ TEST_F(Metrics, OfAreasAreMeansOverFolds) {
 }
 
 TEST_F(Metrics, AreOfBothRecordingsOnlyUnderTestData) {
-  PreparedStudy prepared = testing::study_on(kSquare, {testing::letter_label("object", "ABBA")});
+  PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBA")});
   prepared.samples.samples = 2;
   prepared.samples.test_samples = 2;
   FoldOutcome outcome;
+  outcome.grid = kSquare;
   outcome.training_winners = {0, 1};
   outcome.winners = {2, 3};
   outcome.named_by = {0, 1};
@@ -125,8 +126,8 @@ TEST_F(Metrics, AreOfBothRecordingsOnlyUnderTestData) {
 }
 
 TEST_F(Metrics, ByChanceAreLeftOutIfThereAreNone) {
-  const PreparedStudy prepared = testing::study_on(
-      kSquare, {testing::letter_label("object", "ABBA"), testing::letter_label("all", "CCCC")});
+  const PreparedStudy prepared = testing::study_of(
+      {testing::letter_label("object", "ABBA"), testing::letter_label("all", "CCCC")});
   const std::vector<Fold> folds{{first_numbers(4), first_numbers(4)}};
   measure(prepared, Protocol::kTrainIsTest, folds, {tested_on_itself({0, 1, 2, 3})}, 0);
   EXPECT_FALSE(has("areas_connected_chance"));
@@ -150,6 +151,7 @@ class MetricsOfLabels : public Metrics {
     for (std::size_t i = 0; i < 4; ++i) {
       folds.push_back({training[i], {i}});
       FoldOutcome outcome;
+      outcome.grid = kSquare;
       outcome.training_winners = training[i];  // sample i at neuron i
       outcome.winners = {i};
       outcome.named_by = {named_by[i]};
@@ -158,9 +160,9 @@ class MetricsOfLabels : public Metrics {
       outcome.topographic_errors = i == 2 ? 1.0 : 0.0;
       outcomes.push_back(outcome);
     }
-    const PreparedStudy prepared = testing::study_on(
-        kSquare, {testing::letter_label("object", "abcd"), testing::letter_label("shape", "rrss"),
-                  testing::letter_label("colour", "xyxy")});
+    const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "abcd"),
+                                                      testing::letter_label("shape", "rrss"),
+                                                      testing::letter_label("colour", "xyxy")});
     measure(prepared, Protocol::kLeaveGroupOut, folds, outcomes);
   }
 };

@@ -19,10 +19,9 @@ inline StudiedLabel letter_label(const std::string& name, const std::string& let
   return label;
 }
 
-/// A study of a map on `grid` with so many samples as the labels have.
-inline PreparedStudy study_on(const Grid& grid, const std::vector<StudiedLabel>& labels) {
+/// A study with so many samples as the labels have.
+inline PreparedStudy study_of(const std::vector<StudiedLabel>& labels) {
   PreparedStudy prepared;
-  prepared.grid = grid;
   prepared.labels = labels;
   prepared.samples.samples = labels.front().classes.of_sample.size();
   return prepared;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
+#include "somato/maps/neuron_graph.h"
 
 namespace somato {
 
@@ -39,10 +41,14 @@ struct Position {
   double y = 0.0;
 };
 
-/// The grid of a map's neurons, numbered row by row.
+/// The grid of a map's neurons, numbered row by row; or the graph of a map that grows, whose
+/// neurons are numbered in a single row.
 class Grid {
  public:
   Grid() = default;
+
+  /// The neurons of a graph: rows() is 1. Throws InvalidArgument if it has no neurons.
+  explicit Grid(std::shared_ptr<const NeuronGraph> graph);
 
   /// Throws InvalidArgument for a grid that validate() refuses.
   Grid(std::size_t rows, std::size_t columns, Lattice lattice, Topology topology);
@@ -59,35 +65,42 @@ class Grid {
   Lattice lattice() const { return lattice_; }
   Topology topology() const { return topology_; }
 
+  /// The graph, or nullptr for rows and columns.
+  const NeuronGraph* graph() const { return graph_.get(); }
+
   std::size_t row_of(std::size_t neuron) const { return neuron / columns_; }
   std::size_t column_of(std::size_t neuron) const { return neuron % columns_; }
 
+  /// On a graph, the neuron's cell (NeuronGraph::cells()).
   Position position(std::size_t neuron) const;
 
-  /// The squared distance of two neurons; on a torus along the shortest path.
+  /// The squared distance of two neurons; on a torus along the shortest path. On a graph, the
+  /// squared number of edges between them, infinite if there is no path.
   double squared_distance(std::size_t a, std::size_t b) const;
 
   /// The difference in x of a neuron in column `column`, in a row of parity `parity` (0 even, 1
   /// odd), from another such neuron: squared_distance is the sum of the squares of this and of
-  /// vertical_difference.
+  /// vertical_difference. Neither is defined on a graph.
   double horizontal_difference(std::size_t column, std::size_t parity, std::size_t other_column,
                                std::size_t other_parity) const;
   double vertical_difference(std::size_t row, std::size_t other_row) const;
 
   /// The neurons that share an edge with `neuron`, ascending: those at distance 1, up to four on a
-  /// rectangular and six on a hexagonal grid, fewer at the edges of a plane.
+  /// rectangular and six on a hexagonal grid, fewer at the edges of a plane; on a graph those that
+  /// are connected with it.
   std::vector<std::size_t> neighbours(std::size_t neuron) const;
 
   /// Whether two neurons share an edge.
   bool adjacent(std::size_t a, std::size_t b) const;
 
-  bool operator==(const Grid&) const = default;
+  bool operator==(const Grid& other) const;
 
  private:
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
   Lattice lattice_ = Lattice::kRectangular;
   Topology topology_ = Topology::kPlane;
+  std::shared_ptr<const NeuronGraph> graph_;
 };
 
 }  // namespace somato

@@ -113,6 +113,11 @@ class Som {
   /// one column of `weights` for each.
   Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements elements);
 
+  /// A map whose neurons are connected as `graph` says; throws InvalidArgument unless `parameters`
+  /// has one row with a column for each neuron of the graph.
+  Som(SomParameters parameters, const Matrix<float>& weights,
+      std::shared_ptr<const NeuronGraph> graph);
+
   /// A map whose weights are formed when they are first needed; created by training.
   explicit Som(std::shared_ptr<const ProductWeights> products);
 

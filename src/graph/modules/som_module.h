@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "graph/modules/map_module.h"
 #include "graph/modules/support.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_learner.h"
@@ -13,20 +14,19 @@
 namespace somato::modules {
 
 /// A SOM in a system. Studies access the map directly.
-class SomModule : public Module, public Learner {
+class SomModule : public MapModule {
  public:
   using Parameters = SomParameters;
   explicit SomModule(Parameters parameters) : parameters_(std::move(parameters)) {}
 
-  const Som& som() const { return som_; }
-  Grid grid() const { return parameters_.grid(); }
+  const Som& som() const override { return som_; }
+  Grid grid() const override { return parameters_.grid(); }
 
   /// The training options for a plan.
   SomParameters parameters_for(const LearningPlan& plan) const;
 
   Table decide(const std::vector<Connection>& inputs, const RecordingLayout& layout) override;
   Result<PortType> connect(const std::vector<Connection>& inputs) override;
-  Learner* learner() override { return this; }
   std::unique_ptr<Runner> start() const override;
   std::size_t memory() const override;
 

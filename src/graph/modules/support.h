@@ -87,6 +87,7 @@ std::vector<ModuleType> drift_types();
 std::vector<ModuleType> memory_types();
 std::vector<ModuleType> scaling_types();
 std::vector<ModuleType> som_types();
+std::vector<ModuleType> growing_types();
 std::vector<ModuleType> t_mpsom_types();
 std::vector<ModuleType> winner_types();
 std::vector<ModuleType> association_types();

@@ -38,6 +38,8 @@ const kMetrics: Record<string, string> = {
   neighbours_same_class: "Samples with neighbours of the same class",
   winner_shared_within_class: "Samples that share a winner with their class",
   on_border: "Winners on the border",
+  neurons: "Neurons",
+  connected_parts: "Connected parts of the map",
   order_around: "Order around the map",
   order_within: "Order within a group",
   order_along: "Order along a line",

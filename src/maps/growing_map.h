@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "somato/core/matrix.h"
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/core/samples.h"
+#include "somato/maps/som.h"
+#include "somato/maps/som_training.h"
+
+namespace somato {
+
+/// The parameters that all maps that grow have in common. declarations() gives the meaning, unit
+/// and range of each.
+struct GrowthParameters {
+  std::optional<std::uint64_t> iterations;
+  Draws draws = Draws::kWithoutReplacement;
+  std::size_t most_neurons = 200;
+  Softmax softmax = Softmax::kPower;
+  double softmax_exponent = 10.0;
+  ActivityNorm activity_norm = ActivityNorm::kMaximum;
+  std::uint64_t seed = 1;
+
+  static const Declarations<GrowthParameters>& declarations();
+};
+
+/// A map that adds neurons while it learns. Its winner is the neuron with the smallest Euclidean
+/// distance from an input.
+class GrowingMap {
+ public:
+  GrowingMap() = default;
+  GrowingMap(const GrowingMap&) = delete;
+  GrowingMap(GrowingMap&&) = delete;
+  GrowingMap& operator=(const GrowingMap&) = delete;
+  GrowingMap& operator=(GrowingMap&&) = delete;
+  virtual ~GrowingMap() = default;
+
+  /// Learns an input, and grows if its rule says so.
+  virtual void learn(std::span<const float> input) = 0;
+
+  /// Whether learning ends by itself: further inputs are ignored.
+  virtual bool is_complete() const { return false; }
+
+  virtual std::size_t neurons() const = 0;
+
+  /// The present map. Learning is not affected.
+  virtual Som map() const = 0;
+};
+
+/// Learns `iterations` draws from `samples`, or fewer if the map is complete before. `parameters`
+/// must have iterations. The number of neurons reported to the observer is that of the moment.
+/// Fails with kInterrupted if progress or observer request to stop.
+Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const Samples& samples,
+                  const Progress& progress, const TrainingObserver& observer);
+
+/// Refuses (kData) samples that a map cannot learn; see train_som().
+Result<void> check_growing(const Samples& samples);
+
+/// The weights of neurons, a row each, which learn one by one.
+class GrowingWeights {
+ public:
+  explicit GrowingWeights(std::size_t inputs) : rows_(0, inputs) {}
+
+  std::size_t neurons() const { return rows_.rows(); }
+  std::span<const float> operator[](std::size_t neuron) const { return rows_.row(neuron); }
+  const Matrix<float>& rows() const { return rows_; }
+
+  /// Adds a neuron with these weights.
+  void add(std::span<const float> weights);
+
+  /// Adds a neuron with the mean of two vectors as weights.
+  void add_between(std::span<const float> a, std::span<const float> b);
+
+  /// Removes neurons (ascending); the others keep their order.
+  void remove(const std::vector<std::size_t>& neurons);
+
+  /// w += rate (input - w).
+  void move(std::size_t neuron, std::span<const float> input, double rate);
+
+  /// The squared distance of two vectors, in double precision.
+  static double squared_distance(std::span<const float> a, std::span<const float> b);
+
+  /// The two neurons nearest to `input`; in a tie the first ones.
+  Winners nearest_two(std::span<const float> input) const;
+
+  bool operator==(const GrowingWeights&) const = default;
+
+ private:
+  Matrix<float> rows_;
+};
+
+/// The number of each of `neurons` neurons after `removed` ones (ascending) are removed; empty for
+/// these.
+std::vector<std::optional<std::size_t>> numbers_after(std::size_t neurons,
+                                                      const std::vector<std::size_t>& removed);
+
+/// Weights for `count` neurons: samples drawn at random, without repeats if there are enough.
+GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed);
+
+/// The parameters of the map that grew: one row with a column for each neuron.
+SomParameters parameters_of_grown(const GrowthParameters& parameters, std::size_t rows,
+                                  std::size_t columns);
+
+}  // namespace somato

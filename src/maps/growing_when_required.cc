@@ -1,0 +1,153 @@
+#include "maps/growing_when_required.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/elementary.h"
+
+namespace somato {
+
+const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters::declarations() {
+  using P = GrowingWhenRequiredParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add_from(&P::growth, GrowthParameters::declarations(),
+                    {"iterations", "draws", "most_neurons"})
+          .add("activity_threshold", &P::activity_threshold, "", Range::between(0, 1),
+               "A neuron is inserted if exp(-d / distance_unit) is below it, for the distance d of "
+               "the winner from the input. Not given in the paper.")
+          .add("distance_unit", &P::distance_unit, "", Range::above(0),
+               "Unit of distances in the activity; 1 in Marsland and others 2002. Automatic: the "
+               "square root of the number of elements, so that the threshold applies to the mean "
+               "difference of an element. Not given in the paper.")
+          .add("habituation_threshold", &P::habituation_threshold, "", Range::between(0, 2),
+               "A neuron is inserted only if the winner's habituation is below it. It is 1 for a "
+               "new neuron and falls to 0.05: above 1, every neuron allows insertion. Not given in "
+               "the paper.")
+          .add("winner_rate", &P::winner_rate, "", Range::between(0, 1),
+               "Learning rate of the winner, times its habituation. Not given in the paper.")
+          .add("neighbour_rate", &P::neighbour_rate, "", Range::between(0, 1),
+               "Learning rate of the neurons connected with the winner, times their habituation. "
+               "Not given in the paper.")
+          .add("winner_habituation_time", &P::winner_habituation_time, "inputs",
+               Range::between(1.05, 1e6),
+               "Time constant with which the winner habituates; 3.33 in Marsland and others 2002.")
+          .add("neighbour_habituation_time", &P::neighbour_habituation_time, "inputs",
+               Range::between(1.05, 1e6),
+               "Time constant with which the neurons connected with the winner habituate; 14.3 in "
+               "Marsland and others 2002.")
+          .add("recovery", &P::recovery, "", Range::between(1, 2),
+               "Constant of recovery: habituation ends at 1 - 1 / recovery; 1.05 in Marsland and "
+               "others 2002.")
+          .add("oldest_edge", &P::oldest_edge, "inputs", Range::between(1, 1e9),
+               "Age at which an edge is kept for the last time. Not given in the paper.")
+          .add_from(&P::growth, GrowthParameters::declarations(),
+                    {"softmax", "softmax_exponent", "activity_norm", "seed"});
+  return declared;
+}
+
+GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters,
+                                         const Samples& samples)
+    : parameters_(parameters),
+      distance_unit_(
+          parameters.distance_unit.value_or(std::sqrt(static_cast<double>(samples.size())))),
+      weights_(drawn_weights(samples, 2, parameters.growth.seed)),
+      habituation_(2, 1.0),
+      ages_(2) {}
+
+void GrowingWhenRequired::learn(std::span<const float> input) {
+  const Winners nearest = weights_.nearest_two(input);
+  connect(nearest.first, nearest.second);
+  const double distance =
+      std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
+  const bool is_far = exponential(-distance / distance_unit_) < parameters_.activity_threshold;
+  const bool can_grow = habituation_[nearest.first] < parameters_.habituation_threshold &&
+                        neurons() < parameters_.growth.most_neurons;
+  if (is_far && can_grow) {
+    insert(nearest, input);
+  } else {
+    adapt(nearest.first, input);
+  }
+  habituate(nearest.first, parameters_.winner_habituation_time);
+  for (const auto& [other, age] : ages_[nearest.first]) {
+    habituate(other, parameters_.neighbour_habituation_time);
+  }
+  age_edges_of(nearest.first);
+  remove_isolated();
+}
+
+void GrowingWhenRequired::insert(const Winners& nearest, std::span<const float> input) {
+  const std::size_t inserted = neurons();
+  weights_.add_between(weights_[nearest.first], input);
+  habituation_.push_back(1.0);
+  ages_.emplace_back();
+  connect(inserted, nearest.first);
+  connect(inserted, nearest.second);
+  disconnect(nearest.first, nearest.second);
+}
+
+void GrowingWhenRequired::adapt(std::size_t winner, std::span<const float> input) {
+  weights_.move(winner, input, parameters_.winner_rate * habituation_[winner]);
+  for (const auto& [other, age] : ages_[winner]) {
+    weights_.move(other, input, parameters_.neighbour_rate * habituation_[other]);
+  }
+}
+
+void GrowingWhenRequired::habituate(std::size_t neuron, double time) {
+  double& h = habituation_[neuron];
+  h += (parameters_.recovery * (1.0 - h) - 1.0) / time;
+}
+
+void GrowingWhenRequired::connect(std::size_t a, std::size_t b) {
+  ages_[a][b] = 0;
+  ages_[b][a] = 0;
+}
+
+void GrowingWhenRequired::disconnect(std::size_t a, std::size_t b) {
+  ages_[a].erase(b);
+  ages_[b].erase(a);
+}
+
+void GrowingWhenRequired::age_edges_of(std::size_t neuron) {
+  std::vector<std::size_t> too_old;
+  for (auto& [other, age] : ages_[neuron]) {
+    age += 1;
+    ages_[other][neuron] = age;
+    if (age > parameters_.oldest_edge) too_old.push_back(other);
+  }
+  for (const std::size_t other : too_old) disconnect(neuron, other);
+}
+
+void GrowingWhenRequired::remove_isolated() {
+  std::vector<std::size_t> isolated;
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+    if (ages_[neuron].empty()) isolated.push_back(neuron);
+  }
+  if (isolated.empty()) return;
+  const auto numbers = numbers_after(neurons(), isolated);
+  weights_.remove(isolated);
+  std::vector<std::map<std::size_t, std::size_t>> ages(neurons());
+  std::vector<double> habituation(neurons());
+  for (std::size_t neuron = 0; neuron < numbers.size(); ++neuron) {
+    if (!numbers[neuron]) continue;
+    habituation[*numbers[neuron]] = habituation_[neuron];
+    for (const auto& [other, age] : ages_[neuron]) ages[*numbers[neuron]][*numbers[other]] = age;
+  }
+  ages_ = std::move(ages);
+  habituation_ = std::move(habituation);
+}
+
+Som GrowingWhenRequired::map() const {
+  std::vector<NeuronGraph::Edge> edges;
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+    for (const auto& [other, age] : ages_[neuron]) {
+      if (neuron < other) edges.emplace_back(neuron, other);
+    }
+  }
+  return {parameters_of_grown(parameters_.growth, 1, neurons()), weights_.rows(),
+          std::make_shared<const NeuronGraph>(neurons(), std::move(edges))};
+}
+
+}  // namespace somato
