@@ -74,7 +74,7 @@ Json packed_numbers(std::span<const double> numbers, PackedBits bits) {
   const Range exact = range_of(numbers);
   const Json low = short_number(exact.low);
   const Json high = short_number(exact.high);
-  Range range{low.get<double>(), high.get<double>()};
+  const Range range{low.get<double>(), high.get<double>()};
   std::vector<double> inside(numbers.begin(), numbers.end());
   for (double& number : inside) {
     if (std::isfinite(number))
