@@ -37,7 +37,7 @@ export class ReportBrowser {
   async open(of: ReportData | string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<Opened> {
     const viewport = { width: 1280, height: 800 };
     const page = await this.browser.newPage({ viewport, acceptDownloads: true, ...options });
-    page.setDefaultTimeout(10_000);
+    page.setDefaultTimeout(20_000);
     const problems: string[] = [];
     page.on("pageerror", (error) => problems.push(error.message));
     page.on("console", (message) => {

@@ -9,20 +9,27 @@ import { reportFixture } from "./report_fixture";
 const report = new ReportBrowser();
 const data = reportFixture();
 
+const kSizes: [width: number, height: number][] = [
+  [1366, 768],
+  [1920, 1080],
+  [390, 844],
+];
+
 describe("who reads it", () => {
-  test.each(["light", "dark"] as const)("finds no barrier in %s", async (colorScheme) => {
+  test.each(["light", "dark"] as const)("finds no barrier in %s, at three sizes", async (colorScheme) => {
     const { page } = await report.open(data, { colorScheme, reducedMotion: "reduce" });
     for (const system of ["t_mpsom_multiplied", "hardness", "bare"]) await goTo(page, system);
-    // Nothing but colours differs in the dark.
-    const rules = colorScheme === "dark" ? ["color-contrast"] : [];
-    expect(await accessibilityViolations(page, rules)).toEqual([]);
-    await page.setViewportSize({ width: 1280, height: 1400 });
-    await (
-      await goTo(page, "t_mpsom_multiplied")
-    )
-      .locator(".maps")
-      .screenshot({ path: screenshotPath(`report-map-${colorScheme}`) });
-    await page.screenshot({ path: screenshotPath(`report-all-${colorScheme}`), fullPage: true });
+    for (const [width, height] of kSizes) {
+      await page.setViewportSize({ width, height });
+      // Nothing but colours differs in the dark, and nothing but sizes in another window.
+      const isFirst = width === kSizes[0]![0];
+      const rules = colorScheme === "dark" ? ["color-contrast"] : isFirst ? [] : ["target-size"];
+      if (isFirst || colorScheme === "light") expect(await accessibilityViolations(page, rules)).toEqual([]);
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.screenshot({ path: screenshotPath(`report-first-${width}-${colorScheme}`) });
+      await page.evaluate(() => document.querySelector("#t_mpsom_multiplied")?.scrollIntoView());
+      await page.screenshot({ path: screenshotPath(`report-system-${width}-${colorScheme}`) });
+    }
     await page.close();
   });
 

@@ -8,6 +8,7 @@ import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
 import { rangeOf, readable, seconds } from "../parts/numbers";
 import { courseFigure } from "./courses";
+import { fitting } from "./fitting";
 import { Exploration, frameAt, momentTime } from "./exploration";
 import { capital } from "./groups";
 import { valuesFigure, valuesTable } from "./moment_values";
@@ -82,7 +83,7 @@ function handFigure(system: SystemReport, of: MomentChannel, exploration: Explor
   const picture = handMap(channel, {
     label: `${channel.name} while exploring ${name}`,
     unit: channel.unit,
-    size: 380,
+    size: fitting(380),
   });
   const range = rangeOf(series.flatMap((values) => rangeOf(values) ?? [])) ?? rangeOf(of.values) ?? [0, 1];
   const values = () =>

@@ -8,6 +8,7 @@ import { labelsPicture } from "../parts/map_labels";
 import { countOf, rangeOf } from "../parts/numbers";
 import { figure } from "../parts/figure";
 import { commonScale, thingPicture } from "../parts/thing_picture";
+import { fitting } from "./fitting";
 import { galleryOf } from "./gallery";
 import { groupsOf, questionsOf } from "./groups";
 import { bestSystem, isOfHand, originals, summaryOf } from "./main_results";
@@ -67,7 +68,7 @@ function bestMap(system: SystemReport): Child {
   const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
   if (!grid || !winners) return null;
   const shown = shownBySelection(selection);
-  const picture = labelsPicture(grid, { ...winners, label: `Map of ${systemName(system)}`, size: kMapSize });
+  const picture = labelsPicture(grid, { ...winners, label: `Map of ${systemName(system)}`, size: fitting(kMapSize) });
   return figure({
     title: `Map of ${systemName(system)}`,
     file: "overview-map",

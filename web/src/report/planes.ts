@@ -10,6 +10,7 @@ import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
 import { rangeOf } from "../parts/numbers";
 import { allPlanesFigure } from "./all_planes";
+import { fitting } from "./fitting";
 import { axisOf } from "./frequencies";
 import { linePicture } from "./line_picture";
 import { shownOfSaved } from "./origin";
@@ -50,6 +51,8 @@ function richest(all: ChannelPlanes[]): number {
   return Math.max(0, counts.indexOf(Math.max(...counts)));
 }
 
+const kMapSize = 420;
+
 class LinkedPlanes {
   private readonly system: SystemReport;
   private element = 0;
@@ -75,13 +78,13 @@ class LinkedPlanes {
       onChoose: (neuron: number) => this.chooseNeuron(neuron),
       onPoint: (neuron: number | null) => this.preview(neuron),
     };
-    this.map = valuesPicture(grid, { label: mapLabel, unit, ...keep });
+    this.map = valuesPicture(grid, { label: mapLabel, unit, size: fitting(kMapSize), ...keep });
     const handLabel = `Weights of a neuron for ${channel.name}`;
     const keepElement = {
       onChoose: (one: number) => this.setElement(one),
       onPoint: (one: number | null) => this.previewPlane(one),
     };
-    const options = { label: handLabel, unit, size: 380, ...keepElement };
+    const options = { label: handLabel, unit, size: fitting(380), ...keepElement };
     const axis = axisOf(this.system, channel);
     this.hand = axis ? linePicture(axis, options) : handMap(channel, options);
     this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));

@@ -7,6 +7,7 @@ import { columnOf, neuronCount, rowOf } from "../parts/grid";
 import { hitsPicture } from "../parts/map_hits";
 import { labelsPicture, type LabelsOptions } from "../parts/map_labels";
 import { valuesPicture } from "../parts/map_picture";
+import { fitting } from "./fitting";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
 import { shownBySelection, shownOfSaved } from "./origin";
@@ -26,9 +27,9 @@ const kSizes: MapSizes = { large: 520, small: 300 };
 export function mapFigures(selection: Selection, sizes = kSizes, prefix = ""): HTMLElement[] {
   const { grid, trained } = selection.system;
   const name = `${prefix}${systemName(selection.system)}`;
-  const figures = [winnersFigure(selection, name, sizes.large)];
-  if (grid && (trained?.u_matrix.length ?? 0) > 0) figures.push(uMatrixFigure(selection, name, grid, sizes.small));
-  if (grid) figures.push(hitsFigure(selection, name, grid, sizes.small));
+  const figures = [winnersFigure(selection, name, fitting(sizes.large))];
+  if (grid && (trained?.u_matrix.length ?? 0) > 0) figures.push(uMatrixFigure(selection, name, grid, fitting(sizes.small)));
+  if (grid) figures.push(hitsFigure(selection, name, grid, fitting(sizes.small)));
   return figures;
 }
 
