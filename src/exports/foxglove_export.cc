@@ -53,7 +53,6 @@ class FoxgloveExport::ScenedFrames final : public FrameSink {
     for (const SceneGeom& geom : player.scene().geoms) {
       (geom.taxel ? taxels_ : shapes_).push_back(geom);
     }
-    touched_ = taxels_;
   }
 
   Result<void> begin_exploration(const ExplorationStart& start) override {
@@ -84,6 +83,7 @@ class FoxgloveExport::ScenedFrames final : public FrameSink {
   }
 
   Result<void> write_taxels(std::span<const float> values, float largest) {
+    std::vector<SceneGeom> touched = taxels_;
     std::vector<ValuedPoint> points;
     points.reserve(taxels_.size());
     for (std::size_t i = 0; i < taxels_.size(); ++i) {
@@ -91,14 +91,14 @@ class FoxgloveExport::ScenedFrames final : public FrameSink {
       const float value = *taxel.taxel < values.size() ? values[*taxel.taxel] : 0.0F;
       const double share = largest > 0.0F ? std::abs(value) / largest : 0.0;
       for (std::size_t part = 0; part < kTouched.size(); ++part) {
-        touched_[i].colour[part] = (1.0 - share) * taxel.colour[part] + share * kTouched[part];
+        touched[i].colour[part] = (1.0 - share) * taxel.colour[part] + share * kTouched[part];
       }
       const ScenePose body = taxel.body ? poses_[*taxel.body] : ScenePose{};
       points.push_back({position_in_world(body, taxel.pose.position), value});
     }
     const std::int64_t time = bag_->frame_time();
     SOMATO_TRY_VOID(
-        bag_->bag().write(topics_->taxels, time, scene_update_message(time, bodies_, touched_)));
+        bag_->bag().write(topics_->taxels, time, scene_update_message(time, bodies_, touched)));
     return bag_->bag().write(topics_->points, time, point_cloud_message(time, points));
   }
 
@@ -109,10 +109,9 @@ class FoxgloveExport::ScenedFrames final : public FrameSink {
   std::vector<std::string> bodies_;
   std::vector<SceneGeom> shapes_;
   std::vector<SceneGeom> taxels_;
-  std::vector<SceneGeom> touched_;  // The taxels with their colours.
-  std::size_t posed_;               // The channel whose frames have poses.
-  std::size_t posed_frames_ = 0;    // Its frames so far.
-  std::int64_t latest_pose_ = 0;    // The time of poses_, ns.
+  std::size_t posed_;             // The channel whose frames have poses.
+  std::size_t posed_frames_ = 0;  // Its frames so far.
+  std::int64_t latest_pose_ = 0;  // The time of poses_, ns.
   std::vector<ScenePose> poses_;
 };
 

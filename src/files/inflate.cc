@@ -1,6 +1,8 @@
 #include "files/inflate.h"
 
 #include <fmt/format.h>
+
+#define ZLIB_CONST  // Input is const.
 #include <zlib.h>
 
 #include <algorithm>
@@ -16,9 +18,9 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 // The state of zlib, which is released on every way out.
 class Inflation {
  public:
-  explicit Inflation(Deflated kind) {
-    is_ready_ = ::inflateInit2(&stream_, kind == Deflated::kRaw ? -MAX_WBITS : MAX_WBITS) == Z_OK;
-  }
+  explicit Inflation(Deflated kind)
+      : is_ready_(::inflateInit2(&stream_, kind == Deflated::kRaw ? -MAX_WBITS : MAX_WBITS) ==
+                  Z_OK) {}
   Inflation(const Inflation&) = delete;
   Inflation(Inflation&&) = delete;
   Inflation& operator=(const Inflation&) = delete;
@@ -30,7 +32,7 @@ class Inflation {
 
  private:
   z_stream stream_{};
-  bool is_ready_ = false;
+  bool is_ready_;
 };
 
 }  // namespace
@@ -58,7 +60,7 @@ Result<std::string> inflate_bytes(std::string_view packed, std::size_t most, Def
       if (stream.avail_in == 0) {
         const std::size_t given = std::min(packed.size(), kPiece);
         if (given == 0) return fail(ErrorKind::kData, "the compressed data are cut");
-        stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+        stream.next_in = reinterpret_cast<const Bytef*>(packed.data());
         stream.avail_in = static_cast<uInt>(given);
         packed.remove_prefix(given);
       }

@@ -118,7 +118,7 @@ class MatFile {
       const bool is_named = variable.name == wanted;
       if (!is_named && !is_matrix(variable)) continue;
       names.push_back(variable.name);
-      if (!is_named && !(wanted.empty() && names.size() == 1)) continue;
+      if (!is_named && (!wanted.empty() || names.size() > 1)) continue;
       SOMATO_TRY(found, numbers_of(variable, parts));
       if (is_named) return *found;
     }

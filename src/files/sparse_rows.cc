@@ -23,7 +23,9 @@ Result<std::vector<std::size_t>> indices_below(const std::vector<double>& number
   std::vector<std::size_t> indices;
   indices.reserve(numbers.size());
   for (const double number : numbers) {
-    if (!(number >= 0.0 && number < static_cast<double>(limit)) || std::floor(number) != number) {
+    const bool is_index =
+        number >= 0.0 && number < static_cast<double>(limit) && std::floor(number) == number;
+    if (!is_index) {
       return bad(
           fmt::format("the sparse matrix has the index {}, which is not below {}", number, limit),
           where);
