@@ -26,6 +26,9 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "A neuron is inserted only if the winner's habituation is below it. It is 1 for a "
                "new neuron and falls to 0.05: above 1, every neuron allows insertion. Not given in "
                "the paper.")
+          .add("insertion_share", &P::insertion_share, "", Range::between(0, 1),
+               "Place of an inserted neuron on the way from the winner to the input; 0.5 in "
+               "Marsland and others 2002, 1: at the input.")
           .add("winner_rate", &P::winner_rate, "", Range::between(0, 1),
                "Learning rate of the winner, times its habituation. Not given in the paper.")
           .add("neighbour_rate", &P::neighbour_rate, "", Range::between(0, 1),
@@ -80,7 +83,8 @@ void GrowingWhenRequired::learn(std::span<const float> input) {
 
 void GrowingWhenRequired::insert(const Winners& nearest, std::span<const float> input) {
   const std::size_t inserted = neurons();
-  weights_.add_between(weights_[nearest.first], input);
+  weights_.add(weights_[nearest.first]);
+  weights_.move(inserted, input, parameters_.insertion_share);
   habituation_.push_back(1.0);
   ages_.emplace_back();
   connect(inserted, nearest.first);

@@ -16,6 +16,7 @@ struct GrowingWhenRequiredParameters {
   double activity_threshold = 0.4;
   std::optional<double> distance_unit;
   double habituation_threshold = 0.3;
+  double insertion_share = 0.5;
   double winner_rate = 0.1;
   double neighbour_rate = 0.01;
   double winner_habituation_time = 3.33;
@@ -28,11 +29,11 @@ struct GrowingWhenRequiredParameters {
 
 /// With the input x, s is the nearest neuron and t the second nearest one, and both are connected
 /// by an edge of age 0. If exp(-|x - w_s| / distance_unit) < activity_threshold and the habituation
-/// h_s < habituation_threshold, a neuron with the weights (w_s + x) / 2 is inserted between them.
-/// Otherwise w_s += winner_rate h_s (x - w_s), and w_i += neighbour_rate h_i (x - w_i) for the
-/// neurons i connected with s. In both cases all edges of s become older by 1, s and the neurons
-/// connected with it habituate: h += (recovery (1 - h) - 1) / time, from 1 for a new neuron; and
-/// edges older than oldest_edge and neurons without an edge are removed.
+/// h_s < habituation_threshold, a neuron with the weights w_s + insertion_share (x - w_s) is
+/// inserted between them. Otherwise w_s += winner_rate h_s (x - w_s), and w_i += neighbour_rate h_i
+/// (x - w_i) for the neurons i connected with s. In both cases all edges of s become older by 1, s
+/// and the neurons connected with it habituate: h += (recovery (1 - h) - 1) / time, from 1 for a
+/// new neuron; and edges older than oldest_edge and neurons without an edge are removed.
 class GrowingWhenRequired : public GrowingMap {
  public:
   /// Starts with two neurons at samples drawn at random.

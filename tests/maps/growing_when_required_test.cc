@@ -26,7 +26,8 @@ class SlowMap {
     const double activity = std::exp(-testing::distance(w_[s], x) / unit);
     if (activity < p_.activity_threshold && h_[s] < p_.habituation_threshold &&
         w_.size() < p_.growth.most_neurons) {
-      w_.push_back(testing::mean(w_[s], x));
+      w_.push_back(w_[s]);
+      testing::move(w_.back(), x, p_.insertion_share);
       h_.push_back(1.0);
       for (auto& row : age_) row.push_back(kNone);
       age_.emplace_back(w_.size(), kNone);
@@ -100,6 +101,7 @@ TEST(GrowingWhenRequired, IsTheSlowMap) {
     const Samples samples = testing::clustered_samples(60, 1 + seed % 4, seed);
     GrowingWhenRequiredParameters parameters = eager();
     parameters.growth.seed = seed;
+    parameters.insertion_share = seed % 2 == 0 ? 0.5 : 1.0;
     GrowingWhenRequired map(parameters, samples);
     SlowMap slow(parameters, testing::points_of(map.map()));
     Random random(seed);
