@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "browser.h"
 #include "commands.h"
@@ -28,6 +31,31 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
+std::vector<std::string> recordings_in(const Arguments& arguments) {
+  const auto given = arguments.lists.find("RECORDING");
+  return given != arguments.lists.end() ? given->second : std::vector<std::string>();
+}
+
+std::string name_in(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// One after the other; all must have the same channels.
+Result<void> read_recordings(const std::vector<std::string>& paths, ViewSource& source) {
+  auto& all = source.recording.explorations;
+  for (const std::string& path : paths) {
+    SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
+    if (!all.empty()) {
+      auto alike = check_alike(recording.explorations.front(), all.front());
+      if (!alike) return fail(with_place(std::move(alike.error()), path));
+    }
+    std::move(recording.explorations.begin(), recording.explorations.end(),
+              std::back_inserter(all));
+    if (paths.size() > 1) source.origins.resize(all.size(), name_in(path));
+  }
+  return {};
+}
+
 Result<ViewSource> body_source(const Arguments& arguments) {
   SOMATO_TRY(auto session, body_session(arguments, kSeed));
   SOMATO_TRY(const auto thing, arguments.has("object")
@@ -37,30 +65,26 @@ Result<ViewSource> body_source(const Arguments& arguments) {
                                ? systems_for_body(session.body)
                                : systems_for_channels(session.channels, {"object"}));
   ViewSource source;
-  if (arguments.has("RECORDING")) {
-    SOMATO_TRY(auto recording,
-               read_study_data(RecordingFormat::kAutomatic, arguments.text("RECORDING")));
-    source.recording = std::move(recording);
-  }
+  SOMATO_TRY_VOID(read_recordings(recordings_in(arguments), source));
   source.name = std::move(session.name);
   source.explorer = std::move(session.explorer);
   source.scenes = recorded_scenes(std::move(session.objects));
   source.thing = thing;
   source.systems = std::move(systems);
   if (arguments.has("demo")) plan_demonstration(source);
-  if (arguments.has("RECORDING") || arguments.has("model")) return source;
+  if (!recordings_in(arguments).empty() || arguments.has("model")) return source;
   SOMATO_TRY_VOID(prepare_system(arguments, session.body, source));
   return source;
 }
 
 Result<ViewSource> recording_source(const Arguments& arguments) {
-  const std::string path = arguments.text("RECORDING");
-  SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
-  SOMATO_TRY(auto objects, read_objects(arguments));
-  SOMATO_TRY(auto systems, systems_for(recording));
+  const std::vector<std::string> paths = recordings_in(arguments);
   ViewSource source;
-  source.name = std::filesystem::path(path).filename().string();
-  source.recording = std::move(recording);
+  SOMATO_TRY_VOID(read_recordings(paths, source));
+  SOMATO_TRY(auto objects, read_objects(arguments));
+  SOMATO_TRY(auto systems, systems_for(source.recording));
+  source.name =
+      paths.size() == 1 ? name_in(paths.front()) : fmt::format("{} recordings", paths.size());
   source.scenes = recorded_scenes(std::move(objects.objects));
   source.systems = std::move(systems);
   return source;
@@ -73,10 +97,14 @@ bool has_body(const Arguments& arguments) {
 // The flags that have no effect on a demonstration.
 Result<void> check_demonstration(const Arguments& arguments) {
   if (!arguments.has("demo")) return {};
-  for (const std::string other : {"RECORDING", "device", "topics", "object"}) {
-    if (!arguments.has(other)) continue;
-    return fail(ErrorKind::kUsage, "a demonstration explores all objects of a simulated body",
-                other == "RECORDING" ? arguments.text(other) : "--" + other, "omit it, or --demo");
+  const auto misused = [](const std::string& what) {
+    return fail(ErrorKind::kUsage, "a demonstration explores all objects of a simulated body", what,
+                "omit it, or --demo");
+  };
+  const std::vector<std::string> recordings = recordings_in(arguments);
+  if (!recordings.empty()) return misused(recordings.front());
+  for (const std::string other : {"device", "topics", "object"}) {
+    if (arguments.has(other)) return misused("--" + other);
   }
   return {};
 }
@@ -85,7 +113,7 @@ Result<void> check_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_demonstration(arguments));
   SOMATO_TRY_VOID(check_rendering(arguments));
   const bool explores = has_body(arguments);
-  if (!arguments.has("RECORDING") && !explores) {
+  if (recordings_in(arguments).empty() && !explores) {
     return fail(ErrorKind::kUsage, "a recording or a body that explores is required", "view",
                 "somato view --demo, somato view FILE.mcap, or somato view --body lucs2");
   }
@@ -170,9 +198,9 @@ Command view_command() {
       "view",
       "View explorations in a browser on this machine",
       {{"RECORDING",
-        "The recording to play: its file, or a folder of original files; with --body or --device, "
-        "the recording that systems learn from",
-        false}},
+        "The recordings to play, one after the other: their files, or folders of original files; "
+        "with --body or --device, the recordings that systems learn from",
+        false, true}},
       {{"--body",
         "Simulated body that explores, instead of a recording: lucs2, lucs3, texture or hardness"},
        device_flag(),

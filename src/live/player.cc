@@ -42,6 +42,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
                     [this](BodyStep step) { coming_ = std::move(step); },
                     [this](auto explored) { finish(std::move(explored)); }}) {
   pace_.speed = settings.speed;
+  rests_unseen_ = settings.wait_for_viewer && !source_.explorer && !source_.readings.on_moment;
   explored_scenes_.resize(source_.recording.explorations.size());
 }
 
@@ -103,6 +104,7 @@ bool Player::is_complete() const {
 }
 
 Result<void> Player::handle(const ViewCommand& command) {
+  plays_when_seen_ = false;
   return std::visit(Overloaded{[&](const PlayCommand&) { return play(); },
                                [&](const PauseCommand&) -> Result<void> {
                                  rest();
@@ -119,14 +121,29 @@ Result<void> Player::handle(const ViewCommand& command) {
                                [&](const ExploreCommand&) { return begin_exploring(); },
                                [&](const NameCommand& one) { return name(one.label); },
                                [&](const SystemCommand& one) { return choose_system(one.name); },
+                               [&](const DismissCommand&) -> Result<void> {
+                                 problem_.clear();
+                                 return {};
+                               },
                                [&](const auto&) -> Result<void> {
                                  return not_now("the command is not supported");
                                }},
                     command);
 }
 
-void Player::on_first_viewer() {
-  if (std::exchange(had_viewer_, true)) return;
+void Player::on_viewers(std::size_t viewers) {
+  if (viewers > 0 && !std::exchange(had_viewer_, true)) return begin_seen();
+  if (!rests_unseen_) return;
+  if (viewers == 0) {
+    plays_when_seen_ = pace_.playing;
+    rest();
+  } else if (std::exchange(plays_when_seen_, false)) {
+    pace_.playing = true;
+    pace_.begin();
+  }
+}
+
+void Player::begin_seen() {
   pace_.begin();
   wants_exploring_ = source_.explorer != nullptr;
   pace_.playing = !wants_exploring_;
@@ -317,6 +334,10 @@ std::optional<Strips> Player::strips() const {
 
 void Player::publish_state() {
   shown_system_problem_ = replay_.reader().problem();
+  hub_.publish(EventKind::kState, state_text());
+}
+
+std::string Player::state_text() const {
   ViewState state{source_, replay_.reader().picture(), names_, replay_.played()};
   state.labels = shown_labels();
   state.frame = replay_.next();
@@ -325,12 +346,12 @@ void Player::publish_state() {
   state.thing = thing_;
   state.placement = placement_;
   state.system = system_;
-  state.system_problem = shown_system_problem_;
+  state.system_problem = replay_.reader().problem();
   state.training = training_;
   state.demonstrated = demonstration_.rounds();
   state.clients = hub_.viewers();
   state.problem = problem_;
-  hub_.publish(EventKind::kState, json_text(state_json(state)));
+  return json_text(state_json(state));
 }
 
 void Player::explore() {

@@ -58,10 +58,15 @@ class Player {
   void show_problem(std::string problem);
   void publish_state();
 
-  /// Begins to play, once, where that waited for the first viewer.
-  void on_first_viewer();
+  /// The state as it is now, in JSON.
+  std::string state_text() const;
+
+  /// Begins to play with the first viewer where that was waited for. A recording then rests while
+  /// there are no viewers.
+  void on_viewers(std::size_t viewers);
 
  private:
+  void begin_seen();
   void turn();
   void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t index);
@@ -106,6 +111,8 @@ class Player {
   bool training_ = false;
   bool closed_ = false;
   bool had_viewer_ = false;
+  bool rests_unseen_ = false;     // without viewers
+  bool plays_when_seen_ = false;  // it rests because there are no viewers
 
   // The state of a body.
   Demonstration demonstration_;

@@ -14,7 +14,6 @@ namespace {
 using SortedJson = nlohmann::json;
 
 constexpr double kMostFrames = 1e9;
-constexpr double kFarthest = 1000.0;  // mm
 constexpr double kLongestName = 256;
 
 // The fields of a command, taken one after the other; the first that is wrong is kept.
@@ -102,8 +101,8 @@ ViewCommand seek_of(CommandFields& fields) {
 
 ViewCommand placement_of(CommandFields& fields) {
   PlacementCommand command;
-  command.placement.x = fields.number("x", -kFarthest, kFarthest);
-  command.placement.y = fields.number("y", -kFarthest, kFarthest);
+  command.placement.x = fields.number("x", -Placement::kFarthest, Placement::kFarthest);
+  command.placement.y = fields.number("y", -Placement::kFarthest, Placement::kFarthest);
   command.placement.turn = fields.number("turn", -360, 360);
   return command;
 }
@@ -135,7 +134,8 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
       {"system",
        [](CommandFields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
       {"train", [](CommandFields&) -> ViewCommand { return TrainCommand{}; }},
-      {"stop_training", [](CommandFields&) -> ViewCommand { return StopTrainingCommand{}; }}};
+      {"stop_training", [](CommandFields&) -> ViewCommand { return StopTrainingCommand{}; }},
+      {"dismiss", [](CommandFields&) -> ViewCommand { return DismissCommand{}; }}};
   return all;
 }
 

@@ -40,10 +40,11 @@ struct SystemCommand {
 };
 struct TrainCommand {};
 struct StopTrainingCommand {};
+struct DismissCommand {};
 
 using ViewCommand = std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand,
                                  ThingCommand, PlacementCommand, ExploreCommand, NameCommand,
-                                 SystemCommand, TrainCommand, StopTrainingCommand>;
+                                 SystemCommand, TrainCommand, StopTrainingCommand, DismissCommand>;
 
 /// The command that a text in JSON holds. Errors (kUsage): no JSON, no known command, fields that
 /// are missing, unknown, of another type or out of range.

@@ -149,7 +149,7 @@ class ViewServer::Impl {
     if (request.method == "HEAD" && request.path == "/api/events") {
       return refused(405, "Events require GET.");
     }
-    if (request.path == "/api/state") return latest(EventKind::kState);
+    if (request.path == "/api/state") return answer_of(session_.state());
     if (request.path == "/api/scene") return latest(EventKind::kScene);
     if (request.path == "/api/neuron") return neuron(request);
     if (request.path == "/api/taxel") return taxel(request);

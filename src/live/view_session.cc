@@ -31,7 +31,7 @@ class ViewSession::Impl {
         training_(hub_, std::chrono::duration<double>(settings.training_pause)) {
     hub_.on_change([this] {
       queue_.post([this] {
-        if (hub_.viewers() > 0) player_.on_first_viewer();
+        player_.on_viewers(hub_.viewers());
         player_.publish_state();
       });
     });
@@ -71,6 +71,10 @@ class ViewSession::Impl {
   Result<std::string> taxel(std::size_t element) {
     return inquired_system().and_then(
         [&](const live::InquiredSystem& system) { return inquiries_.taxel(system, element); });
+  }
+
+  Result<std::string> state() {
+    return run_task<std::string>([this]() -> Result<std::string> { return player_.state_text(); });
   }
 
   Result<std::string> strips() {
@@ -251,6 +255,10 @@ const Recording& ViewSession::recording() const {
 
 Result<void> ViewSession::command(std::string_view json) {
   return impl_->command(json);
+}
+
+Result<std::string> ViewSession::state() {
+  return impl_->state();
 }
 
 Result<std::string> ViewSession::neuron(const std::string& map, std::size_t neuron) {

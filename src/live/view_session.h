@@ -39,6 +39,10 @@ class ViewSession {
   /// that cannot be done now.
   Result<void> command(std::string_view json);
 
+  /// The state in JSON as it is now. From any thread. Errors (kUsage): the view is busy or about to
+  /// end.
+  Result<std::string> state();
+
   /// Answers in JSON: what a neuron of a map of the chosen system stands for; where on its maps an
   /// element of the channel `touch` matters. From any thread. Errors (kUsage): there is no such
   /// thing, or no system that has learned.

@@ -49,6 +49,8 @@ struct PriorExplorations {
 struct ViewSource {
   std::string name;          ///< The file's name, or the body's.
   Recording recording = {};  ///< Valid; of a body what was explored before, if any.
+  /// The name of the recording of each of these explorations, if there are several.
+  std::vector<std::string> origins = {};
   std::unique_ptr<const Explorer> explorer = {};  ///< With the body; or nullptr.
   std::size_t thing = 0;                          ///< That the body explores first.
   /// The explorations of the body, one after the other, each object placed at random; it then

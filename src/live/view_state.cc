@@ -11,12 +11,13 @@ Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-Json explorations_json(const Recording& recording, const GivenNames& names) {
+Json explorations_json(const ViewSource& source, const GivenNames& names) {
   Json explorations = Json::array();
-  for (const Exploration& one : recording.explorations) {
+  for (const Exploration& one : source.recording.explorations) {
     const std::size_t index = explorations.size();
-    explorations.push_back(
-        {{"index", index}, {"labels", detail::labels_json(names.labels(index, one.labels))}});
+    Json json{{"index", index}, {"labels", detail::labels_json(names.labels(index, one.labels))}};
+    if (index < source.origins.size()) json["recording"] = source.origins[index];
+    explorations.push_back(std::move(json));
   }
   return explorations;
 }
@@ -27,6 +28,17 @@ Json channels_json(const PlayedExploration* played) {
   for (const Channel& one : played->exploration->channels)
     channels.push_back(detail::channel_json(one));
   return channels;
+}
+
+// By the name of the channel.
+Json rates_json(const PlayedExploration* played) {
+  Json rates = Json::object();
+  if (played == nullptr) return rates;
+  const auto& channels = played->exploration->channels;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    rates[channels[i].name] = played->timeline->rate(i);
+  }
+  return rates;
 }
 
 // The length of what a body still explores is not known.
@@ -71,7 +83,7 @@ Json state_json(const ViewState& state) {
   Json json{{"version", 1},
             {"source", state.source.explorer ? "body" : "recording"},
             {"name", state.source.name},
-            {"explorations", explorations_json(state.source.recording, state.names)},
+            {"explorations", explorations_json(state.source, state.names)},
             {"exploration", state.played != nullptr ? Json(state.played->index) : Json()},
             {"labels", detail::labels_json(state.labels)},
             {"frame", state.frame}};
@@ -80,6 +92,7 @@ Json state_json(const ViewState& state) {
   json["speed"] = state.speed;
   json["live"] = state.played != nullptr && !state.played->has_ended;
   json["channels"] = channels_json(state.played);
+  json["rates"] = rates_json(state.played);
   add_things(state, json);
   add_systems(state, json);
   json["training"] = state.training;

@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string_view>
 
+#include "bodies/material_colour.h"
 #include "simulation/physics.h"
 #include "simulation/units.h"
 
 namespace somato::detail {
 namespace {
+
+constexpr std::array kUnknownMaterial{0.35, 0.55, 0.75};  // red, green, blue
 
 std::string escaped(std::string_view text) {
   std::string safe;
@@ -172,14 +176,15 @@ Result<MeasuredObject> measure_object(Object object) {
 ObjectMjcf object_mjcf(const MeasuredObject& measured, const ObjectSettings& settings) {
   const Object& object = measured.object;
   const GeomForm form = form_of(measured);
+  const auto [red, green, blue] = material_colour(object.material.name).value_or(kUnknownMaterial);
   ObjectMjcf mjcf;
   mjcf.assets = form.assets;
   mjcf.bodies = fmt::format(
       R"(<body name="object"{}>{}<geom name="object" {} {} contype="2" conaffinity="5" priority="1")"
       R"( friction="{} 0.001 0.0001" condim="4")"
-      R"( rgba="0.35 0.55 0.75 1"/></body>)",
+      R"( rgba="{} {} {} 1"/></body>)",
       settings.free ? "" : R"( mocap="true")", settings.free ? "<freejoint/>" : "", form.attributes,
-      mass_of(object), settings.friction);
+      mass_of(object), settings.friction, red, green, blue);
   if (settings.free && is_round_below(object.shape)) mjcf.bodies += beads(object);
   return mjcf;
 }

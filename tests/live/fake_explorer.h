@@ -21,7 +21,7 @@ class FakeExplorer : public Explorer {
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
                                     const ExploreOptions& options) const override {
-    if (options.placement && options.placement->x > 100.0) {
+    if (options.placement && options.placement->x > 40.0) {
       return fail(ErrorKind::kData, "the object is out of reach");
     }
     Scene scene;

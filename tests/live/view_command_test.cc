@@ -27,6 +27,7 @@ TEST(ViewCommand, IsReadFromJson) {
   read<ExploreCommand>(R"({"command":"explore"})");
   read<TrainCommand>(R"({"command":"train"})");
   read<StopTrainingCommand>(R"({"command":"stop_training"})");
+  read<DismissCommand>(R"({"command":"dismiss"})");
   EXPECT_EQ(read<StepCommand>(R"({"command":"step","frames":-2})").frames, -2);
   EXPECT_EQ(read<SeekCommand>(R"({"command":"seek","exploration":3,"frame":4})").frame, 4U);
   EXPECT_EQ(read<SpeedCommand>(R"({"speed":0.05,"command":"speed"})").speed, 0.05);
@@ -76,7 +77,7 @@ TEST(ViewCommand, IsRefusedWhereItsSchemaRefusesIt) {
         R"({"command":"speed","speed":0.04})", R"({"command":"speed","speed":"1"})",
         R"({"command":"thing"})", R"({"command":"system","name":1})",
         R"({"command":"placement","x":0,"y":0})",
-        R"({"command":"placement","x":0,"y":-1001,"turn":0})",
+        R"({"command":"placement","x":0,"y":-50.1,"turn":0})",
         R"({"command":"placement","x":0,"y":0,"turn":361})"}) {
     EXPECT_FALSE(parse_view_command(text)) << text;
     EXPECT_FALSE(testing::text_fits_schema(text, "view.json#/$defs/Command")) << text;

@@ -172,10 +172,12 @@ TEST(BodySessionThread, ExploresWhatIsChosen) {
   const json state = state_of(session);
   EXPECT_EQ(state["explorations"][1]["labels"]["object"], "cube");
   EXPECT_EQ(state["placement"]["turn"], 10);
-  command(session, R"({"command":"placement","x":500,"y":0,"turn":0})");
+  command(session, R"({"command":"placement","x":50,"y":0,"turn":0})");
   command(session, R"({"command":"explore"})");
   ASSERT_TRUE(eventually([&] { return state_of(session)["problem"] != nullptr; }));
   EXPECT_EQ(state_of(session)["problem"], "cube: the object is out of reach.");
+  command(session, R"({"command":"dismiss"})");
+  EXPECT_EQ(state_of(session)["problem"], nullptr);
   // Earlier explorations can still be viewed, with their scenes.
   command(session, R"({"command":"seek","exploration":0,"frame":1})");
   EXPECT_EQ(frame_of(session)["poses"][0], 3.0);

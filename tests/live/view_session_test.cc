@@ -123,6 +123,30 @@ TEST_F(SessionThread, WaitsForTheFirstViewer) {
   EXPECT_EQ(state_of(session)["clients"], 1);
 }
 
+TEST_F(SessionThread, RestsWithoutViewersAndGoesOnWithTheNext) {
+  ViewSession session(testing::hand_source(), {true, 1.0, 0.0});
+  session.start();
+  const auto is_playing = [&] { return json::parse(session.state().value())["playing"] == true; };
+  for (int visit = 0; visit < 2; ++visit) {
+    const auto subscription = session.hub().subscribe(1);
+    EXPECT_TRUE(eventually(is_playing));
+  }
+  EXPECT_TRUE(eventually([&] { return !is_playing(); }));
+  command(session, R"({"command":"seek","exploration":0,"frame":2})");
+  const auto subscription = session.hub().subscribe(1);
+  EXPECT_TRUE(eventually([&] { return state_of(session)["clients"] == 1; }));
+  EXPECT_FALSE(is_playing());  // a command has been given meanwhile
+}
+
+TEST_F(SessionThread, StatesTheFrameToComeWhileItPlays) {
+  ViewSession session(testing::hand_source(), {false, 100.0, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] { return frame_of(session)["frame"] > 1; }));
+  const int shown = frame_of(session)["frame"];
+  const json state = json::parse(session.state().value());
+  EXPECT_TRUE(state["exploration"] > 0 || state["frame"] > shown);
+}
+
 TEST_F(SessionThread, RefusesWhatCannotBeDone) {
   ViewSession session(testing::hand_source(), resting());
   session.start();

@@ -224,6 +224,7 @@ export function fakeState(): State {
       { name: "touch", unit: "N", elements: kTaxels, shape: [45] },
       { name: "touch_change", unit: "N", elements: kTaxels, shape: [45] },
     ],
+    rates: {},
     things: [],
     thing: null,
     placement: null,

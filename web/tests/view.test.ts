@@ -3,7 +3,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
-import { digits } from "../src/parts/numbers";
+import { digits, percent } from "../src/parts/numbers";
 import { fakeFrame, fakeState, kFrames } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import {
@@ -35,10 +35,12 @@ describe("what it shows", () => {
     const frame = fakeFrame(1, 40);
     expect(await words(view.page, ".reading-answer")).toBe(frame.reading!.answer);
     expect(await words(view.page, ".confidence .number")).toBe(digits(frame.reading!.confidence));
+    const nearest = frame.reading!.candidates[0]!.distance!;
     for (const { name, distance } of frame.reading!.candidates)
       expect(await words(view.page, `.candidate:has(.candidate-name:text-is("${name}")) .number`)).toBe(
-        digits(distance),
+        percent(nearest / distance!),
       );
+    expect(await words(view.page, ".verdict")).toBe("✓ Right");
     expect(await view.page.locator(".panel-map .map-place").first().getAttribute("data-winner")).toBe(
       String(frame.maps["map"]!.winner),
     );
@@ -48,7 +50,7 @@ describe("what it shows", () => {
     const touch = frame.channels["touch"]!.map(Number);
     const at = touch.indexOf(Math.max(...touch));
     expect(await words(view.page, "[data-channel=touch] .strip-values")).toBe(
-      `most ${digits(touch[at]!)} at ${kTaxels[at]}`,
+      `max ${digits(touch[at]!)} at ${kTaxels[at]}`,
     );
     expect(await words(view.page, ".time")).toBe("4.0 s / 5.9 s");
     await screenshot(view.page, "view-light");
@@ -86,7 +88,7 @@ describe("what it shows", () => {
       );
       const most = Math.max(...felt.flat());
       for (const frame of [0, 27, 40, 57])
-        for (const taxel of [0, 8, 31, 44]) {
+        for (const taxel of [0, 7, 31, 44]) {
           const [time, height] = [(frame + 0.5) / (kFrames - 1), (taxel + 0.5) / kTaxels.length];
           const step = Math.round((felt[frame]![taxel]! / most) * 255); // of the bands' colours
           const colour = parsed(sequenceColour(step / 255));
@@ -98,13 +100,16 @@ describe("what it shows", () => {
     await screenshot(view.page, "view-sought");
   });
 
-  it("shows what the pointed cell of the map has now", async () => {
+  it("shows what the pointed cell of the map has now, and does not move the map", async () => {
     view.server.show(1, 40);
     await frameShown(view.page, 40);
+    const box = () => view.page.locator(".panel-map .picture").boundingBox();
+    const before = await box();
     await view.page.locator(".panel-map [data-cell='100']").hover();
     const { activity } = fakeFrame(1, 40).maps["map"]!;
     const expected = String(Number(activity[100]!.toPrecision(3)));
     expect(await words(view.page, ".panel-map .readout")).toContain(expected);
+    expect(await box()).toEqual(before);
   });
 
   it("says the reading to those who listen", async () => {
@@ -139,6 +144,7 @@ describe("what it shows", () => {
   });
 
   it("answers where a touch sensor of the hand matters", async () => {
+    await view.page.waitForSelector(".scene[data-drawn]");
     const place = await view.page.evaluate(() => {
       const scene = document.querySelector<HTMLElement>(".scene")!;
       const box = scene.getBoundingClientRect();
@@ -154,6 +160,8 @@ describe("what it shows", () => {
     await view.page.mouse.click(place![0], place![1]);
     await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${name}")`);
     expect(await view.page.locator(".closer .map-picture [data-cell]").count()).toBe(225);
+    await view.page.getByRole("button", { name: "Close" }).click();
+    expect(await view.page.locator(".drawer").isVisible()).toBe(false);
   });
 });
 

@@ -28,7 +28,7 @@ describe("the commands that it sends", () => {
     await view.received({ command: "seek", exploration: 4, frame: 0 });
     await view.page.getByLabel("System", { exact: true }).selectOption("shape_and_size");
     await view.received({ command: "system", name: "shape_and_size" });
-    const learn = view.page.getByRole("button", { name: "Learn", exact: true });
+    const learn = view.page.getByRole("button", { name: "Train", exact: true });
     await soon(() => learn.isDisabled()).toBe(true); // it was given as it has learned
   });
 
@@ -70,19 +70,19 @@ describe("the commands that it sends", () => {
     await view.page.getByLabel("x (mm)").fill("-4");
     await view.page.getByLabel("y (mm)").focus();
     await view.received({ command: "placement", x: -4, y: 0, turn: 15 });
-    await view.page.getByRole("button", { name: "Explore again" }).click();
+    await view.page.getByRole("button", { name: "Explore", exact: true }).click();
     await view.received({ command: "explore" });
     view.server.refusal = "The hand cannot hold that.";
-    await view.page.getByRole("button", { name: "Explore again" }).click();
+    await view.page.getByRole("button", { name: "Explore", exact: true }).click();
     await view.page.getByRole("alert").getByText("The hand cannot hold that.").waitFor();
   });
 
   it("lets one watch a map learn, and stops it", async () => {
     await view.open();
-    await view.page.getByRole("button", { name: "Learn", exact: true }).click();
+    await view.page.getByRole("button", { name: "Train", exact: true }).click();
     await view.received({ command: "train" });
-    await view.page.getByText(/map learns: step \d+ of 1000, radius/).waitFor();
-    await view.page.getByRole("button", { name: "Stop learning" }).click();
+    await view.page.getByText(/map: step \d+ of 1000, radius/).waitFor();
+    await view.page.getByRole("button", { name: "Stop training" }).click();
     await view.received({ command: "stop_training" });
     await screenshot(view.page, "view-learning");
     expect(await view.page.locator(".training .marker").count()).toBeGreaterThan(3);
@@ -103,7 +103,7 @@ describe("the commands that it sends", () => {
       await view.page.keyboard.press(key);
       await view.received(command);
     }
-    await view.page.keyboard.press("5");
+    await view.page.keyboard.press("4");
     expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");
     await view.page.locator(".panel-map svg[role=application]").focus();
     for (const key of ["ArrowDown", "ArrowRight", "Enter"]) await view.page.keyboard.press(key);
@@ -111,6 +111,8 @@ describe("the commands that it sends", () => {
     await view.page.getByLabel("Touch sensor", { exact: true }).focus();
     await view.page.keyboard.press("ArrowDown");
     await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[0]}")`);
+    await view.page.keyboard.press("Escape");
+    await view.page.locator(".drawer").waitFor({ state: "hidden" });
     await view.page.keyboard.press("?");
     await view.page.getByRole("dialog").waitFor();
     await view.page.keyboard.press("Escape");

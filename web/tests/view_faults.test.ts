@@ -55,12 +55,12 @@ describe("when things go wrong", () => {
     await view.page.getByText(/Open the address printed by somato view/).waitFor();
   });
 
-  it("shows the unfolded hand without WebGL", async () => {
+  it("shows the skin without WebGL", async () => {
     await view.open();
     await soon(() => words(view.page, ".scene-note")).toContain("does not support WebGL");
     view.server.show(1, 50);
     await frameShown(view.page, 50);
-    await view.page.locator(".unfolded [data-cell='44']").click();
+    await view.page.locator(".skin-place [data-cell='44']").click();
     await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[44]}")`);
     await screenshot(view.page, "view-no-webgl");
   });

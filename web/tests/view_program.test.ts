@@ -134,7 +134,7 @@ it("shows what the recording holds", async () => {
     );
     const touch = framesOf(exploration, "touch")[frame]!;
     expect(await words(page, "[data-channel=touch] .strip-values")).toContain(
-      `most ${digits(Math.max(...touch))} at`,
+      `max ${digits(Math.max(...touch))} at`,
     );
     expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(
       digits(framesOf(exploration, "height")[frame]![0]!),

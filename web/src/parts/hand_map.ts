@@ -17,6 +17,7 @@ import { rounded, shape, svg, text, type Box } from "./svg";
 export interface HandOptions extends CursorOptions {
   unit?: string;
   size?: number; // about how wide, in pixels
+  palm?: boolean; // whether a palm joins the fingers, with their names
   colour?: (share: number) => string;
 }
 
@@ -74,8 +75,10 @@ function draw(
   const names = layout.fingers.map(({ name, x, y }) =>
     text(x * pitch, y * pitch + 15, name, { class: "middle muted" }),
   );
+  const palm = options.palm && isHand ? palmBelow(layout.width * pitch, layout.height * pitch) : null;
   const layer = shape("g", { class: isHand ? "taxels" : "map-cells" }, cells);
   const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [
+    palm,
     ...bones,
     ...names,
     layer,
@@ -86,6 +89,13 @@ function draw(
   const step = (at: number, rows: number, columns: number) => nearestTowards(layout, at, columns, rows);
   const place = { svg: picture, cells, rings, kind: isHand ? "hand" : "grid", cellName: "elements", step };
   return { place, setRange: bar.setRange };
+}
+
+/** The fingers stand on it. */
+function palmBelow(width: number, top: number): SVGPathElement {
+  const [corner, below] = [12, kNames + 3];
+  const d = `M0 ${rounded(top - 6)}H${rounded(width)}V${rounded(top + below - corner)}q0 ${corner} ${-corner} ${corner}H${corner}q${-corner} 0 ${-corner} ${-corner}Z`;
+  return shape("path", { d, class: "palm" });
 }
 
 function cellAt(x: number, y: number, pitch: number, i: number, isHand: boolean): SVGPathElement {

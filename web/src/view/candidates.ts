@@ -1,77 +1,80 @@
-// A bar for each class, with a length proportional to its distance. The order is fixed, so that bars
-// can be followed; the nearest class is marked.
+// A bar for each class: the distance of the nearest class divided by that of the class, so that the
+// longest bar is the best. The order is fixed, so that bars can be followed.
 
-import type { NumberOrNull } from "../parts/data";
 import { element, fill } from "../parts/dom";
 import { marker } from "../parts/markers";
-import { digits } from "../parts/numbers";
+import { digits, percent } from "../parts/numbers";
 import { shape } from "../parts/svg";
-import type { Reading } from "./data";
+import type { Reading, State } from "./data";
 import type { Model } from "./model";
 
 interface Row {
   root: HTMLElement;
   bar: HTMLElement;
-  distance: HTMLElement;
+  nearness: HTMLElement;
 }
 
 export class Candidates {
   readonly root = element("div", { class: "candidates" });
-  private readonly list = element("ul", { "aria-label": "Distance to each class" });
+  private readonly list = element("ul", { "aria-label": "Nearness of each class" });
+  private readonly note = element("p", { class: "muted small" }, [
+    "Nearness: distance of the nearest class divided by the distance of each.",
+  ]);
   private rows = new Map<string, Row>();
+  private listed = "";
 
   constructor(private readonly model: Model) {
-    const note = element("p", { class: "muted small" }, [
-      "Distance to the nearest neuron of each class",
-    ]);
-    this.root.append(this.list, note);
+    this.root.append(this.list, this.note);
   }
 
-  show(reading: Reading): void {
-    const known = reading.candidates.every(({ name }) => this.rows.has(name));
-    if (!known || reading.candidates.length !== this.rows.size) this.build(reading);
-    const most = Math.max(...reading.candidates.map(({ distance }) => distance ?? 0), 1e-12);
-    for (const { name, distance } of reading.candidates)
-      this.update(name, distance, (distance ?? 0) / most, reading);
+  /** The classes of the map that is shown. */
+  build(): void {
+    const classes = classesOf(this.model.shownState.value, this.model.map.value);
+    const text = JSON.stringify(classes);
+    if (text === this.listed) return;
+    this.listed = text;
+    this.fillList(classes, classes);
   }
 
-  private update(name: string, distance: NumberOrNull, share: number, reading: Reading): void {
-    const row = this.rows.get(name);
-    if (row === undefined) return;
-    row.bar.style.width = `${Math.min(1, Math.max(0, share)) * 100}%`;
-    row.distance.textContent = digits(distance);
-    row.root.classList.toggle("nearest", name === reading.answer);
+  show(reading: Reading | null): void {
+    this.note.hidden = reading === null;
+    const names = reading?.candidates.map(({ name }) => name) ?? [];
+    if (names.some((name) => !this.rows.has(name))) this.fillList(names, []);
+    const nearest = Math.min(...(reading?.candidates.map(({ distance }) => distance ?? Infinity) ?? []));
+    const distances = new Map(reading?.candidates.map(({ name, distance }) => [name, distance]));
+    for (const [name, row] of this.rows) {
+      const distance = distances.get(name) ?? null;
+      const share = distance === null ? null : distance > 0 ? nearest / distance : 1;
+      row.bar.style.width = `${100 * (share ?? 0)}%`;
+      row.nearness.textContent = share === null ? "" : percent(share);
+      row.root.title = distance === null ? name : `${name}: distance ${digits(distance)}`;
+      row.root.classList.toggle("nearest", name === reading?.answer);
+    }
   }
 
-  private build(reading: Reading): void {
-    const order = this.classes();
-    const place = (name: string) => (order.indexOf(name) + order.length + 1) % (order.length + 1);
-    const names = reading.candidates
-      .map(({ name }) => name)
-      .sort((a, b) => place(a) - place(b) || (a < b ? -1 : 1));
-    this.rows = new Map(names.map((name) => [name, makeRow(name, order.indexOf(name))]));
+  private fillList(names: readonly string[], classes: readonly string[]): void {
+    this.rows = new Map(names.map((name) => [name, makeRow(name, classes.indexOf(name))]));
     fill(
       this.list,
       [...this.rows.values()].map(({ root }) => root),
     );
   }
+}
 
-  private classes(): string[] {
-    const state = this.model.shownState.value;
-    return state?.maps.find(({ module }) => module === state.graph?.map)?.classes ?? [];
-  }
+function classesOf(state: State | null, map: string | null): string[] {
+  return state?.maps.find(({ module }) => module === map)?.classes ?? [];
 }
 
 function makeRow(name: string, number: number): Row {
   const bar = element("span", { class: "bar-fill" });
-  const distance = element("span", { class: "number" });
+  const nearness = element("span", { class: "number" });
   const root = element("li", { class: "candidate" }, [
     sign(number),
-    element("span", { class: "candidate-name", title: name }, [name]),
+    element("span", { class: "candidate-name" }, [name]),
     element("span", { class: "bar" }, [bar]),
-    distance,
+    nearness,
   ]);
-  return { root, bar, distance };
+  return { root, bar, nearness };
 }
 
 /** The marker of the class on the map. */

@@ -79,6 +79,8 @@ export interface State {
   /** Whether a body explores now. */
   live: boolean;
   channels: ChannelData[];
+  /** Frames per second of each channel, by its name; 0 if unknown. */
+  rates: Record<string, number>;
   /** The objects or materials that a body can explore; [] for a recording. */
   things: ThingData[];
   /** Name of the selected one. */
@@ -108,6 +110,8 @@ export interface State {
 export interface ExplorationLabels {
   index: number;
   labels: Labels;
+  /** The recording that contains it, if several are viewed. */
+  recording?: string;
 }
 
 /** Offset of an object from its usual place. */
@@ -307,9 +311,12 @@ export type Command =
   | NameCommand
   | SystemCommand;
 
-/** A command without fields. `explore` starts an exploration of a body with the selected thing. */
+/**
+ * A command without fields. `explore` starts an exploration of a body with the selected thing,
+ * `dismiss` removes the problem from the state.
+ */
 export interface PlainCommand {
-  command: "play" | "pause" | "explore" | "train" | "stop_training";
+  command: "play" | "pause" | "explore" | "train" | "stop_training" | "dismiss";
 }
 
 /** Pauses, and moves by a number of frames. */

@@ -18,7 +18,7 @@ export class Exploring {
     element("input", { type: "number", step: 1, min: -most, max: most, value: 0 }),
   );
   private readonly fields = kParts.map(({ words, unit }, i) => labelled(`${words} (${unit})`, this.numbers[i]!));
-  private readonly again = element("button", { type: "button", class: "primary" }, ["Explore again"]);
+  private readonly again = element("button", { type: "button", class: "primary" }, ["Explore"]);
   private listed = "";
 
   constructor(private readonly model: Model) {
@@ -49,7 +49,7 @@ export class Exploring {
       );
     this.listed = names.join("\n");
     this.thing.value = state.thing ?? "";
-    this.again.textContent = state.live ? "Start again" : "Explore again";
+    this.again.textContent = state.live ? "Restart" : "Explore";
     this.numbers.forEach((number, i) => {
       const value = state.placement?.[kParts[i]!.name];
       this.fields[i]!.hidden = value === undefined; // a probe has its material below it

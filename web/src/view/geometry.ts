@@ -12,19 +12,21 @@ import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeom
 
 import type { Geom } from "./data";
 
-export function geometryOf(geom: Geom): BufferGeometry {
+/** With few faces if it is drawn without a graphics processor. */
+export function geometryOf(geom: Geom, simple = false): BufferGeometry {
   const [x, y, z] = geom.size;
+  const around = simple ? 20 : 48;
   switch (geom.type) {
     case "box":
-      return box(x, y, z, geom.role === "hand");
+      return box(x, y, z, geom.role === "hand" && !simple);
     case "sphere":
-      return new SphereGeometry(x, ...roundness(x));
+      return new SphereGeometry(x, ...roundness(x, around));
     case "ellipsoid":
-      return new SphereGeometry(1, 32, 20).scale(x, y, z);
+      return new SphereGeometry(1, ...roundness(1, around)).scale(x, y, z);
     case "cylinder":
-      return new CylinderGeometry(x, x, 2 * y, 48).rotateX(Math.PI / 2);
+      return new CylinderGeometry(x, x, 2 * y, around).rotateX(Math.PI / 2);
     case "capsule":
-      return new CapsuleGeometry(x, 2 * y, 8, 20).rotateX(Math.PI / 2);
+      return new CapsuleGeometry(x, 2 * y, simple ? 4 : 8, simple ? 12 : 20).rotateX(Math.PI / 2);
     case "mesh":
       return mesh(geom.vertices ?? [], geom.faces ?? []);
   }
@@ -36,8 +38,8 @@ function box(x: number, y: number, z: number, broken: boolean): BufferGeometry {
   return new RoundedBoxGeometry(2 * x, 2 * y, 2 * z, 2, Math.min(x, y, z) * 0.4);
 }
 
-function roundness(radius: number): [number, number] {
-  return radius < 0.01 ? [16, 10] : [48, 32];
+function roundness(radius: number, around: number): [number, number] {
+  return radius < 0.01 ? [16, 10] : [around, Math.round(around * 0.65)];
 }
 
 /** Few faces are shaded flat, many are shaded as a curve. */

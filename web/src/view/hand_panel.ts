@@ -1,21 +1,17 @@
-// The body, usually a hand: in three dimensions, or unfolded; its taxels are coloured by their
-// readings.
+// The body in three dimensions. What it touches lights up.
 
-import { segments } from "../parts/controls";
 import { element } from "../parts/dom";
 import { digits, withUnit } from "../parts/numbers";
 import type { Frame, State } from "./data";
 import { Exploring } from "./exploring";
-import { ForceLegend } from "./force_legend";
 import type { Model } from "./model";
 import { Panel } from "./panel";
 import { makeRenderer, SceneView } from "./scene_view";
 import { themeColour } from "./theme_colours";
-import { UnfoldedHand } from "./unfolded_hand";
 
 const kLabel =
   "The body in three dimensions. Arrow keys rotate the view, with Shift they move it, plus and minus zoom, 0 resets it.";
-const kNoWebGl = "This browser does not support WebGL, so the hand is shown unfolded.";
+const kNoWebGl = "This browser does not support WebGL, so the body is not drawn; its readings are shown beside.";
 
 export class HandPanel {
   readonly panel = new Panel(1, "hand", "Body");
@@ -29,39 +25,41 @@ export class HandPanel {
   });
   private readonly note = element("p", { class: "scene-note" });
   private readonly readout = element("output", { class: "scene-readout", "aria-live": "off" });
-  private readonly unfolded: UnfoldedHand;
-  private readonly legend: ForceLegend;
-  private readonly choice: HTMLElement;
-  private readonly reset = element(
-    "button",
-    { type: "button", class: "quiet", title: "Reset the view (0 in the picture)" },
-    ["Reset view"],
-  );
-  private wantsUnfolded = false;
+  private readonly tools: HTMLButtonElement[];
   private pointed: number | null = null;
 
   constructor(private readonly model: Model) {
     const renderer = makeRenderer();
-    this.unfolded = new UnfoldedHand(model);
-    this.legend = new ForceLegend(model);
     this.view =
       renderer &&
       new SceneView(this.place, renderer, {
         pointed: (taxel) => this.point(taxel),
         picked: (taxel) => void model.askTaxel(taxel),
       });
-    this.choice = segments("show", ["3D", "unfolded"], 0, (index) => this.unfold(index === 1));
-    this.reset.addEventListener("click", () => this.view?.orbit.reset());
-    this.panel.addTools(this.reset, this.choice);
-    const stage = element("div", { class: "stage" }, [
-      this.note,
-      this.place,
-      this.unfolded.root,
-      this.readout,
-      this.legend.root,
-    ]);
+    this.tools = this.makeTools();
+    this.panel.addTools(...this.tools);
+    const stage = element("div", { class: "stage" }, [this.note, this.place, this.readout]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
+  }
+
+  private makeTools(): HTMLButtonElement[] {
+    const tool = (words: string, title: string, press: (button: HTMLButtonElement) => void) => {
+      const button = element("button", { type: "button", class: "quiet", title }, [words]);
+      button.addEventListener("click", () => press(button));
+      return button;
+    };
+    const transparent = tool("See through", "Show the hand transparent", (button) => {
+      const on = button.getAttribute("aria-pressed") !== "true";
+      button.setAttribute("aria-pressed", String(on));
+      this.view?.seeThrough(on);
+    });
+    transparent.setAttribute("aria-pressed", "false");
+    return [
+      transparent,
+      tool("Pads", "Look from where most touch sensors are seen", () => this.view?.aim()),
+      tool("Front", "Reset the view (0 in the picture)", () => this.view?.orbit.reset()),
+    ];
   }
 
   private watch(): void {
@@ -82,24 +80,16 @@ export class HandPanel {
     this.panel.whenOpen(() => this.draw(model.frame.value));
   }
 
-  private unfold(unfolded: boolean): void {
-    this.wantsUnfolded = unfolded;
-    this.arrange();
-    this.draw(this.model.frame.value);
-  }
-
-  private get isFlat(): boolean {
-    const unfolded = this.wantsUnfolded && hasTouch(this.model.shownState.value);
-    return unfolded || this.view === null || this.model.shownScene.value === null;
+  private get isSolid(): boolean {
+    return this.view !== null && this.model.shownScene.value !== null;
   }
 
   private arrange(): void {
-    const solid = this.view !== null && this.model.shownScene.value !== null;
-    this.choice.hidden = !solid || !hasTouch(this.model.shownState.value);
-    this.reset.hidden = this.isFlat;
-    this.place.hidden = this.isFlat;
-    this.unfolded.root.hidden = !this.isFlat;
-    this.legend.root.hidden = this.isFlat || !hasTouch(this.model.shownState.value);
+    const [transparent, pads, front] = this.tools;
+    const hasTouch = this.isSolid && hasPads(this.model);
+    transparent!.hidden = pads!.hidden = !hasTouch;
+    front!.hidden = !this.isSolid;
+    this.place.hidden = !this.isSolid;
     this.note.textContent = this.words();
     this.note.hidden = this.note.textContent === "";
   }
@@ -110,9 +100,7 @@ export class HandPanel {
     if (state.explorations.length === 0 && !state.live && this.model.frame.value === null)
       return nothingYet(state);
     if (this.model.shownScene.value === null)
-      return hasTouch(state)
-        ? "The body of this recording is unknown; its touch sensors are shown unfolded."
-        : "The body of this recording is unknown, and it has no channel named touch; its channels are shown in the strips.";
+      return "The recording does not name its body, so only its readings are shown.";
     return this.view === null ? kNoWebGl : "";
   }
 
@@ -138,20 +126,18 @@ export class HandPanel {
     if (!this.note.hidden) this.arrange();
     const touch = frame.channels["touch"] ?? [];
     const { scale } = this.model;
-    if (this.isFlat) this.unfolded.draw(touch);
-    else this.view?.draw(frame.poses, (element) => scale.share(touch[element] ?? 0));
-    this.legend.draw();
+    if (this.isSolid) this.view?.draw(frame, (element) => scale.share(touch[element] ?? 0));
     if (this.pointed !== null) this.describe();
   }
 }
 
-function hasTouch(state: State | null): boolean {
-  return state?.channels.some(({ name }) => name === "touch") ?? false;
+function hasPads(model: Model): boolean {
+  return model.shownScene.value?.geoms.some(({ taxel }) => taxel !== null) ?? false;
 }
 
 function nothingYet(state: State): string {
   if (state.source === "recording") return "This recording has no explorations.";
-  return "There is no exploration yet: select an object below and press Explore again.";
+  return "There is no exploration yet: select an object below and press Explore.";
 }
 
 function surroundings(): { table: string; line: string } {

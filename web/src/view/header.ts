@@ -8,21 +8,27 @@ import { labelled } from "./transport";
 
 const kNone = "";
 
-export function pageHeader(model: Model, help: () => void): HTMLElement {
+export interface HeaderActions {
+  help: () => void;
+  tour: () => void;
+}
+
+export function pageHeader(model: Model, { help, tour }: HeaderActions): HTMLElement {
   const source = element("p", { class: "source" });
   const live = element("span", { class: "live" }, ["exploring now"]);
   const system = systemChoice(model);
   const more = element(
     "button",
-    { type: "button", "aria-label": "Help: the keys", title: "Keys (?)", onclick: help },
+    { type: "button", "aria-label": "Help: the keys and the connection", title: "Help (?)", onclick: help },
     ["?"],
   );
+  const guide = element("button", { type: "button", title: "The page in five steps", onclick: tour }, ["Tour"]);
   model.shownState.watch((state) => {
     live.hidden = !(state?.live ?? false);
     fill(source, state === null ? ["connecting to the program"] : sourceWords(state));
     if (state !== null) document.title = `${state.name} – Somato view`;
   });
-  const tools = element("div", { class: "header-tools" }, [labelled("System", system), themeButton(), more]);
+  const tools = element("div", { class: "header-tools" }, [labelled("System", system), guide, themeButton(), more]);
   return element("header", { class: "page-head" }, [element("h1", {}, ["Somato"]), source, live, tools]);
 }
 

@@ -1,9 +1,9 @@
-// The keys, in a dialog.
+// The keys, and the state of the page for developers, in a dialog.
 
 import { element } from "../parts/dom";
 import { kKeys } from "./keys";
 
-export function helpDialog(): { root: HTMLDialogElement; show: () => void } {
+export function helpDialog(status: HTMLElement): { root: HTMLDialogElement; show: () => void } {
   const rows = kKeys.map(([keys, does]) =>
     element("tr", {}, [
       element("th", { scope: "row" }, [element("kbd", {}, [keys])]),
@@ -15,6 +15,12 @@ export function helpDialog(): { root: HTMLDialogElement; show: () => void } {
     "Close",
   ]);
   const table = element("table", {}, [element("tbody", {}, rows)]);
-  const root = element("dialog", { class: "help", "aria-labelledby": "help-title" }, [title, table, close]);
+  const root = element("dialog", { class: "help", "aria-labelledby": "help-title" }, [
+    title,
+    table,
+    element("h2", {}, ["State of the page"]),
+    status,
+    close,
+  ]);
   return { root, show: () => root.open || root.showModal() };
 }

@@ -4,6 +4,8 @@
 import type { NumberOrNull } from "../parts/data";
 import type { Frame, Strips } from "./data";
 
+const kMissing = 1; // s without frames, after which the program's history is requested again
+
 export type Moment = Pick<Frame, "frame" | "time" | "channels">;
 
 export class History {
@@ -35,7 +37,16 @@ export class History {
     if (exploration !== this.exploration || frames !== this.frames || begunAnew) this.clear();
     this.exploration = exploration;
     this.frames = frames;
-    if (!this.isWhole) this.insert({ frame, time, channels });
+    if (this.isWhole) return;
+    if (this.misses({ frame, time })) this.isLacking = true;
+    this.insert({ frame, time, channels });
+  }
+
+  /** The values of a channel at a time; null before the first moment. */
+  at(time: number, channel: string): readonly NumberOrNull[] | null {
+    let place = this.moments.length - 1;
+    while (place >= 0 && this.moments[place]!.time > time + 1e-9) place -= 1;
+    return this.moments[place]?.channels[channel] ?? null;
   }
 
   /** Adds the history from the program; false if it belongs to another exploration. */
@@ -60,6 +71,12 @@ export class History {
     this.isLacking = true;
     this.isWhole = false;
     this.version += 1;
+  }
+
+  /** Whether frames were not received, as while the page was hidden. */
+  private misses({ frame, time }: Pick<Moment, "frame" | "time">): boolean {
+    const last = this.moments.at(-1);
+    return last !== undefined && frame > last.frame + 1 && time - last.time > kMissing;
   }
 
   /** Whether an earlier frame was another one: the body explores anew under the same number. */

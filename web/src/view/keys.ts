@@ -19,7 +19,7 @@ export const kKeys: [string, string][] = [
   ["1 … 6", "go to a panel; press again to collapse it"],
   ["?", "this help"],
   ["in the 3D picture", "arrows rotate, Shift moves, + − zoom, 0 resets the view"],
-  ["on a map", "arrows select a neuron, Enter shows its details"],
+  ["on a map or the skin", "arrows select a cell, Enter shows its details"],
   ["Esc", "closes"],
 ];
 

@@ -2,22 +2,14 @@
 // processor, simpler materials and no shadows are used.
 
 import {
-  Color,
   DirectionalLight,
   GridHelper,
   Group,
   HemisphereLight,
-  type Material,
-  MeshBasicMaterial,
   MeshLambertMaterial,
   MeshStandardMaterial,
 } from "three";
 
-import { sequenceColour } from "../parts/colour_maps";
-import { ramp } from "../parts/painter";
-import type { Geom } from "./data";
-
-const kObjectOpacity = 0.72; // that the contacts behind it are seen
 const kGrid = 0.05; // m
 
 export interface Surroundings {
@@ -25,19 +17,12 @@ export interface Surroundings {
   line: string;
 }
 
-export function materialOf(geom: Geom, simple: boolean): Material {
-  if (geom.taxel !== null) return new MeshBasicMaterial({ color: forceColour(0) });
-  const [red, green, blue, alpha] = geom.colour;
-  const isObject = geom.role === "object";
-  const opacity = isObject ? Math.min(alpha, kObjectOpacity) : alpha;
-  const color = new Color().setRGB(red, green, blue, "srgb");
-  const look = { color, opacity, transparent: opacity < 1, depthWrite: !isObject };
+/** Of geoms whose colours are in their geometry. */
+export function materialOf(simple: boolean): MeshLambertMaterial | MeshStandardMaterial {
+  const look = { vertexColors: true };
   if (simple) return new MeshLambertMaterial(look);
   return new MeshStandardMaterial({ ...look, roughness: 0.55, metalness: 0.05 });
 }
-
-/** Colours of 0 to 1 in 255 steps, those of the legend regardless of the lighting. */
-export const forceColour = ramp((share) => new Color(sequenceColour(share)), 255);
 
 export function lamps(simple: boolean): Group {
   const group = new Group();

@@ -3,7 +3,6 @@
 import { sequenceColour } from "../parts/colour_maps";
 import { element, fill } from "../parts/dom";
 import { choice, segments } from "../parts/controls";
-import { classLegend } from "../parts/legend";
 import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
 import type { Frame, State } from "./data";
 import type { Model } from "./model";
@@ -14,14 +13,12 @@ import { TrainingView } from "./training_view";
 type MapState = State["maps"][number];
 
 export class MapPanel {
-  readonly panel = new Panel(5, "map", "Map");
+  readonly panel = new Panel(4, "map", "Map");
   private readonly place = element("div", { class: "map-place" });
-  private readonly legend = element("div", { class: "map-legend" });
   private readonly nothing = element("p", { class: "empty" });
   private readonly recalled = new RecalledMaps((map, neuron) => void this.model.askNeuron(map, neuron));
   private readonly activity = element("div", { class: "map-activity" }, [
     element("div", { class: "map-places" }, [this.place, this.recalled.root]),
-    this.legend,
     this.nothing,
   ]);
   private readonly training: TrainingView;
@@ -33,7 +30,7 @@ export class MapPanel {
 
   constructor(private readonly model: Model) {
     this.training = new TrainingView(model);
-    this.mode = segments("show", ["activity", "learning"], 0, (index) => this.show(index === 1));
+    this.mode = segments("show", ["activity", "training"], 0, (index) => this.show(index === 1));
     this.panel.addTools(this.maps.element, this.mode, this.training.button);
     this.panel.add(this.activity, this.training.root);
     this.show(false);
@@ -87,7 +84,6 @@ export class MapPanel {
     this.picture = this.map === null ? null : this.makePicture(this.map);
     fill(this.place, [this.picture?.element ?? null]);
     this.recalled.build(this.map, state?.graph ?? null);
-    fill(this.legend, [this.map === null ? null : classLegend(this.map.classes)]);
     this.draw(this.model.frame.value);
   }
 
@@ -95,7 +91,7 @@ export class MapPanel {
     const picture = valuesPicture(map.grid, {
       label: `Activity of the map ${map.module}`,
       colour: sequenceColour,
-      legend: false,
+      unit: "activity",
       onChoose: (neuron) => void this.model.askNeuron(map.module, neuron),
     });
     picture.setMarks(map.neuron_classes, map.classes);
@@ -125,5 +121,5 @@ function whyNoMap(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system === null) return "No system is selected.";
   if (state.graph !== null && state.maps.length === 0) return "None of its maps can be drawn.";
-  return "This system is not trained yet: press Learn to train it.";
+  return "Not trained yet: press Train.";
 }

@@ -26,6 +26,7 @@ export class Model implements Source {
   readonly shownLink = new Observable<Link>({ kind: "connecting" });
   readonly problem = new Observable<string | null>(null);
   readonly question = new Observable<Question | null>(null);
+  readonly pointed = new Observable<{ time: number } | null>(null); // in a strip, s
   readonly module = new Observable<string | null>(null);
   readonly map = new Observable<string | null>(null);
   readonly theme = new Observable(0); // set when the colours have changed
@@ -45,7 +46,7 @@ export class Model implements Source {
   state(sent: State): void {
     const state = { ...sent, channels: sent.channels.map(named) };
     const before = this.shownState.value;
-    if (state.problem !== null && state.problem !== before?.problem) this.problem.set(state.problem);
+    if (state.problem !== (before?.problem ?? null)) this.problem.set(state.problem);
     if (before?.name !== state.name) this.history.clear();
     this.keepChoices(state);
     this.scale.unit = state.channels.find(({ name }) => name === "touch")?.unit ?? "";
@@ -71,6 +72,13 @@ export class Model implements Source {
     if (frame === null) return;
     for (const touch of this.history.rows("touch")) this.scale.see(frame.exploration, touch);
     this.frame.set(frame);
+  }
+
+  /** The problem is closed, in all pages. */
+  async dismiss(): Promise<void> {
+    const isShared = this.shownState.value?.problem !== null;
+    this.problem.set(null);
+    if (isShared) await this.send({ command: "dismiss" });
   }
 
   async send(command: Command): Promise<void> {
@@ -141,11 +149,13 @@ function named(channel: ChannelData): ChannelData {
   return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
 }
 
-/** A memory module if there is one, because it is the most informative. */
+/** What the answering map receives, before it is normalized. */
 function preferredModule(state: State): string | null {
   const modules = state.graph?.modules ?? [];
-  const memory = modules.find((module) => module.type === "accumulate");
-  return (memory ?? modules[0])?.name ?? null;
+  const find = (name: string | undefined) => modules.find((module) => module.name === name);
+  let code = find(find(state.graph?.map)?.inputs[0]?.module);
+  if (code?.type === "normalization") code = find(code.inputs[0]?.module) ?? code;
+  return (code ?? modules[0])?.name ?? null;
 }
 
 function sentenceOf(problem: unknown): string {

@@ -28,6 +28,25 @@ export function drawBars(
   context.fillRect(0, Math.round(y(0)), width, 1);
 }
 
+/** Where several values share a column of pixels, the line covers their range. */
+export function drawLine(context: CanvasRenderingContext2D, values: readonly NumberOrNull[]): void {
+  const { width, height } = context.canvas;
+  const drawn = values.map((value) => value ?? 0);
+  const low = Math.min(0, ...drawn);
+  const high = Math.max(...drawn, low + 1e-9);
+  const y = (value: number) => ((high - value) / (high - low)) * (height - 3) + 1.5;
+  context.strokeStyle = themeColour("line-strong");
+  context.beginPath();
+  context.moveTo(0, y(0));
+  context.lineTo(width, y(0));
+  context.stroke();
+  context.strokeStyle = themeColour("accent");
+  context.lineWidth = Math.max(1, width / 500);
+  context.beginPath();
+  drawn.forEach((value, i) => context.lineTo((i / Math.max(1, drawn.length - 1)) * width, y(value)));
+  context.stroke();
+}
+
 export function drawCells(
   context: CanvasRenderingContext2D,
   picture: HTMLCanvasElement,

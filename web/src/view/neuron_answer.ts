@@ -37,7 +37,8 @@ function nearest({ nearest: near }: NeuronAnswer, label: string | null, model: M
     );
     return element("li", {}, [button, element("span", { class: "number muted" }, [readable(distance)])]);
   });
-  return [element("h4", {}, ["Nearest explorations"]), element("ol", { class: "nearest" }, items)];
+  const list = element("ol", { class: "nearest" }, items);
+  return [element("div", { class: "near" }, [element("h4", {}, ["Nearest explorations"]), list])];
 }
 
 /** Touch first, then the channel with most elements. */

@@ -1,6 +1,6 @@
 /** A value that notifies its observers when it is set. */
 export class Observable<T> {
-  private readonly watchers: ((value: T) => void)[] = [];
+  private readonly watchers = new Set<(value: T) => void>();
 
   constructor(private current: T) {}
 
@@ -13,9 +13,10 @@ export class Observable<T> {
     for (const watcher of this.watchers) watcher(value);
   }
 
-  /** The observer is called now, and whenever the value is set. */
-  watch(watcher: (value: T) => void): void {
-    this.watchers.push(watcher);
+  /** The observer is called now, and whenever the value is set, until the returned function is called. */
+  watch(watcher: (value: T) => void): () => void {
+    this.watchers.add(watcher);
     watcher(this.current);
+    return () => this.watchers.delete(watcher);
   }
 }

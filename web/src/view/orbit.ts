@@ -40,9 +40,13 @@ export class Orbit {
 
   reset(): void {
     if (this.start === null) return;
-    this.target.set(...this.start.target);
-    const away = new Vector3(...this.start.position).sub(this.target);
-    this.place.setFromVector3(upright(away));
+    this.look(this.start);
+  }
+
+  /** Moves to another place. */
+  look(camera: Scene["camera"]): void {
+    this.target.set(...camera.target);
+    this.place.setFromVector3(upright(new Vector3(...camera.position).sub(this.target)));
     this.apply();
   }
 

@@ -1,7 +1,9 @@
-// Assembles the parts of the page.
+// Assembles the parts of the page: from left to right as the data go, the body, its skin, the code,
+// the map and the name; below the body its readings over time.
 
 import { element, fill } from "../parts/dom";
-import { CloserPanel } from "./closer_panel";
+import { CodePanel } from "./code_panel";
+import { Drawer } from "./drawer";
 import { FilmButtons } from "./film";
 import { HandPanel } from "./hand_panel";
 import { pageHeader } from "./header";
@@ -11,14 +13,14 @@ import { listenToKeys } from "./keys";
 import { LinkBanner } from "./link_banner";
 import { MapPanel } from "./map_panel";
 import type { Model } from "./model";
+import { NamePanel } from "./name_panel";
 import { Naming } from "./naming";
-import type { Panel } from "./panel";
 import { problemBar } from "./problem_bar";
-import { ReadingPanel } from "./reading_panel";
 import { sessionFiles } from "./session_files";
+import { SkinPanel } from "./skin_panel";
 import { StatusLine } from "./status_line";
 import { StripsPanel } from "./strips_panel";
-import { SystemPanel } from "./system_panel";
+import { Tour } from "./tour";
 import { Transport } from "./transport";
 
 export interface Page {
@@ -27,16 +29,20 @@ export interface Page {
 }
 
 export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): Page {
-  const help = helpDialog();
-  const hand = new HandPanel(model);
-  const strips = new StripsPanel(model);
-  const columns = [
-    [hand, strips],
-    [new ReadingPanel(model), new CloserPanel(model)],
-    [new MapPanel(model), new SystemPanel(model)],
-  ].map((column) => column.map(({ panel }) => panel));
-  const transport = new Transport(model);
   const status = new StatusLine(model);
+  const help = helpDialog(status.root);
+  const drawer = new Drawer(model);
+  const hand = new HandPanel(model);
+  const panels = [
+    hand,
+    new SkinPanel(model),
+    new CodePanel(model, () => drawer.openGraph()),
+    new MapPanel(model),
+    new NamePanel(model),
+    new StripsPanel(model),
+  ].map(({ panel }) => panel);
+  const tour = new Tour(panels);
+  const transport = new Transport(model);
   const messages = element("div", { class: "messages" }, [
     new LinkBanner(model, tryNow).root,
     problemBar(model),
@@ -47,28 +53,10 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
     new FilmButtons(model).root,
     sessionFiles(model),
   ]);
-  fill(root, [
-    pageHeader(model, help.show),
-    messages,
-    arrange(columns),
-    session,
-    transport.root,
-    status.root,
-    help.root,
-  ]);
-  listenToKeys({ transport, panels: columns.flat(), help: help.show });
+  const places = element("div", { class: "panels" }, [...panels.map((panel) => panel.root), drawer.root]);
+  const header = pageHeader(model, { help: help.show, tour: () => tour.begin() });
+  fill(root, [header, messages, places, session, transport.root, help.root, tour.root]);
+  listenToKeys({ transport, panels, help: help.show });
   model.shownLink.watch(({ kind }) => root.classList.toggle("without-program", kind !== "open"));
   return { status, hand };
-}
-
-/** Sensor readings are on the left, the reading of the system in the middle, its modules on the right. */
-function arrange(columns: Panel[][]): HTMLElement {
-  const made = columns.map((panels) =>
-    element(
-      "div",
-      { class: "column" },
-      panels.map(({ root }) => root),
-    ),
-  );
-  return element("div", { class: "panels" }, made);
 }

@@ -34,6 +34,12 @@ export class Panel {
     append(this.tools, children);
   }
 
+  rename(title: string): void {
+    if (this.title.textContent === title) return;
+    this.title.textContent = title;
+    this.root.setAttribute("aria-label", title);
+  }
+
   /** Runs `draw` immediately if open, and whenever the panel is opened. */
   whenOpen(draw: () => void): void {
     this.isOpen.watch((open) => open && draw());

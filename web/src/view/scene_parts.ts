@@ -1,28 +1,49 @@
-// The bodies of a scene, as groups moved by the poses of the frames, and its taxels.
+// The bodies of a scene, as groups moved by poses, and its touch sensors. What moves together and
+// looks alike is one mesh, because each mesh costs the time of a drawing call.
 
-import { Group, Mesh, MeshBasicMaterial, type MeshStandardMaterial } from "three";
+import {
+  type BufferGeometry,
+  Color,
+  Float32BufferAttribute,
+  Group,
+  Matrix4,
+  Mesh,
+  type MeshLambertMaterial,
+  type MeshStandardMaterial,
+  Quaternion,
+  Vector3,
+} from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
 import type { NumberOrNull } from "../parts/data";
 import type { Geom, Scene } from "./data";
 import { geometryOf } from "./geometry";
-import { forceColour, materialOf } from "./look";
+import { materialOf } from "./look";
+import { Pads } from "./pads";
 
 const kPoseLength = 7;
-const kSeenThrough = 0.02; // share of the scale from which a taxel shines through what hides it
+const kSeenThrough = 0.22; // opacity of the hand on demand
+
+type Look = MeshLambertMaterial | MeshStandardMaterial;
+type Role = Geom["role"];
 
 export class SceneParts {
   readonly root = new Group();
-  private readonly bodies: Group[];
-  readonly taxels = new Map<number, Mesh>();
-  private readonly tables: Mesh[] = [];
+  readonly bodies: Group[];
+  readonly pads: Pads;
+  private readonly looks: Record<Role, Look>;
 
   constructor(
     scene: Scene,
     private readonly simple: boolean,
   ) {
     this.bodies = scene.bodies.map(() => new Group());
+    this.looks = { hand: materialOf(simple), object: materialOf(simple), table: materialOf(simple) };
     this.root.add(...this.bodies);
-    for (const geom of scene.geoms) this.add(geom);
+    for (let body = -1; body < scene.bodies.length; body += 1)
+      for (const role of ["hand", "object", "table"] as const) this.add(scene.geoms, body, role);
+    this.pads = new Pads(scene.geoms);
+    this.root.add(this.pads.root);
   }
 
   move(poses: readonly NumberOrNull[]): void {
@@ -32,22 +53,19 @@ export class SceneParts {
       body.position.set(at(0), at(1), at(2));
       body.quaternion.set(at(4), at(5), at(6), at(3));
     });
-  }
-
-  /** `share` gives the strength of each element of the touch channel, 0 to 1. */
-  colour(share: (element: number) => number): void {
-    for (const [element, mesh] of this.taxels) {
-      const strength = share(element);
-      (mesh.material as MeshBasicMaterial).color.copy(forceColour(strength));
-      mesh.scale.setScalar(1 + 0.35 * strength); // colour is not the only sign
-      const ghost = mesh.children[0] as Mesh;
-      (ghost.material as MeshBasicMaterial).color.copy(forceColour(strength));
-      ghost.visible = strength > kSeenThrough;
-    }
+    this.root.updateMatrixWorld();
   }
 
   colourTable(colour: string): void {
-    for (const table of this.tables) (table.material as MeshStandardMaterial).color.set(colour);
+    this.looks.table.color.set(colour);
+  }
+
+  seeThrough(transparent: boolean): void {
+    const look = this.looks.hand;
+    look.opacity = transparent ? kSeenThrough : 1;
+    look.depthWrite = !transparent;
+    look.transparent = transparent;
+    look.needsUpdate = true;
   }
 
   dispose(): void {
@@ -58,26 +76,35 @@ export class SceneParts {
     });
   }
 
-  private add(geom: Geom): void {
-    const mesh = new Mesh(geometryOf(geom), materialOf(geom, this.simple));
-    const [w, x, y, z] = geom.quaternion;
-    mesh.position.set(...geom.position);
-    mesh.quaternion.set(x, y, z, w);
-    mesh.castShadow = geom.role !== "table" && geom.taxel === null;
-    mesh.receiveShadow = geom.taxel === null;
-    mesh.renderOrder = geom.role === "object" ? 1 : 0;
-    (this.bodies[geom.body] ?? this.root).add(mesh);
-    if (geom.role === "table") this.tables.push(mesh);
-    if (geom.taxel !== null) this.addTaxel(geom.taxel, mesh);
+  private add(all: readonly Geom[], body: number, role: Role): void {
+    const geoms = all.filter((geom) => geom.body === body && geom.role === role && geom.taxel === null);
+    if (geoms.length === 0) return;
+    const mesh = new Mesh(
+      mergeGeometries(geoms.map((geom) => placed(geom, this.simple, role !== "table"))),
+      this.looks[role],
+    );
+    mesh.castShadow = !this.simple && role !== "table";
+    mesh.receiveShadow = !this.simple;
+    (this.bodies[body] ?? this.root).add(mesh);
   }
+}
 
-  /** Most taxels face the object and are hidden: translucent copies are drawn in front. */
-  private addTaxel(taxel: number, mesh: Mesh): void {
-    const look = { transparent: true, opacity: 0.45, depthTest: false, depthWrite: false };
-    const ghost = new Mesh(mesh.geometry, new MeshBasicMaterial(look));
-    ghost.renderOrder = 2;
-    ghost.visible = false;
-    mesh.add(ghost);
-    this.taxels.set(taxel, mesh);
-  }
+/** In the frame of its body, with the colour of the geom unless the material has one. */
+function placed(geom: Geom, simple: boolean, isColoured: boolean): BufferGeometry {
+  const [w, x, y, z] = geom.quaternion;
+  const place = new Matrix4().compose(
+    new Vector3(...geom.position),
+    new Quaternion(x, y, z, w),
+    new Vector3(1, 1, 1),
+  );
+  const made = geometryOf(geom, simple).applyMatrix4(place);
+  const shape = made.index === null ? made : made.toNonIndexed();
+  for (const name of Object.keys(shape.attributes))
+    if (name !== "position" && name !== "normal") shape.deleteAttribute(name);
+  const [red, green, blue] = geom.colour;
+  const { r, g, b } = isColoured ? new Color().setRGB(red, green, blue, "srgb") : new Color("white");
+  const count = shape.getAttribute("position").count;
+  const colours = Array.from({ length: count }, () => [r, g, b]).flat();
+  shape.setAttribute("color", new Float32BufferAttribute(colours, 3));
+  return shape;
 }

@@ -1,10 +1,9 @@
 // The hand in three dimensions. It is drawn only after a frame, a camera movement, or a change of
-// size or theme.
+// size or theme, and between frames while its bodies move.
 
 import {
-  type Mesh,
   MeshBasicMaterial,
-  Mesh as ThreeMesh,
+  Mesh,
   PCFSoftShadowMap,
   PerspectiveCamera,
   Raycaster,
@@ -14,12 +13,14 @@ import {
   WebGLRenderer,
 } from "three";
 
-import type { NumberOrNull } from "../parts/data";
-import type { Scene } from "./data";
+import type { Frame, Scene } from "./data";
 import { drawingClock } from "./frame_loop";
 import { drawsAtAll, drawsInSoftware } from "./graphics";
 import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
+import { padCamera } from "./pad_camera";
+import { PoseMotion } from "./pose_motion";
+import { Resolution } from "./resolution";
 import { SceneParts } from "./scene_parts";
 
 /** The taxel under the pointer, and the clicked one. */
@@ -28,23 +29,34 @@ export interface Pointing {
   picked: (taxel: number) => void;
 }
 
+type Share = (taxel: number) => number;
+
 const kClick = 4; // pixels that a click may stray
+const kRest = 350; // ms without movement, after which the picture is drawn finely
 
 export class SceneView {
   readonly orbit: Orbit;
   private readonly scene = new ThreeScene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.01, 20);
   private readonly simple: boolean;
-  private readonly ring = new ThreeMesh(
-    new SphereGeometry(0.0078, 20, 12),
+  private readonly ring = new Mesh(
+    new SphereGeometry(0.0095, 16, 10),
     new MeshBasicMaterial({ wireframe: true }),
   );
   private readonly lines = tableLines();
   private readonly retired: SceneParts[] = [];
+  private readonly motion = new PoseMotion();
+  private readonly resolution: Resolution;
   private parts: SceneParts | null = null;
+  private described: Scene | null = null;
+  private share: Share = () => 0;
   private chosen: number | null = null;
+  private isTransparent = false;
+  private isAimed = false; // at the pads, once
   private requested = false;
+  private resting = 0;
   private ready = false; // its shaders are compiled
+  private size: [number, number] = [0, 0];
 
   constructor(
     private readonly host: HTMLElement,
@@ -52,14 +64,14 @@ export class SceneView {
     private readonly pointing: Pointing,
   ) {
     this.simple = drawsInSoftware();
-    renderer.setPixelRatio(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
+    this.resolution = new Resolution(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
     renderer.debug.checkShaderErrors = false; // asking waits for the compiler
     renderer.shadowMap.enabled = !this.simple;
     renderer.shadowMap.type = PCFSoftShadowMap;
     this.scene.add(lamps(this.simple), this.lines);
-    this.orbit = new Orbit(this.camera, host, () => this.request());
+    this.orbit = new Orbit(this.camera, host, () => this.move());
     host.append(renderer.domElement);
-    new ResizeObserver(() => this.resize()).observe(host);
+    new ResizeObserver(([entry]) => this.resize(entry!.contentRect)).observe(host);
     this.watchClicks();
   }
 
@@ -67,9 +79,11 @@ export class SceneView {
     if (this.parts !== null) this.scene.remove(this.parts.root);
     this.ring.removeFromParent();
     this.retire(this.parts);
+    this.described = scene;
     this.parts = scene === null ? null : new SceneParts(scene, this.simple);
     if (this.parts !== null) this.scene.add(this.parts.root);
     if (scene !== null) this.orbit.begin(scene.camera);
+    this.parts?.seeThrough(this.isTransparent);
     this.dress(surroundings);
     this.choose(this.chosen);
     void this.prepare();
@@ -98,46 +112,90 @@ export class SceneView {
     this.request();
   }
 
-  /** Shows a frame immediately. */
-  draw(poses: readonly NumberOrNull[], share: (element: number) => number): void {
-    this.parts?.move(poses);
-    this.parts?.colour(share);
-    this.render();
-  }
-
-  choose(taxel: number | null): void {
-    this.chosen = taxel;
-    const mesh = taxel === null ? undefined : this.parts?.taxels.get(taxel);
-    if (mesh === undefined) this.ring.removeFromParent();
-    else mesh.add(this.ring);
+  colourRing(colour: string): void {
+    this.ring.material.color.set(colour);
     this.request();
   }
 
-  colourRing(colour: string): void {
-    (this.ring.material as MeshBasicMaterial).color.set(colour);
+  /** `share` gives the strength of each touch, 0 to 1. */
+  draw(frame: Frame, share: Share): void {
+    this.share = share;
+    this.motion.take(frame, performance.now());
+    if (!this.isAimed) this.aim();
+    this.move();
+  }
+
+  /** To where the pads are seen. */
+  aim(): void {
+    if (this.parts === null || this.described === null) return;
+    this.parts.move(this.motion.at(performance.now()));
+    const camera = padCamera(this.parts, this.described);
+    this.isAimed = true;
+    if (camera !== null) this.orbit.look(camera);
+  }
+
+  seeThrough(transparent: boolean): void {
+    this.isTransparent = transparent;
+    this.parts?.seeThrough(transparent);
+    this.request();
+  }
+
+  /** Marks a taxel, or none. */
+  choose(taxel: number | null): void {
+    this.chosen = taxel;
+    this.ring.removeFromParent();
+    const pad = this.parts?.pads.all.find((one) => one.taxel === taxel);
+    if (pad === undefined) return this.request();
+    this.ring.position.copy(pad.place);
+    (this.parts?.bodies[pad.body] ?? this.scene).add(this.ring);
+    this.request();
+  }
+
+  /** Draws now with the resolution of a movement, and finely once it rests. */
+  private move(): void {
+    window.clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => this.settle(), kRest);
+    this.request();
+  }
+
+  private settle(): void {
+    if (this.renderer.getPixelRatio() === this.resolution.still) return;
+    this.renderer.setPixelRatio(this.resolution.still);
+    this.request();
   }
 
   private request(): void {
     if (this.requested) return;
     this.requested = true;
-    window.requestAnimationFrame(() => {
-      if (this.requested) this.render();
-    });
+    window.requestAnimationFrame(() => this.render());
   }
 
   private render(): void {
     this.requested = false;
-    if (!this.ready) return;
+    if (!this.ready || this.size[0] === 0) return;
     const begin = performance.now();
+    if (this.motion.isMoving(begin)) this.keepUp(begin);
+    this.parts?.move(this.motion.at(begin));
+    this.parts?.pads.show(this.parts.bodies, this.share);
     this.renderer.render(this.scene, this.camera);
-    drawingClock.time += performance.now() - begin;
+    const time = performance.now() - begin;
+    drawingClock.time += time;
+    drawingClock.drawn += 1;
+    this.host.dataset["drawn"] = String(drawingClock.drawn);
   }
 
-  private resize(): void {
-    const { clientWidth, clientHeight } = this.host;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
+  private keepUp(now: number): void {
+    this.resolution.follow(now);
+    if (this.renderer.getPixelRatio() !== this.resolution.moving)
+      this.renderer.setPixelRatio(this.resolution.moving);
+    this.move();
+  }
+
+  private resize({ width, height }: DOMRectReadOnly): void {
+    this.size = [width, height];
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.render(); // a new size empties the picture
   }
@@ -158,16 +216,14 @@ export class SceneView {
   }
 
   private taxelAt(x: number, y: number): number | null {
+    const { parts } = this;
+    if (parts === null) return null;
     const box = this.host.getBoundingClientRect();
     const place = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
     const ray = new Raycaster();
     ray.setFromCamera(place, this.camera);
-    const taxels = [...(this.parts?.taxels ?? [])];
-    const hit = ray.intersectObjects(
-      taxels.map(([, mesh]) => mesh),
-      false,
-    )[0]?.object;
-    return taxels.find(([, mesh]) => mesh === (hit as Mesh | undefined))?.[0] ?? null;
+    const hit = ray.intersectObject(parts.pads.mesh, false)[0]?.instanceId;
+    return hit === undefined ? null : (parts.pads.all[hit]?.taxel ?? null);
   }
 }
 

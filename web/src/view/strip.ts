@@ -28,7 +28,9 @@ export class Strip {
   private plot: Batching | null = null;
   private data: (() => uPlot.AlignedData) | null = null;
   private kind: Kind | null = null;
+  private element: number | null = null; // under the pointer
   private drawn = ""; // of the history, over that time
+  private readonly unwatch: () => void;
   private readonly observer = new ResizeObserver(() => this.resize());
 
   constructor(
@@ -46,6 +48,7 @@ export class Strip {
       `${channel.name} over time${channel.unit && `, in ${channel.unit}`}`,
     );
     this.observer.observe(this.place);
+    this.unwatch = model.pointed.watch(() => this.showValues());
   }
 
   get isMade(): boolean {
@@ -54,10 +57,20 @@ export class Strip {
 
   draw(): void {
     const values = this.model.frame.value?.channels[this.channel.name] ?? null;
-    this.values.show(values);
+    this.showValues();
     if (values === null && this.plot === null) return;
     this.make(this.kindOf(values));
     this.plot?.batch((plot: uPlot) => this.bring(plot));
+  }
+
+  /** Of the moment under the pointer, or of the present one. */
+  private showValues(): void {
+    const { frame, history, pointed } = this.model;
+    const { name } = this.channel;
+    const past = pointed.value === null ? null : history.at(pointed.value.time, name);
+    if (past === null) return this.values.show(frame.value?.channels[name] ?? null);
+    const own = this.element === null ? null : Math.min(past.length - 1, Math.max(0, this.element));
+    this.values.show(past, { time: pointed.value!.time, element: own });
   }
 
   /** Unchanged data are not computed again. Inside a batch, so that it is drawn immediately. */
@@ -71,6 +84,7 @@ export class Strip {
   }
 
   destroy(): void {
+    this.unwatch();
     this.observer.disconnect();
     this.plot?.destroy();
   }
@@ -97,6 +111,22 @@ export class Strip {
       this.place,
     ) as Batching;
     this.seekOnClick(kind);
+    this.pointAt(kind);
+  }
+
+  private pointAt(kind: Kind): void {
+    const plot = this.plot;
+    if (plot === null || kind === "wave") return;
+    plot.over.addEventListener("pointermove", (event) => {
+      const box = plot.over.getBoundingClientRect();
+      const row = plot.posToVal(event.clientY - box.top, "y");
+      this.element = kind === "bands" ? Math.round(row) - 1 : null;
+      this.model.pointed.set({ time: plot.posToVal(event.clientX - box.left, "x") });
+    });
+    plot.over.addEventListener("pointerleave", () => {
+      this.element = null;
+      this.model.pointed.set(null);
+    });
   }
 
   /** A click seeks to that moment. */

@@ -6,10 +6,12 @@ import type uPlot from "uplot";
 import { sequenceColour } from "../parts/colour_maps";
 import type { ChannelData, NumberOrNull } from "../parts/data";
 import { paintPixels, pixelRamp, type PixelAt } from "../parts/painter";
+import { fingerGroups, type Group } from "./finger_groups";
 import { gapsOf } from "./gaps";
 import type { History } from "./history";
 import type { Model } from "./model";
 import { axes, drawMoment, kCursor, timeScale, type Plot } from "./strip_axes";
+import { themeColour } from "./theme_colours";
 
 const kLast = 0.01; // share of the whole that the last frame takes
 const colour = pixelRamp(sequenceColour);
@@ -17,18 +19,41 @@ const colour = pixelRamp(sequenceColour);
 export function bandPlot(channel: ChannelData, model: Model): Plot {
   const count = channel.elements.length;
   const bands = new Bands(channel, model);
+  const groups = fingerGroups(channel.elements);
   const options = {
-    scales: { x: timeScale(model), y: { range: (): [number, number] => [count + 0.5, 0.5] } },
-    axes: axes({ values: wholeNumbers }, false),
+    scales: { x: timeScale(model), y: { dir: -1 as const, range: (): [number, number] => [0.5, count + 0.5] } },
+    axes: axes(groups.length > 0 ? fingerAxis(groups) : { values: wholeNumbers }, false),
     series: [{}, { show: false }],
     cursor: kCursor,
     hooks: {
       drawSeries: [],
       drawClear: [(plot: uPlot) => bands.draw(plot)],
-      draw: [drawMoment(model)],
+      draw: [drawBetween(groups), drawMoment(model)],
     },
   };
   return { options, data: () => nothingAt(model.history.times) };
+}
+
+/** Names in the middle of the rows of each finger. */
+function fingerAxis(groups: readonly Group[]): Partial<uPlot.Axis> {
+  return {
+    size: 48,
+    splits: () => groups.map(({ first, count }) => first + (count + 1) / 2),
+    values: () => groups.map(({ name }) => name),
+  };
+}
+
+/** A line between the rows of two fingers. */
+function drawBetween(groups: readonly Group[]): (plot: uPlot) => void {
+  const colour = themeColour("surface");
+  return (plot) => {
+    const { left, width } = plot.bbox;
+    plot.ctx.save(); // uPlot remembers the styles that it has set
+    plot.ctx.fillStyle = colour;
+    for (const { first } of groups.slice(1))
+      plot.ctx.fillRect(left, Math.round(plot.valToPos(first + 0.5, "y", true)), width, devicePixelRatio);
+    plot.ctx.restore();
+  };
 }
 
 function wholeNumbers(_: uPlot, ticks: number[]): string[] {

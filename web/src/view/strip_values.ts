@@ -1,12 +1,19 @@
-// The values of a channel at the current moment: all of few elements, the maximum of many.
+// The legend of a strip: the names of few elements with their values, or the maximum of many. The
+// values are those of the present moment, or of the moment under the pointer.
 
 import type { ChannelData, NumberOrNull } from "../parts/data";
 import { element, fill } from "../parts/dom";
-import { digits } from "../parts/numbers";
+import { digits, seconds, withUnit } from "../parts/numbers";
 import { shape } from "../parts/svg";
 import { lineLook } from "./strip_lines";
 
 const kMost = 12;
+
+/** The moment under the pointer, in s, and the element, if a single one is under it. */
+export interface Pointed {
+  time: number;
+  element: number | null;
+}
 
 export class StripValues {
   readonly root = element("output", { class: "strip-values", "aria-live": "off" });
@@ -22,11 +29,21 @@ export class StripValues {
     fill(this.root, items);
   }
 
-  show(values: readonly NumberOrNull[] | null): void {
+  show(values: readonly NumberOrNull[] | null, pointed: Pointed | null = null): void {
+    this.root.classList.toggle("pointed", pointed !== null);
     if (values === null) return;
-    if (!this.few) this.root.textContent = greatest(this.channel, values);
+    if (!this.few) this.root.textContent = this.manyWords(values, pointed);
     else if (values.length > this.cells.length) this.root.textContent = `last ${values.length} samples`;
     else this.cells.forEach((cell, i) => (cell.textContent = digits(values[i] ?? Number.NaN)));
+  }
+
+  private manyWords(values: readonly NumberOrNull[], pointed: Pointed | null): string {
+    const { elements, unit } = this.channel;
+    const at = pointed?.element ?? greatest(values);
+    const value = withUnit(digits(values[at] ?? Number.NaN), pointed === null ? "" : unit);
+    const name = elements[at] ?? String(at + 1);
+    if (pointed === null) return `max ${value} at ${name}`;
+    return `${name}: ${value} at ${seconds(pointed.time)}`;
   }
 
   private item(name: string, i: number): HTMLElement {
@@ -41,18 +58,17 @@ export class StripValues {
       "stroke-dasharray": dash.join(" "),
     });
     const sample = shape("svg", { viewBox: "0 0 9 10", width: 9, height: 10, "aria-hidden": "true" }, [line]);
-    const words = element("span", { class: "hidden-text" }, [name]);
     const single = this.channel.elements.length === 1;
     return element("span", { class: "strip-value", title: name }, [
       single ? null : sample,
-      words,
+      single ? null : element("span", { class: "strip-name" }, [name]),
       this.cells[i]!,
     ]);
   }
 }
 
-function greatest(channel: ChannelData, values: readonly NumberOrNull[]): string {
+/** The element with the greatest magnitude. */
+function greatest(values: readonly NumberOrNull[]): number {
   const size = (i: number) => Math.abs(values[i] ?? 0) || 0;
-  const at = values.reduce<number>((best, _, i) => (size(i) > size(best) ? i : best), 0);
-  return `most ${digits(values[at] ?? 0)} at ${channel.elements[at] ?? at + 1}`;
+  return values.reduce<number>((best, _, i) => (size(i) > size(best) ? i : best), 0);
 }

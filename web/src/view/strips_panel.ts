@@ -15,7 +15,7 @@ const kFirst = ["joints", "touch", "sound"];
 const kMost = 4;
 
 export class StripsPanel {
-  readonly panel = new Panel(2, "strips", "Over time");
+  readonly panel = new Panel(6, "strips", "Over time");
   private readonly place = element("div", { class: "strips" });
   private readonly buttons = element("div", {
     class: "strip-choice",

@@ -20,7 +20,7 @@ export function taxelAnswer(answer: TaxelAnswer, state: State, model: Model): HT
     picture.setMarks(neuron_classes, classes);
     return [
       element("p", { class: "small muted" }, [
-        `Its weight in each neuron of ${module}: light colours are large weights.`,
+        `How much each neuron of ${module} depends on this sensor (bright: strongly)`,
       ]),
       picture.element,
     ];

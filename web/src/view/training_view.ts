@@ -1,4 +1,5 @@
-// The training of a map: its progress, its U-matrix, and the winners of the samples.
+// The training of a map: its progress, its U-matrix, and the winners of the samples. Earlier moments
+// are kept, so that one can go back through the training.
 
 import { element, fill } from "../parts/dom";
 import { classLegend } from "../parts/legend";
@@ -7,23 +8,34 @@ import { digits, fixed } from "../parts/numbers";
 import type { State, Training } from "./data";
 import { mostOften } from "./most_often";
 import type { Model } from "./model";
+import { TrainingPast } from "./training_past";
 
 export class TrainingView {
   readonly root = element("div", { class: "training" });
-  readonly button = element("button", { type: "button", class: "learn-button" }, ["Learn"]);
-  private readonly progress = element("progress", { max: 1, value: 0, "aria-label": "Learning" });
+  readonly button = element("button", { type: "button", class: "learn-button" }, ["Train"]);
+  private readonly progress = element("progress", { max: 1, value: 0, "aria-label": "Training" });
+  private readonly scrub = element("input", {
+    type: "range",
+    min: 0,
+    max: 0,
+    step: 1,
+    class: "training-scrub",
+    "aria-label": "Moment of the training",
+  });
   private readonly words = element("p", { class: "training-words" });
   private readonly place = element("div", { class: "map-place" });
   private readonly legend = element("div", { class: "map-legend" });
+  private readonly past = new TrainingPast();
   private picture: ValuesPicture | null = null;
   private names: string[] = [];
   private built = "";
 
   constructor(private readonly model: Model) {
-    fill(this.root, [this.progress, this.words, this.place, this.legend]);
+    fill(this.root, [this.progress, this.scrub, this.words, this.place, this.legend]);
     this.button.addEventListener("click", () => this.press());
+    this.scrub.addEventListener("input", () => this.goTo(Number(this.scrub.value)));
     model.shownState.watch((state) => this.showButton(state));
-    model.training.watch((training) => this.draw(training));
+    model.training.watch((training) => this.take(training));
   }
 
   private press(): void {
@@ -33,19 +45,35 @@ export class TrainingView {
 
   private showButton(state: State | null): void {
     const running = state?.training ?? false;
-    this.button.textContent = running ? "Stop learning" : "Learn";
+    this.button.textContent = running ? "Stop training" : "Train";
     const system = state?.systems.find(({ name }) => name === state.system);
     this.button.disabled = system?.learns !== true;
-    this.button.title = system?.learns === false ? "This system was loaded already trained" : "";
+    this.button.title = system?.learns === false ? "Loaded already trained (--model)" : "";
+  }
+
+  private take(training: Training | null): void {
+    this.past.take(training);
+    this.progress.hidden = training === null || training.done;
+    this.scrub.max = String(Math.max(0, this.past.count - 1));
+    this.scrub.hidden = this.past.count < 2;
+    if (this.past.isFollowing) this.scrub.value = this.scrub.max;
+    if (training !== null) {
+      this.progress.max = Math.max(1, training.steps);
+      this.progress.value = training.step;
+    }
+    this.draw(this.past.shown);
+  }
+
+  private goTo(look: number): void {
+    this.past.goTo(look);
+    this.draw(this.past.shown);
   }
 
   private draw(training: Training | null): void {
-    this.progress.hidden = training === null;
     this.words.textContent =
-      training === null ? "No map has been trained yet: press Learn." : wordsOf(training);
+      training === null ? "No map has been trained yet: press Train." : wordsOf(training);
+    this.scrub.setAttribute("aria-valuetext", this.words.textContent);
     if (training === null) return this.clear();
-    this.progress.max = Math.max(1, training.steps);
-    this.progress.value = training.step;
     this.build(training);
     this.picture?.setValues(training.u_matrix);
     this.mark(training);
@@ -64,7 +92,7 @@ export class TrainingView {
     if (grid === undefined || text === this.built) return;
     this.built = text;
     this.names = [];
-    const label = `U-matrix of ${training.module} while it learns`;
+    const label = `U-matrix of ${training.module} during the training`;
     this.picture = valuesPicture(grid, { label, legend: false });
     fill(this.place, [this.picture.element]);
   }
@@ -83,7 +111,7 @@ export class TrainingView {
 }
 
 function wordsOf({ module, step, steps, radius, learning_rate, u_matrix, done }: Training): string {
-  const head = `${module || "The system"} ${done ? "has learned" : "learns"}: step ${step} of ${steps}`;
+  const head = `${module || "The system"}${done ? ", trained" : ""}: step ${step} of ${steps}`;
   if (u_matrix.length === 0) return head; // what comes before the map
   return `${head}, radius ${digits(radius)}, learning rate ${fixed(learning_rate, 3)}`;
 }

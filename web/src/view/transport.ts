@@ -111,7 +111,7 @@ export class Transport {
   private showExplorations(state: State): void {
     const text = JSON.stringify([state.explorations, state.live, state.label]);
     const now = state.live ? [element("option", { value: "" }, ["exploring now"])] : [];
-    if (text !== this.listed) fill(this.choice, [...state.explorations.map((one) => option(one, state.label)), ...now]);
+    if (text !== this.listed) fill(this.choice, [...optionsOf(state), ...now]);
     this.listed = text;
     this.choice.disabled = state.explorations.length === 0;
     this.choose(state.exploration);
@@ -174,6 +174,18 @@ function iconButton(name: Parameters<typeof icon>[0], words: string, title: stri
 
 export function labelled(words: string, control: HTMLElement): HTMLElement {
   return element("label", { class: "labelled" }, [element("span", {}, [words]), control]);
+}
+
+/** Grouped by their recording, if there are several. */
+function optionsOf(state: State): HTMLElement[] {
+  const groups = new Map<string, HTMLElement[]>();
+  for (const one of state.explorations) {
+    const own = groups.get(one.recording ?? "") ?? [];
+    groups.set(one.recording ?? "", [...own, option(one, state.label)]);
+  }
+  return [...groups].flatMap(([name, options]) =>
+    name === "" ? options : [element("optgroup", { label: name }, options)],
+  );
 }
 
 function option({ index, labels }: State["explorations"][number], label: string | null): HTMLOptionElement {

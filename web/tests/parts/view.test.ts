@@ -2,15 +2,23 @@
 
 import { describe, expect, test } from "vitest";
 
+import { hex, lightness, parsed } from "../../src/parts/colour_maps";
+import { kRest, touchColour } from "../../src/parts/touch_colours";
 import type { Frame, Strips } from "../../src/view/data";
 import { ForceScale, roundNumber } from "../../src/view/force_scale";
+import { fingerGroups } from "../../src/view/finger_groups";
 import { gapsOf } from "../../src/view/gaps";
 import { geometryOf } from "../../src/view/geometry";
 import { History } from "../../src/view/history";
 import { describe as describeLabels } from "../../src/view/labels";
 import { mostOften } from "../../src/view/most_often";
-import { fakeFrame, kFrames } from "../fake_frames";
-import { fakePoses, fakeScene, kThings } from "../fake_hand";
+import { padNormals } from "../../src/view/pad_normals";
+import { PoseMotion } from "../../src/view/pose_motion";
+import { spectrumAxis } from "../../src/view/spectrum_axis";
+import { TrainingPast } from "../../src/view/training_past";
+import { truthOf } from "../../src/view/truth";
+import { bodyState, fakeFrame, fakeState, fakeTraining, kFrames } from "../fake_frames";
+import { fakePoses, fakeScene, kTaxels, kThings } from "../fake_hand";
 
 function frame(exploration: number, index: number): Frame {
   return fakeFrame(exploration, index);
@@ -36,19 +44,25 @@ describe("the frames that have been seen", () => {
 describe("the scale of touch", () => {
   test("ends at a round number not below the most that was seen", () => {
     expect([0, 0.03, 1, 1.01, 2, 4.2, 70, 5.000000001].map(roundNumber)).toEqual([
-      1, 0.05, 1, 2, 2, 5, 100, 5,
+      1, 0.03, 1, 1.5, 2, 5, 80, 5,
     ]);
   });
 
   test("follows the exploration, unless it is held", () => {
     const scale = new ForceScale();
-    scale.see(0, [3, Number.NaN, null, -4]);
+    scale.see(0, [3, Number.NaN, null, -4.1]);
     expect([scale.end, scale.share(2.5), scale.share(-9), scale.share(Number.NaN)]).toEqual([5, 0.5, 1, 0]);
     scale.see(1, [0.2]);
     expect(scale.end).toBe(0.2);
     scale.held = true;
     scale.see(1, [40]);
     expect(scale.end).toBe(0.2);
+  });
+
+  test("is not that of a single sensor among many", () => {
+    const scale = new ForceScale();
+    scale.see(0, [50, ...Array.from({ length: 19 }, () => 1.9), 0.001]);
+    expect(scale.end).toBe(2);
   });
 
   test("does not show the noise of a force as if it were touch", () => {
@@ -104,6 +118,18 @@ describe("the strips over an exploration", () => {
     expect([history.times, history.isLacking]).toEqual([[0.4], true]);
   });
 
+  test("are requested again when frames were missed", () => {
+    const history = new History();
+    history.add(live(3));
+    history.take(strips(null, [0, 1, 2, 3]));
+    history.add(live(13));
+    expect(history.isLacking).toBe(false); // a second
+    history.add(live(24));
+    expect(history.isLacking).toBe(true);
+    history.take(strips(null, Array.from({ length: 26 }, (_, i) => i)));
+    expect([history.times.length, history.isLacking]).toEqual([26, false]);
+  });
+
   test("makes a gap where there was a jump, for a dropped frame none", () => {
     const seen = (indices: number[]) => {
       const history = new History();
@@ -117,6 +143,83 @@ describe("the strips over an exploration", () => {
     sparse.take(strips(kFrames, [0, 20, 40, 59])); // nothing lies between
     expect(gaps(sparse, 6)).toEqual([false, false, false, false]);
   });
+});
+
+describe("the poses between frames", () => {
+  const at = (frame: number, x: number, turn: number[] = [1, 0, 0, 0]) => ({
+    exploration: 0,
+    frame,
+    poses: [x, 0, 0, ...turn],
+  });
+
+  test("follow the newest frame within the time between frames", () => {
+    const motion = new PoseMotion();
+    motion.take(at(0, 0), 1000);
+    motion.take(at(1, 1, [-Math.SQRT1_2, -Math.SQRT1_2, 0, 0]), 1100);
+    expect(motion.at(1100)[0]).toBe(0);
+    const [x, , , w, a] = motion.at(1150) as number[];
+    expect(x).toBeCloseTo(0.5);
+    expect([w, a]).toEqual([expect.closeTo(Math.cos(Math.PI / 8)), expect.closeTo(Math.sin(Math.PI / 8))]);
+    expect([motion.isMoving(1150), motion.isMoving(1200)]).toEqual([true, false]);
+    expect(motion.at(1200)[0]).toBe(1);
+  });
+
+  test("jump with a jump", () => {
+    const motion = new PoseMotion();
+    motion.take(at(0, 0), 1000);
+    motion.take(at(50, 1), 1100);
+    expect(motion.at(1100)[0]).toBe(1);
+  });
+});
+
+test("touch sensors face away from the other parts of their segment", () => {
+  const normals = padNormals(fakeScene(kThings[0]!).geoms);
+  expect(normals.size).toBe(45);
+  for (const normal of normals.values()) expect(normal).toEqual([-1, 0, 0]);
+});
+
+test("sensors that touch nothing are grey, others bright", () => {
+  expect([0, 0.03].map(touchColour)).toEqual([hex(kRest), hex(kRest)]);
+  const [weak, strong] = [0.05, 1].map((share) => lightness(parsed(touchColour(share))));
+  expect(strong!).toBeGreaterThan(weak! + 25);
+});
+
+test("rows of sensors are grouped by finger", () => {
+  expect(fingerGroups(kTaxels).map(({ name, first, count }) => [name, first, count])).toEqual([
+    ["finger1", 0, 15],
+    ["finger2", 15, 15],
+    ["finger3", 30, 15],
+  ]);
+  expect(fingerGroups(["1", "2"])).toEqual([]);
+});
+
+test("the truth is the label of the exploration, or that of the thing that is explored", () => {
+  expect(truthOf(fakeState(), 1)).toBe("boccia cylinder");
+  const live = { ...bodyState(), live: true };
+  expect([truthOf(live, 0), truthOf({ ...live, label: "material" }, 0)]).toEqual(["boccia boule", "wood"]);
+  expect(truthOf({ ...live, label: null }, 0)).toBe(null);
+});
+
+test("a spectrum has the frequencies of its channel's rate", () => {
+  const state = fakeState();
+  const [joints, code] = state.graph!.modules;
+  const spectrum = { ...code!, type: "spectrum", shape: [1, 2049], parameters: { bands: "0", low: "0.0", high: '"automatic"' } };
+  state.graph!.modules = [joints!, spectrum];
+  state.rates = { joints: 8192 };
+  expect(spectrumAxis(spectrum, state)).toEqual({ low: 0, high: 4096, unit: "Hz" });
+  expect(spectrumAxis(joints!, state)).toBe(null);
+});
+
+test("a training can be gone back through", () => {
+  const past = new TrainingPast();
+  for (const step of [10, 20, 30]) past.take(fakeTraining(step, 30));
+  past.goTo(1);
+  past.take(fakeTraining(30, 30)); // sent again
+  expect([past.count, past.shown?.step, past.isFollowing]).toEqual([3, 20, false]);
+  past.goTo(2);
+  expect([past.shown?.step, past.isFollowing]).toEqual([30, true]);
+  past.take(fakeTraining(10, 30)); // another training
+  expect(past.count).toBe(1);
 });
 
 test("a neuron's class is the one that it won most of", () => {
