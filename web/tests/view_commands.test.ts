@@ -3,7 +3,7 @@
 
 import { describe, expect, it } from "vitest";
 
-import { bodyState, fakeFrame } from "./fake_frames";
+import { bodyState, fakeFrame, fakeState } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import { frameShown, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
@@ -86,6 +86,36 @@ describe("the commands that it sends", () => {
     await view.received({ command: "stop_training" });
     await screenshot(view.page, "view-learning");
     expect(await view.page.locator(".training .marker").count()).toBeGreaterThan(3);
+  });
+
+  it("closes a problem in all pages", async () => {
+    await view.open({ ...fakeState(), problem: "A servo does not answer." });
+    await view.page.getByRole("alert").getByRole("button", { name: "Close" }).click();
+    await view.received({ command: "dismiss" });
+    await view.page.getByText("A servo does not answer.").waitFor({ state: "hidden" });
+  });
+
+  it("groups the explorations of several recordings", async () => {
+    const state = fakeState();
+    state.explorations.forEach((one, i) => (one.recording = i < 3 ? "monday.mcap" : "tuesday.mcap"));
+    await view.open(state);
+    const groups = view.page.locator(".exploration optgroup");
+    expect(await groups.evaluateAll((all) => all.map((one) => one.getAttribute("label")))).toEqual([
+      "monday.mcap",
+      "tuesday.mcap",
+    ]);
+    expect(await groups.last().locator("option").count()).toBe(3);
+  });
+
+  it("explains the page in five steps", async () => {
+    await view.open();
+    await view.page.getByRole("button", { name: "Tour" }).click();
+    for (const panel of ["hand", "skin", "code", "map", "name"]) {
+      await view.page.locator(`.panel-${panel}.toured`).waitFor();
+      await view.page.keyboard.press("Enter");
+    }
+    await view.page.locator(".tour").waitFor({ state: "hidden" });
+    expect(await view.page.locator(".toured").count()).toBe(0);
   });
 
   it("needs no mouse", async () => {
