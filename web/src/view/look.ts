@@ -17,7 +17,7 @@ export interface Surroundings {
   line: string;
 }
 
-/** Of geoms whose colours are in their geometry. */
+/** The material of geoms whose colours are in their geometry. */
 export function materialOf(simple: boolean): MeshLambertMaterial | MeshStandardMaterial {
   const look = { vertexColors: true };
   if (simple) return new MeshLambertMaterial(look);

@@ -149,7 +149,7 @@ function named(channel: ChannelData): ChannelData {
   return { ...channel, elements: Array.from({ length: count }, (_, i) => String(i + 1)) };
 }
 
-/** What the answering map receives, before it is normalized. */
+/** The input of the answering map, before it is normalized. */
 function preferredModule(state: State): string | null {
   const modules = state.graph?.modules ?? [];
   const find = (name: string | undefined) => modules.find((module) => module.name === name);

@@ -63,7 +63,7 @@ export class Strip {
     this.plot?.batch((plot: uPlot) => this.bring(plot));
   }
 
-  /** Of the moment under the pointer, or of the present one. */
+  /** Shows the values of the moment under the pointer, or of the present one. */
   private showValues(): void {
     const { frame, history, pointed } = this.model;
     const { name } = this.channel;

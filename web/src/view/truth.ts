@@ -1,4 +1,4 @@
-// What the explored object really is, by the label that the system predicts.
+// The true class of the explored object, by the label that the system predicts.
 
 import type { State } from "./data";
 
