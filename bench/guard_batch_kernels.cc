@@ -135,10 +135,14 @@ void count_means(const Counted& counted) {
   const auto values = noise<float>(kSamples * kStride, 27);
   std::vector<std::size_t> winners(kSamples);
   for (std::size_t i = 0; i < kSamples; ++i) winners[i] = i * i % kPlaces;
-  AlignedVector<double> sums(kPlaces * kLanes);
+  const AlignedVector<double> scales(kLanes, 0x1p40);
+  AlignedVector<std::int64_t> sums(kPlaces * kLanes);
   counted(
       "batch.add_by_winner",
-      [&] { table.add_by_winner(values.data(), kStride, winners.data(), kSamples, sums.data()); },
+      [&] {
+        table.add_by_winner(values.data(), kStride, scales.data(), winners.data(), kSamples,
+                            sums.data());
+      },
       [&] { return digest_of(sums); });
   const auto factors = noise<double>(kOutputs * kPlaces, 28);
   const auto in = noise<double>(kPlaces * kLanes, 29);

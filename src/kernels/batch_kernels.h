@@ -84,10 +84,12 @@ struct BatchTable {
   double (*squared_distance)(const float* a, const float* b, std::size_t count);
   /// The sum of a * b in double precision, in one fixed order.
   double (*inner_product)(const float* a, const float* b, std::size_t count);
-  /// sums(winner) += the eight values at `values`, in double precision, for each of `count`
-  /// winners; those of the next are `stride` further on. `sums` holds eight for each neuron.
-  void (*add_by_winner)(const float* values, std::size_t stride, const std::size_t* winners,
-                        std::size_t count, double* sums);
+  /// sums(winner) += the eight values at `values` times the eight powers of 2 at `scales`, rounded
+  /// to the nearest integers, which must be below 2^51 in magnitude, even ones in ties, for each of
+  /// `count` winners; those of the next are `stride` further on. `sums` holds eight for each
+  /// neuron; scales and sums stand on cache lines.
+  void (*add_by_winner)(const float* values, std::size_t stride, const double* scales,
+                        const std::size_t* winners, std::size_t count, std::int64_t* sums);
   /// out(u) += sum over v of factors[u * places + v] * in(v), where `in` and `out` hold a cache
   /// line of lanes for each of `places` and `outputs` places.
   void (*mix)(const double* factors, const double* in, std::size_t places, double* out,

@@ -15,6 +15,11 @@ namespace {
 
 #include "kernels/vector.h"  // NOLINT(bugprone-suspicious-include): meant to be inside the namespace
 
+// A double of this size has no places behind the point: adding it rounds, and the bits of the sum
+// differ from its own by the integer.
+constexpr double kOneIsLast = 0x1.8p52;
+constexpr std::int64_t kBitsOfOneIsLast = __builtin_bit_cast(std::int64_t, kOneIsLast);
+
 // Sixteen sums of products of pairs of 16-bit integers. Blocks are so many as registers can hold.
 #if defined(__AVX512BW__)
 constexpr std::size_t kBlocksAtOnce = 4;
@@ -51,6 +56,11 @@ inline Vector<float> unaligned(const float* from) {
 }
 inline Vector<double> as_doubles(const float* from) {
   return {_mm512_maskz_cvtps_pd(0xFF, _mm256_loadu_ps(from))};
+}
+inline void add_integers(Vector<double> a, std::int64_t* to) {
+  const __m512i integers =
+      _mm512_sub_epi64(_mm512_castpd_si512(a.lanes), _mm512_set1_epi64(kBitsOfOneIsLast));
+  _mm512_store_si512(to, _mm512_add_epi64(_mm512_load_si512(to), integers));
 }
 inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
   const __m512i wide = _mm512_maskz_cvtps_epi32(0xFFFF, a.lanes);
@@ -96,6 +106,16 @@ inline Vector<float> unaligned(const float* from) {
 }
 inline Vector<double> as_doubles(const float* from) {
   return {_mm256_cvtps_pd(_mm_loadu_ps(from)), _mm256_cvtps_pd(_mm_loadu_ps(from + 4))};
+}
+inline void add_integers(__m256d a, std::int64_t* to) {
+  const __m256i integers =
+      _mm256_sub_epi64(_mm256_castpd_si256(a), _mm256_set1_epi64x(kBitsOfOneIsLast));
+  auto* const place = reinterpret_cast<__m256i*>(to);
+  _mm256_store_si256(place, _mm256_add_epi64(_mm256_load_si256(place), integers));
+}
+inline void add_integers(Vector<double> a, std::int64_t* to) {
+  add_integers(a.low, to);
+  add_integers(a.high, to + 4);
 }
 inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
   const __m256i low = _mm256_cvtps_epi32(a.low);
@@ -165,6 +185,11 @@ inline Vector<double> as_doubles(const float* from) {
   Vector<double> wide{};
   for (std::size_t i = 0; i < 8; ++i) wide.lanes[i] = static_cast<double>(from[i]);
   return wide;
+}
+inline void add_integers(const Vector<double>& a, std::int64_t* to) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    to[i] += __builtin_bit_cast(std::int64_t, a.lanes[i]) - kBitsOfOneIsLast;
+  }
 }
 // To the nearest, ties to even, by adding a number whose last digit is worth 1.
 inline std::int16_t rounded(float value) {
@@ -444,11 +469,12 @@ void mark_near(const float* __restrict scores, const float* __restrict radii, st
   }
 }
 
-void add_by_winner(const float* values, std::size_t stride, const std::size_t* winners,
-                   std::size_t count, double* sums) {
+void add_by_winner(const float* values, std::size_t stride, const double* scales,
+                   const std::size_t* winners, std::size_t count, std::int64_t* sums) {
+  const auto scale = Vector<double>::load(scales);
+  const auto one_is_last = Vector<double>::all(kOneIsLast);
   for (std::size_t i = 0; i < count; ++i, values += stride) {
-    double* sum = sums + winners[i] * 8;
-    (Vector<double>::load(sum) + as_doubles(values)).store(sum);
+    add_integers(as_doubles(values) * scale + one_is_last, sums + winners[i] * 8);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/threads.h"
 #include "kernels/batch_kernels.h"
+#include "maps/initial_weights.h"
 #include "maps/map_rows.h"
 #include "maps/neighbourhood_mixing.h"
 #include "maps/winner_search.h"
@@ -18,24 +19,23 @@ constexpr double kLeastReach = 0x1p-1000;
 
 }  // namespace
 
-BatchEpoch::BatchEpoch(Som& som, std::size_t threads)
-    : som_(som), threads_(threads), sums_(som.elements().count() + 1, som.neurons()) {
+BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads)
+    : som_(som),
+      threads_(threads),
+      scales_(scales),
+      sums_(som.elements().count() + 1, som.neurons()) {
   weights_to_change(som);  // before threads read them
 }
 
-std::vector<std::size_t> BatchEpoch::add(const Samples& samples) {
-  Samples storage;
-  return add_seen(seen_samples(som_, samples, storage));
-}
-
-std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
+std::vector<std::size_t> BatchEpoch::add(const Samples& seen) {
   std::vector<std::size_t> winners = winners_of_seen(som_, seen, threads_);
-  for (const std::size_t winner : winners) sums_(som_.elements().count(), winner) += 1.0;
+  for (const std::size_t winner : winners) ++sums_(som_.elements().count(), winner);
   if (seen.is_sparse()) {
     for (std::size_t i = 0; i < seen.count(); ++i) {
       const SignalView sample = seen[i];
       for (std::size_t k = 0; k < sample.values.size(); ++k) {
-        sums_(sample.indices[k], winners[i]) += double{sample.values[k]};
+        const std::size_t element = sample.indices[k];
+        sums_(element, winners[i]) += scales_.integer(element, sample.values[k]);
       }
     }
     return winners;
@@ -53,34 +53,46 @@ std::vector<std::size_t> BatchEpoch::add_seen(const Samples& seen) {
 void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t>& winners,
                            std::size_t block) {
   const std::size_t first = block * kDoubleLanes;
-  double* sums = sums_.data() + first * som_.neurons();
+  std::int64_t* sums = sums_.data() + first * som_.neurons();
   if (first + kDoubleLanes <= samples.size()) {
     kernels::batch_table().add_by_winner(samples[0].values.data() + first, samples.size(),
-                                         winners.data(), winners.size(), sums);
+                                         scales_.from(first), winners.data(), winners.size(), sums);
     return;
   }
   for (std::size_t i = 0; i < samples.count(); ++i) {
     for (std::size_t d = first; d < samples.size(); ++d) {
-      sums[winners[i] * kDoubleLanes + d - first] += double{samples[i].values[d]};
+      sums[winners[i] * kDoubleLanes + d - first] += scales_.integer(d, samples[i].values[d]);
     }
   }
+}
+
+void BatchEpoch::combine(ProcessGroup& processes) {
+  processes.sum({sums_.data(), sums_.padded_rows() * sums_.columns()});
 }
 
 // The sums over each neuron's neighbourhood, eight elements at a time.
 class BatchEpoch::Means {
  public:
   Means(const BatchEpoch& epoch, const NeighbourhoodMixing& mixing)
-      : sums_(epoch.sums_), mixing_(mixing), mixed_(sums_.columns() * kDoubleLanes) {}
+      : epoch_(epoch),
+        mixing_(mixing),
+        numbers_(epoch.sums_.columns() * kDoubleLanes),
+        mixed_(numbers_.size()) {}
 
   std::span<const double> of_block(std::size_t block) {
-    const std::span all(sums_.data(), sums_.blocks() * sums_.columns() * kDoubleLanes);
-    mixing_.apply(all.subspan(block * mixed_.size(), mixed_.size()), mixed_, workspace_);
+    const std::size_t first = block * kDoubleLanes;
+    const std::int64_t* const sums = epoch_.sums_.data() + block * numbers_.size();
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      numbers_[i] = epoch_.scales_.number(first + i % kDoubleLanes, sums[i]);
+    }
+    mixing_.apply(numbers_, mixed_, workspace_);
     return mixed_;
   }
 
  private:
-  const LaneMatrix<double>& sums_;
+  const BatchEpoch& epoch_;
   const NeighbourhoodMixing& mixing_;
+  AlignedVector<double> numbers_;
   AlignedVector<double> mixed_;
   NeighbourhoodMixing::Workspace workspace_;
 };
@@ -125,8 +137,14 @@ void BatchEpoch::finish(double radius) {
 std::vector<std::size_t> batch_epoch(Som& som, const Samples& samples, double radius,
                                      std::size_t threads) {
   if (!has_weights_for(som, samples)) som.store_all();
-  BatchEpoch epoch(som, threads);
-  std::vector<std::size_t> winners = epoch.add(samples);
+  Samples storage;
+  const Samples& seen = seen_samples(som, samples, storage);
+  std::vector<float> low;
+  std::vector<float> high;
+  widen_ranges(seen, low, high);
+  const SumScales scales(seen.count(), low, high);
+  BatchEpoch epoch(som, scales, threads);
+  std::vector<std::size_t> winners = epoch.add(seen);
   epoch.finish(radius);
   return winners;
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "maps/batch_training.h"
@@ -12,6 +13,7 @@
 #include "maps/som_start.h"
 #include "maps/source_preparation.h"
 #include "maps/stop.h"
+#include "maps/training_checkpoint.h"
 #include "somato/maps/som_learner.h"
 
 namespace somato {
@@ -85,50 +87,95 @@ Result<void> train_online(SomStart& start, const TrainingOptions& options) {
   return {};
 }
 
-// An epoch on samples in `parts` parts; stops after any of them.
-Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch, std::uint64_t parts,
-                         std::size_t threads, const Stop& stop) {
-  BatchEpoch training(som, threads);
-  std::uint64_t done = epoch * parts;
-  auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
-    if (som.elements().all()) {
-      training.add_seen(part);
-    } else {
-      training.add(part);
-    }
+// An epoch on the samples of a survey; stops after any part.
+Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch,
+                         const SampleSurvey& survey, const TrainingOptions& options,
+                         const Stop& stop) {
+  const SumScales scales(survey.count, survey.low, survey.high);
+  BatchEpoch training(som, scales, options.threads);
+  std::uint64_t done = epoch * survey.parts;
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    training.add(part);
     ++done;
-    if (done % parts != 0 && stop.after(done)) return Stop::error();
+    if (done % survey.parts != 0 && stop.after(done)) return Stop::error();
     return {};
   });
-  if (!gone_through) return gone_through;
+  SOMATO_TRY_VOID(agreed(gone_through, options.processes));
+  if (options.processes) training.combine(*options.processes);
   training.finish(som.parameters().radius().at(epoch));
   return {};
 }
 
-// All epochs: `learn` is given the number of each, `map` gives the map after it.
-Result<void> train_epochs(const Som& som, std::uint64_t parts, const TrainingOptions& options,
+// The epochs from `first` on: `learn` is given the number of each, `map` gives the map after it.
+Result<void> train_epochs(const Som& som, std::uint64_t first, std::uint64_t parts,
+                          const TrainingOptions& options,
                           const std::function<Result<void>(std::uint64_t, const Stop&)>& learn,
                           const std::function<Som()>& map) {
   const SomParameters p = som.parameters();
   const Stop stop(options.progress, p.epochs * parts, 1);
   const Moments moments(options.observer, som, p.epochs);
-  for (std::uint64_t epoch = 0; epoch < p.epochs; ++epoch) {
+  for (std::uint64_t epoch = first; epoch < p.epochs; ++epoch) {
     SOMATO_TRY_VOID(learn(epoch, stop));
-    if (stop.after((epoch + 1) * parts) ||
-        moments.stop_after(epoch + 1, 0.0, p.radius().at(epoch), map)) {
-      return Stop::error();
-    }
+    const bool stops = stop.after((epoch + 1) * parts) ||
+                       moments.stop_after(epoch + 1, 0.0, p.radius().at(epoch), map);
+    SOMATO_TRY_VOID(agreed(stops ? Stop::error() : Result<void>(), options.processes));
   }
   return {};
 }
 
-Result<void> train_batch(SomStart& start, SampleSource& prepared, std::uint64_t parts,
+// Loads and saves the state after an epoch, if the options name a file for it.
+class Checkpoints {
+ public:
+  Checkpoints(const TrainingOptions& options, const Som& som, const SampleSurvey& survey)
+      : options_(options), identity_(training_identity(som.parameters(), survey)) {}
+
+  // Returns the number of completed epochs, and sets the map after them. All processes read the
+  // file, which they must share.
+  Result<std::uint64_t> load(Som& som) const {
+    if (options_.checkpoint.empty()) return 0;
+    auto loaded = load_checkpoint(options_.checkpoint, identity_);
+    SOMATO_TRY_VOID(agreed(loaded ? Result<void>() : fail(loaded.error()), options_.processes));
+    const std::uint64_t epochs = *loaded ? (*loaded)->epochs : 0;
+    SOMATO_TRY_VOID(agreed(check_shared(epochs), options_.processes));
+    if (*loaded) som = std::move((*loaded)->som);
+    return epochs;
+  }
+
+  Result<void> save(std::uint64_t epochs, const Som& som) const {
+    if (options_.checkpoint.empty()) return {};
+    const bool saves = !options_.processes || options_.processes->is_first();
+    return agreed(
+        saves ? save_checkpoint(options_.checkpoint, identity_, {epochs, som}) : Result<void>(),
+        options_.processes);
+  }
+
+ private:
+  Result<void> check_shared(std::uint64_t epochs) const {
+    if (!options_.processes) return {};
+    const auto own = static_cast<std::int64_t>(epochs);
+    for (const std::int64_t of_other : options_.processes->gather(own)) {
+      if (of_other == own) continue;
+      return fail(ErrorKind::kSystem, "the processes do not see the same checkpoint",
+                  options_.checkpoint, "use a file on a file system that all machines share");
+    }
+    return {};
+  }
+
+  const TrainingOptions& options_;
+  std::string identity_;
+};
+
+Result<void> train_batch(SomStart& start, SampleSource& prepared, const SampleSurvey& survey,
                          const TrainingOptions& options) {
   Som& som = start.som;
+  const Checkpoints checkpoints(options, som, survey);
+  SOMATO_TRY(const auto done, checkpoints.load(som));
   return train_epochs(
-      som, parts, options,
+      som, done, survey.parts, options,
       [&](std::uint64_t epoch, const Stop& stop) {
-        return train_epoch(som, prepared, epoch, parts, options.threads, stop);
+        return train_epoch(som, prepared, epoch, survey, options, stop).and_then([&] {
+          return checkpoints.save(epoch + 1, som);
+        });
       },
       [&] { return start.whole(som); });
 }
@@ -140,7 +187,7 @@ Result<void> train_batch_by_products(Som& som, const TrainingOptions& options) {
     return Som(std::make_shared<const ProductWeights>(before->known(), state, before->threads()));
   };
   auto trained = train_epochs(
-      som, 1, options,
+      som, 0, 1, options,
       [&](std::uint64_t epoch, const Stop&) -> Result<void> {
         state.learn_all(som.parameters().radius().at(epoch));
         return {};
@@ -154,20 +201,26 @@ Result<void> train(SomStart& start, const TrainingOptions& options) {
   if (start.som.parameters().training == Training::kOnline) return train_online(start, options);
   if (start.som.products()) return train_batch_by_products(start.som, options);
   SamplesInMemory source(start.samples);
-  return train_batch(start, source, 1, options);
+  SOMATO_TRY(const auto survey, survey_samples(source, nullptr));
+  return train_batch(start, source, survey, options);
+}
+
+Result<SomParameters> resolve_for(const SomParameters& parameters, const SampleSurvey& survey) {
+  SOMATO_TRY_VOID(check_samples(survey.count, survey.low.size()));
+  SOMATO_TRY_VOID(check_longest(survey.longest));
+  return resolve(parameters, survey.count, survey.low.size());
 }
 
 // The samples as the map sees them.
 Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& prepared,
                               const TrainingOptions& options) {
-  SOMATO_TRY(const SampleSurvey survey, survey_samples(prepared));
-  SOMATO_TRY_VOID(check_samples(survey.count, prepared.size()));
-  SOMATO_TRY_VOID(check_longest(survey.longest));
-  SOMATO_TRY(const auto resolved, resolve(parameters, survey.count, prepared.size()));
-  auto som = initial_som(resolved, prepared, survey);
+  SOMATO_TRY(const SampleSurvey survey, survey_samples(prepared, options.processes));
+  const auto resolved = resolve_for(parameters, survey);
+  SOMATO_TRY_VOID(agreed(resolved ? Result<void>() : fail(resolved.error()), options.processes));
+  auto som = initial_som(*resolved, prepared, survey, options.processes);
   if (!som) return som;
   SomStart start{std::move(*som), {}, {}, StoredElements(prepared.size())};
-  SOMATO_TRY_VOID(train_batch(start, prepared, survey.parts, options));
+  SOMATO_TRY_VOID(train_batch(start, prepared, survey, options));
   return std::move(start.som);
 }
 

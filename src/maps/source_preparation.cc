@@ -1,6 +1,9 @@
 #include "maps/source_preparation.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -33,15 +36,17 @@ LaneMatrix<float> weights_in_ranges(const SomParameters& parameters, const Sampl
 // Gives neurons the samples they start at, as these come by.
 class WeightsAtSamples {
  public:
-  WeightsAtSamples(const SomParameters& parameters, std::size_t count, std::size_t size)
+  WeightsAtSamples(const SomParameters& parameters, const SampleSurvey& survey)
       : normalizes_(parameters.similarity == Similarity::kDotProduct),
-        sample_of_(initial_samples(parameters, count)),
+        sample_of_(initial_samples(parameters, survey.count)),
         order_(sample_of_.size()),
-        row_(size),
-        weights_(sample_of_.size(), size) {
+        first_(survey.first),
+        row_(survey.low.size()),
+        weights_(sample_of_.size(), row_.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::sort(order_.begin(), order_.end(),
               [&](std::size_t a, std::size_t b) { return sample_of_[a] < sample_of_[b]; });
+    while (done_ < order_.size() && sample_of_[order_[done_]] < first_) ++done_;
   }
 
   void take(const Samples& part) {
@@ -62,38 +67,92 @@ class WeightsAtSamples {
   std::vector<std::size_t> sample_of_;
   std::vector<std::size_t> order_;  // Neurons, by the number of their sample.
   std::size_t done_ = 0;
-  std::size_t first_ = 0;  // The number of the next part's first sample.
+  std::size_t first_;  // The number of the next part's first sample.
   std::vector<float> row_;
   LaneMatrix<float> weights_;
 };
 
+// The greatest of all processes.
+void maximize(ProcessGroup& processes, std::vector<float>& values) {
+  std::vector<double> numbers(values.begin(), values.end());
+  processes.maximize(numbers);
+  std::transform(numbers.begin(), numbers.end(), values.begin(),
+                 [](double number) { return static_cast<float>(number); });
+}
+
+void negate(std::vector<float>& values) {
+  for (float& value : values) value = -value;
+}
+
+// A process without samples does not widen the ranges.
+void combine(ProcessGroup& processes, std::size_t size, SampleSurvey& survey) {
+  const std::vector<std::int64_t> counts =
+      processes.gather(static_cast<std::int64_t>(survey.count));
+  const auto own = counts.begin() + static_cast<std::ptrdiff_t>(processes.rank());
+  survey.first = static_cast<std::size_t>(std::accumulate(counts.begin(), own, std::int64_t{0}));
+  survey.count =
+      static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+  processes.maximize({&survey.longest, 1});
+  survey.low.resize(size, std::numeric_limits<float>::max());
+  survey.high.resize(size, std::numeric_limits<float>::lowest());
+  negate(survey.low);
+  maximize(processes, survey.low);
+  negate(survey.low);
+  maximize(processes, survey.high);
+}
+
+// Every weight is that of the only process that has set it; the sum of the bits keeps its sign.
+void combine(ProcessGroup& processes, LaneMatrix<float>& weights) {
+  const std::size_t count = weights.padded_rows() * weights.columns();
+  constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+  std::vector<std::int64_t> bits;
+  for (std::size_t first = 0; first < count; first += kAtOnce) {
+    float* const some = weights.data() + first;
+    bits.resize(std::min(kAtOnce, count - first));
+    std::transform(some, some + bits.size(), bits.begin(),
+                   [](float value) { return std::int64_t{std::bit_cast<std::uint32_t>(value)}; });
+    processes.sum(bits);
+    std::transform(bits.begin(), bits.end(), some, [](std::int64_t value) {
+      return std::bit_cast<float>(static_cast<std::uint32_t>(value));
+    });
+  }
+}
+
 }  // namespace
 
-Result<SampleSurvey> survey_samples(SampleSource& prepared) {
+Result<void> agreed(const Result<void>& own, ProcessGroup* processes) {
+  return processes ? processes->agree(own) : own;
+}
+
+Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* processes) {
   SampleSurvey survey;
-  return for_each_part(prepared,
-                       [&](const Samples& part) -> Result<void> {
-                         survey.count += part.count();
-                         ++survey.parts;
-                         survey.longest = std::max(survey.longest, longest_of(part));
-                         widen_ranges(part, survey.low, survey.high);
-                         return {};
-                       })
-      .map([&] { return std::move(survey); });
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    survey.count += part.count();
+    ++survey.parts;
+    survey.longest = std::max(survey.longest, longest_of(part));
+    widen_ranges(part, survey.low, survey.high);
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(gone_through, processes));
+  survey.parts = std::max<std::size_t>(survey.parts, 1);
+  if (processes) combine(*processes, prepared.size(), survey);
+  return survey;
 }
 
 Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
-                        const SampleSurvey& survey) {
+                        const SampleSurvey& survey, ProcessGroup* processes) {
   if (parameters.initial_weights != InitialWeights::kSamples) {
     return Som(parameters, weights_in_ranges(parameters, survey));
   }
-  WeightsAtSamples weights(parameters, survey.count, prepared.size());
-  return for_each_part(prepared,
-                       [&](const Samples& part) -> Result<void> {
-                         weights.take(part);
-                         return {};
-                       })
-      .map([&] { return Som(parameters, weights.take_weights()); });
+  WeightsAtSamples at_samples(parameters, survey);
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    at_samples.take(part);
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(gone_through, processes));
+  LaneMatrix<float> weights = at_samples.take_weights();
+  if (processes) combine(*processes, weights);
+  return Som(parameters, std::move(weights));
 }
 
 }  // namespace somato

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "somato/core/process_group.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
@@ -12,19 +13,23 @@ namespace somato {
 
 /// The result of one pass through the samples of a map, as it sees them.
 struct SampleSurvey {
-  std::size_t count = 0;
-  std::size_t parts = 0;
+  std::size_t count = 0;    ///< Of all processes.
+  std::size_t first = 0;    ///< Samples of the processes before this one.
+  std::size_t parts = 0;    ///< Of this process.
   double longest = 0.0;     ///< Euclidean length of the longest sample.
   std::vector<float> low;   ///< The least value of each feature; empty without samples.
   std::vector<float> high;  ///< The greatest.
 };
 
-/// Fails as the source does.
-Result<SampleSurvey> survey_samples(SampleSource& prepared);
+/// Surveys the samples of all `processes`, or with nullptr of this one. Fails as the source does.
+Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* processes);
 
 /// The map that batch training starts from, the same as from all samples in memory. `parameters`
-/// are resolved, and `survey` is of the same samples. Fails as the source does.
+/// are resolved, and `survey` is of the same samples and processes. Fails as the source does.
 Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
-                        const SampleSurvey& survey);
+                        const SampleSurvey& survey, ProcessGroup* processes);
+
+/// `own`, or the failure of the first of the processes.
+Result<void> agreed(const Result<void>& own, ProcessGroup* processes);
 
 }  // namespace somato

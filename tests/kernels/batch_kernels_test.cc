@@ -230,7 +230,10 @@ TEST(BatchKernels, MixesPlacesByFactorsAndAddsByWinner) {
   AlignedVector<double> in(places * kLanes);
   for (double& factor : factors) factor = random.uniform();
   for (double& value : in) value = random.uniform();
-  const auto x = noise(random, 40);
+  auto x = noise(random, 40);
+  x[0] = 0.5F;  // a tie
+  x[1] = -1.5F;
+  const AlignedVector<double> scales{1.0, 1.0, 0x1p51, 0x1p50, 0x1p8, 0x1p-3, 0x1p20, 0x1p30};
   const std::vector<std::size_t> winners{3, 0, 3, 7};
   for_each_instruction_set([&](InstructionSet /*set*/) {
     AlignedVector<double> out(outputs * kLanes, 1.0);
@@ -244,13 +247,17 @@ TEST(BatchKernels, MixesPlacesByFactorsAndAddsByWinner) {
         EXPECT_NEAR(out[u * kLanes + lane], sum, 1e-13 * sum);
       }
     }
-    AlignedVector<double> sums(8 * kLanes);
-    batch_table().add_by_winner(x.data(), 10, winners.data(), winners.size(), sums.data());
+    AlignedVector<std::int64_t> sums(8 * kLanes, 5);
+    batch_table().add_by_winner(x.data(), 10, scales.data(), winners.data(), winners.size(),
+                                sums.data());
+    const auto integer = [&](std::size_t lane, float value) {
+      return std::llrint(double{value} * scales[lane]);  // to the nearest, ties to even
+    };
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      EXPECT_EQ(sums[3 * kLanes + lane], double{x[lane]} + double{x[20 + lane]});
-      EXPECT_EQ(sums[lane], double{x[10 + lane]});
-      EXPECT_EQ(sums[7 * kLanes + lane], double{x[30 + lane]});
-      EXPECT_EQ(sums[kLanes + lane], 0.0);
+      EXPECT_EQ(sums[3 * kLanes + lane], 5 + integer(lane, x[lane]) + integer(lane, x[20 + lane]));
+      EXPECT_EQ(sums[lane], 5 + integer(lane, x[10 + lane]));
+      EXPECT_EQ(sums[7 * kLanes + lane], 5 + integer(lane, x[30 + lane]));
+      EXPECT_EQ(sums[kLanes + lane], 5);
     }
   });
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "maps/initial_weights.h"
+#include "maps/winner_search.h"
 #include "somato/core/random.h"
 #include "somato/maps/som_training.h"
 #include "support/instruction_sets.h"
@@ -28,6 +30,13 @@ Som untrained(const testing::Variant& variant, const Samples& samples) {
   return untrained_som(parameters, samples).value();
 }
 
+SumScales scales_of(const Samples& seen) {
+  std::vector<float> low;
+  std::vector<float> high;
+  widen_ranges(seen, low, high);
+  return {seen.count(), low, high};
+}
+
 std::vector<std::size_t> range(std::size_t begin, std::size_t end) {
   std::vector<std::size_t> indices;
   for (std::size_t i = begin; i < end; ++i) indices.push_back(i);
@@ -40,14 +49,17 @@ TEST(BatchTrainingThreads, IsTheSameBitsHoweverSamplesArePartedAndOnEveryInstruc
     const Som start = untrained(variant, samples);
     Som whole = start;
     const auto winners = batch_epoch(whole, samples, 2.0, 1);
+    Samples storage;
+    const Samples& seen = seen_samples(start, samples, storage);
+    const SumScales scales = scales_of(seen);
     testing::for_each_instruction_set([&](InstructionSet /*set*/) {
       for (const std::size_t threads : {1U, 2U, 4U}) {
         Som parted = start;
-        BatchEpoch epoch(parted, threads);
+        BatchEpoch epoch(parted, scales, threads);
         std::vector<std::size_t> found;
         for (const auto& [begin, end] : {std::pair{0, 3}, {3, 170}, {170, 300}}) {
-          const auto some = epoch.add(samples.subset(
-              range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end))));
+          const auto some = epoch.add(
+              seen.subset(range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end))));
           found.insert(found.end(), some.begin(), some.end());
         }
         epoch.finish(2.0);

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "somato/core/process_group.h"
 #include "somato/core/progress.h"
 #include "somato/core/random.h"
 #include "somato/core/result.h"
@@ -38,6 +40,16 @@ struct TrainingOptions {
   /// The numbers of the training samples, in this order; empty: all. The other samples do not
   /// affect the map, but in training by inner products it knows() them as well.
   std::optional<std::vector<std::size_t>> training = {};
+
+  /// A file for the map after the last complete epoch of training from a SampleSource, which
+  /// continues from it if it exists; or empty. The caller removes it after saving the map.
+  std::string checkpoint = {};
+
+  /// The processes that train the map together from a SampleSource, each from the samples of its
+  /// own source: the samples of the first, then those of the second, and so on. The map has the
+  /// same bits as from all samples in one process. Every process returns the same map, or the same
+  /// error. nullptr: only this one.
+  ProcessGroup* processes = nullptr;
 };
 
 /// Trains a map on `samples`. If they are sparse and use fewer than half of the elements, and
@@ -59,8 +71,9 @@ Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samp
 /// dense Samples, regardless of the division into parts. They are read once before training, once
 /// more if initial weights are samples, and once per epoch.
 ///
-/// Also fails if the source does, and with kUsage for online training, which draws from all samples
-/// at any time.
+/// Also fails if the source does, with kUsage for online training, which draws from all samples at
+/// any time, and as save_whole() and read_whole() do for the checkpoint; kUsage if that is of
+/// another training, kData if it is damaged.
 Result<Som> train_som(const SomParameters& parameters, SampleSource& samples,
                       const TrainingOptions& options = {});
 
