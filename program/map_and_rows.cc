@@ -30,21 +30,27 @@ Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Sampl
                                             : filled_from_winners(model.som, model.prepare(part));
 }
 
-}  // namespace
-
-Result<MapAndRows> read_map_and_rows(const Arguments& arguments) {
+Result<SomModel> read_map(const Arguments& arguments) {
   const std::string path = arguments.text("MAP");
   SOMATO_TRY(auto model, load_som_model(path));
   SOMATO_TRY(const auto missing, read_missing(arguments));
   SOMATO_TRY_VOID(check_fills(model, missing, path));
-  SOMATO_TRY(auto rows, read_rows(arguments, model.features));
+  return model;
+}
+
+}  // namespace
+
+Result<MapAndRows> read_map_and_rows(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(auto model, agreed(read_map(arguments), processes));
+  SOMATO_TRY(auto rows, read_rows(arguments, model.features, processes));
   if (rows.size() != model.som.input_size()) {
-    return fail(ErrorKind::kData,
+    Error error{ErrorKind::kData,
                 fmt::format("the data have {} columns, but the map requires {}", rows.size(),
                             model.som.input_size()),
                 rows.path,
                 "use data with the columns that the map was trained on, or select them with "
-                "--columns-to-use or --skip");
+                "--columns-to-use or --skip"};
+    SOMATO_TRY_VOID(agreed<void>(fail(std::move(error)), processes));
   }
   return MapAndRows{std::move(model), std::move(rows)};
 }
@@ -73,20 +79,22 @@ PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
                 rows.path),
       ahead_(in_range_) {}
 
-Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads) {
+Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads,
+                                JoinedProcesses* processes) {
   const Progress progress = rows.in_memory() ? Progress() : terminal_progress("measuring");
   PreparedRows prepared(model, rows);
-  SomQualityMeasurement measurement(model.som, threads);
+  SomQualityMeasurement measurement(model.som, threads, processes != nullptr);
   std::vector<std::size_t> winners;
   std::size_t done = 0;
   auto measured = for_each_part(prepared.samples(), [&](const Samples& part) -> Result<void> {
     const std::vector<std::size_t> of_part = measurement.add(part);
     if (rows.labelled()) winners.insert(winners.end(), of_part.begin(), of_part.end());
     done += part.count();
-    if (progress && !progress(done, rows.count)) return reading_stopped();
+    if (progress && !progress(done, rows.own_count)) return reading_stopped();
     return {};
   });
-  if (!measured) return fail(std::move(measured.error()));
+  SOMATO_TRY_VOID(agreed(std::move(measured), processes));
+  if (processes) measurement.combine(*processes);
   SomQuality quality = measurement.quality();
   quality.winners = std::move(winners);
   return quality;

@@ -20,7 +20,9 @@ struct MapAndRows {
 /// Reads the positionals `MAP` and `DATA`. If both the map's features and the table's columns
 /// have names, the features are selected by name. Errors: those of the files; kData if the map
 /// takes another number of columns; kUsage if it cannot fill missing values in the requested way.
-Result<MapAndRows> read_map_and_rows(const Arguments& arguments);
+/// Processes share the rows as in read_rows().
+Result<MapAndRows> read_map_and_rows(const Arguments& arguments,
+                                     JoinedProcesses* processes = nullptr);
 
 /// The samples of a source, which must outlive this object, checked for the map's range. Errors
 /// (kData, with the row): a sample is too large for distances in single precision.
@@ -58,7 +60,9 @@ class PreparedRows {
 };
 
 /// Measures the model's map on the rows; winners are listed only for rows with labels. Shows
-/// progress on a terminal. Errors: those of the file; kInterrupted.
-Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads);
+/// progress on a terminal. Processes that share the rows get the same measures, or the same error.
+/// Errors: those of the file; kInterrupted.
+Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads,
+                                JoinedProcesses* processes = nullptr);
 
 }  // namespace somato::program

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "data.h"
@@ -53,23 +55,56 @@ bool is_regular_file(const std::string& path) {
 // Reads all rows once, so that errors are reported before any work begins.
 class RowReader {
  public:
-  explicit RowReader(const Arguments& arguments) : arguments_(arguments) {}
+  RowReader(const Arguments& arguments, JoinedProcesses* processes)
+      : arguments_(arguments), processes_(processes) {}
 
   Result<RowData> read(const std::vector<std::string>& features) {
-    return check_labels_given_once(arguments_)
-        .and_then([&] { return open(features); })
-        .and_then([&] { return go_through(); })
-        .and_then([&] { return add_labels_of_file(); })
-        .map([&] {
-          finish();
-          return std::move(rows_);
-        });
+    auto read = check_labels_given_once(arguments_)
+                    .and_then([&] { return check_shareable(); })
+                    .and_then([&] { return open(features); })
+                    .and_then([&] { return go_through(); })
+                    .and_then([&] { return add_labels_of_file(); });
+    SOMATO_TRY_VOID(agreed(std::move(read), processes_));
+    finish();
+    if (processes_) combine();
+    return std::move(rows_);
   }
 
  private:
+  // Means and classes would depend on the rows of other processes.
+  Result<void> check_shareable() const {
+    for (const char* flag : {"labels", "missing"}) {
+      if (!processes_ || !arguments_.has(flag)) continue;
+      return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
+                  "--" + std::string(flag), "start one process");
+    }
+    return {};
+  }
+
+  Result<void> take_part() {
+    if (!processes_ || rows_.file_->take_part(processes_->rank(), processes_->size())) return {};
+    return fail(ErrorKind::kUsage, "several processes can only share the rows of an NPY file",
+                rows_.path, "save the rows with numpy.save in Python, or start one process");
+  }
+
+  // Memory that is not given is that of all processes on this machine.
+  Result<std::size_t> memory() const {
+    const bool divided = processes_ && !arguments_.has("memory");
+    return read_memory(arguments_).map([&](std::size_t bytes) {
+      return divided ? bytes / processes_->on_this_machine() : bytes;
+    });
+  }
+
+  void combine() {
+    const auto counts = processes_->gather(static_cast<std::int64_t>(rows_.count));
+    rows_.count =
+        static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+    combine_ranges(*processes_, rows_.size(), rows_.low, rows_.high);
+  }
+
   // A file that is not regular cannot be read in parts, and its size is unknown in advance.
   Result<void> open(const std::vector<std::string>& features) {
-    SOMATO_TRY(const auto memory, read_memory(arguments_));
+    SOMATO_TRY(const auto memory, this->memory());
     SOMATO_TRY(auto options, read_table_options(arguments_));
     options.columns.features = features;
     rows_.path = arguments_.text("DATA");
@@ -81,6 +116,7 @@ class RowReader {
                              });
     if (!source) return fail(std::move(source.error()));
     rows_.file_ = std::move(*source);
+    SOMATO_TRY_VOID(take_part());
     is_kept_ = rows_.file_->memory_of_all() <= static_cast<double>(memory);
     rows_.columns = rows_.file_->columns();
     rows_.features = rows_.columns.feature_names();
@@ -135,6 +171,7 @@ class RowReader {
   }
 
   void finish() {
+    rows_.own_count = rows_.count;
     if (rows_.missing != MissingFill::kRefuse) {
       rows_.low = rows_.known.low();
       rows_.high = rows_.known.high();
@@ -149,6 +186,7 @@ class RowReader {
   }
 
   const Arguments& arguments_;
+  JoinedProcesses* processes_;
   RowData rows_;
   bool is_file_ = false;  // a regular one
   bool is_kept_ = false;  // all rows, in memory
@@ -187,8 +225,9 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
   return {};
 }
 
-Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features) {
-  return RowReader(arguments).read(features);
+Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features,
+                          JoinedProcesses* processes) {
+  return RowReader(arguments, processes).read(features);
 }
 
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path) {

@@ -8,6 +8,7 @@
 #include "codes/missing_values.h"
 #include "command_line.h"
 #include "files/number_source.h"
+#include "mpi/joined_processes.h"
 #include "somato/core/samples.h"
 #include "somato/maps/labels.h"
 
@@ -21,7 +22,8 @@ class RowData {
   std::vector<std::string> features;           ///< Names of the feature columns, or empty.
   Classes classes;                             ///< The classes of the rows; empty without labels.
   std::string path;                            ///< The path of the file.
-  std::size_t count = 0;                       ///< Rows.
+  std::size_t count = 0;                       ///< Rows, of all processes that share the file.
+  std::size_t own_count = 0;                   ///< Rows of this process, which samples() are.
   std::vector<float> low;                      ///< The minimum of each feature.
   std::vector<float> high;                     ///< The maximum of each feature.
   MissingFill missing = MissingFill::kRefuse;  ///< Treatment of missing values.
@@ -57,8 +59,11 @@ class RowData {
 /// are selected in that order, unless it is empty. Shows progress on a terminal.
 /// Errors: those of the files, kData if the numbers of labels and rows differ or a row has no
 /// known value, kInterrupted.
-Result<RowData> read_rows(const Arguments& arguments,
-                          const std::vector<std::string>& features = {});
+///
+/// Each of `processes` reads a part of the rows, and all return the same error; nullptr: only this
+/// process. Also fails (kUsage) for files and flags that several processes cannot share.
+Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features = {},
+                          JoinedProcesses* processes = nullptr);
 
 /// Fails (kData) if a column has the same value in every row.
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path);

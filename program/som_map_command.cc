@@ -11,6 +11,7 @@
 #include "files/json_table.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
+#include "processes.h"
 #include "result_output.h"
 #include "somato/files/csv.h"
 #include "somato/files/npy.h"
@@ -130,6 +131,7 @@ Result<void> write_activity(const MapAndRows& both, const std::string& path) {
 }
 
 Result<void> map(const Arguments& arguments) {
+  SOMATO_TRY_VOID(refuse_several_processes("som map"));
   SOMATO_TRY(const auto both, read_map_and_rows(arguments));
   if (arguments.has("activity")) {
     auto written = write_activity(both, arguments.text("activity"));

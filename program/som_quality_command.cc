@@ -9,6 +9,7 @@
 #include "map_and_rows.h"
 #include "maps/areas.h"
 #include "memory_flag.h"
+#include "processes.h"
 #include "result_output.h"
 
 namespace somato::program {
@@ -45,10 +46,11 @@ Result<void> add_label_measures(const MapAndRows& both, const SomQuality& qualit
       [&](double share) { table.entries.push_back(entry("accuracy", share)); });
 }
 
-Result<void> quality(const Arguments& arguments) {
-  SOMATO_TRY(auto threads, read_threads(arguments));
-  SOMATO_TRY(const auto both, read_map_and_rows(arguments));
-  SOMATO_TRY(const auto quality, measure_rows(both.model, both.rows, threads));
+Result<void> measure(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto threads, agreed(threads_of(arguments, processes), processes));
+  SOMATO_TRY(const auto both, read_map_and_rows(arguments, processes));
+  SOMATO_TRY(const auto quality, measure_rows(both.model, both.rows, threads, processes));
+  if (processes && !processes->is_first()) return {};
   const auto hit = std::count_if(quality.hits.begin(), quality.hits.end(),
                                  [](std::size_t hits) { return hits > 0; });
   Table table{{},
@@ -60,6 +62,11 @@ Result<void> quality(const Arguments& arguments) {
   print_result(arguments, lines_of(table), table);
   note_columns_and_filled(both.rows);
   return {};
+}
+
+Result<void> quality(const Arguments& arguments) {
+  SOMATO_TRY(const auto processes, Processes::join());
+  return processes.leave(measure(arguments, processes.group()));
 }
 
 }  // namespace

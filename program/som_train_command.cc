@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "column_report.h"
 #include "commands.h"
 #include "data.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
+#include "processes.h"
 #include "somato/maps/som_training.h"
 #include "terminal.h"
 #include "wording.h"
@@ -30,18 +34,14 @@ Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector
   return rows.fill(*known, scale);
 }
 
-Result<RowData> read_training_rows(const Arguments& arguments) {
-  auto rows = read_rows(arguments);
-  if (!rows) return rows;
+Result<void> check_rows(const Arguments& arguments, const RowData& rows) {
   const std::string path = arguments.text("DATA");
-  if (rows->count < 2) {
+  if (rows.count < 2) {
     return fail(ErrorKind::kData, "the data have only one sample", path,
                 "a map needs at least two rows for training");
   }
-  if (!arguments.has("keep-constant-columns")) {
-    SOMATO_TRY_VOID(refuse_constant_columns(*rows, path));
-  }
-  return rows;
+  if (arguments.has("keep-constant-columns")) return {};
+  return refuse_constant_columns(rows, path);
 }
 
 // A model without its map.
@@ -86,12 +86,49 @@ Result<void> check_training(const SomParameters& parameters, const RowData& rows
       path, "use --training batch, or a larger --memory");
 }
 
-Result<Som> train_map(const SomParameters& parameters, const SomModel& model, const RowData& rows,
-                      std::size_t threads) {
-  const TrainingOptions options{threads, terminal_progress("training")};
-  if (rows.in_memory()) return train_som(parameters, model.prepare(*rows.in_memory()), options);
+// The part of the command line that does not depend on the rows.
+struct TrainingRequest {
+  SomParameters parameters;
+  TrainingOptions options;
+};
+
+Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
+  SOMATO_TRY(const auto threads, threads_of(arguments, processes));
+  const bool is_batch = parameters.training == Training::kBatch;
+  if (!is_batch && arguments.has("checkpoint")) {
+    return fail(without_effect("checkpoint", "training is online", "--checkpoint"));
+  }
+  if (processes && !is_batch) {
+    return fail(ErrorKind::kUsage, "several processes cannot share online training", "--training",
+                "use --training batch, or start one process");
+  }
+  if (processes && arguments.has("standardize")) {
+    return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
+                "--standardize", "standardize the rows before, or start one process");
+  }
+  TrainingRequest request{parameters, {threads, terminal_progress("training")}};
+  request.options.checkpoint = arguments.text("checkpoint");
+  request.options.processes = processes;
+  return request;
+}
+
+Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows) {
+  const TrainingOptions& options = request.options;
+  const bool from_memory =
+      rows.in_memory() && options.checkpoint.empty() && options.processes == nullptr;
+  if (from_memory) return train_som(request.parameters, model.prepare(*rows.in_memory()), options);
   PreparedRows prepared(model, rows);
-  return train_som(parameters, prepared.samples(), options);
+  return train_som(request.parameters, prepared.samples(), options);
+}
+
+Result<void> save_trained(const Arguments& arguments, const SomModel& model,
+                          const TrainingOptions& options) {
+  if (options.processes && !options.processes->is_first()) return {};
+  SOMATO_TRY_VOID(save_som_model(arguments.text("output"), model));
+  std::error_code gone;
+  if (!options.checkpoint.empty()) std::filesystem::remove(options.checkpoint, gone);
+  return {};
 }
 
 void print_trained(const std::string& path, const Som& som, const RowData& rows,
@@ -104,22 +141,32 @@ void print_trained(const std::string& path, const Som& som, const RowData& rows,
   print_summary(size + columns_and_filled(rows) + errors);
 }
 
-Result<void> train(const Arguments& arguments) {
-  SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
-  SOMATO_TRY(const auto threads, read_threads(arguments));
-  SOMATO_TRY(auto rows, read_training_rows(arguments));
+// A model without its map, ready to train it on the rows.
+Result<SomModel> start_on(const Arguments& arguments, const SomParameters& parameters,
+                          RowData& rows) {
+  SOMATO_TRY_VOID(check_rows(arguments, rows));
   SOMATO_TRY_VOID(check_training(parameters, rows, arguments.text("DATA")));
   std::vector<double> means;
   SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
-  SOMATO_TRY(auto model, start_model(arguments, rows, std::move(means)));
-  SOMATO_TRY(auto som, train_map(parameters, model, rows, threads));
+  return start_model(arguments, rows, std::move(means));
+}
+
+Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto request, agreed(read_request(arguments, processes), processes));
+  SOMATO_TRY(auto rows, read_rows(arguments, {}, processes));
+  SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
+  SOMATO_TRY(auto som, train_map(request, model, rows));
   model.som = std::move(som);
-  SOMATO_TRY(const auto quality, measure_rows(model, rows, threads));
+  SOMATO_TRY(const auto quality, measure_rows(model, rows, request.options.threads, processes));
   add_labels(model, rows.classes, quality.winners);
-  const std::string path = arguments.text("output");
-  SOMATO_TRY_VOID(save_som_model(path, model));
-  print_trained(path, model.som, rows, quality);
+  SOMATO_TRY_VOID(agreed(save_trained(arguments, model, request.options), processes));
+  print_trained(arguments.text("output"), model.som, rows, quality);
   return {};
+}
+
+Result<void> train(const Arguments& arguments) {
+  SOMATO_TRY(const auto processes, Processes::join());
+  return processes.leave(train_with(arguments, processes.group()));
 }
 
 }  // namespace
@@ -132,6 +179,9 @@ Command som_train_command() {
                    false, false});
   flags.push_back({"--keep-constant-columns",
                    "Accept columns that have the same value in every row", false, false});
+  flags.push_back(output_flag("--checkpoint",
+                              "File for the map after each epoch of batch training, from which the "
+                              "same command continues after an interruption"));
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
   return {

@@ -27,11 +27,12 @@ DIRECT = {
     "devices": ["bodies", "wire"],
     "emulation": ["devices"],
     "topics": ["bodies"],
+    "mpi": ["core"],
     "studies": ["graph", "drawing"],
     "suggestion": ["studies"],
     "report": ["studies"],
     "live": ["graph", "bodies"],
-    "program": ["bags", "exports", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics"],
+    "program": ["bags", "exports", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics", "mpi"],
 }
 
 # The entrance headers, by the room whose table applies to them. A header that they do not include, directly or

@@ -27,6 +27,7 @@ Result<void> ProcessGroup::agree(const Result<void>& own) {
   const std::vector<std::int64_t> failed = gather(own ? 0 : 1);
   const auto first = std::find(failed.begin(), failed.end(), 1);
   if (first == failed.end()) return {};
+  has_failed_ = true;
   const auto process = static_cast<std::size_t>(first - failed.begin());
   Error error = own ? Error{} : own.error();
   error.kind = static_cast<ErrorKind>(gather(static_cast<std::int64_t>(error.kind))[process]);

@@ -30,11 +30,25 @@ Result<std::unique_ptr<NumberSource>> NpySource::begin(UnchangedFile file,
 
 // A list that grows is there twice when it doubles.
 double NpySource::memory_of_all() const {
-  return 3.0 * static_cast<double>(layout_.rows) * static_cast<double>(size()) * sizeof(float);
+  return 3.0 * static_cast<double>(end_ - begin_) * static_cast<double>(size()) * sizeof(float);
+}
+
+bool NpySource::take_part(std::size_t part, std::size_t of) {
+  const std::size_t each = layout_.rows / of;
+  const std::size_t more = layout_.rows % of;  // parts with one more
+  begin_ = part * each + std::min(part, more);
+  end_ = begin_ + each + (part < more ? 1 : 0);
+  row_ = begin_;
+  return true;
+}
+
+double NpySource::share_read() const {
+  if (begin_ == end_) return 1.0;
+  return static_cast<double>(row_ - begin_) / static_cast<double>(end_ - begin_);
 }
 
 Result<void> NpySource::rewind() {
-  row_ = 0;
+  row_ = begin_;
   precision_ = {};
   return file_.check();
 }
@@ -64,7 +78,7 @@ Result<Matrix<float>> NpySource::rows(std::size_t count) {
 }
 
 Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
-  const std::size_t count = std::min(part_rows_, layout_.rows - row_);
+  const std::size_t count = std::min(part_rows_, end_ - row_);
   if (count == 0) {
     is_known_ = true;
     return file_.check().map([] { return std::shared_ptr<const NumberPart>(); });

@@ -23,13 +23,13 @@ class NpySource final : public NumberSource {
       : file_(std::move(file)),
         layout_(layout),
         reading_(std::move(reading)),
-        part_rows_(part_rows) {}
+        part_rows_(part_rows),
+        end_(layout.rows) {}
 
   const TableColumns& columns() const override { return reading_.columns; }
   double memory_of_all() const override;
-  double share_read() const override {
-    return static_cast<double>(row_) / static_cast<double>(layout_.rows);
-  }
+  bool take_part(std::size_t part, std::size_t of) override;
+  double share_read() const override;
   Result<void> rewind() override;
   Result<std::shared_ptr<const NumberPart>> next_part() override;
 
@@ -41,6 +41,8 @@ class NpySource final : public NumberSource {
   NpyLayout layout_;
   NpyReading reading_;
   std::size_t part_rows_;
+  std::size_t begin_ = 0;
+  std::size_t end_;
   std::size_t row_ = 0;
   std::string bytes_;
   ColumnPrecision precision_;

@@ -32,6 +32,14 @@ class NumberSource : public SampleSource {
 
   std::size_t size() const final { return columns().features.size(); }
 
+  /// From now on reads only part `part`, from 0, of `of` parts of nearly equal numbers of rows,
+  /// which follow one another; false if rows of this kind of file cannot be found without reading
+  /// all.
+  virtual bool take_part(std::size_t part, std::size_t of) {
+    static_cast<void>(part);
+    return of == 1;
+  }
+
   /// The bytes that gathering all samples in a list that grows, and changing them once, takes at
   /// most.
   virtual double memory_of_all() const = 0;

@@ -1,6 +1,7 @@
 #include "maps/initial_weights.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -29,6 +30,18 @@ std::vector<std::size_t> drawn_samples(std::size_t count, std::size_t samples, s
   return drawn;
 }
 
+// The greatest of all processes.
+void maximize(ProcessGroup& processes, std::vector<float>& values) {
+  std::vector<double> numbers(values.begin(), values.end());
+  processes.maximize(numbers);
+  std::transform(numbers.begin(), numbers.end(), values.begin(),
+                 [](double number) { return static_cast<float>(number); });
+}
+
+void negate(std::vector<float>& values) {
+  for (float& value : values) value = -value;
+}
+
 }  // namespace
 
 std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::size_t samples) {
@@ -50,6 +63,16 @@ void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<f
       high[d] = std::max(high[d], row[d]);
     }
   }
+}
+
+void combine_ranges(ProcessGroup& processes, std::size_t size, std::vector<float>& low,
+                    std::vector<float>& high) {
+  low.resize(size, std::numeric_limits<float>::max());
+  high.resize(size, std::numeric_limits<float>::lowest());
+  negate(low);
+  maximize(processes, low);
+  negate(low);
+  maximize(processes, high);
 }
 
 InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "somato/core/process_group.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
@@ -18,6 +19,10 @@ std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::s
 /// Widens `low` and `high`, the least and the greatest value of each feature, by the samples. Empty
 /// ones become the samples' own.
 void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high);
+
+/// Widens the ranges of `size` features by those of all processes. Empty ones do not widen them.
+void combine_ranges(ProcessGroup& processes, std::size_t size, std::vector<float>& low,
+                    std::vector<float>& high);
 
 /// The initial weights of a map, a function of the seed only, so that they need not be stored: the
 /// weights of any neuron can be computed at any time.

@@ -1,6 +1,9 @@
 #include "somato/maps/som_quality.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "core/threads.h"
@@ -21,8 +24,8 @@ double weight_distance(const Som& som, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-SomQualityMeasurement::SomQualityMeasurement(const Som& som, std::size_t threads)
-    : som_(som), threads_(threads), hits_(som.neurons()) {}
+SomQualityMeasurement::SomQualityMeasurement(const Som& som, std::size_t threads, bool keeps)
+    : som_(som), threads_(threads), keeps_(keeps), hits_(som.neurons()) {}
 
 std::vector<std::size_t> SomQualityMeasurement::add(const Samples& samples) {
   Samples storage;
@@ -45,7 +48,22 @@ std::vector<std::size_t> SomQualityMeasurement::add(const Samples& samples) {
       ++topographic_errors_;
   }
   samples_ += samples.count();
+  if (keeps_) kept_.insert(kept_.end(), distances.begin(), distances.end());
   return first;
+}
+
+void SomQualityMeasurement::combine(ProcessGroup& processes) {
+  require(keeps_, "a measurement must keep distances to be combined");
+  distances_ = processes.in_turn(
+      0.0, [&](double sum) { return std::accumulate(kept_.begin(), kept_.end(), sum); });
+  std::vector<std::int64_t> counts(hits_.begin(), hits_.end());
+  counts.push_back(static_cast<std::int64_t>(samples_));
+  counts.push_back(static_cast<std::int64_t>(topographic_errors_));
+  processes.sum(counts);
+  topographic_errors_ = static_cast<std::size_t>(counts[hits_.size() + 1]);
+  samples_ = static_cast<std::size_t>(counts[hits_.size()]);
+  std::transform(counts.begin(), counts.end() - 2, hits_.begin(),
+                 [](std::int64_t count) { return static_cast<std::size_t>(count); });
 }
 
 SomQuality SomQualityMeasurement::quality() const {

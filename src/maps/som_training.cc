@@ -118,7 +118,8 @@ Result<void> train_epochs(const Som& som, std::uint64_t first, std::uint64_t par
     SOMATO_TRY_VOID(learn(epoch, stop));
     const bool stops = stop.after((epoch + 1) * parts) ||
                        moments.stop_after(epoch + 1, 0.0, p.radius().at(epoch), map);
-    SOMATO_TRY_VOID(agreed(stops ? Stop::error() : Result<void>(), options.processes));
+    SOMATO_TRY_VOID(
+        agreed<void>(stops ? Result<void>(Stop::error()) : Result<void>(), options.processes));
   }
   return {};
 }
@@ -133,11 +134,11 @@ class Checkpoints {
   // file, which they must share.
   Result<std::uint64_t> load(Som& som) const {
     if (options_.checkpoint.empty()) return 0;
-    auto loaded = load_checkpoint(options_.checkpoint, identity_);
-    SOMATO_TRY_VOID(agreed(loaded ? Result<void>() : fail(loaded.error()), options_.processes));
-    const std::uint64_t epochs = *loaded ? (*loaded)->epochs : 0;
+    SOMATO_TRY(auto loaded,
+               agreed(load_checkpoint(options_.checkpoint, identity_), options_.processes));
+    const std::uint64_t epochs = loaded ? loaded->epochs : 0;
     SOMATO_TRY_VOID(agreed(check_shared(epochs), options_.processes));
-    if (*loaded) som = std::move((*loaded)->som);
+    if (loaded) som = std::move(loaded->som);
     return epochs;
   }
 
@@ -215,9 +216,8 @@ Result<SomParameters> resolve_for(const SomParameters& parameters, const SampleS
 Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& prepared,
                               const TrainingOptions& options) {
   SOMATO_TRY(const SampleSurvey survey, survey_samples(prepared, options.processes));
-  const auto resolved = resolve_for(parameters, survey);
-  SOMATO_TRY_VOID(agreed(resolved ? Result<void>() : fail(resolved.error()), options.processes));
-  auto som = initial_som(*resolved, prepared, survey, options.processes);
+  SOMATO_TRY(const auto resolved, agreed(resolve_for(parameters, survey), options.processes));
+  auto som = initial_som(resolved, prepared, survey, options.processes);
   if (!som) return som;
   SomStart start{std::move(*som), {}, {}, StoredElements(prepared.size())};
   SOMATO_TRY_VOID(train_batch(start, prepared, survey, options));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -72,19 +71,6 @@ class WeightsAtSamples {
   LaneMatrix<float> weights_;
 };
 
-// The greatest of all processes.
-void maximize(ProcessGroup& processes, std::vector<float>& values) {
-  std::vector<double> numbers(values.begin(), values.end());
-  processes.maximize(numbers);
-  std::transform(numbers.begin(), numbers.end(), values.begin(),
-                 [](double number) { return static_cast<float>(number); });
-}
-
-void negate(std::vector<float>& values) {
-  for (float& value : values) value = -value;
-}
-
-// A process without samples does not widen the ranges.
 void combine(ProcessGroup& processes, std::size_t size, SampleSurvey& survey) {
   const std::vector<std::int64_t> counts =
       processes.gather(static_cast<std::int64_t>(survey.count));
@@ -93,12 +79,7 @@ void combine(ProcessGroup& processes, std::size_t size, SampleSurvey& survey) {
   survey.count =
       static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
   processes.maximize({&survey.longest, 1});
-  survey.low.resize(size, std::numeric_limits<float>::max());
-  survey.high.resize(size, std::numeric_limits<float>::lowest());
-  negate(survey.low);
-  maximize(processes, survey.low);
-  negate(survey.low);
-  maximize(processes, survey.high);
+  combine_ranges(processes, size, survey.low, survey.high);
 }
 
 // Every weight is that of the only process that has set it; the sum of the bits keeps its sign.
@@ -119,10 +100,6 @@ void combine(ProcessGroup& processes, LaneMatrix<float>& weights) {
 }
 
 }  // namespace
-
-Result<void> agreed(const Result<void>& own, ProcessGroup* processes) {
-  return processes ? processes->agree(own) : own;
-}
 
 Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* processes) {
   SampleSurvey survey;

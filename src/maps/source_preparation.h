@@ -13,9 +13,9 @@ namespace somato {
 
 /// The result of one pass through the samples of a map, as it sees them.
 struct SampleSurvey {
-  std::size_t count = 0;    ///< Of all processes.
+  std::size_t count = 0;    ///< Samples of all processes.
   std::size_t first = 0;    ///< Samples of the processes before this one.
-  std::size_t parts = 0;    ///< Of this process.
+  std::size_t parts = 0;    ///< Parts of this process.
   double longest = 0.0;     ///< Euclidean length of the longest sample.
   std::vector<float> low;   ///< The least value of each feature; empty without samples.
   std::vector<float> high;  ///< The greatest.
@@ -28,8 +28,5 @@ Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* proces
 /// are resolved, and `survey` is of the same samples and processes. Fails as the source does.
 Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
                         const SampleSurvey& survey, ProcessGroup* processes);
-
-/// `own`, or the failure of the first of the processes.
-Result<void> agreed(const Result<void>& own, ProcessGroup* processes);
 
 }  // namespace somato

@@ -13,7 +13,7 @@
 
 namespace somato::testing {
 
-/// What the members of a ThreadGroup share.
+/// The memory that the members of a ThreadGroup share.
 struct SharedByThreads {
   explicit SharedByThreads(std::size_t size)
       : barrier(static_cast<std::ptrdiff_t>(size)), integers(size), numbers(size) {}

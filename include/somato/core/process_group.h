@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/core/result.h"
@@ -35,6 +36,9 @@ class ProcessGroup {
 
   bool is_first() const { return rank() == 0; }
 
+  /// Whether agree() has returned a failure.
+  bool has_failed() const { return has_failed_; }
+
   /// Success if every process passes success; otherwise, in every process, the failure of the first
   /// process that passes one.
   Result<void> agree(const Result<void>& own);
@@ -48,6 +52,18 @@ class ProcessGroup {
 
  private:
   std::string from(std::size_t process, const std::string& text);
+
+  bool has_failed_ = false;
 };
+
+/// `own` if all `processes` succeed, otherwise the failure of the first that fails. With nullptr
+/// there is only this process.
+template <typename T>
+Result<T> agreed(Result<T> own, ProcessGroup* processes) {
+  if (!processes) return own;
+  auto all = processes->agree(own ? Result<void>() : fail(own.error()));
+  if (!all) return fail(std::move(all.error()));
+  return own;
+}
 
 }  // namespace somato

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "somato/core/process_group.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 
@@ -29,10 +30,16 @@ struct SomQuality {
 /// Refers to the map, which must not change in the meantime.
 class SomQualityMeasurement {
  public:
-  explicit SomQualityMeasurement(const Som& som, std::size_t threads = 1);
+  /// `keeps`: distances are kept for combine().
+  explicit SomQualityMeasurement(const Som& som, std::size_t threads = 1, bool keeps = false);
 
   /// Adds samples; returns their winners.
   std::vector<std::size_t> add(const Samples& samples);
+
+  /// Takes in the samples of all processes, those of the first process first, with the same bits as
+  /// in one process. To be called once, after all samples, which take 8 bytes each until then:
+  /// `keeps` must have been set.
+  void combine(ProcessGroup& processes);
 
   /// The measures of the samples so far, without the list of winners.
   SomQuality quality() const;
@@ -43,6 +50,8 @@ class SomQualityMeasurement {
   std::size_t samples_ = 0;
   std::size_t topographic_errors_ = 0;
   double distances_ = 0.0;
+  bool keeps_;
+  std::vector<double> kept_;  // distances
   std::vector<std::size_t> hits_;
 };
 
