@@ -60,8 +60,11 @@ it("saves a picture and a film of the tab", async () => {
   expect(picture.length).toBeGreaterThan(10_000); // an empty picture has less
   await view.page.getByRole("button", { name: "Record film" }).click();
   await view.page.getByRole("button", { name: "Stop film" }).waitFor();
-  view.server.show(0, 5);
-  await frameShown(view.page, 5);
+  for (let frame = 1; frame <= 10; frame += 1) {
+    view.server.show(0, frame * 5);
+    await frameShown(view.page, frame * 5);
+    await view.page.waitForTimeout(50); // a film takes time
+  }
   const film = await saved("Stop film");
   expect(film.subarray(0, 4).toString("hex")).toBe("1a45dfa3"); // of every WebM file
   expect(film.length).toBeGreaterThan(1000);
