@@ -7,7 +7,7 @@ export interface Work {
   dropped: number;
   usual: number; // ms of the page's own work, the middle of the last `remembered` frames
   most: number; // ms, of those
-  drawing: number; // ms, the middle of what drawing in three dimensions took besides
+  drawing: number; // ms, the middle of what drawing in three dimensions took between two frames
 }
 
 /** The three-dimensional drawing adds its time here, in ms, and the number of its pictures. */
@@ -20,6 +20,7 @@ export class FrameLoop {
   private requested = false;
   private drawn = 0;
   private dropped = 0;
+  private drawing = 0; // of the clock, at the last frame
   private readonly times = new Times();
   private readonly drawings = new Times();
 
@@ -46,10 +47,9 @@ export class FrameLoop {
     this.waiting = null;
     if (text === null) return;
     const begin = performance.now();
-    const drawnBefore = drawingClock.time;
     this.draw(text);
-    const drawing = drawingClock.time - drawnBefore;
-    this.count(performance.now() - begin - drawing, drawing);
+    this.count(performance.now() - begin, drawingClock.time - this.drawing);
+    this.drawing = drawingClock.time;
   }
 
   private count(time: number, drawing: number): void {
