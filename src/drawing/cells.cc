@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace somato {
 namespace {
@@ -34,7 +35,7 @@ void append(std::vector<Point>& ends, const Edge& edge) {
 
 }  // namespace
 
-Cells::Cells(const Grid& grid, double pixels) : grid_(grid), pixels_(pixels) {}
+Cells::Cells(Grid grid, double pixels) : grid_(std::move(grid)), pixels_(pixels) {}
 
 Point Cells::unit() const {
   const double half = pixels_ / 2;

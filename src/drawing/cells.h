@@ -23,7 +23,7 @@ inline double real(std::size_t number) {
 class Cells {
  public:
   /// Cells `pixels` wide.
-  Cells(const Grid& grid, double pixels);
+  Cells(Grid grid, double pixels);
 
   const Grid& grid() const { return grid_; }
   double pixels() const { return pixels_; }

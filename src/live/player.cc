@@ -35,6 +35,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       system_(source_.system),
       saved_(source_.recording.explorations.size()),
       had_viewer_(!settings.wait_for_viewer),
+      rests_unseen_(settings.wait_for_viewer && !source_.explorer && !source_.readings.on_moment),
       demonstration_(source_.demonstrates),
       result_pause_(settings.result_pause),
       thing_(source_.thing),
@@ -42,7 +43,6 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
                     [this](BodyStep step) { coming_ = std::move(step); },
                     [this](auto explored) { finish(std::move(explored)); }}) {
   pace_.speed = settings.speed;
-  rests_unseen_ = settings.wait_for_viewer && !source_.explorer && !source_.readings.on_moment;
   explored_scenes_.resize(source_.recording.explorations.size());
 }
 

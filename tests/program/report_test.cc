@@ -149,8 +149,10 @@ TEST_F(Report, OfAReproductionFindsItsRecordings) {
     EXPECT_EQ(system["missing"], Json::array());
     EXPECT_EQ(system["trained"]["seed"], 2011);
     EXPECT_EQ(system["graph"]["map"], "map");
-    EXPECT_EQ(system["moments"].size(), i == 0 ? 8U : 0U);
+    EXPECT_EQ(system["moments"], report["systems"][0]["moments"]);  // of the same explorations
+    EXPECT_EQ(system["moments"].size(), 16U);
   }
+  EXPECT_EQ(report["moments"].size(), 16U);
   EXPECT_EQ(report["systems"][0]["settings"]["explore"]["body"], "\"hardness\"");
   ASSERT_EQ(report["claims"].size(), 1U);
   EXPECT_EQ(report["claims"][0]["text"], "Named rightly </script><b>");
