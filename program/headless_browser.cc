@@ -106,12 +106,13 @@ Result<void> HeadlessBrowser::wait_until(const std::string& condition) {
 
 // The drawing of a large change lags behind the page.
 Result<std::string> HeadlessBrowser::settled_picture() {
-  SOMATO_TRY(auto before, picture());
-  for (;;) {
-    SOMATO_TRY(auto now, picture());
-    if (now == before) return now;
+  Result<std::string> before = picture();
+  while (before) {
+    Result<std::string> now = picture();
+    if (!now || now->compare(*before) == 0) return now;
     before = std::move(now);
   }
+  return before;
 }
 
 Result<std::string> HeadlessBrowser::picture() {
