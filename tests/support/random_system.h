@@ -140,6 +140,10 @@ class RandomSystem {
   std::string fitting_parameters(const std::string& type) {
     if (type == "som") return fmt::format("rows = {}\ncolumns = 2\n", 1 + random_.below(3));
     if (type == "t_mpsom") return inputs_ == 1 ? "shape = [3]\n" : "shape = [2, 3]\n";
+    if (type.starts_with("growing_")) {
+      return type == "growing_cells" ? "most_neurons = 6\ninsertion_interval = 5\n"
+                                     : "most_neurons = 6\n";
+    }
     if (type == "one_hot") {
       return random_.below(3) == 0 ? "outside = \"clamp\"\n"
                                    : "low = -1\nhigh = 2\noutside = \"clamp\"\n";
@@ -169,6 +173,8 @@ class RandomSystem {
                                          "constant_columns",
                                          "points",
                                          "iterations",
+                                         "most_neurons",
+                                         "insertion_interval",
                                          "transform_length"};
     return (type != "som" || name != "outside") &&
            std::find(given.begin(), given.end(), name) != given.end();
