@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "live/sessions.h"
 #include "live/viewing.h"
 
@@ -58,13 +61,15 @@ TEST(DemonstrationThread, ExploresEachThingOnceAndThenRepeatsUntilAViewerExplore
 TEST(DemonstrationThread, StandsStillDuringAPause) {
   ViewSession session(demonstrated(), testing::at_once());
   session.start();
-  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() >= 1; }));
   command(session, R"({"command":"pause"})");
   const json state = state_of(session);
   EXPECT_EQ(state["playing"], false);
-  EXPECT_EQ(state["demonstrated"], 0);
+  const int rounds = state["demonstrated"].get<int>();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(state_of(session), state);
   command(session, R"({"command":"play"})");
-  EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] == 1; }));
+  EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] > rounds; }));
 }
 
 }  // namespace
