@@ -154,7 +154,7 @@ void GrowingCells::keep(const std::vector<Triangle>& triangles) {
 }
 
 void GrowingCells::connect_again() {
-  neighbours_.assign(neurons(), {});
+  neighbours_.assign(weights_.neurons(), {});
   for (const Triangle& triangle : triangles_) {
     for (const std::size_t a : triangle) {
       for (const std::size_t b : triangle) {
