@@ -1,17 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "exports/bag_export.h"
 #include "exports/foxglove_layout.h"
-#include "recording/collected_explorations.h"
 #include "somato/bodies/scene.h"
 
 namespace somato {
@@ -35,36 +32,25 @@ struct SceneTopics {
 /// - `/taxel_points` (PointCloud2): their positions and forces, for programs without SceneUpdate.
 ///
 /// The poses of a body need complete explorations: memory is bounded by one exploration.
-class FoxgloveExport final : public RecordingExport {
+class FoxgloveExport final : public WholeExport {
  public:
   static Result<std::unique_ptr<RecordingExport>> begin(const std::string& path,
                                                         SceneFinder scenes);
 
   FoxgloveExport(std::unique_ptr<BagWriter> writer, SceneFinder scenes)
-      : bag_(std::move(writer)),
-        scenes_(std::move(scenes)),
-        collected_([this](const Exploration& exploration) { return add(exploration); }) {}
+      : bag_(std::move(writer)), scenes_(std::move(scenes)) {}
 
-  Result<void> begin_exploration(const ExplorationStart& start) override {
-    return collected_.begin_exploration(start);
-  }
-  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
-                     std::span<const std::uint8_t> valid) override {
-    return collected_.frame(channel, values, time, valid);
-  }
-  Result<void> end_exploration() override { return collected_.end_exploration(); }
   Result<void> finish() override;
 
  private:
   class ScenedFrames;
 
-  Result<void> add(const Exploration& exploration);
+  Result<void> add(const Exploration& exploration) override;
   void plot(const Exploration& exploration);
   Result<void> open_scene_topics(const Scene& scene);
 
   BagExport bag_;
   SceneFinder scenes_;
-  CollectedExplorations collected_;
   std::vector<PlottedTopic> plots_;
   std::string label_topic_;  // The topic of the first label, or empty.
   std::optional<SceneTopics> topics_;

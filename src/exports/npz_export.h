@@ -10,7 +10,6 @@
 #include "exports/recording_export.h"
 #include "exports/zip_writer.h"
 #include "files/file_writer.h"
-#include "recording/collected_explorations.h"
 
 namespace somato {
 
@@ -20,23 +19,14 @@ namespace somato {
 /// label of each exploration; `rates/CHANNEL` has the rate in Hz of each exploration, or 0;
 /// `unit/CHANNEL` is a text of no dimension; `elements/CHANNEL` has the names of the elements. Its
 /// arrays are written as a whole: memory is bounded by one exploration.
-class NpzExport final : public RecordingExport {
+class NpzExport final : public WholeExport {
  public:
   static Result<std::unique_ptr<RecordingExport>> begin(const std::string& path);
 
   explicit NpzExport(FileWriter file)
       : file_(std::move(file)),
-        zip_([this](std::string_view bytes) { return file_.write(bytes); }),
-        collected_([this](const Exploration& exploration) { return add(exploration); }) {}
+        zip_([this](std::string_view bytes) { return file_.write(bytes); }) {}
 
-  Result<void> begin_exploration(const ExplorationStart& start) override {
-    return collected_.begin_exploration(start);
-  }
-  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
-                     std::span<const std::uint8_t> valid) override {
-    return collected_.frame(channel, values, time, valid);
-  }
-  Result<void> end_exploration() override { return collected_.end_exploration(); }
   Result<void> finish() override;
 
  private:
@@ -49,13 +39,12 @@ class NpzExport final : public RecordingExport {
     std::vector<std::string> values;  // One an exploration.
   };
 
-  Result<void> add(const Exploration& exploration);
+  Result<void> add(const Exploration& exploration) override;
   Result<void> add_frames(const Channel& channel);
   Result<void> add_member(const std::string& name, const std::string& bytes);
 
   FileWriter file_;
   ZipWriter zip_;
-  CollectedExplorations collected_;
   std::vector<ChannelNotes> channels_;
   std::vector<LabelValues> labels_;
   std::uint64_t explorations_ = 0;

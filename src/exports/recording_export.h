@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "recording/collected_explorations.h"
 #include "somato/bodies/scene.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
@@ -22,6 +26,27 @@ class RecordingExport : public FrameSink {
  public:
   /// Completes the files and moves them to the path. Errors: kSystem with the system's reason.
   virtual Result<void> finish() = 0;
+};
+
+/// A format that is written in complete explorations: memory is bounded by one exploration.
+class WholeExport : public RecordingExport {
+ public:
+  Result<void> begin_exploration(const ExplorationStart& start) final {
+    return collected_.begin_exploration(start);
+  }
+  Result<void> frame(std::size_t channel, std::span<const float> values, double time,
+                     std::span<const std::uint8_t> valid) final {
+    return collected_.frame(channel, values, time, valid);
+  }
+  Result<void> end_exploration() final { return collected_.end_exploration(); }
+
+ protected:
+  WholeExport() : collected_([this](const Exploration& exploration) { return add(exploration); }) {}
+
+ private:
+  virtual Result<void> add(const Exploration& exploration) = 0;
+
+  CollectedExplorations collected_;
 };
 
 /// The formats; docs/your-data.md describes them.

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "report/three_explorations.h"
 #include "support/json_schema.h"
 #include "support/unpacked_json.h"
 
@@ -36,25 +36,7 @@ Channel channel(const std::string& name, std::size_t frames, std::size_t element
   return {name, "u", {}, std::move(values), {}, rate, {}, {}};
 }
 
-class MomentsJson : public ::testing::Test {
- protected:
-  MomentsJson() {
-    results_.protocols.push_back({"train_is_test", "", "object", 3, {}, {}});
-    results_.recordings.push_back({"made", "given", 0, "a hash", 3});
-    evidence_.part = &results_;
-    evidence_.explorations = {0, 1, 2};
-    for (const std::string name : {"ball", "ball", "cube"}) {
-      recording_->explorations.push_back({{{"object", name}, {"material", "wood"}}, "", {}});
-    }
-    evidence_.recording = recording_;
-  }
-
-  Exploration& exploration(std::size_t i) { return recording_->explorations[i]; }
-
-  PartResults results_;
-  std::shared_ptr<Recording> recording_ = std::make_shared<Recording>();
-  Evidence evidence_;
-};
+class MomentsJson : public testing::ThreeExplorations {};
 
 TEST_F(MomentsJson, TheMomentIsThatOfMostTouch) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "report/three_explorations.h"
 #include "support/json_schema.h"
 
 namespace somato {
@@ -25,24 +25,8 @@ Json samples_of(const Evidence& evidence) {
 Json things_of(const Evidence& evidence, const std::vector<ReportThing>& known) {
   return checked(detail::things_json(evidence, known), "things");
 }
-class SamplesJson : public ::testing::Test {
- protected:
-  SamplesJson() {
-    results_.protocols.push_back({"train_is_test", "", "object", 3, {}, {}});
-    evidence_.part = &results_;
-    evidence_.explorations = {0, 1, 2};
-    for (const std::string name : {"ball", "ball", "cube"}) {
-      recording_->explorations.push_back({{{"object", name}, {"material", "wood"}}, "", {}});
-    }
-    evidence_.recording = recording_;
-  }
 
-  Exploration& exploration(std::size_t i) { return recording_->explorations[i]; }
-
-  PartResults results_;
-  std::shared_ptr<Recording> recording_ = std::make_shared<Recording>();
-  Evidence evidence_;
-};
+class SamplesJson : public testing::ThreeExplorations {};
 
 TEST_F(SamplesJson, LabelsStandInTheOrderOfTheSamples) {
   evidence_.explorations = {2, 0};
