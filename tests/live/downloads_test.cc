@@ -41,6 +41,8 @@ TEST_F(DownloadsThread, AreTheFilesThatOtherCommandsRead) {
 
 TEST_F(DownloadsThread, HoldTheNamesThatViewersGave) {
   testing::Viewing viewing(testing::hand_source(2));
+  // Otherwise the next exploration may be shown before the state is read.
+  EXPECT_NE(viewing.command(R"({"command":"pause"})").find("200"), std::string::npos);
   EXPECT_NE(viewing.command(R"({"command":"name","label":"object","value":"cup"})").find("200"),
             std::string::npos);
   const std::size_t shown = state_of(viewing.session())["exploration"];
