@@ -35,9 +35,7 @@ class Robot:
     def __init__(self, topic="/touch", port=0, damaged=None):
         """`damaged` is the number of a message that is cut."""
         self.damaged = damaged
-        # The server keeps what a busy machine delays; by default it drops messages after a second.
-        self.server = foxglove.start_server(host="127.0.0.1", port=port,
-                                            message_backlog_size=60_000)
+        self.server = self.serve(port)
         schema = foxglove.Schema(name="test_msgs/msg/Touch", encoding="ros2msg",
                                  data=b"float32[] forces\n")
         self.context = foxglove.Context()
@@ -45,6 +43,22 @@ class Robot:
         self.stopping = threading.Event()
         self.thread = threading.Thread(target=self.publish)
         self.thread.start()
+
+    @staticmethod
+    def serve(port):
+        """A port that was just given back may be in use for a while.
+
+        The server keeps what a busy machine delays; by default it drops messages after a second.
+        """
+        deadline = time.monotonic() + 30
+        while True:
+            try:
+                return foxglove.start_server(host="127.0.0.1", port=port,
+                                             message_backlog_size=60_000)
+            except RuntimeError:
+                if time.monotonic() > deadline:
+                    raise
+                time.sleep(0.05)
 
     @property
     def address(self):
