@@ -18,4 +18,12 @@ Array<std::int64_t> labels_array(const NeuronLabels& labels);
 Result<NeuronLabels> labels_from(const Archive& archive, std::size_t neurons, std::size_t classes,
                                  const std::string& where);
 
+/// The votes of neurons as a model file contains them: neurons x classes.
+Array<std::int64_t> votes_array(const NeuronVotes& votes, std::size_t classes);
+
+/// The part `votes` of an archive. Errors (kData, at `where`): another number of neurons or
+/// classes, a negative number of votes, or one above 2^53.
+Result<NeuronVotes> votes_from(const Archive& archive, std::size_t neurons, std::size_t classes,
+                               const std::string& where);
+
 }  // namespace somato

@@ -96,6 +96,9 @@ void require_fit(const System& system, const SystemAnswer& answer) {
   for (const std::size_t neuron : answer.labels.labelled()) {
     require(*answer.labels[neuron] < answer.classes.size(), "a neuron's class has no name");
   }
+  require(answer.votes.neurons() == 0 || (answer.votes.labels() == answer.labels &&
+                                          answer.votes.classes() <= answer.classes.size()),
+          "the labels of an answer must be those of its votes");
 }
 
 Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
@@ -106,6 +109,12 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   if (som == nullptr) return damaged_model("the output map is missing", where);
   SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
   part.answer.labels = std::move(labels);
+  if (!archive.find("votes")) return std::move(part.answer);
+  SOMATO_TRY(auto votes, votes_from(archive, som->neurons(), part.answer.classes.size(), where));
+  if (votes.labels() != part.answer.labels) {
+    return damaged_model("the labels are not those of the votes", where);
+  }
+  part.answer.votes = std::move(votes);
   return std::move(part.answer);
 }
 
@@ -120,6 +129,9 @@ Archive archive_of(const System& system, const std::optional<SystemAnswer>& answ
   if (answer) {
     archive.add("answer", parameters_to_toml(AnswerPart{*answer}));
     archive.add("labels", labels_array(answer->labels));
+    if (answer->votes.neurons() > 0) {
+      archive.add("votes", votes_array(answer->votes, answer->classes.size()));
+    }
   }
   return archive;
 }

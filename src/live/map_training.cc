@@ -142,8 +142,10 @@ class VisibleTraining {
     look_.done = true;
     look_.step = look_.steps;
     if (!look_at(som)) return stopped();
-    auto labels = NeuronLabels::by_majority(winners, classes_.of_sample, som.neurons());
-    SystemAnswer answer{look_.module, wanted_.label, classes_.names, std::move(labels)};
+    NeuronVotes votes(som.neurons());
+    votes.add_all(winners, classes_.of_sample);
+    SystemAnswer answer{look_.module, wanted_.label, classes_.names, votes.labels(),
+                        std::move(votes)};
     return std::make_shared<const SystemModel>(SystemModel{std::move(system_), std::move(answer)});
   }
 

@@ -1,10 +1,14 @@
 #include "maps/growing_cells.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
+
+#include "maps/map_parts.h"
 
 namespace somato {
 namespace {
@@ -20,6 +24,26 @@ Triangle with_other_corner(Triangle triangle, std::size_t from, std::size_t to) 
   std::replace(triangle.begin(), triangle.end(), from, to);
   std::sort(triangle.begin(), triangle.end());
   return triangle;
+}
+
+// Ascending, with three ascending corners each; every neuron must be a corner.
+Result<std::vector<Triangle>> triangles_from(const Archive& archive, const std::string& name,
+                                             std::size_t neurons, const std::string& where) {
+  SOMATO_TRY(const auto* found, archive.get<Array<std::int64_t>>(name, where));
+  const std::size_t count = found->values.size();
+  SOMATO_TRY(const auto corners, counts_from(archive, name, count, neurons - 1, where));
+  std::vector<Triangle> triangles;
+  std::set<std::size_t> used;
+  for (std::size_t i = 0; i + 3 <= count; i += 3) {
+    triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    used.insert(triangles.back().begin(), triangles.back().end());
+  }
+  const bool ascending = std::adjacent_find(triangles.begin(), triangles.end(),
+                                            std::greater_equal<>()) == triangles.end() &&
+                         std::all_of(triangles.begin(), triangles.end(),
+                                     [](const Triangle& t) { return t[0] < t[1] && t[1] < t[2]; });
+  if (count % 3 == 0 && ascending && used.size() == neurons) return triangles;
+  return damaged_model("'" + name + "' does not list triangles of the map", where);
 }
 
 }  // namespace
@@ -52,6 +76,35 @@ GrowingCells::GrowingCells(const GrowingCellsParameters& parameters, const Sampl
       counters_(3, 0.0),
       triangles_{{0, 1, 2}} {
   connect_again();
+}
+
+GrowingCells::GrowingCells(const GrowingCellsParameters& parameters, const Som& som)
+    : parameters_(parameters), weights_(som), counters_(som.neurons(), 0.0) {}
+
+void GrowingCells::save(Archive& archive, const std::string& prefix) const {
+  archive.add(prefix + "counters", Array<double>{{neurons()}, counters_});
+  std::vector<std::uint64_t> corners;
+  corners.reserve(3 * triangles_.size());
+  for (const Triangle& triangle : triangles_) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
+  add_counts(archive, prefix + "triangles", corners);
+  add_counts(archive, prefix + "inputs", {inputs_});
+}
+
+Result<void> GrowingCells::load(const Archive& archive, const std::string& prefix,
+                                const std::string& where) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  constexpr std::uint64_t kMostInputs = std::numeric_limits<std::int64_t>::max();
+  SOMATO_TRY(auto counters,
+             numbers_from(archive, prefix + "counters", neurons(), 0.0, kMost, where));
+  SOMATO_TRY(auto triangles, triangles_from(archive, prefix + "triangles", neurons(), where));
+  SOMATO_TRY(const auto inputs, counts_from(archive, prefix + "inputs", 1, kMostInputs, where));
+  counters_ = std::move(counters);
+  triangles_ = std::move(triangles);
+  inputs_ = inputs.front();
+  connect_again();
+  return {};
 }
 
 void GrowingCells::learn(std::span<const float> input) {

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "maps/growing_map.h"
@@ -43,9 +45,20 @@ class GrowingCells : public GrowingMap {
   /// Starts with a triangle at samples drawn at random.
   GrowingCells(const GrowingCellsParameters& parameters, const Samples& samples);
 
+  /// Learns further from a map of this kind, before load().
+  GrowingCells(const GrowingCellsParameters& parameters, const Som& som);
+
   void learn(std::span<const float> input) override;
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
+  std::unique_ptr<GrowingMap> copy() const override {
+    return std::make_unique<GrowingCells>(*this);
+  }
+  void resume() override { weights_.number_anew(); }
+  const NeuronOrigins& origins() const override { return weights_.origins(); }
+  void save(Archive& archive, const std::string& prefix) const override;
+  Result<void> load(const Archive& archive, const std::string& prefix,
+                    const std::string& where) override;
 
   /// The triangles, ascending.
   const std::vector<Triangle>& triangles() const { return triangles_; }

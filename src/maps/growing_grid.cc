@@ -1,6 +1,7 @@
 #include "maps/growing_grid.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/elementary.h"
@@ -39,6 +40,34 @@ GrowingGrid::GrowingGrid(const GrowingGridParameters& parameters, const Samples&
     : parameters_(parameters),
       weights_(drawn_weights(samples, 4, parameters.growth.seed)),
       counters_(4, 0) {}
+
+GrowingGrid::GrowingGrid(const GrowingGridParameters& parameters, const Som& som)
+    : parameters_(parameters),
+      rows_(som.grid().rows()),
+      columns_(som.grid().columns()),
+      weights_(som),
+      counters_(som.neurons(), 0) {}
+
+void GrowingGrid::resume() {
+  weights_.number_anew();
+  tuned_ = 0;
+}
+
+void GrowingGrid::save(Archive& archive, const std::string& prefix) const {
+  add_counts(archive, prefix + "counters", counters_);
+  add_counts(archive, prefix + "inputs", {inputs_, tuned_});
+}
+
+Result<void> GrowingGrid::load(const Archive& archive, const std::string& prefix,
+                               const std::string& where) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
+  SOMATO_TRY(auto counters, counts_from(archive, prefix + "counters", neurons(), kMost, where));
+  SOMATO_TRY(const auto inputs, counts_from(archive, prefix + "inputs", 2, kMost, where));
+  counters_ = std::move(counters);
+  inputs_ = inputs[0];
+  tuned_ = inputs[1];
+  return {};
+}
 
 double GrowingGrid::learning_rate() const {
   const double start = parameters_.learning_rate_start;
@@ -100,7 +129,7 @@ void GrowingGrid::insert_between(std::size_t a, std::size_t b) {
       if (place == before + 1) {
         grown.add_between(weights_[old], weights_[old + (is_row ? columns_ : 1)]);
       } else {
-        grown.add(weights_[old]);
+        grown.add_from(weights_, old);
       }
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "maps/growing_map.h"
@@ -37,10 +39,19 @@ class GrowingGrid : public GrowingMap {
   /// Starts with samples drawn at random.
   GrowingGrid(const GrowingGridParameters& parameters, const Samples& samples);
 
+  /// Learns further from a map of this kind, before load().
+  GrowingGrid(const GrowingGridParameters& parameters, const Som& som);
+
   void learn(std::span<const float> input) override;
   bool is_complete() const override { return tuned_ >= tuning_inputs(); }
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
+  std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<GrowingGrid>(*this); }
+  void resume() override;
+  const NeuronOrigins& origins() const override { return weights_.origins(); }
+  void save(Archive& archive, const std::string& prefix) const override;
+  Result<void> load(const Archive& archive, const std::string& prefix,
+                    const std::string& where) override;
 
  private:
   Grid grid() const { return {rows_, columns_, Lattice::kRectangular, Topology::kPlane}; }

@@ -5,6 +5,7 @@
 
 #include "kernels/batch_kernels.h"
 #include "maps/initial_weights.h"
+#include "maps/map_parts.h"
 #include "maps/product_reading.h"
 #include "maps/som_preparation.h"
 #include "maps/stop.h"
@@ -72,10 +73,25 @@ Result<void> check_growing(const Samples& samples) {
   return check_range(samples);
 }
 
+GrowingWeights::GrowingWeights(const Som& som)
+    : rows_(som.weights().to_matrix()), origins_(som.neurons()) {
+  number_anew();
+}
+
+void GrowingWeights::number_anew() {
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) origins_[neuron] = neuron;
+}
+
+void GrowingWeights::add_from(const GrowingWeights& others, std::size_t neuron) {
+  add(others[neuron]);
+  origins_.back() = others.origins_[neuron];
+}
+
 void GrowingWeights::add(std::span<const float> weights) {
   require(weights.size() == rows_.columns(), "a neuron needs a weight for each element");
   const std::vector<float> copy(weights.begin(), weights.end());  // may be one of the rows
   std::copy(copy.begin(), copy.end(), rows_.add_row().begin());
+  origins_.emplace_back();
 }
 
 void GrowingWeights::add_between(std::span<const float> a, std::span<const float> b) {
@@ -89,12 +105,15 @@ void GrowingWeights::add_between(std::span<const float> a, std::span<const float
 void GrowingWeights::remove(const std::vector<std::size_t>& neurons) {
   const auto numbers = numbers_after(this->neurons(), neurons);
   Matrix<float> left(this->neurons() - neurons.size(), rows_.columns());
+  NeuronOrigins origins(left.rows());
   for (std::size_t neuron = 0; neuron < numbers.size(); ++neuron) {
     if (!numbers[neuron]) continue;
     const auto row = rows_.row(neuron);
     std::copy(row.begin(), row.end(), left.row(*numbers[neuron]).begin());
+    origins[*numbers[neuron]] = origins_[neuron];
   }
   rows_ = std::move(left);
+  origins_ = std::move(origins);
 }
 
 void GrowingWeights::move(std::size_t neuron, std::span<const float> input, double rate) {
@@ -114,6 +133,41 @@ Winners GrowingWeights::nearest_two(std::span<const float> input) const {
     best.meet(squared_distance(rows_.row(neuron), input), neuron);
   }
   return best.winners();
+}
+
+Result<std::vector<std::uint64_t>> counts_from(const Archive& archive, const std::string& name,
+                                               std::size_t count, std::uint64_t most,
+                                               const std::string& where) {
+  SOMATO_TRY(const auto found, archive.get<Array<std::int64_t>>(name, where));
+  if (found->values.size() != count || found->shape.size() != 1) {
+    return damaged_model("'" + name + "' does not fit the map", where);
+  }
+  for (const std::int64_t value : found->values) {
+    if (value < 0 || std::cmp_greater(value, most)) {
+      return damaged_model("'" + name + "' contains an invalid number", where);
+    }
+  }
+  return std::vector<std::uint64_t>(found->values.begin(), found->values.end());
+}
+
+Result<std::vector<double>> numbers_from(const Archive& archive, const std::string& name,
+                                         std::size_t count, double least, double most,
+                                         const std::string& where) {
+  SOMATO_TRY(const auto found, archive.get<Array<double>>(name, where));
+  if (found->values.size() != count || found->shape.size() != 1) {
+    return damaged_model("'" + name + "' does not fit the map", where);
+  }
+  for (const double value : found->values) {
+    if (!(value >= least && value <= most)) {
+      return damaged_model("'" + name + "' contains an invalid number", where);
+    }
+  }
+  return found->values;
+}
+
+void add_counts(Archive& archive, std::string name, const std::vector<std::uint64_t>& counts) {
+  archive.add(std::move(name),
+              Array<std::int64_t>{{counts.size()}, {counts.begin(), counts.end()}});
 }
 
 std::vector<std::optional<std::size_t>> numbers_after(std::size_t neurons,

@@ -2,14 +2,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "files/archive.h"
 #include "somato/core/matrix.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
+#include "somato/maps/labels.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
 
@@ -34,11 +38,13 @@ struct GrowthParameters {
 class GrowingMap {
  public:
   GrowingMap() = default;
-  GrowingMap(const GrowingMap&) = delete;
   GrowingMap(GrowingMap&&) = delete;
   GrowingMap& operator=(const GrowingMap&) = delete;
   GrowingMap& operator=(GrowingMap&&) = delete;
   virtual ~GrowingMap() = default;
+
+  /// The same map, which learns in the same way.
+  virtual std::unique_ptr<GrowingMap> copy() const = 0;
 
   /// Learns an input, and grows if its rule says so.
   virtual void learn(std::span<const float> input) = 0;
@@ -50,6 +56,22 @@ class GrowingMap {
 
   /// The present map. Learning is not affected.
   virtual Som map() const = 0;
+
+  /// Prepares further learning: neurons are numbered anew, and a map whose learning has ended by
+  /// itself tunes its weights again.
+  virtual void resume() = 0;
+
+  /// For each neuron its number at the last resume().
+  virtual const NeuronOrigins& origins() const = 0;
+
+  /// Adds to an archive what learning requires in addition to map(), under names that begin with
+  /// `prefix`, and reads it back into a map that was made from the same map().
+  virtual void save(Archive& archive, const std::string& prefix) const = 0;
+  virtual Result<void> load(const Archive& archive, const std::string& prefix,
+                            const std::string& where) = 0;
+
+ protected:
+  GrowingMap(const GrowingMap&) = default;
 };
 
 /// Learns `iterations` draws from `samples`, or fewer if the map is complete before. `parameters`
@@ -65,13 +87,22 @@ Result<void> check_growing(const Samples& samples);
 class GrowingWeights {
  public:
   explicit GrowingWeights(std::size_t inputs) : rows_(0, inputs) {}
+  explicit GrowingWeights(const Som& som);
 
   std::size_t neurons() const { return rows_.rows(); }
   std::span<const float> operator[](std::size_t neuron) const { return rows_.row(neuron); }
   const Matrix<float>& rows() const { return rows_; }
 
+  /// For each neuron its number at the last call of number_anew(); none for a neuron that was added
+  /// since.
+  const NeuronOrigins& origins() const { return origins_; }
+  void number_anew();
+
   /// Adds a neuron with these weights.
   void add(std::span<const float> weights);
+
+  /// Adds neuron `neuron` of `others`, with its origin.
+  void add_from(const GrowingWeights& others, std::size_t neuron);
 
   /// Adds a neuron with the mean of two vectors as weights.
   void add_between(std::span<const float> a, std::span<const float> b);
@@ -92,7 +123,22 @@ class GrowingWeights {
 
  private:
   Matrix<float> rows_;
+  NeuronOrigins origins_;
 };
+
+/// Reads an array of `count` integers from 0 to `most` from an archive. Errors (kData, at `where`):
+/// missing, or of another type, size or range.
+Result<std::vector<std::uint64_t>> counts_from(const Archive& archive, const std::string& name,
+                                               std::size_t count, std::uint64_t most,
+                                               const std::string& where);
+
+/// Reads an array of `count` finite numbers from `least` to `most`, with the same errors.
+Result<std::vector<double>> numbers_from(const Archive& archive, const std::string& name,
+                                         std::size_t count, double least, double most,
+                                         const std::string& where);
+
+/// Adds an array of integers.
+void add_counts(Archive& archive, std::string name, const std::vector<std::uint64_t>& counts);
 
 /// The number of each of `neurons` neurons after `removed` ones (ascending) are removed; empty for
 /// these.

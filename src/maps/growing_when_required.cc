@@ -60,6 +60,47 @@ GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& pa
       habituation_(2, 1.0),
       ages_(2) {}
 
+GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters,
+                                         const Som& som)
+    : parameters_(parameters),
+      distance_unit_(
+          parameters.distance_unit.value_or(std::sqrt(static_cast<double>(som.input_size())))),
+      weights_(som),
+      habituation_(som.neurons(), 1.0),
+      ages_(som.neurons()) {
+  for (const auto& [a, b] : som.grid().graph()->edges()) connect(a, b);
+}
+
+void GrowingWhenRequired::save(Archive& archive, const std::string& prefix) const {
+  archive.add(prefix + "habituation", Array<double>{{neurons()}, habituation_});
+  std::vector<std::uint64_t> ages;
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+    for (const auto& [other, age] : ages_[neuron]) {
+      if (neuron < other) ages.push_back(age);
+    }
+  }
+  add_counts(archive, prefix + "ages", ages);
+}
+
+Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string& prefix,
+                                       const std::string& where) {
+  std::size_t edges = 0;
+  for (const auto& of_neuron : ages_) edges += of_neuron.size();
+  // Its distance from 1 - 1 / recovery does not increase, and is 1 / recovery at first.
+  SOMATO_TRY(auto habituation,
+             numbers_from(archive, prefix + "habituation", neurons(), -1.0, 1.0, where));
+  SOMATO_TRY(const auto ages,
+             counts_from(archive, prefix + "ages", edges / 2, parameters_.oldest_edge, where));
+  habituation_ = std::move(habituation);
+  auto next = ages.begin();
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+    for (auto& [other, age] : ages_[neuron]) {
+      if (neuron < other) age = ages_[other][neuron] = *next++;
+    }
+  }
+  return {};
+}
+
 void GrowingWhenRequired::learn(std::span<const float> input) {
   const Winners nearest = weights_.nearest_two(input);
   connect(nearest.first, nearest.second);

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "maps/growing_map.h"
@@ -39,9 +41,20 @@ class GrowingWhenRequired : public GrowingMap {
   /// Starts with two neurons at samples drawn at random.
   GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const Samples& samples);
 
+  /// Learns further from a map of this kind, before load().
+  GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const Som& som);
+
   void learn(std::span<const float> input) override;
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
+  std::unique_ptr<GrowingMap> copy() const override {
+    return std::make_unique<GrowingWhenRequired>(*this);
+  }
+  void resume() override { weights_.number_anew(); }
+  const NeuronOrigins& origins() const override { return weights_.origins(); }
+  void save(Archive& archive, const std::string& prefix) const override;
+  Result<void> load(const Archive& archive, const std::string& prefix,
+                    const std::string& where) override;
 
  private:
   void insert(const Winners& nearest, std::span<const float> input);

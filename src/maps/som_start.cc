@@ -10,6 +10,7 @@
 #include "maps/product_state.h"
 #include "maps/product_weights.h"
 #include "maps/som_preparation.h"
+#include "somato/core/check.h"
 
 namespace somato {
 namespace {
@@ -39,6 +40,22 @@ Result<SomStart> start_plain(const SomParameters& parameters, const Samples& sam
                   std::move(ready.elements)};
 }
 
+// All elements are stored, because new samples may use others than those learned before.
+Result<SomStart> start_from(const Som& trained, SomParameters parameters, const Samples& samples) {
+  parameters.arithmetic = Arithmetic::kPlain;
+  Samples storage;
+  SOMATO_TRY(const auto ready, prepare_training(parameters, samples, storage));
+  require(
+      trained.neurons() == ready.parameters.grid().size() && trained.input_size() == samples.size(),
+      "training starts from a map of the same size");
+  Som whole = trained;
+  whole.store_all();
+  Samples normalized;
+  return SomStart{Som(ready.parameters, whole.weights()),
+                  prepared_samples(ready.parameters, samples, normalized), every_one(samples),
+                  StoredElements(samples.size())};
+}
+
 }  // namespace
 
 Som SomStart::whole(Som trained) const {
@@ -49,6 +66,10 @@ Som SomStart::whole(Som trained) const {
 Result<SomStart> start_som(const SomParameters& parameters, const Samples& samples,
                            const TrainingOptions& options) {
   std::vector<std::size_t> training = options.training.value_or(every_one(samples));
+  if (options.start) {
+    return start_from(*options.start, parameters,
+                      options.training ? samples.subset(training) : samples);
+  }
   SOMATO_TRY(auto problem, ProductProblem::prepare(parameters, samples, training, options.threads));
   if (problem == nullptr) {
     return start_plain(parameters, options.training ? samples.subset(training) : samples);

@@ -49,9 +49,10 @@ StudyOutcome outcome_of(const StudyDescription& description, const PreparedStudy
   const Som& som = *som_of(system, prepared.map);
   outcome.classes = learned_classes(prepared);
   outcome.winners = std::move(winners);
-  outcome.model.answer = SystemAnswer{
-      system.modules()[prepared.map].name, description.study.label, outcome.classes.names,
-      NeuronLabels::by_majority(outcome.winners, outcome.classes.of_sample, som.neurons())};
+  NeuronVotes votes(som.neurons());
+  votes.add_all(outcome.winners, outcome.classes.of_sample);
+  outcome.model.answer = SystemAnswer{system.modules()[prepared.map].name, description.study.label,
+                                      outcome.classes.names, votes.labels(), std::move(votes)};
   outcome.results.parameters = study_settings(description, system);
   return outcome;
 }

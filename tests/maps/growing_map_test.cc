@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "somato/core/check.h"
 
 namespace somato {
@@ -45,6 +49,21 @@ TEST(GrowingWeights, KeepTheOrderOfTheOthersWhereSomeAreRemoved) {
   EXPECT_EQ(row(weights, 1), (Floats{0, 2}));
 }
 
+TEST(GrowingWeights, KeepTheNumbersThatNeuronsHadBefore) {
+  GrowingWeights weights = three_points();
+  weights.number_anew();
+  weights.remove({1});
+  weights.add(Floats{7, 7});
+  EXPECT_EQ(weights.origins(), (NeuronOrigins{0, 2, std::nullopt}));
+  GrowingWeights others(2);
+  others.add_from(weights, 2);
+  others.add_from(weights, 1);
+  EXPECT_EQ(others.origins(), (NeuronOrigins{std::nullopt, 2}));
+  EXPECT_EQ(row(others, 1), (Floats{0, 2}));
+  others.number_anew();
+  EXPECT_EQ(others.origins(), (NeuronOrigins{0, 1}));
+}
+
 TEST(GrowingWeights, StartAtDifferentSamplesIfThereAreEnough) {
   const Samples samples(Matrix<float>(3, 1, {1, 2, 3}));
   const GrowingWeights weights = drawn_weights(samples, 3, 5);
@@ -69,11 +88,20 @@ class CountingMap : public GrowingMap {
   bool is_complete() const override { return inputs.size() >= most_; }
   std::size_t neurons() const override { return inputs.size(); }
   Som map() const override { return {}; }
+  std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<CountingMap>(*this); }
+  void resume() override { inputs.clear(); }
+  const NeuronOrigins& origins() const override { return origins_; }
+  void save(Archive& /*archive*/, const std::string& /*prefix*/) const override {}
+  Result<void> load(const Archive& /*archive*/, const std::string& /*prefix*/,
+                    const std::string& /*where*/) override {
+    return {};
+  }
 
   Floats inputs;
 
  private:
   std::size_t most_;
+  NeuronOrigins origins_;
 };
 
 GrowthParameters iterations(std::uint64_t count) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "somato/core/check.h"
 
 namespace somato {
@@ -33,6 +35,24 @@ TEST(NeuronLabels, ClassifyByTheMostSimilarLabelledNeuron) {
 TEST(NeuronLabels, RefuseWinnersThatAreNotOnTheMap) {
   EXPECT_THROW(NeuronLabels::by_majority({4}, {0}, 4), InvalidArgument);
   EXPECT_THROW(NeuronLabels::by_majority({1, 2}, {0}, 4), InvalidArgument);
+}
+
+// Two votes against one; neuron 1 is removed with its votes, and a new neuron has none.
+TEST(NeuronVotes, StayWithTheirNeurons) {
+  NeuronVotes votes(3);
+  votes.add_all({0, 0, 0, 1, 2}, {4, 3, 4, 1, 0});
+  EXPECT_EQ(votes.of(0, 4), 2U);
+  EXPECT_EQ(votes.of(0, 0), 0U);
+  EXPECT_EQ(votes.classes(), 5U);
+  const NeuronVotes moved = votes.moved_to({2, std::nullopt, 0});
+  EXPECT_EQ(moved.labels(), NeuronLabels({0, std::nullopt, 4}));
+  EXPECT_EQ(moved.of(2, 3), 1U);
+  NeuronVotes more = moved;
+  more.add(1, 7, 2);
+  EXPECT_EQ(more.labels(), NeuronLabels({0, 7, 4}));
+  EXPECT_EQ(NeuronVotes(2).classes(), 0U);
+  EXPECT_THROW(votes.add(3, 0), InvalidArgument);
+  EXPECT_THROW((void)votes.moved_to({3}), InvalidArgument);
 }
 
 TEST(Classes, AreNumberedInOrderOfFirstAppearance) {

@@ -17,6 +17,7 @@ struct SystemAnswer {
   std::string label;                 ///< The label that is predicted, such as "object".
   std::vector<std::string> classes;  ///< Names of the classes.
   NeuronLabels labels;               ///< One class per labelled neuron.
+  NeuronVotes votes = {};  ///< The votes that gave the labels; empty in files of earlier versions.
 };
 
 /// A trained system with its output.

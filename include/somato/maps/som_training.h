@@ -41,6 +41,10 @@ struct TrainingOptions {
   /// affect the map, but in training by inner products it knows() them as well.
   std::optional<std::vector<std::size_t>> training = {};
 
+  /// A trained map of the same size from whose weights training starts, with the schedule of a new
+  /// training and in plain arithmetic; nullptr: initial weights. Only for samples in memory.
+  const Som* start = nullptr;
+
   /// A file for the map after the last complete epoch of training from a SampleSource, which
   /// continues from it if it exists; or empty. The caller removes it after saving the map.
   std::string checkpoint = {};

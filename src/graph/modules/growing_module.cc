@@ -1,6 +1,8 @@
 #include "graph/modules/growing_module.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "maps/growing_cells.h"
@@ -47,6 +49,12 @@ std::uint64_t iterations_of(const GrowingGridParameters& parameters, std::size_t
   return parameters.growth_inputs * most * most + parameters.tuning_inputs * most;
 }
 
+template <typename Map>
+bool can_be(const Grid& grid) {
+  if constexpr (!std::is_same_v<Map, GrowingGrid>) return grid.graph() != nullptr;
+  return grid.graph() == nullptr && grid.rows() >= 2 && grid.columns() >= 2;
+}
+
 template <typename Parameters, typename Map>
 class KindOf : public GrowingKind {
  public:
@@ -59,6 +67,14 @@ class KindOf : public GrowingKind {
     Parameters started = parameters_;
     started.growth = growth;
     return std::make_unique<Map>(started, samples);
+  }
+
+  std::unique_ptr<GrowingMap> start(const Som& som) const override {
+    if (!can_be<Map>(som.grid())) return nullptr;
+    Parameters learned = parameters_;
+    learned.growth.seed = som.parameters().seed;
+    learned.growth.iterations = som.parameters().iterations;
+    return std::make_unique<Map>(learned, som);
   }
 
   std::uint64_t automatic_iterations(std::size_t samples) const override {
@@ -112,32 +128,60 @@ std::size_t GrowingModule::memory() const {
   return neurons * input_size_ * sizeof(float);
 }
 
-Result<void> GrowingModule::learn(const LearningPlan& plan, const TrainingInputs& explorations) {
-  const Samples samples = all_values(explorations);
-  SOMATO_TRY_VOID(check_growing(samples));
+GrowthParameters GrowingModule::growth_for(const LearningPlan& plan, std::size_t samples) const {
   GrowthParameters growth = kind_->growth();
   growth.seed = plan.seed;
   if (plan.order) growth.draws = *plan.order;
   if (plan.draws) growth.iterations = plan.draws;
-  growth.iterations = growth.iterations.value_or(kind_->automatic_iterations(samples.count()));
-  const std::unique_ptr<GrowingMap> map = kind_->start(growth, samples);
+  growth.iterations = growth.iterations.value_or(kind_->automatic_iterations(samples));
+  return growth;
+}
+
+Result<void> GrowingModule::grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
+                                      const GrowthParameters& growth, const Samples& samples) {
   SOMATO_TRY_VOID(grow(*map, growth, samples, plan.progress, plan.observer));
   som_ = map->map();
+  map_ = std::move(map);
   return {};
 }
 
+Result<void> GrowingModule::learn(const LearningPlan& plan, const TrainingInputs& explorations) {
+  const Samples samples = all_values(explorations);
+  SOMATO_TRY_VOID(check_growing(samples));
+  const GrowthParameters growth = growth_for(plan, samples.count());
+  return grow_from(kind_->start(growth, samples), plan, growth, samples);
+}
+
+Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,
+                                                   const Samples& inputs) {
+  require(map_ != nullptr, "a map must be trained before it learns further");
+  SOMATO_TRY_VOID(check_growing(inputs));
+  require(inputs.size() == input_size_, "inputs have the wrong size for this map");
+  std::unique_ptr<GrowingMap> map = map_->copy();
+  map->resume();
+  SOMATO_TRY_VOID(grow_from(std::move(map), plan, growth_for(plan, inputs.count()), inputs));
+  return map_->origins();
+}
+
 void GrowingModule::save(Archive& archive, const std::string& prefix) const {
-  require(som_.neurons() > 0, "a map must be trained before it is saved");
+  require(map_ != nullptr, "a map must be trained before it is saved");
   add_som(archive, prefix, som_);
+  map_->save(archive, prefix);
 }
 
 Result<void> GrowingModule::load(const Archive& archive, const std::string& prefix,
                                  const std::string& where) {
   SOMATO_TRY(auto som, som_from(archive, prefix, where));
-  if (som.input_size() != input_size_ || som.neurons() > kind_->growth().most_neurons) {
+  auto map = kind_->start(som);
+  if (som.input_size() != input_size_ || som.neurons() > kind_->growth().most_neurons || !map) {
     return damaged_model("the map does not fit its module", where);
   }
+  SOMATO_TRY_VOID(map->load(archive, prefix, where));
+  if (map->map().grid() != som.grid()) {
+    return damaged_model("the connections of the neurons do not fit the map", where);
+  }
   som_ = std::move(som);
+  map_ = std::move(map);
   return {};
 }
 

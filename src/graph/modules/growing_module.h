@@ -26,6 +26,10 @@ class GrowingKind {
   virtual std::unique_ptr<GrowingMap> start(const GrowthParameters& growth,
                                             const Samples& samples) const = 0;
 
+  /// A map that learns further from `som`, before GrowingMap::load(); nullptr if `som` is not of
+  /// this kind.
+  virtual std::unique_ptr<GrowingMap> start(const Som& som) const = 0;
+
   /// The number of iterations where it is automatic.
   virtual std::uint64_t automatic_iterations(std::size_t samples) const = 0;
 };
@@ -46,13 +50,19 @@ class GrowingModule : public MapModule {
   bool learns_at_once() const override { return true; }
   bool learns_by_draws() const override { return false; }
   Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations) override;
+  Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) override;
   void save(Archive& archive, const std::string& prefix) const override;
   Result<void> load(const Archive& archive, const std::string& prefix,
                     const std::string& where) override;
 
  private:
+  GrowthParameters growth_for(const LearningPlan& plan, std::size_t samples) const;
+  Result<void> grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
+                         const GrowthParameters& growth, const Samples& samples);
+
   std::unique_ptr<GrowingKind> kind_;
   std::size_t input_size_ = 0;
+  std::unique_ptr<GrowingMap> map_;  // learns; som_ is its present map
   Som som_;
 };
 

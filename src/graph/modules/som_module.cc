@@ -124,6 +124,17 @@ Result<void> SomModule::learn(const LearningPlan& plan, const TrainingInputs& ex
   return {};
 }
 
+Result<NeuronOrigins> SomModule::learn_further(const LearningPlan& plan, const Samples& inputs) {
+  require(som_.neurons() > 0, "a map must be trained before it learns further");
+  TrainingOptions options{1, plan.progress, plan.observer, {}};
+  options.start = &som_;
+  SOMATO_TRY(auto trained, train_som(parameters_for(plan), inputs, options));
+  som_ = std::move(trained);
+  NeuronOrigins origins(som_.neurons());
+  for (std::size_t neuron = 0; neuron < origins.size(); ++neuron) origins[neuron] = neuron;
+  return origins;
+}
+
 Result<std::uint64_t> SomModule::begin(const LearningPlan& plan,
                                        const TrainingInputs& explorations) {
   SomParameters parameters = parameters_for(plan);

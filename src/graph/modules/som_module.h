@@ -33,6 +33,7 @@ class SomModule : public MapModule {
   bool learns_at_once() const override { return rate_ == Rate::kExploration; }
   bool learns_by_draws() const override { return parameters_.training == Training::kOnline; }
   Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations) override;
+  Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) override;
   Result<std::uint64_t> begin(const LearningPlan& plan,
                               const TrainingInputs& explorations) override;
   Result<void> step(std::span<const SignalView> inputs, std::uint64_t draw) override;

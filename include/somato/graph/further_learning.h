@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "somato/core/progress.h"
+#include "somato/core/result.h"
+#include "somato/graph/system.h"
+#include "somato/graph/system_model.h"
+#include "somato/maps/labels.h"
+#include "somato/recording/recording.h"
+
+namespace somato {
+
+/// Options of further learning.
+struct FurtherLearning {
+  std::uint64_t seed = 1;   ///< The seed of the draws.
+  Progress progress = {};   ///< In draws.
+  std::size_t threads = 1;  ///< Does not affect the result.
+};
+
+/// Lets the map of a trained system learn `inputs`, one per exploration, in addition to what it has
+/// learned, with as many draws as in a training on `inputs` only. All other modules remain as they
+/// are. A system that was saved and loaded learns as if it had not been. Returns the origins of the
+/// neurons, to which names must be moved.
+///
+/// If learning fails, the map is unchanged. Errors: those of train_system(). Throws InvalidArgument
+/// if the module is not a trained map, or for inputs of another size.
+Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Samples& inputs,
+                                    const FurtherLearning& options = {});
+
+/// Lets a trained system learn explorations of a recording in addition to what it has learned, with
+/// their names: the output map learns their inputs, then each exploration votes for the value of
+/// its label at the neuron that it wins. New names become new classes. Votes of earlier
+/// explorations stay with their neurons; those of removed neurons are lost.
+///
+/// If learning fails, the model is unchanged. Errors: those of train_system(), and kUsage if an
+/// exploration does not have the label of the model's answer. Throws InvalidArgument if the model
+/// has no answer.
+Result<void> learn_further(SystemModel& model, const Recording& recording,
+                           std::span<const std::size_t> explorations,
+                           const FurtherLearning& options = {});
+
+}  // namespace somato
