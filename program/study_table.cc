@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "wording.h"
 
@@ -61,6 +62,25 @@ std::string main_metrics(const ProtocolResults& system) {
   return text;
 }
 
+// The learners of object_after_object, a row each.
+std::string learners_table(const ProtocolResults& system) {
+  std::string text =
+      fmt::format("  {:<34} {:<18} {:<18} {}\n", "", "accuracy", "forgetting", "values kept");
+  for (const auto& [title, prefix] : {std::pair{"map", ""},
+                                      {"plain SOM", "plain_som_"},
+                                      {"nearest neighbour, all kept", "baseline_"},
+                                      {"nearest neighbour, memory of map", "same_memory_"}}) {
+    const std::string before = prefix;
+    const Metric* kept = system.find_metric(before + "values_kept");
+    const Metric* accuracy = system.find_metric(before + "accuracy");
+    const Metric* forgetting = system.find_metric(before + "forgetting");
+    if (kept == nullptr || accuracy == nullptr || forgetting == nullptr) continue;
+    text += fmt::format("  {:<34} {:<18} {:<18} {:.0f}\n", title, summary(*accuracy),
+                        summary(*forgetting), kept->mean());
+  }
+  return text;
+}
+
 std::string all_metrics(const ProtocolResults& system) {
   std::string text;
   std::size_t width = 33;
@@ -76,7 +96,9 @@ std::string table_of(const std::string& name, const ProtocolResults& system, Sho
   const std::string heading =
       fmt::format("\n{}: {}{} by {}, {}, {}\n", name, system.protocol, group, system.label,
                   counted(system.samples, "sample"), counted(system.runs.size(), "seed"));
-  return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main_metrics(system)) +
+  const bool continual = system.protocol == "object_after_object";
+  const std::string main = continual ? learners_table(system) : main_metrics(system);
+  return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main) +
          missing_accuracy(system) + advice(system);
 }
 

@@ -11,6 +11,7 @@
 #include "somato/codes/spectrum.h"
 #include "somato/codes/tensor_product.h"
 #include "somato/graph/evaluation.h"
+#include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"
 #include "somato/graph/som_model.h"
 #include "somato/graph/system.h"

@@ -10,6 +10,7 @@
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
 #include "studies/exploration_samples.h"
+#include "studies/forgetting.h"
 #include "studies/prepared_study.h"
 
 namespace somato {
@@ -45,6 +46,9 @@ struct FoldOutcome {
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
   Grid grid = {};  ///< The grid of the trained map, which for maps that grow depends on training.
+  ObjectsOutcome objects = {};          ///< Only with object_after_object.
+  std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
+                                        ///< votes name.
 
   bool operator==(const FoldOutcome&) const = default;
 };

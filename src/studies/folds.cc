@@ -73,6 +73,7 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
       return groups;
     }
     case Protocol::kFolds:
+    case Protocol::kObjectAfterObject:
       break;
   }
   require(samples.classes.size() == samples.samples, "k_folds needs a class for each sample");

@@ -17,7 +17,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 5;
+constexpr int kJournalVersion = 6;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -97,6 +97,30 @@ Grid grid_of(const SortedJson& json) {
           choice_named<Topology>("topology", json.at("topology").get<std::string>(), {}).value()};
 }
 
+SortedJson json_of(const ObjectsOutcome& objects) {
+  SortedJson learners = SortedJson::array();
+  for (const LearnerTests& one : objects.learners) {
+    learners.push_back({{"right", one.right}, {"vectors", one.vectors}});
+  }
+  return {{"tested", objects.tested},
+          {"learners", std::move(learners)},
+          {"elements", objects.elements},
+          {"neurons", objects.neurons}};
+}
+
+ObjectsOutcome objects_of(const SortedJson& json) {
+  ObjectsOutcome objects;
+  json.at("tested").get_to(objects.tested);
+  for (const SortedJson& one : json.at("learners")) {
+    LearnerTests& tests = objects.learners.emplace_back();
+    one.at("right").get_to(tests.right);
+    one.at("vectors").get_to(tests.vectors);
+  }
+  json.at("elements").get_to(objects.elements);
+  json.at("neurons").get_to(objects.neurons);
+  return objects;
+}
+
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   return {{"protocol", protocol},
           {"training", training},
@@ -110,7 +134,9 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"altered", altered_json(outcome)},
           {"recalled", outcome.recalled},
           {"predictions", numbers_of(outcome.predictions)},
-          {"grid", json_of(outcome.grid)}};
+          {"grid", json_of(outcome.grid)},
+          {"objects", json_of(outcome.objects)},
+          {"named", outcome.named}};
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -131,6 +157,8 @@ FoldOutcome outcome_of(const SortedJson& line) {
   line.at("recalled").get_to(outcome.recalled);
   outcome.predictions = predictions_of(line.at("predictions"));
   outcome.grid = grid_of(line.at("grid"));
+  outcome.objects = objects_of(line.at("objects"));
+  line.at("named").get_to(outcome.named);
   return outcome;
 }
 

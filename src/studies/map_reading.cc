@@ -177,6 +177,48 @@ double share_with(const std::vector<Numbers>& similar, const Numbers& placed) {
   return right / static_cast<double>(placed.size());
 }
 
+// For each known individual the connected part in which most of its samples are; in a tie, the
+// first.
+Numbers parts_of_individuals(const Numbers& parts, const Numbers& winners,
+                             const Numbers& individuals, std::size_t known) {
+  std::vector<std::map<std::size_t, std::size_t>> samples(known);
+  for (std::size_t i = 0; i < winners.size(); ++i) ++samples[individuals[i]][parts[winners[i]]];
+  Numbers most;
+  most.reserve(known);
+  for (const auto& of_part : samples) {
+    most.push_back(
+        std::max_element(of_part.begin(), of_part.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        })->first);
+  }
+  return most;
+}
+
+// The share of new samples in the part of one of the most similar individuals, and the share that
+// is expected if the new samples exchange their places at random.
+void read_parts(const Grid& grid, const FoldOutcome& outcome, const Numbers& individuals,
+                const std::vector<Numbers>& similar, std::size_t known, Readings& values) {
+  const Numbers& parts = grid.graph()->parts();
+  const Numbers of_known =
+      parts_of_individuals(parts, outcome.training_winners, individuals, known);
+  const auto is_right = [&](std::size_t sample, std::size_t winner) {
+    return std::any_of(similar[sample].begin(), similar[sample].end(),
+                       [&](std::size_t one) { return of_known[one] == parts[winner]; });
+  };
+  const std::size_t count = outcome.winners.size();
+  double right = 0.0;
+  double by_chance = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    right += is_right(i, outcome.winners[i]) ? 1.0 : 0.0;
+    for (const std::size_t winner : outcome.winners) by_chance += is_right(i, winner) ? 1.0 : 0.0;
+  }
+  const auto all = static_cast<double>(count);
+  values.push_back({"placed_in_part_of_most_similar", right / all});
+  values.push_back({"placed_in_part_of_most_similar_chance",
+                    by_chance / (all * all),
+                    {{by_chance / (all * all), 1}}});
+}
+
 }  // namespace
 
 std::vector<Numbers> wrong_classes(const StudiedLabel& label, std::size_t explorations,
@@ -245,7 +287,11 @@ std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcom
                 share_with(similar, neighbours(outcome.nearest.standardized)))}};
   Numbers winners = outcome.training_winners;
   winners.insert(winners.end(), outcome.winners.begin(), outcome.winners.end());
-  if (!outcome.grid.graph()) read_order(order, outcome.grid, winners, seed, values);
+  if (outcome.grid.graph()) {
+    read_parts(outcome.grid, outcome, order.individuals, similar, known, values);
+  } else {
+    read_order(order, outcome.grid, winners, seed, values);
+  }
   return values;
 }
 

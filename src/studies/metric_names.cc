@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kChanceSuffix = "_chance";
 constexpr std::string_view kMappedWith = "mapped_with ";
+constexpr std::string_view kAfter = "_after_";
 
 const std::vector<std::string>& plain_names() {
   static const std::vector<std::string> names{"accuracy",
@@ -35,6 +36,7 @@ const std::vector<std::string>& plain_names() {
                                               "cosine_between_classes",
                                               "placed_with_most_similar",
                                               "baseline_placed_with_most_similar",
+                                              "placed_in_part_of_most_similar",
                                               "prediction_error",
                                               "prediction_error_of_mean",
                                               "prediction_error_of_nearest",
@@ -45,7 +47,17 @@ const std::vector<std::string>& plain_names() {
                                               "strongest_distance",
                                               "strongest_distance_of_nearest",
                                               "strongest_distance_of_preceding",
-                                              "steps_right"};
+                                              "steps_right",
+                                              "forgetting",
+                                              "values_kept",
+                                              "baseline_forgetting",
+                                              "baseline_values_kept",
+                                              "plain_som_accuracy",
+                                              "plain_som_forgetting",
+                                              "plain_som_values_kept",
+                                              "same_memory_accuracy",
+                                              "same_memory_forgetting",
+                                              "same_memory_values_kept"};
   return names;
 }
 
@@ -55,6 +67,7 @@ Result<void> check_metric_name(const std::string& name, const std::string& where
   if (name.find(kMappedWith) != std::string::npos) return {};
   std::string plain = name.substr(name.rfind('.') + 1);  // npos + 1 is 0
   if (plain.ends_with(kChanceSuffix)) plain.resize(plain.size() - kChanceSuffix.size());
+  plain = plain.substr(0, plain.find(kAfter));
   if (contains(plain_names(), plain)) return {};
   return fail(unknown_name("metric", plain, where, plain_names()));
 }

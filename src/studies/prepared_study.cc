@@ -160,6 +160,19 @@ Result<void> check_classes(const PreparedStudy& prepared, const std::string& lab
               "there are no classes to distinguish; use another label");
 }
 
+// An object whose only exploration is tested could never be learned.
+Result<void> check_each_is_repeated(const Classes& classes, const std::string& label,
+                                    std::size_t learned) {
+  Numbers counts(classes.names.size(), 0);
+  for (std::size_t i = 0; i < learned; ++i) ++counts[classes.of_sample[i]];
+  const auto single = std::find(counts.begin(), counts.end(), std::size_t{1});
+  if (single == counts.end()) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("only one exploration has '{}' as its '{}'",
+                          classes.names[static_cast<std::size_t>(single - counts.begin())], label),
+              {}, "object_after_object needs at least two of each; select others with 'only'");
+}
+
 Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedStudy& prepared) {
   const std::size_t all = prepared.recording.explorations.size();
   prepared.samples.samples = learned;
@@ -178,11 +191,15 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
     prepared.groups[label] = std::move(groups);
   }
   for (const Protocol protocol : study.protocols) {
-    if (protocol == Protocol::kFolds && study.folds > learned) {
+    const bool in_parts = protocol == Protocol::kFolds || protocol == Protocol::kObjectAfterObject;
+    if (in_parts && study.folds > learned) {
       return fail(
           ErrorKind::kData,
           fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},
           "use a smaller number of 'folds' in [study]");
+    }
+    if (protocol == Protocol::kObjectAfterObject) {
+      SOMATO_TRY_VOID(check_each_is_repeated(prepared.classes(), study.label, learned));
     }
   }
   return {};

@@ -91,9 +91,20 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
                   "that it is mapped with");
   }
   // An empty list is how a variation takes the groups away.
-  return check_effect(file, "groups", "leave_group_out",
-                      study.groups.empty() || has(Protocol::kLeaveGroupOut))
-      .and_then([&] { return check_effect(file, "folds", "k_folds", has(Protocol::kFolds)); });
+  const bool continual = has(Protocol::kObjectAfterObject);
+  if (continual && !study.recall.empty()) {
+    return refuse("recall", "object_after_object names explorations by the winner, not by a recall",
+                  "remove the recall, or the protocol");
+  }
+  SOMATO_TRY_VOID(check_effect(file, "groups", "leave_group_out",
+                               study.groups.empty() || has(Protocol::kLeaveGroupOut)));
+  SOMATO_TRY_VOID(check_effect(file, "folds", "k_folds or object_after_object",
+                               has(Protocol::kFolds) || continual));
+  for (const char* key :
+       {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
+    SOMATO_TRY_VOID(check_effect(file, key, "object_after_object", continual));
+  }
+  return {};
 }
 
 // Without defaults, since a key that no protocol reads is refused.
@@ -115,7 +126,17 @@ const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
       {Protocol::kLeaveOneOut, "leave_one_out"},
       {Protocol::kLeaveGroupOut, "leave_group_out"},
       {Protocol::kFolds, "k_folds"},
+      {Protocol::kObjectAfterObject, "object_after_object"},
       {Protocol::kTestData, "test_data"}};
+  return choices;
+}
+
+const std::vector<std::pair<ReplayChoice, std::string>>& Choices<ReplayChoice>::all() {
+  static const std::vector<std::pair<ReplayChoice, std::string>> choices{
+      {ReplayChoice::kRandom, "random"},
+      {ReplayChoice::kFirst, "first"},
+      {ReplayChoice::kNearestToMean, "nearest_to_mean"},
+      {ReplayChoice::kMostDistant, "most_distant"}};
   return choices;
 }
 
@@ -158,11 +179,26 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("protocols", &P::protocols, "", Range::any(),
                "Division into training and test explorations: all for both, as in the papers; or "
                "each exploration, each group, or each of several equal parts is tested by a system "
-               "trained on the others. test_data is added by --test-data.")
+               "trained on the others; or, with the same parts, by a system that learns the "
+               "objects one after another. test_data is added by --test-data.")
           .add("groups", &P::groups, "", Range::any(),
                "Labels whose values are the groups of leave_group_out, which is run once for each "
                "label.")
-          .add("folds", &P::folds, "", Range::between(2, 1e6), "Number of parts of k_folds.")
+          .add("folds", &P::folds, "", Range::between(2, 1e6),
+               "Number of parts of k_folds and object_after_object.")
+          .add("replay_per_object", &P::replay_per_object, "explorations", Range::between(0, 1e6),
+               "Number of explorations of each object that are kept and learned again with each "
+               "later object, under object_after_object.")
+          .add("replay_choice", &P::replay_choice, "", Range::any(),
+               "Which explorations are kept: drawn at random, the first, those nearest to the mean "
+               "of the object, or, after the one nearest to the mean, those most distant from "
+               "those already chosen; also for the baseline with the memory of the map.")
+          .add("generated_per_object", &P::generated_per_object, "vectors", Range::between(0, 1e6),
+               "Number of vectors that are generated for each earlier object and learned with each "
+               "later one: weights of neurons with its name, with normal noise.")
+          .add("generated_spread", &P::generated_spread, "", Range::between(0, 1e3),
+               "Standard deviation of that noise, as a share of the distance of the neuron from "
+               "the nearest other one.")
           .add("seeds", &P::seeds, "", Range::between(1, 1e6),
                "Number of seeds; each trains a separate map. The papers show one map.")
           .add("first_seed", &P::first_seed, "", Range::between(0, 1e15),

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "studies/object_after_object.h"
+
 namespace somato {
 namespace {
 
@@ -19,6 +21,14 @@ std::vector<std::size_t> all_tested(const std::vector<Fold>& folds) {
 std::size_t place_of(std::size_t sample, const std::vector<std::size_t>& ascending) {
   const auto place = std::lower_bound(ascending.begin(), ascending.end(), sample);
   return static_cast<std::size_t>(place - ascending.begin());
+}
+
+std::vector<std::vector<const ObjectsOutcome*>> objects_of(const std::vector<SeedOutcome>& seeds) {
+  std::vector<std::vector<const ObjectsOutcome*>> all(seeds.size());
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    for (const FoldOutcome* fold : seeds[s].folds) all[s].push_back(&fold->objects);
+  }
+  return all;
 }
 
 }  // namespace
@@ -79,12 +89,9 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
     return;
   }
   const std::size_t fold = training % folds_.size();
-  const auto trained =
-      train_fold(description_, prepared_, folds_[fold], seed(training / folds_.size()),
-                 [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); });
-  if (!trained) return tally.failed(trained.error());
-  outcomes_[training] = std::make_unique<FoldOutcome>(
-      test_fold(*trained, prepared_, folds_[fold], neighbours(*trained, fold)));
+  auto outcome = outcome_of(fold, seed(training / folds_.size()), tally);
+  if (!outcome) return tally.failed(std::move(outcome.error()));
+  outcomes_[training] = std::make_unique<FoldOutcome>(std::move(*outcome));
   if (auto kept = journal.add(number_, training, *outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
@@ -99,6 +106,15 @@ void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   for (std::size_t i = 0; i < prepared_.alterations.size(); ++i) {
     outcomes_[0]->altered[i].nearest = std::move(nearest[i + 1]);
   }
+}
+
+Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t seed, Tally& tally) {
+  const Progress progress = [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); };
+  if (part_.protocol == Protocol::kObjectAfterObject) {
+    return learn_object_after_object(description_, prepared_, folds_[fold], seed, progress);
+  }
+  SOMATO_TRY(const auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
+  return test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
 }
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
@@ -119,7 +135,9 @@ ProtocolResults SystemRunner::results() const {
   results.samples = tested_.size();
   const std::vector<SeedOutcome> all = seeds();
   for (const SeedOutcome& seed : all) results.runs.push_back(run_of(seed));
-  results.metrics = metrics_of({description_.study, prepared_, part_.protocol, folds_}, all);
+  results.metrics = part_.protocol == Protocol::kObjectAfterObject
+                        ? continual_metrics(objects_of(all))
+                        : metrics_of({description_.study, prepared_, part_.protocol, folds_}, all);
   return results;
 }
 
@@ -145,13 +163,17 @@ Run SystemRunner::run_of(const SeedOutcome& seed) const {
     }
   }
   for (const StudiedLabel& label : prepared_.labels) {
+    const bool is_own = &label == &prepared_.labels.front();
+    if (part_.protocol == Protocol::kObjectAfterObject && !is_own) continue;
     std::vector<std::vector<std::size_t>> named;
     named.reserve(folds_.size());
     for (std::size_t f = 0; f < folds_.size(); ++f) {
-      named.push_back(predictions(label.classes, folds_[f], *seed.folds[f]));
+      named.push_back(part_.protocol == Protocol::kObjectAfterObject
+                          ? seed.folds[f]->named
+                          : predictions(label.classes, folds_[f], *seed.folds[f]));
     }
     std::vector<std::string> names = names_of_tested(label.classes, named);
-    if (&label == &prepared_.labels.front()) {
+    if (is_own) {
       run.predictions = std::move(names);
     } else {
       run.other_predictions.emplace_back(label.name, std::move(names));

@@ -82,6 +82,7 @@ class SystemRunner {
   ProtocolResults results() const;
 
  private:
+  Result<FoldOutcome> outcome_of(std::size_t fold, std::uint64_t seed, Tally& tally);
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
   std::vector<Neighbours> neighbours(const TrainedFold& trained, std::size_t fold);
   std::vector<SeedOutcome> seeds() const;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "maps/size_order.h"
+#include "studies/most_similar.h"
 #include "support/made_study.h"
 #include "support/prepared_study.h"
 
@@ -260,6 +262,23 @@ TEST_F(ReadPlaced, StandsBesideTheBetterBaseline) {
   EXPECT_EQ(
       placed({0, 0, 0, 0}, {{1, 2, 2, 0}, {0, 1, 2, 3}}).at("baseline_placed_with_most_similar"),
       0.75);
+}
+
+// Neurons 0, 1 and 2 are one part, 3, 5 and 6 another, 8 a third one, which no known sample has
+// won. Individual 0 is in the first part, 1 and 2 are in the second. Most similar are 0 (new sample
+// 0), 0 or 1 (sample 1, whose number is between theirs), 2 (sample 2) and none (sample 3).
+TEST_F(ReadPlaced, LooksAtTheConnectedParts) {
+  outcome_.grid = Grid(std::make_shared<const NeuronGraph>(
+      9, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}, {3, 5}, {5, 6}}));
+  const Neighbours none{{2, 2, 0, 0}, {2, 2, 0, 0}};
+  outcome_.winners = {1, 5, 2, 8};
+  const auto values = placed({0, 0, 6, 0}, none);
+  const auto similar =
+      most_similar({{1.0, 0}, {2.0, 0}, {1.2, 1}}, {{1.4, 0}, {1.5, 0}, {9.0, 1}, {1.0, 2}});
+  ASSERT_EQ(similar, (std::vector<Numbers>{{0}, {0, 1}, {2}, {}}));
+  EXPECT_EQ(values.at("placed_in_part_of_most_similar"), 0.5);
+  // Right places among the four: 2 for sample 0, 3 for sample 1, 1 for sample 2, none for sample 3.
+  EXPECT_EQ(values.at("placed_in_part_of_most_similar_chance"), 6.0 / 16.0);
 }
 
 TEST_F(ReadPlaced, IsNothingWithoutAnOrder) {

@@ -15,10 +15,11 @@ namespace somato {
 
 /// Division into training and test explorations.
 enum class Protocol {
-  kTrainIsTest,    ///< All for both, as in the papers: it measures memory, not generalization.
-  kLeaveOneOut,    ///< Each exploration in turn is tested by a system trained on the others.
-  kLeaveGroupOut,  ///< The same with all explorations that share a label.
-  kFolds,          ///< The same with equal parts, with each class distributed over all of them.
+  kTrainIsTest,        ///< All for both, as in the papers: it measures memory, not generalization.
+  kLeaveOneOut,        ///< Each exploration in turn is tested by a system trained on the others.
+  kLeaveGroupOut,      ///< The same with all explorations that share a label.
+  kFolds,              ///< The same with equal parts, with each class distributed over all of them.
+  kObjectAfterObject,  ///< The parts of kFolds; classes are learned one after another.
   kTestData,  ///< A separate test recording is tested by a system trained on the complete other
               ///< recording.
 };
@@ -26,6 +27,19 @@ enum class Protocol {
 template <>
 struct Choices<Protocol> {
   static const std::vector<std::pair<Protocol, std::string>>& all();
+};
+
+/// The explorations of an object that are kept for replay.
+enum class ReplayChoice {
+  kRandom,         ///< Drawn at random.
+  kFirst,          ///< The first of the recording.
+  kNearestToMean,  ///< Those nearest to the mean of the object.
+  kMostDistant,    ///< The one nearest to the mean, then those most distant from those chosen.
+};
+
+template <>
+struct Choices<ReplayChoice> {
+  static const std::vector<std::pair<ReplayChoice, std::string>>& all();
 };
 
 /// The labels, protocols and seeds of a study.
@@ -44,6 +58,10 @@ struct StudyParameters {
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
   std::vector<std::string> groups;
   std::size_t folds = 10;
+  std::size_t replay_per_object = 0;
+  ReplayChoice replay_choice = ReplayChoice::kRandom;
+  std::size_t generated_per_object = 0;
+  double generated_spread = 0.1;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;
   std::size_t wrong_groupings = 20;

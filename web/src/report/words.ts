@@ -13,6 +13,7 @@ const kProtocols: Record<string, string> = {
   train_is_test: "Train = test",
   leave_one_out: "Leave one out",
   test_data: "New recording",
+  object_after_object: "Object after object",
 };
 
 export function protocolName(protocol: ProtocolData): string {
@@ -52,6 +53,16 @@ const kMetrics: Record<string, string> = {
   strongest_right: "Strongest element predicted",
   strongest_distance: "Distance of the strongest neurons",
   steps_right: "Frames predicted before an error",
+  forgetting: "Forgetting",
+  values_kept: "Values kept",
+  baseline_forgetting: "Forgetting, nearest neighbour",
+  baseline_values_kept: "Values kept, nearest neighbour",
+  plain_som_accuracy: "Accuracy, plain SOM",
+  plain_som_forgetting: "Forgetting, plain SOM",
+  plain_som_values_kept: "Values kept, plain SOM",
+  same_memory_accuracy: "Accuracy, nearest neighbour with the memory of the map",
+  same_memory_forgetting: "Forgetting, nearest neighbour with the memory of the map",
+  same_memory_values_kept: "Values kept, nearest neighbour with the memory of the map",
 };
 
 /**
@@ -75,7 +86,7 @@ export function metricName(metric: string): string {
   return kMetrics[own] ?? own.replaceAll("_", " ");
 }
 
-const kShares = /(^|_)(accuracy|apart|connected|border|error|around|within|along|similar|strongest_right)/;
+const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right)/;
 const kCountsOfSamples =
   /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
 
