@@ -93,7 +93,7 @@ Result<std::size_t> threads_of(const Arguments& arguments, const JoinedProcesses
 Result<void> refuse_several_processes(const std::string& command) {
   if (launched_processes() < 2) return {};
   return fail(ErrorKind::kUsage, "the command runs in one process only", command,
-              "start it without mpiexec; 'som train' and 'som quality' share their rows");
+              "start it without mpiexec; 'som train', 'som quality' and 'som map' share their rows");
 }
 
 }  // namespace somato::program
