@@ -1,6 +1,6 @@
 """What batch training costs with one and several processes of MPI, and what it would cost with more.
 
-usage: processes.py measure FILE [--seconds N]   measures what FILE does not contain yet
+usage: processes.py measure FILE [--seconds N]   measures what FILE (JSON) does not contain yet
        processes.py report FILE                  fits the model, checks it, and predicts
 
 A measurement is the wall time of an epoch: the difference between two runs of `somato som train`
@@ -14,23 +14,23 @@ import math
 import random
 import struct
 import subprocess
-import tempfile
 import time
 from pathlib import Path
 from statistics import median
 
 TREE = Path(__file__).resolve().parent.parent
-REPEATS = 3
+REPEATS = 5
 LEAST_SECONDS = 0.4  # of the epochs that are measured
 INTEGER = 8  # bytes of a sum
+BLOCK = 8  # columns that are added at the same time
 
 # Samples, dimensions, neurons.
 FITTED = [(20000, 16, 100), (20000, 64, 100), (20000, 64, 400), (10000, 256, 100), (5000, 256, 900), (40000, 16, 400),
           (20000, 16, 900), (2000, 256, 2500), (1000, 64, 10000), (1000, 16, 2500), (60000, 8, 64)]
-LEFT_OUT = [(30000, 32, 225), (10000, 128, 400), (8000, 192, 625), (4000, 100, 2500), (3000, 48, 6400)]
+LEFT_OUT = [(25000, 40, 324), (12000, 150, 256), (6000, 80, 1600), (50000, 12, 144), (3000, 48, 6400)]
 # For each process of two; the sums of the last take 80 MiB.
 ALL_REDUCED = [(1000, 16, 100), (1000, 64, 2500), (1000, 64, 10000), (1000, 128, 10000), (500, 256, 40000)]
-COMPARED = [(40000, 64, 400), (20000, 256, 900), (60000, 16, 2500)]
+COMPARED = [(40000, 64, 400), (20000, 256, 900), (60000, 16, 2500), (200000, 64, 400), (100000, 256, 900), (200000, 16, 2500)]
 
 # Assumptions of the prediction, not measured.
 LATENCY = 10e-6  # seconds for a message
@@ -96,27 +96,33 @@ def measure(options):
     path = Path(options.file)
     measured = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     until = time.monotonic() + options.seconds
-    with tempfile.TemporaryDirectory() as folder:
-        runs = Runs(options, Path(folder))
-        for repeat in range(REPEATS):
-            for task in tasks():
-                done = measured.setdefault(name_of(task), [])
-                if len(done) > repeat:
-                    continue
-                if time.monotonic() > until:
-                    return
-                done.append(runs.epoch(**task))
-                path.write_text(json.dumps(measured, indent=1), encoding="utf-8")
+    folder = path.with_suffix(".rows")
+    folder.mkdir(exist_ok=True)
+    runs = Runs(options, folder)
+    for repeat in range(REPEATS):
+        for task in tasks():
+            done = measured.setdefault(name_of(task), [])
+            if len(done) > repeat:
+                continue
+            if time.monotonic() > until:
+                return
+            done.append(runs.epoch(**task))
+            path.write_text(json.dumps(measured, indent=1), encoding="utf-8")
     print("complete")
 
 
 def terms(size):
-    """The parts of an epoch's time: distances; sums by winner; samples; smoothing and new weights."""
+    """The parts of an epoch's time: distances; their comparison; sums by winner; samples; smoothing and new weights."""
     samples, dimensions, neurons = size
-    return [samples * dimensions * neurons, samples * dimensions, samples, neurons * dimensions]
+    return [samples * dimensions * neurons, samples * neurons, samples * dimensions, samples, neurons * columns_of_sums(dimensions)]
 
 
-NAMES = ["sample, dimension and neuron", "sample and dimension", "sample", "neuron and dimension"]
+NAMES = ["sample, dimension and neuron", "sample and neuron", "sample and dimension", "sample", "neuron and column of sums"]
+
+
+def columns_of_sums(dimensions):
+    """The dimensions and the numbers of samples, in blocks."""
+    return BLOCK * math.ceil((dimensions + 1) / BLOCK)
 
 
 def solve(rows, goals):
@@ -149,7 +155,7 @@ def value(coefficients, parts):
 
 
 def sum_bytes(dimensions, neurons):
-    return INTEGER * neurons * 8 * math.ceil((dimensions + 1) / 8)
+    return INTEGER * neurons * columns_of_sums(dimensions)
 
 
 class Model:

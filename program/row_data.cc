@@ -87,8 +87,8 @@ class RowReader {
   }
 
   tl::unexpected<Error> refuse_to_share() const {
-    return fail(ErrorKind::kUsage, "several processes can only share the rows of files",
-                rows_.path, "save the rows in a file that all processes can read");
+    return fail(ErrorKind::kUsage, "several processes can only share the rows of files", rows_.path,
+                "save the rows in a file that all processes can read");
   }
 
   // Memory that is not given is that of all processes on this machine.

@@ -55,11 +55,11 @@ class RowData {
   std::unique_ptr<SampleSource> filled_;
 };
 
-/// Reads the files that the positional `DATA` names, one after the other, and their labels: in parts
-/// if they are regular files whose rows would take more than `--memory`. If columns have names, those of `features`
-/// are selected in that order, unless it is empty. Shows progress on a terminal.
-/// Errors: those of the files, kData if the numbers of labels and rows differ or a row has no
-/// known value, kInterrupted.
+/// Reads the files that the positional `DATA` names, one after the other, and their labels: in
+/// parts if they are regular files whose rows would take more than `--memory`. If columns have
+/// names, those of `features` are selected in that order, unless it is empty. Shows progress on a
+/// terminal. Errors: those of the files, kData if the numbers of labels and rows differ or a row
+/// has no known value, kInterrupted.
 ///
 /// Each of `processes` reads a part of the rows, and all return the same error; nullptr: only this
 /// process. Also fails (kUsage) for files and flags that several processes cannot share.

@@ -113,11 +113,16 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
 
 Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows) {
   const TrainingOptions& options = request.options;
-  const bool from_memory =
-      rows.in_memory() && options.checkpoint.empty() && options.processes == nullptr;
-  if (from_memory) return train_som(request.parameters, model.prepare(*rows.in_memory()), options);
-  PreparedRows prepared(model, rows);
-  return train_som(request.parameters, prepared.samples(), options);
+  if (!rows.in_memory()) {
+    PreparedRows prepared(model, rows);
+    return train_som(request.parameters, prepared.samples(), options);
+  }
+  const Samples prepared = model.prepare(*rows.in_memory());
+  if (options.checkpoint.empty() && !options.processes) {
+    return train_som(request.parameters, prepared, options);
+  }
+  SamplesInMemory source(prepared);
+  return train_som(request.parameters, source, options);
 }
 
 Result<void> save_trained(const Arguments& arguments, const SomModel& model,

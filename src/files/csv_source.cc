@@ -50,8 +50,7 @@ Result<void> CsvSource::go_to(const CsvRecords::Start& start) {
   auto window =
       std::make_unique<TextWindow>(file_.file(), file_.path(), start.place, start.line - 1);
   if (is_known_) reader_->trust_precision();
-  SOMATO_TRY_VOID(
-      reader_->continue_with(CsvRecords(*window, file_.path(), start.line)));
+  SOMATO_TRY_VOID(reader_->continue_with(CsvRecords(*window, file_.path(), start.line)));
   window_ = std::move(window);
   return {};
 }

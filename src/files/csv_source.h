@@ -44,7 +44,7 @@ class CsvSource final : public NumberSource {
   std::size_t begin_ = 0;
   std::size_t end_;
   std::optional<CsvRecords::Start> first_row_;  // once it has been found
-  bool is_known_ = false;  // read to its end before
+  bool is_known_ = false;                       // read to its end before
   std::unique_ptr<TextWindow> window_;
   std::unique_ptr<CsvTableReader> reader_;
 };

@@ -32,8 +32,8 @@ class NumberSource : public SampleSource {
 
   std::size_t size() const final { return columns().features.size(); }
 
-  /// Every row begins at a place below this, in the order of the rows: a byte of the text, or of the
-  /// array.
+  /// Every row begins at a place below this, in the order of the rows: a byte of the text, or of
+  /// the array.
   virtual std::size_t extent() const = 0;
 
   /// From now on reads only the rows that begin at a place from `begin` to before `end`, at most
@@ -61,8 +61,8 @@ Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
                                                    const CsvOptions& options,
                                                    std::size_t part_bytes);
 
-/// The same for the rows of several files, one file after the other. Also fails (kData) if a file has
-/// other columns than the first. Throws InvalidArgument without files.
+/// The same for the rows of several files, one file after the other. Also fails (kData) if a file
+/// has other columns than the first. Throws InvalidArgument without files.
 Result<std::unique_ptr<NumberSource>> open_numbers(const std::vector<std::string>& paths,
                                                    const CsvOptions& options,
                                                    std::size_t part_bytes);

@@ -23,7 +23,8 @@ class NumbersInMemory final : public NumberSource {
   const TableColumns& columns() const override { return columns_; }
   std::size_t extent() const override { return part_->samples.count() * row_bytes(); }
   void take_places(std::size_t begin, std::size_t end) override {
-    std::vector<std::size_t> rows(first_row_at(end, row_bytes()) - first_row_at(begin, row_bytes()));
+    std::vector<std::size_t> rows(first_row_at(end, row_bytes()) -
+                                  first_row_at(begin, row_bytes()));
     std::iota(rows.begin(), rows.end(), first_row_at(begin, row_bytes()));
     std::vector<std::string> labels;
     if (!part_->labels.empty()) {

@@ -16,8 +16,8 @@ class TextWindow {
   /// The most that may be in memory, in bytes: no record of a file of numbers is longer.
   static constexpr std::size_t kLargest = std::size_t{1} << 26;
 
-  /// At the beginning of `file`, which is `where` and must outlive this object, or at `place`, where
-  /// a character begins and before which there are so many `lines`.
+  /// At the beginning of `file`, which is `where` and must outlive this object, or at `place`,
+  /// where a character begins and before which there are so many `lines`.
   TextWindow(const OpenFile& file, std::string where, std::size_t place = 0, std::size_t lines = 0)
       : file_(file), where_(std::move(where)), place_(place), lines_(lines) {}
 

@@ -61,7 +61,7 @@ TEST_F(SeveralProcesses, MapRowsAsOneDoes) {
   write_rows();
   output_of(training("one.map"));
   const auto mapping = [](const std::string& winners, const std::string& activity) {
-    return Words{"som", "map",        "one.map", "rows.npy", "-o",
+    return Words{"som",   "map",        "one.map", "rows.npy", "-o",
                  winners, "--activity", activity,  "--memory", "20KiB"};
   };
   output_of(mapping("one.csv", "one.npy"));

@@ -26,6 +26,7 @@ ROWS = 240
 EPOCHS = 4
 MANY_EPOCHS = 60  # of a training that is killed, so that it is not over by then
 ATTEMPTS = 5  # to kill it in time
+LOGGED = 30  # seconds after which progress is reported
 PATIENCE = 120  # seconds
 # Reports its number and process before it becomes the program.
 STARTED = 'echo $$ > process.${PMI_RANK:-$OMPI_COMM_WORLD_RANK}.new && ' \
@@ -110,6 +111,7 @@ class Case:
         _, said = run.communicate(timeout=PATIENCE)
         if run.returncode != 0:
             self.faults.append(f"{self.name}: exit code {run.returncode}: {said}")
+        return said
 
     def compare(self, output, what, expected="one.map"):
         one, other = self.folder / expected, self.folder / output
@@ -130,7 +132,7 @@ class Case:
         return int(place.read_text(encoding="utf-8"))
 
     def check_stopped(self, processes, seconds):
-        """The others wait for a process that is stopped."""
+        """The others wait for a process that is stopped. Progress is reported every half minute."""
         run = self.start(processes, "stopped.map")
         process = self.process(processes - 1)
         os.kill(process, signal.SIGSTOP)
@@ -138,7 +140,9 @@ class Case:
         if run.poll() is not None:
             self.faults.append(f"{self.name}: the processes have not waited")
         os.kill(process, signal.SIGCONT)
-        self.done(run)
+        said = self.done(run)
+        if seconds > LOGGED and " left" not in said:
+            self.faults.append(f"{self.name}: no progress is reported")
         self.compare("stopped.map", "a process that was stopped")
 
     def kill_one(self, processes, output):
@@ -193,8 +197,10 @@ def check_all(cases):
             case.check(processes)
         for processes, then in ((2, 3), (4, 1), (3, 7)):
             case.check_killed(processes, then)
-        case.check_stopped(2, 0.5)
         yield case
+    case = cases("dense", [])
+    case.check_stopped(2, LOGGED + 1)
+    yield case
 
 
 def main():
