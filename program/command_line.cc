@@ -68,13 +68,13 @@ class Parser {
       SOMATO_TRY_VOID(check(*option));
       arguments.texts[name] = option->results().back();
     }
-    take_standard_streams(arguments);
     for (const auto& [name, option] : lists_) {
       for (const std::string& value : option->results()) {
         if (value.empty()) return fail(usage_error("the value is empty", name));
       }
       if (option->count() > 0) arguments.lists[name] = option->results();
     }
+    take_standard_streams(arguments);
     SOMATO_TRY_VOID(check_outputs(command_, arguments));
     if (app_.get_option("--quiet")->count() > 0) be_quiet();
     return command_.run(arguments);
@@ -99,6 +99,9 @@ class Parser {
     };
     for (const Positional& positional : command_.positionals) {
       replace(positional.name, positional.role);
+    }
+    for (auto& [name, values] : arguments.lists) {
+      std::replace(values.begin(), values.end(), std::string("-"), std::string("/dev/stdin"));
     }
     for (const Flag& flag : command_.flags) replace(key_of(flag.name), flag.role);
   }

@@ -66,6 +66,16 @@ std::vector<Flag> table_flags() {
            "yes if it contains a field that is not a number"}};
 }
 
+Positional data_positional(std::string text, bool required) {
+  return {"DATA", std::move(text) + "; the rows of several files follow one another", required,
+          true};
+}
+
+std::vector<std::string> data_files(const Arguments& arguments) {
+  const auto given = arguments.lists.find("DATA");
+  return given != arguments.lists.end() ? given->second : std::vector<std::string>();
+}
+
 std::vector<Flag> data_flags() {
   std::vector<Flag> flags = table_flags();
   flags.insert(flags.begin(),

@@ -16,6 +16,12 @@ std::vector<Flag> table_flags();
 /// The flags for reading a table, and `--labels`.
 std::vector<Flag> data_flags();
 
+/// The positional `DATA` of commands that read tables: files whose rows follow one another.
+Positional data_positional(std::string text, bool required = true);
+
+/// The files that it names, or none.
+std::vector<std::string> data_files(const Arguments& arguments);
+
 /// The options for reading a table, from the flags. Errors: kUsage.
 Result<CsvOptions> read_table_options(const Arguments& arguments);
 

@@ -64,7 +64,7 @@ Result<SamplePart> SamplesInRange::next() {
         ErrorKind::kData,
         fmt::format(
             "row {} has values too large for the map, which computes distances in single precision",
-            done_ + i + 1),
+            first_ + done_ + i + 1),
         path_, "leave the row out, or mark missing numbers as missing");
   }
   done_ += (*part)->count();
@@ -76,7 +76,7 @@ PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
                 [&](const Samples& part) { return as_the_map_takes(model, rows, part); }),
       in_range_(model.standardization || rows.holds_missing ? static_cast<SampleSource&>(prepared_)
                                                             : rows.samples(),
-                rows.path),
+                rows.path, rows.first),
       ahead_(in_range_) {}
 
 Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads,

@@ -24,12 +24,13 @@ struct MapAndRows {
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments,
                                      JoinedProcesses* processes = nullptr);
 
-/// The samples of a source, which must outlive this object, checked for the map's range. Errors
-/// (kData, with the row): a sample is too large for distances in single precision.
+/// The samples of a source, which must outlive this object, checked for the map's range; there are
+/// `first` rows before them. Errors (kData, with the row): a sample is too large for distances in
+/// single precision.
 class SamplesInRange final : public SampleSource {
  public:
-  SamplesInRange(SampleSource& source, std::string path)
-      : source_(source), path_(std::move(path)) {}
+  SamplesInRange(SampleSource& source, std::string path, std::size_t first)
+      : source_(source), path_(std::move(path)), first_(first) {}
 
   std::size_t size() const override { return source_.size(); }
   Result<void> rewind() override {
@@ -41,6 +42,7 @@ class SamplesInRange final : public SampleSource {
  private:
   SampleSource& source_;
   std::string path_;
+  std::size_t first_;
   std::size_t done_ = 0;  // samples
 };
 

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "folder_lock.h"
@@ -15,13 +17,19 @@
 namespace somato::program {
 namespace {
 
+// Before anything is written.
+Result<void> check_parts(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders) {
+    if (contains_parts(parts_folder(folder))) continue;
+    return fail(ErrorKind::kUsage, "the folder contains no parts", folder,
+                "name folders that 'run', 'reproduce' or 'sweep' wrote with --part");
+  }
+  return {};
+}
+
 Result<void> merge_from(const std::filesystem::path& folder, const std::filesystem::path& to,
                         MergedParts& sum) {
   SOMATO_TRY(const auto merged, merge_parts(parts_folder(folder), to));
-  if (merged.parts == 0) {
-    return fail(ErrorKind::kUsage, "the folder contains no parts", folder.string(),
-                "name folders that 'run', 'reproduce' or 'sweep' wrote with --part");
-  }
   sum.parts += merged.parts;
   sum.trainings += merged.trainings;
   sum.studies += merged.studies;
@@ -31,10 +39,12 @@ Result<void> merge_from(const std::filesystem::path& folder, const std::filesyst
 Result<void> merge(const Arguments& arguments) {
   const std::filesystem::path out = arguments.text("out");
   const std::filesystem::path to = parts_folder(out);
+  const std::vector<std::string>& folders = arguments.lists.at("FOLDER");
+  SOMATO_TRY_VOID(check_parts(folders));
   SOMATO_TRY_VOID(make_folder(to));
   SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::take(out));
   MergedParts sum;
-  for (const std::string& folder : arguments.lists.at("FOLDER")) {
+  for (const std::string& folder : folders) {
     SOMATO_TRY_VOID(merge_from(folder, to, sum));
   }
   const std::string text = fmt::format(

@@ -71,6 +71,7 @@ Result<Processes> Processes::join() {
   processes.group_ = joined = join();
   std::atexit(end_others);
   if (!processes.group_->is_first()) be_quiet();
+  log_progress();  // the launcher connects standard error to a pipe
   return processes;
 }
 
@@ -92,8 +93,9 @@ Result<std::size_t> threads_of(const Arguments& arguments, const JoinedProcesses
 
 Result<void> refuse_several_processes(const std::string& command) {
   if (launched_processes() < 2) return {};
-  return fail(ErrorKind::kUsage, "the command runs in one process only", command,
-              "start it without mpiexec; 'som train' and 'som quality' share their rows");
+  return fail(
+      ErrorKind::kUsage, "the command runs in one process only", command,
+      "start it without mpiexec; 'som train', 'som quality' and 'som map' share their rows");
 }
 
 }  // namespace somato::program

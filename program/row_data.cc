@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "data.h"
@@ -17,6 +16,7 @@
 #include "somato/core/matrix.h"
 #include "stoppable_rows.h"
 #include "terminal.h"
+#include "wording.h"
 
 namespace somato::program {
 namespace {
@@ -50,6 +50,11 @@ bool is_regular_file(const std::string& path) {
   return std::filesystem::is_regular_file(path, ignored);
 }
 
+std::string name_of_files(const std::vector<std::string>& paths) {
+  if (paths.size() == 1) return paths.front();
+  return fmt::format("{} and {}", paths.front(), counted(paths.size() - 1, "more file"));
+}
+
 }  // namespace
 
 // Reads all rows once, so that errors are reported before any work begins.
@@ -73,7 +78,7 @@ class RowReader {
  private:
   // Means and classes would depend on the rows of other processes.
   Result<void> check_shareable() const {
-    for (const char* flag : {"labels", "missing"}) {
+    for (const char* flag : {"labels", "label-column", "missing"}) {
       if (!processes_ || !arguments_.has(flag)) continue;
       return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
                   "--" + std::string(flag), "start one process");
@@ -81,10 +86,9 @@ class RowReader {
     return {};
   }
 
-  Result<void> take_part() {
-    if (!processes_ || rows_.file_->take_part(processes_->rank(), processes_->size())) return {};
-    return fail(ErrorKind::kUsage, "several processes can only share the rows of an NPY file",
-                rows_.path, "save the rows with numpy.save in Python, or start one process");
+  tl::unexpected<Error> refuse_to_share() const {
+    return fail(ErrorKind::kUsage, "several processes can only share the rows of files", rows_.path,
+                "save the rows in a file that all processes can read");
   }
 
   // Memory that is not given is that of all processes on this machine.
@@ -96,9 +100,10 @@ class RowReader {
   }
 
   void combine() {
-    const auto counts = processes_->gather(static_cast<std::int64_t>(rows_.count));
-    rows_.count =
-        static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+    auto count = static_cast<std::int64_t>(rows_.count);
+    rows_.first = static_cast<std::size_t>(processes_->sum_before(count));
+    processes_->sum({&count, 1});
+    rows_.count = static_cast<std::size_t>(count);
     combine_ranges(*processes_, rows_.size(), rows_.low, rows_.high);
   }
 
@@ -107,16 +112,18 @@ class RowReader {
     SOMATO_TRY(const auto memory, this->memory());
     SOMATO_TRY(auto options, read_table_options(arguments_));
     options.columns.features = features;
-    rows_.path = arguments_.text("DATA");
-    is_file_ = is_regular_file(rows_.path);
-    auto source = is_file_ ? open_numbers(rows_.path, options,
-                                          std::min(kLargestPart, memory / kPartsInMemory))
-                           : read_whole(rows_.path, memory).and_then([&](const std::string& bytes) {
-                               return numbers_in(bytes, rows_.path, options);
-                             });
+    const std::vector<std::string> paths = data_files(arguments_);
+    rows_.path = name_of_files(paths);
+    is_file_ = paths.size() > 1 || is_regular_file(rows_.path);
+    if (!is_file_ && processes_) return refuse_to_share();
+    auto source =
+        is_file_ ? open_numbers(paths, options, std::min(kLargestPart, memory / kPartsInMemory))
+                 : read_whole(rows_.path, memory).and_then([&](const std::string& bytes) {
+                     return numbers_in(bytes, rows_.path, options);
+                   });
     if (!source) return fail(std::move(source.error()));
     rows_.file_ = std::move(*source);
-    SOMATO_TRY_VOID(take_part());
+    if (processes_) take_part(*rows_.file_, processes_->rank(), processes_->size());
     is_kept_ = rows_.file_->memory_of_all() <= static_cast<double>(memory);
     rows_.columns = rows_.file_->columns();
     rows_.features = rows_.columns.feature_names();

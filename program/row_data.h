@@ -21,8 +21,9 @@ class RowData {
   TableColumns columns;                        ///< The roles of the file's columns.
   std::vector<std::string> features;           ///< Names of the feature columns, or empty.
   Classes classes;                             ///< The classes of the rows; empty without labels.
-  std::string path;                            ///< The path of the file.
+  std::string path;                            ///< The path of the file, or of the first.
   std::size_t count = 0;                       ///< Rows, of all processes that share the file.
+  std::size_t first = 0;                       ///< Rows of the processes before this one.
   std::size_t own_count = 0;                   ///< Rows of this process, which samples() are.
   std::vector<float> low;                      ///< The minimum of each feature.
   std::vector<float> high;                     ///< The maximum of each feature.
@@ -54,11 +55,11 @@ class RowData {
   std::unique_ptr<SampleSource> filled_;
 };
 
-/// Reads the file that the positional `DATA` names, and its labels: in parts if it is a regular
-/// file whose rows would take more than `--memory`. If columns have names, those of `features`
-/// are selected in that order, unless it is empty. Shows progress on a terminal.
-/// Errors: those of the files, kData if the numbers of labels and rows differ or a row has no
-/// known value, kInterrupted.
+/// Reads the files that the positional `DATA` names, one after the other, and their labels: in
+/// parts if they are regular files whose rows would take more than `--memory`. If columns have
+/// names, those of `features` are selected in that order, unless it is empty. Shows progress on a
+/// terminal. Errors: those of the files, kData if the numbers of labels and rows differ or a row
+/// has no known value, kInterrupted.
 ///
 /// Each of `processes` reads a part of the rows, and all return the same error; nullptr: only this
 /// process. Also fails (kUsage) for files and flags that several processes cannot share.

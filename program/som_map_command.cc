@@ -1,45 +1,22 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "column_report.h"
 #include "commands.h"
 #include "data.h"
-#include "files/file_writer.h"
 #include "files/json_table.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
 #include "processes.h"
 #include "result_output.h"
+#include "row_output.h"
 #include "somato/files/csv.h"
 #include "somato/files/npy.h"
 
 namespace somato::program {
 namespace {
-
-// Incremental text output to a file or to standard output.
-class TextOutput {
- public:
-  Result<void> begin(const Arguments& arguments) {
-    if (!arguments.has("output")) return {};
-    return FileWriter::begin(arguments.text("output")).map([&](FileWriter&& file) {
-      file_ = std::move(file);
-    });
-  }
-
-  Result<void> write(const std::string& text) {
-    if (file_) return file_->write(text);
-    std::fputs(text.c_str(), stdout);
-    return {};
-  }
-
-  Result<void> commit() { return file_ ? file_->commit() : Result<void>(); }
-
- private:
-  std::optional<FileWriter> file_;
-};
 
 // The format of the winners: a CSV table, or with --json a list of objects.
 class WinnerFormat {
@@ -93,51 +70,69 @@ std::string winners_text(const SomModel& model, const WinnerFormat& format, cons
   return text;
 }
 
-Result<void> write_winners(const MapAndRows& both, const Arguments& arguments) {
-  TextOutput output;
-  SOMATO_TRY_VOID(output.begin(arguments));
-  const WinnerFormat format(both.model, arguments.has("json"));
+// A process that comes after others continues their output.
+Result<void> write_own_winners(const MapAndRows& both, const WinnerFormat& format, bool is_first,
+                               RowOutput& output) {
   PreparedRows prepared(both.model, both.rows);
-  std::size_t done = 0;
-  return for_each_part(prepared.samples(),
-                       [&](const Samples& part) {
-                         std::string text = winners_text(both.model, format, part, done);
-                         if (done == 0) text.insert(0, format.begin());
-                         done += part.count();
-                         return output.write(text);
-                       })
-      .and_then([&] { return output.write(format.end()); })
-      .and_then([&] { return output.commit(); });
+  std::size_t done = both.rows.first;
+  bool has_begun = !is_first;
+  SOMATO_TRY_VOID(for_each_part(prepared.samples(), [&](const Samples& part) {
+    std::string text = winners_text(both.model, format, part, done);
+    if (!std::exchange(has_begun, true)) text.insert(0, format.begin());
+    done += part.count();
+    return output.write(text);
+  }));
+  return has_begun ? Result<void>() : output.write(format.begin());
 }
 
-Result<void> write_activity(const MapAndRows& both, const std::string& path) {
+Result<void> write_winners(const MapAndRows& both, const Arguments& arguments,
+                           ProcessGroup* processes) {
+  SOMATO_TRY(auto output, RowOutput::begin(arguments.text("output"), processes));
+  const WinnerFormat format(both.model, arguments.has("json"));
+  const bool is_first = !processes || processes->is_first();
+  const bool is_last = !processes || processes->rank() + 1 == processes->size();
+  return output.commit(write_own_winners(both, format, is_first, output).and_then([&] {
+    return is_last ? output.write(format.end()) : Result<void>();
+  }));
+}
+
+Result<void> write_own_activity(const MapAndRows& both, RowOutput& output) {
   const Som& som = both.model.som;
-  SOMATO_TRY(auto file, FileWriter::begin(path));
-  auto written = file.write(npy_start(both.rows.count, som.neurons()));
-  if (!written) return written;
   PreparedRows prepared(both.model, both.rows);
   std::vector<float> activity(som.neurons());
   SomWorkspace workspace;
-  return for_each_part(prepared.samples(),
-                       [&](const Samples& part) -> Result<void> {
-                         for (std::size_t i = 0; i < part.count(); ++i) {
-                           som.activity(part[i], workspace, activity);
-                           auto row = file.write(npy_numbers(activity));
-                           if (!row) return row;
-                         }
-                         return {};
-                       })
-      .and_then([&] { return file.commit(); });
+  return for_each_part(prepared.samples(), [&](const Samples& part) -> Result<void> {
+    for (std::size_t i = 0; i < part.count(); ++i) {
+      som.activity(part[i], workspace, activity);
+      SOMATO_TRY_VOID(output.write(npy_numbers(activity)));
+    }
+    return {};
+  });
+}
+
+Result<void> write_activity(const MapAndRows& both, const std::string& path,
+                            ProcessGroup* processes) {
+  SOMATO_TRY(auto output, RowOutput::begin(path, processes));
+  const bool is_first = !processes || processes->is_first();
+  const std::string start = npy_start(both.rows.count, both.model.som.neurons());
+  return output.commit((is_first ? output.write(start) : Result<void>()).and_then([&] {
+    return write_own_activity(both, output);
+  }));
+}
+
+Result<void> map_with(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto both, read_map_and_rows(arguments, processes));
+  if (arguments.has("activity")) {
+    SOMATO_TRY_VOID(write_activity(both, arguments.text("activity"), processes));
+  }
+  SOMATO_TRY_VOID(write_winners(both, arguments, processes));
+  if (!processes || processes->is_first()) note_columns_and_filled(both.rows);
+  return {};
 }
 
 Result<void> map(const Arguments& arguments) {
-  SOMATO_TRY_VOID(refuse_several_processes("som map"));
-  SOMATO_TRY(const auto both, read_map_and_rows(arguments));
-  if (arguments.has("activity")) {
-    auto written = write_activity(both, arguments.text("activity"));
-    if (!written) return written;
-  }
-  return write_winners(both, arguments).map([&] { note_columns_and_filled(both.rows); });
+  SOMATO_TRY(const auto processes, Processes::join());
+  return processes.leave(map_with(arguments, processes.group()));
 }
 
 }  // namespace
@@ -152,7 +147,7 @@ Command som_map_command() {
   flags.push_back({"--json", "Write winners as JSON instead of CSV", false, false});
   return {"som map",
           "Find the winner of each row on a map, and its label if the map has labels",
-          {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
+          {{"MAP", "A trained map", true}, data_positional("NPY file or text, as for training")},
           std::move(flags),
           {},
           map};

@@ -11,10 +11,15 @@
 #include "files/whole_file.h"
 #include "map_and_rows.h"
 #include "memory_flag.h"
+#include "processes.h"
 #include "somato/drawing/map_picture.h"
 
 namespace somato::program {
 namespace {
+
+bool has_data(const Arguments& arguments) {
+  return !data_files(arguments).empty();
+}
 
 const std::vector<std::string> kPanels{"u_matrix", "hits", "labels", "components"};
 
@@ -43,7 +48,7 @@ bool wants(const std::vector<std::string>& chosen, const std::string& panel) {
 }
 
 Result<void> check_data_flags(const Arguments& arguments) {
-  if (arguments.has("DATA")) return {};
+  if (has_data(arguments)) return {};
   for (const Flag& flag : data_flags()) {
     if (!arguments.has(key_of(flag.name))) continue;
     return fail(ErrorKind::kUsage, "has no effect without data", flag.name, "provide DATA");
@@ -55,10 +60,10 @@ Result<void> check_data_flags(const Arguments& arguments) {
 Result<void> check_panels(const Arguments& arguments, const std::vector<std::string>& chosen) {
   if (!arguments.has("panels")) return {};
   const bool labelled = arguments.has("labels") || arguments.has("label-column");
-  if (wants(chosen, "hits") && !arguments.has("DATA")) {
+  if (wants(chosen, "hits") && !has_data(arguments)) {
     return fail(ErrorKind::kUsage, "hits cannot be drawn without data", "--panels", "provide DATA");
   }
-  if (wants(chosen, "labels") && !(labelled && arguments.has("DATA"))) {
+  if (wants(chosen, "labels") && !(labelled && has_data(arguments))) {
     return fail(ErrorKind::kUsage, "labels cannot be drawn without labelled data", "--panels",
                 "use DATA with --labels or --label-column");
   }
@@ -82,7 +87,7 @@ Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::stri
 }
 
 Result<MapAndRows> read_map_and_perhaps_rows(const Arguments& arguments) {
-  if (arguments.has("DATA")) return read_map_and_rows(arguments);
+  if (has_data(arguments)) return read_map_and_rows(arguments);
   SOMATO_TRY(auto model, load_som_model(arguments.text("MAP")));
   return MapAndRows{std::move(model), {}};
 }
@@ -100,6 +105,7 @@ Result<void> check_ending(const std::string& output) {
 }
 
 Result<void> plot(const Arguments& arguments) {
+  SOMATO_TRY_VOID(refuse_several_processes("som plot"));
   SOMATO_TRY_VOID(check_ending(arguments.text("output")));
   SOMATO_TRY(auto chosen, chosen_panels(arguments));
   SOMATO_TRY(auto most, arguments.number("components", 0));
@@ -109,7 +115,7 @@ Result<void> plot(const Arguments& arguments) {
   const Som& som = both.model.som;
   std::vector<Panel> panels;
   if (wants(chosen, "u_matrix")) panels.emplace_back(u_matrix_panel(som));
-  if (arguments.has("DATA")) {
+  if (has_data(arguments)) {
     SOMATO_TRY_VOID(add_data_panels(both, chosen, panels));
   }
   if (wants(chosen, "components")) {
@@ -124,7 +130,7 @@ Result<void> plot(const Arguments& arguments) {
   const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
   return save_whole(arguments.text("output"), draw_picture(title, caption_of(som.grid()), panels))
       .map([&] {
-        if (arguments.has("DATA")) note_columns_and_filled(both.rows);
+        if (has_data(arguments)) note_columns_and_filled(both.rows);
       });
 }
 
@@ -142,7 +148,7 @@ Command som_plot_command() {
   return {"som plot",
           "Draw a map: U-matrix, hits, labels and component planes",
           {{"MAP", "A trained map", true},
-           {"DATA", "NPY file or text, as for training, for hits and labels", false}},
+           data_positional("NPY file or text, as for training, for hits and labels", false)},
           std::move(flags),
           {},
           plot};

@@ -78,7 +78,7 @@ Command som_quality_command() {
   flags.push_back(json_flag());
   return {"som quality",
           "Measure the quality of a map for data",
-          {{"MAP", "A trained map", true}, {"DATA", "NPY file or text, as for training", true}},
+          {{"MAP", "A trained map", true}, data_positional("NPY file or text, as for training")},
           std::move(flags),
           {},
           quality};

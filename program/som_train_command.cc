@@ -35,13 +35,12 @@ Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector
 }
 
 Result<void> check_rows(const Arguments& arguments, const RowData& rows) {
-  const std::string path = arguments.text("DATA");
   if (rows.count < 2) {
-    return fail(ErrorKind::kData, "the data have only one sample", path,
+    return fail(ErrorKind::kData, "the data have only one sample", rows.path,
                 "a map needs at least two rows for training");
   }
   if (arguments.has("keep-constant-columns")) return {};
-  return refuse_constant_columns(rows, path);
+  return refuse_constant_columns(rows, rows.path);
 }
 
 // A model without its map.
@@ -75,15 +74,14 @@ Result<SomParameters> read_som_parameters(const Arguments& arguments) {
   return parameters;
 }
 
-Result<void> check_training(const SomParameters& parameters, const RowData& rows,
-                            const std::string& path) {
+Result<void> check_training(const SomParameters& parameters, const RowData& rows) {
   if (rows.in_memory() || parameters.training == Training::kBatch) return {};
   return fail(
       ErrorKind::kSystem,
       fmt::format("online training needs all rows in memory, and {} x {} numbers exceed the "
                   "memory for rows",
                   rows.count, rows.size()),
-      path, "use --training batch, or a larger --memory");
+      rows.path, "use --training batch, or a larger --memory");
 }
 
 // The part of the command line that does not depend on the rows.
@@ -115,11 +113,16 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
 
 Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows) {
   const TrainingOptions& options = request.options;
-  const bool from_memory =
-      rows.in_memory() && options.checkpoint.empty() && options.processes == nullptr;
-  if (from_memory) return train_som(request.parameters, model.prepare(*rows.in_memory()), options);
-  PreparedRows prepared(model, rows);
-  return train_som(request.parameters, prepared.samples(), options);
+  if (!rows.in_memory()) {
+    PreparedRows prepared(model, rows);
+    return train_som(request.parameters, prepared.samples(), options);
+  }
+  const Samples prepared = model.prepare(*rows.in_memory());
+  if (options.checkpoint.empty() && !options.processes) {
+    return train_som(request.parameters, prepared, options);
+  }
+  SamplesInMemory source(prepared);
+  return train_som(request.parameters, source, options);
 }
 
 Result<void> save_trained(const Arguments& arguments, const SomModel& model,
@@ -145,7 +148,7 @@ void print_trained(const std::string& path, const Som& som, const RowData& rows,
 Result<SomModel> start_on(const Arguments& arguments, const SomParameters& parameters,
                           RowData& rows) {
   SOMATO_TRY_VOID(check_rows(arguments, rows));
-  SOMATO_TRY_VOID(check_training(parameters, rows, arguments.text("DATA")));
+  SOMATO_TRY_VOID(check_training(parameters, rows));
   std::vector<double> means;
   SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
   return start_model(arguments, rows, std::move(means));
@@ -187,10 +190,9 @@ Command som_train_command() {
   return {
       "som train",
       "Train a map on a table of numbers",
-      {{"DATA",
-        "NPY, NPZ or MAT file, or text with one sample per line and numbers separated by commas, "
-        "semicolons, tabs or blanks",
-        true}},
+      {data_positional(
+          "NPY, NPZ or MAT file, or text with one sample per line and numbers separated by commas, "
+          "semicolons, tabs or blanks")},
       std::move(flags),
       SomParameters::declarations().infos(),
       train,

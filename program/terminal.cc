@@ -18,6 +18,7 @@ namespace {
 // Lock-free, so that a signal may set it.
 std::atomic<int> interrupted = 0;
 std::atomic<bool> quiet = false;
+std::atomic<bool> logs = false;
 std::atomic<void (*)(int)> last_handler = SIG_DFL;
 
 void on_interrupt(int signal) {
@@ -36,10 +37,14 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-// One line that is rewritten at most ten times per second.
+// One line that is rewritten at most ten times per second on a terminal, or a new line every half
+// minute elsewhere.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string what) : what_(std::move(what)) {}
+  ProgressLine(std::string what, bool is_terminal)
+      : what_(std::move(what)), is_terminal_(is_terminal) {
+    if (!is_terminal_) shown_ = started_;
+  }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine(ProgressLine&&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -54,26 +59,34 @@ class ProgressLine {
   void show(std::uint64_t done, std::uint64_t total) {
     const auto now = Clock::now();
     const bool finished = done == total;
-    if (!finished && now - shown_ < std::chrono::milliseconds(100)) return;
+    const bool is_early = now - shown_ < (is_terminal_ ? kRewritten : kLogged);
+    if (is_early && !(finished && is_terminal_)) return;
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - started_).count();
     const double share = static_cast<double>(done) / static_cast<double>(total);
-    const std::string line = fmt::format(
-        "\r{}: {:3.0f} %{}\033[K{}", what_, 100.0 * share,
-        finished ? ", took " + duration(elapsed) : time_left(elapsed, share), finished ? "\n" : "");
-    std::fputs(line.c_str(), stderr);
-    begun_ = !finished;
+    const std::string text =
+        fmt::format("{}: {:3.0f} %{}", what_, 100.0 * share,
+                    finished ? ", took " + duration(elapsed) : time_left(elapsed, share));
+    std::fputs(line(text, finished).c_str(), stderr);
+    begun_ = is_terminal_ && !finished;
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr Clock::duration kRewritten = std::chrono::milliseconds(100);
+  static constexpr Clock::duration kLogged = std::chrono::seconds(30);
+
+  std::string line(const std::string& text, bool finished) const {
+    return is_terminal_ ? "\r" + text + "\033[K" + (finished ? "\n" : "") : text + "\n";
+  }
+
   // No estimate before the first step.
   static std::string time_left(double elapsed, double share) {
     return share > 0.0 ? fmt::format(", {} left", duration(elapsed / share - elapsed)) : "";
   }
 
-  using Clock = std::chrono::steady_clock;
-
   std::string what_;
+  bool is_terminal_;
   bool begun_ = false;
   Clock::time_point started_ = Clock::now();
   Clock::time_point shown_{};
@@ -92,6 +105,10 @@ void be_quiet() {
 
 bool is_quiet() {
   return quiet;
+}
+
+void log_progress() {
+  logs = true;
 }
 
 void print_summary(const std::string& text) {
@@ -125,7 +142,10 @@ int stop_signal() {
 Progress terminal_progress(std::string what) {
   catch_stop_requests();
   std::shared_ptr<ProgressLine> line;
-  if (isatty(STDERR_FILENO) != 0 && !quiet) line = std::make_shared<ProgressLine>(std::move(what));
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  if ((is_terminal || logs) && !quiet) {
+    line = std::make_shared<ProgressLine>(std::move(what), is_terminal);
+  }
   return [line](std::uint64_t done, std::uint64_t total) {
     if (line) line->show(done, total);
     if (interrupted != 0 && line) line->end();

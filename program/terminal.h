@@ -30,9 +30,13 @@ bool stop_requested();
 /// The signal that requested it; SIGINT if there was none.
 int stop_signal();
 
+/// Makes terminal_progress() write a new line every half minute if standard error is not a
+/// terminal.
+void log_progress();
+
 /// Progress of the task `what` on a terminal: a line on standard error with the share done and the
-/// remaining time. Silent if standard error is not a terminal. In both cases stop requests are
-/// caught from now on and stop the task.
+/// remaining time. Silent if standard error is not a terminal, unless progress is logged. In all
+/// cases stop requests are caught from now on and stop the task.
 Progress terminal_progress(std::string what);
 
 }  // namespace somato::program

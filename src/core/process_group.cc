@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace somato {
@@ -11,6 +12,12 @@ std::vector<std::int64_t> ProcessGroup::gather(std::int64_t own) {
   all[rank()] = own;
   sum(all);
   return all;
+}
+
+std::int64_t ProcessGroup::sum_before(std::int64_t own) {
+  const std::vector<std::int64_t> all = gather(own);
+  return std::accumulate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(rank()),
+                         std::int64_t{0});
 }
 
 std::string ProcessGroup::from(std::size_t process, const std::string& text) {

@@ -143,6 +143,7 @@ Result<void> CsvRecords::next(char separator, std::vector<CsvField>& fields) {
 Result<void> CsvRecords::record(char separator, std::vector<CsvField>& fields) {
   fields.clear();
   skip_what_is_no_record();
+  start_ = {(window_ ? window_->start() : 0) + position_.offset, position_.line};
   if (at_end()) return {};
   for (;;) {
     SOMATO_TRY(CsvField read, field(separator));

@@ -27,10 +27,18 @@ class CsvRecords {
   /// `text` is `where`; it must outlive this object.
   CsvRecords(std::string_view text, std::string_view where) : text_(text), where_(where) {}
 
+  /// Where a record begins: its byte in the file and its line, from 1.
+  struct Start {
+    std::size_t place = 0;
+    std::size_t line = 1;
+  };
+
   /// The same for the text of `window`, of which only one record needs to be in memory; it must
-  /// outlive this object.
-  CsvRecords(TextWindow& window, std::string_view where)
-      : window_(&window), text_(window.text()), where_(where) {}
+  /// outlive this object and begins with line `line`.
+  CsvRecords(TextWindow& window, std::string_view where, std::size_t line = 1)
+      : window_(&window), text_(window.text()), where_(where) {
+    position_.line = line;
+  }
 
   /// The probable separator of the next record: the first of `candidates` that occurs in it outside
   /// quotation marks, otherwise a comma.
@@ -38,6 +46,9 @@ class CsvRecords {
 
   /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
   Result<void> next(char separator, std::vector<CsvField>& fields);
+
+  /// Where the record that was read last begins; the end of the text after the last.
+  const Start& start() const { return start_; }
 
   /// `where:line:column` of a field.
   std::string place(const CsvField& field) const;
@@ -68,6 +79,7 @@ class CsvRecords {
   std::string_view text_;
   std::string where_;
   Position position_;
+  Start start_;
   std::optional<Error> failure_;  // The error of the window; no further text is read.
 };
 

@@ -14,7 +14,7 @@ Result<std::unique_ptr<NumberSource>> CsvSource::begin(UnchangedFile file,
 // A number has at least a digit and a separator, a missing or skipped one a separator; a list of
 // unknown length doubles its capacity.
 double CsvSource::memory_of_all() const {
-  const auto text = static_cast<double>(file_.size());
+  const auto text = static_cast<double>(end_ - begin_);
   const auto features = static_cast<double>(size());
   const double others = static_cast<double>(columns().width) - features;
   const double row = (options_.keeps_missing ? 1.0 : 2.0) * features + others;
@@ -22,23 +22,52 @@ double CsvSource::memory_of_all() const {
 }
 
 double CsvSource::share_read() const {
-  return static_cast<double>(window_->place()) / static_cast<double>(file_.size());
+  const std::size_t place = std::clamp(window_->place(), begin_, end_);
+  if (begin_ == end_) return 1.0;
+  return static_cast<double>(place - begin_) / static_cast<double>(end_ - begin_);
+}
+
+void CsvSource::take_places(std::size_t begin, std::size_t end) {
+  begin_ = begin;
+  end_ = end;
+  first_row_.reset();
 }
 
 // The names stay the same as long as the file does.
 Result<void> CsvSource::rewind() {
   SOMATO_TRY_VOID(file_.check());
+  if (first_row_) return go_to(*first_row_);
   auto window = std::make_unique<TextWindow>(file_.file(), file_.path());
   auto reader =
       std::make_unique<CsvTableReader>(CsvRecords(*window, file_.path()), file_.path(), options_);
-  if (is_known_) reader->trust_precision();
   SOMATO_TRY_VOID(reader->begin());
   reader_ = std::move(reader);
   window_ = std::move(window);
   return {};
 }
 
+Result<void> CsvSource::go_to(const CsvRecords::Start& start) {
+  auto window =
+      std::make_unique<TextWindow>(file_.file(), file_.path(), start.place, start.line - 1);
+  if (is_known_) reader_->trust_precision();
+  SOMATO_TRY_VOID(reader_->continue_with(CsvRecords(*window, file_.path(), start.line)));
+  window_ = std::move(window);
+  return {};
+}
+
+// A row may contain line ends in quotation marks, so that it can only be found from the beginning.
+Result<void> CsvSource::go_to_first_row() {
+  reader_->end_at(end_);
+  SOMATO_TRY_VOID(reader_->skip_to(begin_));
+  first_row_ = reader_->start();
+  return {};
+}
+
 Result<std::shared_ptr<const NumberPart>> CsvSource::next_part() {
+  if (begin_ == end_) return std::shared_ptr<const NumberPart>();
+  if (!first_row_) {
+    SOMATO_TRY_VOID(go_to_first_row());
+  }
   const std::size_t rows = part_bytes_ / sizeof(float) / size();
   Result<NumberTable> table = reader_->rows(std::max<std::size_t>(1, rows));
   if (!table || table->values.empty()) {

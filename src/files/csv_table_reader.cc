@@ -58,16 +58,30 @@ Result<void> CsvTableReader::check_separator() {
   return {};
 }
 
+Result<void> CsvTableReader::skip_to(std::size_t begin) {
+  while (!fields_.empty() && start().place < begin) {
+    SOMATO_TRY_VOID(next());
+    is_first_row_ = false;
+  }
+  return {};
+}
+
+Result<void> CsvTableReader::continue_with(CsvRecords records) {
+  records_ = std::move(records);
+  precision_ = {};
+  return next();
+}
+
 Result<NumberTable> CsvTableReader::rows(std::size_t most) {
   std::vector<float> values;
   NumberTable table;
   std::size_t count = 0;
-  for (; count < most && !fields_.empty(); ++count) {
+  for (; count < most && has_row(); ++count) {
     Result<void> read = read_row(values, table.labels).and_then([&] { return next(); });
     if (!read) return fail(std::move(read.error()));
   }
   table.values = Matrix<float>(count, columns_.features.size(), std::move(values));
-  if (!fields_.empty()) return table;
+  if (has_row()) return table;
   return precision_.check(columns_.names, where_).map([&] { return std::move(table); });
 }
 

@@ -30,11 +30,25 @@ class CsvTableReader {
   /// The roles of the columns.
   const TableColumns& columns() const { return columns_; }
 
+  /// Where the next row begins, or the text ends.
+  const CsvRecords::Start& start() const { return records_.start(); }
+
+  /// Passes over the rows that begin before the byte `begin` of the file, without reading their
+  /// numbers. Errors: kData.
+  Result<void> skip_to(std::size_t begin);
+
+  /// From now on a row that begins at the byte `end` of the file, or after it, is not there.
+  void end_at(std::size_t end) { end_ = end; }
+
+  /// Goes to the first of `records`, which is a row of the same table. Errors: kData.
+  Result<void> continue_with(CsvRecords records);
+
   /// The next rows, at most `most`, which is above 0, without names; none when there are no more.
   Result<NumberTable> rows(std::size_t most);
 
  private:
   Result<void> next() { return records_.next(separator_, fields_); }
+  bool has_row() const { return !fields_.empty() && start().place < end_; }
   bool is_label(std::size_t column) const { return columns_.label == column; }
   bool seems_header() const;
   Result<void> check_separator();
@@ -55,6 +69,7 @@ class CsvTableReader {
   CsvOptions options_;
   char separator_ = ',';
   std::vector<CsvField> fields_;
+  std::size_t end_ = static_cast<std::size_t>(-1);
   TableColumns columns_;
   bool named_label_ = false;
   bool is_first_row_ = true;

@@ -33,13 +33,10 @@ double NpySource::memory_of_all() const {
   return 3.0 * static_cast<double>(end_ - begin_) * static_cast<double>(size()) * sizeof(float);
 }
 
-bool NpySource::take_part(std::size_t part, std::size_t of) {
-  const std::size_t each = layout_.rows / of;
-  const std::size_t more = layout_.rows % of;  // parts with one more
-  begin_ = part * each + std::min(part, more);
-  end_ = begin_ + each + (part < more ? 1 : 0);
+void NpySource::take_places(std::size_t begin, std::size_t end) {
+  begin_ = first_row_at(begin, row_bytes());
+  end_ = first_row_at(end, row_bytes());
   row_ = begin_;
-  return true;
 }
 
 double NpySource::share_read() const {
@@ -56,9 +53,8 @@ Result<void> NpySource::rewind() {
 // In Fortran order these rows are a piece of every column.
 Result<void> NpySource::fetch(std::size_t count, char* bytes) const {
   const std::size_t number = layout_.type->size;
-  const std::size_t row_size = layout_.columns * number;
   if (!layout_.fortran_order) {
-    return file_.read(layout_.start + row_ * row_size, bytes, count * row_size);
+    return file_.read(layout_.start + row_ * row_bytes(), bytes, count * row_bytes());
   }
   for (std::size_t column = 0; column < layout_.columns; ++column) {
     const std::size_t place = layout_.start + (column * layout_.rows + row_) * number;
@@ -69,7 +65,7 @@ Result<void> NpySource::fetch(std::size_t count, char* bytes) const {
 }
 
 Result<Matrix<float>> NpySource::rows(std::size_t count) {
-  bytes_.resize(count * layout_.columns * layout_.type->size);
+  bytes_.resize(count * row_bytes());
   SOMATO_TRY_VOID(fetch(count, bytes_.data()));
   Matrix<float> matrix(count, size());
   return read_npy_rows(bytes_, layout_, reading_, row_, matrix.values(), file_.path(),
@@ -81,6 +77,7 @@ Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
   const std::size_t count = std::min(part_rows_, end_ - row_);
   if (count == 0) {
     is_known_ = true;
+    bytes_ = {};
     return file_.check().map([] { return std::shared_ptr<const NumberPart>(); });
   }
   Result<Matrix<float>> values = rows(count);

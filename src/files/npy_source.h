@@ -28,12 +28,14 @@ class NpySource final : public NumberSource {
 
   const TableColumns& columns() const override { return reading_.columns; }
   double memory_of_all() const override;
-  bool take_part(std::size_t part, std::size_t of) override;
+  std::size_t extent() const override { return layout_.rows * row_bytes(); }
+  void take_places(std::size_t begin, std::size_t end) override;
   double share_read() const override;
   Result<void> rewind() override;
   Result<std::shared_ptr<const NumberPart>> next_part() override;
 
  private:
+  std::size_t row_bytes() const { return layout_.columns * layout_.type->size; }
   Result<Matrix<float>> rows(std::size_t count);
   Result<void> fetch(std::size_t count, char* bytes) const;
 

@@ -1,8 +1,10 @@
 #include "files/number_source.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "files/csv_source.h"
+#include "files/joined_numbers.h"
 #include "files/mat_array.h"
 #include "files/npy_source.h"
 #include "files/numbers_in_memory.h"
@@ -12,6 +14,21 @@
 #include "somato/files/npy.h"
 
 namespace somato {
+namespace {
+
+Result<void> check_columns(const NumberSource& file, const std::string& path,
+                           const NumberSource& first) {
+  const TableColumns& own = file.columns();
+  const TableColumns& others = first.columns();
+  if (own.features.size() == others.features.size() &&
+      own.feature_names() == others.feature_names()) {
+    return {};
+  }
+  return fail(ErrorKind::kData, "the file has other columns than the first one", path,
+              "name files with the same columns, or select them with --columns-to-use");
+}
+
+}  // namespace
 
 Result<SamplePart> NumberSource::next() {
   return next_part().map([](const std::shared_ptr<const NumberPart>& part) {
@@ -23,6 +40,30 @@ Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
                                                    const CsvOptions& options,
                                                    std::size_t part_bytes) {
   return detail::open_numbers(operating_system(), path, options, part_bytes);
+}
+
+Result<std::unique_ptr<NumberSource>> open_numbers(const std::vector<std::string>& paths,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes) {
+  require(!paths.empty(), "there are no files of numbers");
+  if (paths.size() == 1) return open_numbers(paths.front(), options, part_bytes);
+  std::vector<std::unique_ptr<NumberSource>> files;
+  files.reserve(paths.size());
+  for (const std::string& path : paths) {
+    SOMATO_TRY(auto file, open_numbers(path, options, part_bytes));
+    if (!files.empty()) {
+      SOMATO_TRY_VOID(check_columns(*file, path, *files.front()));
+    }
+    files.push_back(std::move(file));
+  }
+  return std::make_unique<JoinedNumbers>(std::move(files));
+}
+
+void take_part(NumberSource& source, std::size_t part, std::size_t of) {
+  const std::size_t each = source.extent() / of;
+  const std::size_t more = source.extent() % of;  // parts with one place more
+  const std::size_t begin = part * each + std::min(part, more);
+  source.take_places(begin, begin + each + (part < more ? 1 : 0));
 }
 
 Result<std::unique_ptr<NumberSource>> numbers_in(const std::string& bytes, const std::string& where,

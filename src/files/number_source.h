@@ -32,13 +32,13 @@ class NumberSource : public SampleSource {
 
   std::size_t size() const final { return columns().features.size(); }
 
-  /// From now on reads only part `part`, from 0, of `of` parts of nearly equal numbers of rows,
-  /// which follow one another; false if rows of this kind of file cannot be found without reading
-  /// all.
-  virtual bool take_part(std::size_t part, std::size_t of) {
-    static_cast<void>(part);
-    return of == 1;
-  }
+  /// Every row begins at a place below this, in the order of the rows: a byte of the text, or of
+  /// the array.
+  virtual std::size_t extent() const = 0;
+
+  /// From now on reads only the rows that begin at a place from `begin` to before `end`, at most
+  /// extent(). To be called at most once, before the first part.
+  virtual void take_places(std::size_t begin, std::size_t end) = 0;
 
   /// The bytes that gathering all samples in a list that grows, and changing them once, takes at
   /// most.
@@ -60,6 +60,21 @@ class NumberSource : public SampleSource {
 Result<std::unique_ptr<NumberSource>> open_numbers(const std::string& path,
                                                    const CsvOptions& options,
                                                    std::size_t part_bytes);
+
+/// The same for the rows of several files, one file after the other. Also fails (kData) if a file
+/// has other columns than the first. Throws InvalidArgument without files.
+Result<std::unique_ptr<NumberSource>> open_numbers(const std::vector<std::string>& paths,
+                                                   const CsvOptions& options,
+                                                   std::size_t part_bytes);
+
+/// The source reads only part `part`, from 0, of `of` parts that follow one another and are nearly
+/// equal in places.
+void take_part(NumberSource& source, std::size_t part, std::size_t of);
+
+/// The first of rows of `row_bytes` each that begins at `place` or after it.
+inline std::size_t first_row_at(std::size_t place, std::size_t row_bytes) {
+  return place / row_bytes + (place % row_bytes == 0 ? 0 : 1);
+}
 
 /// The same for a file that was read into `bytes`, from the source `where`: all rows are one part.
 Result<std::unique_ptr<NumberSource>> numbers_in(const std::string& bytes, const std::string& where,

@@ -16,14 +16,19 @@ class TextWindow {
   /// The most that may be in memory, in bytes: no record of a file of numbers is longer.
   static constexpr std::size_t kLargest = std::size_t{1} << 26;
 
-  /// At the beginning of `file`, which is `where` and must outlive this object.
-  TextWindow(const OpenFile& file, std::string where) : file_(file), where_(std::move(where)) {}
+  /// At the beginning of `file`, which is `where` and must outlive this object, or at `place`,
+  /// where a character begins and before which there are so many `lines`.
+  TextWindow(const OpenFile& file, std::string where, std::size_t place = 0, std::size_t lines = 0)
+      : file_(file), where_(std::move(where)), place_(place), lines_(lines) {}
 
   /// The text in memory, valid until the next change. Never part of a character.
   std::string_view text() const { return {text_.data(), checked_}; }
 
   /// The bytes of the file that have been read.
   std::size_t place() const { return place_; }
+
+  /// The place of text() in the file.
+  std::size_t start() const { return place_ - text_.size(); }
 
   /// Forgets the first `count` bytes of text().
   void drop(std::size_t count);

@@ -72,12 +72,10 @@ class WeightsAtSamples {
 };
 
 void combine(ProcessGroup& processes, std::size_t size, SampleSurvey& survey) {
-  const std::vector<std::int64_t> counts =
-      processes.gather(static_cast<std::int64_t>(survey.count));
-  const auto own = counts.begin() + static_cast<std::ptrdiff_t>(processes.rank());
-  survey.first = static_cast<std::size_t>(std::accumulate(counts.begin(), own, std::int64_t{0}));
-  survey.count =
-      static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+  auto count = static_cast<std::int64_t>(survey.count);
+  survey.first = static_cast<std::size_t>(processes.sum_before(count));
+  processes.sum({&count, 1});
+  survey.count = static_cast<std::size_t>(count);
   processes.maximize({&survey.longest, 1});
   combine_ranges(processes, size, survey.low, survey.high);
 }

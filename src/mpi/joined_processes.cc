@@ -35,6 +35,17 @@ class MpiProcesses final : public JoinedProcesses {
   void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
   void maximize(std::span<double> values) override { reduce(values, MPI_DOUBLE, MPI_MAX); }
 
+  void bring_to_first(std::size_t process, std::span<char> bytes) override {
+    const auto sender = static_cast<int>(process);
+    for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), kAtOnce))) {
+      const auto count = static_cast<int>(std::min(bytes.size(), kAtOnce));
+      if (rank_ == sender) MPI_Send(bytes.data(), count, MPI_CHAR, 0, 0, MPI_COMM_WORLD);
+      if (rank_ == 0) {
+        MPI_Recv(bytes.data(), count, MPI_CHAR, sender, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      }
+    }
+  }
+
   void leave() override { MPI_Finalize(); }
   void end_all(int exit_code) override { MPI_Abort(MPI_COMM_WORLD, exit_code); }
 

@@ -60,11 +60,15 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
   return entries;
 }
 
+bool has_results(const std::filesystem::path& file) {
+  return file.extension() == kJournal || file.extension() == kStudy;
+}
+
 Result<void> merge_part(const std::filesystem::path& from, const std::filesystem::path& to,
                         MergedParts& merged) {
   for (const std::filesystem::path& file : entries_of(from)) {
+    if (!has_results(file)) continue;
     const bool is_journal = file.extension() == kJournal;
-    if (!is_journal && file.extension() != kStudy) continue;
     SOMATO_TRY(const auto lines, lines_of(file));
     if (lines.empty()) continue;
     SOMATO_TRY_VOID(merge_file(lines, to / file.filename()));
@@ -83,6 +87,14 @@ Result<void> make_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+bool contains_parts(const std::filesystem::path& from) {
+  for (const std::filesystem::path& part : entries_of(from)) {
+    const std::vector<std::filesystem::path> files = entries_of(part);
+    if (std::any_of(files.begin(), files.end(), has_results)) return true;
+  }
+  return false;
+}
 
 Result<MergedParts> merge_parts(const std::filesystem::path& from,
                                 const std::filesystem::path& to) {

@@ -14,6 +14,9 @@ struct MergedParts {
   std::size_t studies = 0;    ///< Completed studies of sweeps.
 };
 
+/// Whether the folder `from` contains a part with results, complete or not.
+bool contains_parts(const std::filesystem::path& from);
+
 /// Adds the results of the parts in the folder `from` to those in `to`, which must exist: journals
 /// of studies and completed studies of sweeps, for parts that did not share a folder. Lines that
 /// are truncated or damaged are left out, and no line is added twice. Returns what `from` contains.

@@ -38,6 +38,8 @@ TEST(ProcessGroupThreads, GatherNumbersAndTakeTurnsInOrder) {
     EXPECT_EQ(group.is_first(), group.rank() == 0);
     EXPECT_EQ(group.gather(static_cast<std::int64_t>(group.rank()) - 1),
               (std::vector<std::int64_t>{-1, 0, 1}));
+    EXPECT_EQ(group.sum_before(static_cast<std::int64_t>(group.rank()) + 5),
+              (std::vector<std::int64_t>{0, 5, 11}[group.rank()]));
     // ((1 * 2 + 0) * 2 + 1) * 2 + 2: another order gives another number.
     EXPECT_EQ(
         group.in_turn(

@@ -376,5 +376,87 @@ TEST(NumberSource, RefusesWhatIsNoFileOrHasNoLabelColumn) {
   EXPECT_EQ(open_numbers("/dev/null", {}, 8).error().kind, ErrorKind::kSystem);
 }
 
+// Text with names and fields that contain line ends, so that bytes say nothing about rows.
+TEST(NumberSource, TakesPartsOfEveryFormatThatTogetherAreTheWhole) {
+  const TemporaryFolder folder;
+  const Matrix<float> numbers = numbered(23, 3);
+  ASSERT_TRUE(write_npy(folder.file("rows.npy"), numbers));
+  ASSERT_TRUE(write_csv(folder.file("rows.csv"), {{}, numbers, {}}));
+  std::string text = "\xEF\xBB\xBF\"a\nb\",c,name\r\n";
+  for (std::size_t i = 0; i < 23; ++i) {
+    text += std::to_string(i) + ",0.25,\"" + std::string(i, '\n') + "\"\n\n";
+  }
+  folder.with("names.csv", text + "# the end\n");
+  CsvOptions names;
+  names.columns.skip = {"name"};
+  const std::vector<std::pair<std::string, CsvOptions>> files{
+      {"rows.npy", {}}, {"rows.csv", {}}, {"names.csv", names}};
+  for (const auto& [name, options] : files) {
+    const std::vector<float> whole = read_parts(folder.file(name), 40, options)->values;
+    for (const std::size_t of : {1U, 2U, 3U, 7U, 40U}) {
+      std::vector<float> together;
+      for (std::size_t part = 0; part < of; ++part) {
+        const auto source = open_numbers(folder.file(name), options, 40);
+        take_part(**source, part, of);
+        ASSERT_TRUE(read_all(**source));
+        const auto again = read_all(**source);
+        ASSERT_TRUE(again) << to_string(again.error());
+        together.insert(together.end(), again->values.begin(), again->values.end());
+        EXPECT_EQ((*source)->share_read(), 1.0);
+      }
+      EXPECT_EQ(together, whole) << name << " in " << of;
+    }
+  }
+}
+
+TEST(NumberSource, ReportsTheLineOfAnErrorInAPart) {
+  const TemporaryFolder folder;
+  const auto source = open_numbers(folder.with("x", "1,2\n3,4\n\"5\",6\n7,x\n"), {}, 1);
+  take_part(**source, 1, 2);
+  EXPECT_EQ(read_all(**source).error().where, folder.file("x") + ":4:3");
+  EXPECT_EQ(read_all(**source).error().where, folder.file("x") + ":4:3");
+}
+
+TEST(NumberSource, JoinsFilesOfTheSameColumns) {
+  const TemporaryFolder folder;
+  const std::string text = folder.with("a.csv", "p,q,r\n1,2,3\n4,5,6\n");
+  const std::string more = folder.with("b.csv", "p,q,r\n7,8,9\n");
+  ASSERT_TRUE(write_npy(folder.file("c.npy"), Matrix<float>(2, 3, 0.5F)));
+  const std::vector<std::string> paths{text, more, text};
+  const std::vector<float> whole{1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3, 4, 5, 6};
+  for (const std::size_t of : {1U, 2U, 5U}) {
+    std::vector<float> together;
+    for (std::size_t part = 0; part < of; ++part) {
+      const auto source = open_numbers(paths, {}, 12);
+      take_part(**source, part, of);
+      ASSERT_TRUE(read_all(**source));
+      const std::vector<float> own = read_all(**source)->values;
+      together.insert(together.end(), own.begin(), own.end());
+    }
+    EXPECT_EQ(together, whole) << of;
+  }
+  const Error other = open_numbers({text, folder.file("c.npy")}, {}, 12).error();
+  EXPECT_EQ(other.where, folder.file("c.npy"));
+  EXPECT_EQ(other.kind, ErrorKind::kData);
+}
+
+// All of a file in memory is one part; with labels.
+TEST(NumberSource, TakesPartsOfNumbersInMemory) {
+  const std::string text = "1,a\n2,b\n3,a\n4,b\n5,c\n";
+  CsvOptions options;
+  options.label_column = "2";
+  std::vector<float> values;
+  std::vector<std::string> labels;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const auto source = numbers_in(text, "text", options);
+    take_part(**source, part, 3);
+    const auto own = read_all(**source);
+    values.insert(values.end(), own->values.begin(), own->values.end());
+    labels.insert(labels.end(), own->labels.begin(), own->labels.end());
+  }
+  EXPECT_EQ(values, (std::vector<float>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(labels, (std::vector<std::string>{"a", "b", "a", "b", "c"}));
+}
+
 }  // namespace
 }  // namespace somato

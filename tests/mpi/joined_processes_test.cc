@@ -47,40 +47,52 @@ class SeveralProcesses : public ProgramTest {
 
 TEST_F(SeveralProcesses, TrainTheMapOfOne) {
   write_rows();
-  const std::vector<Words> kinds{
-      {}, {"--similarity", "dot_product", "--topology", "torus"}, {"--initial-weights", "samples"}};
-  for (const Words& kind : kinds) {
-    const std::string shown = output_of(training("one.map", kind));
-    for (const std::string& count : kind.empty() ? Words{"2", "3"} : Words{"3"}) {
-      const ProgramRun done = run_several(count, training("several.map", kind));
-      EXPECT_EQ(done.exit_code, 0) << done.err;
-      EXPECT_EQ(done.err, "");
-      EXPECT_EQ(done.out.substr(done.out.find(':')), shown.substr(shown.find(':')));
-      EXPECT_TRUE(read("several.map") == read("one.map")) << count;
-    }
-  }
+  const std::string shown = output_of(training("one.map"));
+  const ProgramRun done = run_several("3", training("several.map"));
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.err, "");
+  EXPECT_EQ(done.out.substr(done.out.find(':')), shown.substr(shown.find(':')));
+  EXPECT_TRUE(read("several.map") == read("one.map"));
   const Words quality{"som", "quality", "one.map", "rows.npy", "--json"};
   EXPECT_EQ(run_several("3", quality).out, output_of(quality));
 }
 
-// The folder of the map cannot take it after training: the checkpoint remains.
-TEST_F(SeveralProcesses, ContinueFromTheCheckpointOfAnotherNumber) {
+TEST_F(SeveralProcesses, MapRowsAsOneDoes) {
   write_rows();
   output_of(training("one.map"));
-  ProgramWorld world;
-  world.largest_file = 700;  // a checkpoint is longer than a map
-  const ProgramRun full = run(training("full.map", {"--checkpoint", "checkpoint"}), world);
-  EXPECT_EQ(full.exit_code, 1);
-  EXPECT_EQ(full.err.find("somato: "), 0U) << full.err;
-  EXPECT_FALSE(std::filesystem::exists(path("full.map")));
+  const auto mapping = [](const std::string& winners, const std::string& activity) {
+    return Words{"som",   "map",        "one.map", "rows.npy", "-o",
+                 winners, "--activity", activity,  "--memory", "20KiB"};
+  };
+  output_of(mapping("one.csv", "one.npy"));
+  const ProgramRun done = run_several("3", mapping("several.csv", "several.npy"));
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.err, run(mapping("again.csv", "again.npy")).err);
+  EXPECT_TRUE(read("several.csv") == read("one.csv"));
+  EXPECT_TRUE(read("several.npy") == read("one.npy"));
+  const Words json{"som", "map", "one.map", "rows.npy", "rows.npy", "--json"};
+  EXPECT_TRUE(run_several("2", json).out == run(json).out);
+}
+
+// The disk is full when the map is saved: the checkpoint remains, for another number of processes.
+TEST_F(SeveralProcesses, LoseNothingOnAFullDisk) {
+  write_rows();
+  output_of(training("one.map"));
+  const auto expect_full = [&](const Words& arguments) {
+    const ProgramRun full = run_several("2", arguments);
+    EXPECT_EQ(full.exit_code, 1);
+    EXPECT_NE(full.err.find("No space left on device"), std::string::npos) << full.err;
+    EXPECT_EQ(full.err.find("somato: "), full.err.rfind("somato: ")) << full.err;
+  };
+  expect_full(training("/dev/full", {"--checkpoint", "checkpoint"}));
   EXPECT_EQ(run_several("3", training("several.map", {"--checkpoint", "checkpoint"})).exit_code, 0);
   EXPECT_TRUE(read("several.map") == read("one.map"));
   EXPECT_FALSE(std::filesystem::exists(path("checkpoint")));
+  expect_full({"som", "map", "one.map", "rows.npy", "-o", "/dev/full"});
 }
 
 TEST_F(SeveralProcesses, AreRefusedOnceWithOneMessage) {
   write_rows();
-  write_data();
   const auto expect_message = [&](const Words& arguments, int exit_code, const std::string& says) {
     const ProgramRun done = run_several("2", arguments);
     EXPECT_EQ(done.exit_code, exit_code);
@@ -91,8 +103,8 @@ TEST_F(SeveralProcesses, AreRefusedOnceWithOneMessage) {
   };
   expect_message(training("several.map", {"--standardize"}), 2, "--standardize");
   expect_message({"som", "train", "rows.npy", "-o", "several.map"}, 2, "online training");
-  expect_message({"som", "train", "data.csv", "-o", "several.map", "--training", "batch"}, 2,
-                 "NPY file");
+  expect_message({"som", "train", "-", "-o", "several.map", "--training", "batch"}, 2,
+                 "/dev/stdin");
   std::string bytes = read("rows.npy");
   bytes.replace(bytes.size() - 4, 4, "\xFF\xFF\xFF\x7F", 4);  // NaN, read by the second process
   write("rows.npy", bytes);

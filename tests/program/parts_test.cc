@@ -83,9 +83,9 @@ TEST_F(Parts, OfSeparateFoldersAreMerged) {
 TEST_F(Parts, ThatAreWrongAreRefused) {
   write_study();
   expect_refused(2, study("out", {"--part", "0/7"}), {"--part", "is not a part"});
-  fs::create_directory(path("empty"));
-  EXPECT_NE(run({"merge", "empty", "--out", "all"}).err.find("contains no parts"),
-            std::string::npos);
+  fs::create_directories(path("empty/parts/1-of-2"));
+  expect_refused(2, {"merge", "empty", "--out", "all"}, {"empty", "contains no parts"});
+  expect_refused(2, {"merge", "missing", "--out", "all"}, {"missing", "contains no parts"});
 }
 
 }  // namespace

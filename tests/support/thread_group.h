@@ -16,11 +16,12 @@ namespace somato::testing {
 /// The memory that the members of a ThreadGroup share.
 struct SharedByThreads {
   explicit SharedByThreads(std::size_t size)
-      : barrier(static_cast<std::ptrdiff_t>(size)), integers(size), numbers(size) {}
+      : barrier(static_cast<std::ptrdiff_t>(size)), integers(size), numbers(size), bytes(size) {}
 
   std::barrier<> barrier;
   std::vector<std::vector<std::int64_t>> integers;
   std::vector<std::vector<double>> numbers;
+  std::vector<std::vector<char>> bytes;
 };
 
 /// A slow and obvious group of "processes", which are threads.
@@ -39,6 +40,13 @@ class ThreadGroup final : public ProcessGroup {
   }
   void maximize(std::span<double> values) override {
     exchange(values, shared_.numbers, [](double a, double b) { return std::max(a, b); });
+  }
+
+  void bring_to_first(std::size_t process, std::span<char> values) override {
+    shared_.bytes[rank_].assign(values.begin(), values.end());
+    shared_.barrier.arrive_and_wait();
+    if (rank_ == 0) std::copy_n(shared_.bytes[process].begin(), values.size(), values.begin());
+    shared_.barrier.arrive_and_wait();
   }
 
  private:

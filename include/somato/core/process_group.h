@@ -34,6 +34,10 @@ class ProcessGroup {
   /// Replaces the values, which must be finite, by the greatest of all processes.
   virtual void maximize(std::span<double> values) = 0;
 
+  /// Copies the bytes of `process` into those of the first, as many in both. The other processes,
+  /// whose bytes are not used, need not wait.
+  virtual void bring_to_first(std::size_t process, std::span<char> bytes) = 0;
+
   bool is_first() const { return rank() == 0; }
 
   /// Whether agree() has returned a failure.
@@ -45,6 +49,9 @@ class ProcessGroup {
 
   /// The numbers of all processes, in their order.
   std::vector<std::int64_t> gather(std::int64_t own);
+
+  /// The sum of the numbers of the processes before this one.
+  std::int64_t sum_before(std::int64_t own);
 
   /// Calls `next` in one process after another, the first with `value`, each other with the result
   /// of the one before. Returns the last result in every process.
