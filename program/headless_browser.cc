@@ -18,8 +18,9 @@ using SortedJson = nlohmann::json;
 
 constexpr auto kAnswerTime = std::chrono::minutes(1);
 
-// Chromium reads commands from descriptor 3 and answers to descriptor 4. It draws in software, as a
-// machine without a display has no other way. For the superuser it has no sandbox.
+// Chromium reads commands from descriptor 3 and answers to descriptor 4. The body in three
+// dimensions is drawn in software, as a machine without a display has no other way; Chromium paints
+// the page itself, which is faster than with the same program. For the superuser it has no sandbox.
 Result<ChildProcess> start(const ScratchFolder& profile) {
   std::vector<std::string> words{"",
                                  "--headless=new",
@@ -29,8 +30,6 @@ Result<ChildProcess> start(const ScratchFolder& profile) {
                                  "--disable-extensions",
                                  "--disable-background-networking",
                                  "--hide-scrollbars",
-                                 "--use-gl=angle",
-                                 "--use-angle=swiftshader",
                                  "--enable-unsafe-swiftshader"};
   if (::geteuid() == 0) words.emplace_back("--no-sandbox");
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {

@@ -25,6 +25,12 @@ tl::unexpected<Error> not_now(std::string what) {
   return fail(ErrorKind::kUsage, std::move(what));
 }
 
+// A body continues without viewers, unless it is a demonstration; readings are not held up.
+bool may_rest(const ViewSource& source, const ViewSettings& settings) {
+  return settings.wait_for_viewer && !source.readings.on_moment &&
+         (!source.explorer || source.demonstrates);
+}
+
 }  // namespace
 
 Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, TaskQueue& queue)
@@ -33,25 +39,22 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       queue_(queue),
       replay_(hub, pace_, source_.readings),
       system_(source_.system),
-      saved_(source_.recording.explorations.size()),
-      had_viewer_(!settings.wait_for_viewer),
-      rests_unseen_(settings.wait_for_viewer && !source_.explorer && !source_.readings.on_moment),
-      demonstration_(source_.demonstrates),
+      kept_(source_.recording, source_.sink),
+      audience_(settings.wait_for_viewer, may_rest(source_, settings)),
+      plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
-      thing_(source_.thing),
       body_(queue, {[this](const auto& body, const auto& scene) { grow(body, scene); },
                     [this](BodyStep step) { coming_ = std::move(step); },
                     [this](auto explored) { finish(std::move(explored)); }}) {
   pace_.speed = settings.speed;
-  explored_scenes_.resize(source_.recording.explorations.size());
 }
 
 void Player::begin() {
   guarded([this] {
     use_system();
-    wants_exploring_ = source_.explorer && had_viewer_;
+    wants_exploring_ = source_.explorer && audience_.has_begun();
     if (!source_.explorer) {
-      pace_.playing = had_viewer_;
+      pace_.playing = audience_.has_begun();
       begin_exploration(0);
       replay_.show(0);
     }
@@ -62,7 +65,7 @@ void Player::begin() {
 void Player::run() {
   while (!closed_) guarded([this] { turn(); });
   body_.join();
-  guarded([this] { save_before(source_.recording.explorations.size()); });
+  guarded([this] { save_before(kept_.count()); });
 }
 
 // A body that is stopped ends its exploration by finish().
@@ -81,7 +84,8 @@ void Player::guarded(const std::function<void()>& work) {
 
 // A task at a time: tasks that keep coming must not hold up what plays.
 void Player::turn() {
-  if (wants_exploring_ && !body_.is_exploring() && !replay_.is_behind()) explore();
+  const bool may_explore = wants_exploring_ && !audience_.is_resting();
+  if (may_explore && !body_.is_exploring() && !replay_.is_behind()) explore();
   closed_ =
       queue_.wait(replay_.is_behind() ? Pace::Clock::now() : due()) == TaskQueue::Woken::kClosed;
   if (closed_) return;
@@ -97,14 +101,14 @@ void Player::turn() {
 
 // Whether all that was to be read has been played.
 bool Player::is_complete() const {
-  if (!source_.explorer) return replay_.tap().ended() == source_.recording.explorations.size();
-  if (demonstration_.runs()) return false;
-  const bool has_begun = planned_ > 0 && planned_ == source_.plan.size();
+  if (!source_.explorer) return replay_.tap().ended() == kept_.count();
+  if (plan_.demonstrates()) return false;
+  const bool has_begun = plan_.is_planned() && !plan_.has_next();
   return has_begun && !wants_exploring_ && !body_.is_exploring() && !replay_.is_behind();
 }
 
 Result<void> Player::handle(const ViewCommand& command) {
-  plays_when_seen_ = false;
+  audience_.take_command();
   return std::visit(Overloaded{[&](const PlayCommand&) { return play(); },
                                [&](const PauseCommand&) -> Result<void> {
                                  rest();
@@ -132,14 +136,16 @@ Result<void> Player::handle(const ViewCommand& command) {
 }
 
 void Player::on_viewers(std::size_t viewers) {
-  if (viewers > 0 && !std::exchange(had_viewer_, true)) return begin_seen();
-  if (!rests_unseen_) return;
-  if (viewers == 0) {
-    plays_when_seen_ = pace_.playing;
-    rest();
-  } else if (std::exchange(plays_when_seen_, false)) {
-    pace_.playing = true;
-    pace_.begin();
+  switch (audience_.set_viewers(viewers, pace_.playing)) {
+    case Audience::Change::kBegin:
+      return begin_seen();
+    case Audience::Change::kRest:
+      return rest();
+    case Audience::Change::kContinue:
+      pace_.playing = true;
+      return pace_.begin();
+    case Audience::Change::kNone:
+      break;
   }
 }
 
@@ -151,7 +157,7 @@ void Player::begin_seen() {
 
 void Player::begin_exploration(std::size_t index) {
   const Exploration& chosen = source_.recording.explorations[index];
-  std::shared_ptr<ScenePlayer> scene = explored_scenes_[index];
+  std::shared_ptr<ScenePlayer> scene = kept_.scene(index);
   if (!scene && source_.scenes) scene = source_.scenes(chosen);
   replay_.begin({index, &chosen, std::make_shared<Timeline>(chosen), std::move(scene)});
 }
@@ -162,7 +168,7 @@ std::optional<Pace::Clock::time_point> Player::due() const {
   if (!replay_.is_over()) return pace_.due(replay_.pause());
   if (coming_) return pace_.due(growing_->seconds_to(*coming_));
   if (growing_ || replay_.played() == nullptr) return {};
-  if (demonstration_.runs()) return pace_.due(result_pause_ * pace_.speed);
+  if (plan_.demonstrates()) return pace_.due(result_pause_ * pace_.speed);
   return pace_.due(kBetweenExplorations);
 }
 
@@ -173,19 +179,23 @@ void Player::advance() {
   publish_state();
 }
 
-// After the last exploration everything rests; a demonstration begins again.
+// After the last exploration everything rests.
 void Player::play_next() {
-  const std::size_t count = source_.recording.explorations.size();
-  std::size_t next = replay_.played()->index + 1;
-  if (demonstration_.runs()) {
-    wants_exploring_ = next == count && planned_ < source_.plan.size();
-    if (wants_exploring_) return;
-    if (next == count) demonstration_.complete_round();
-    next %= count;
-  } else if (next == count || source_.explorer) {
-    return rest();
-  }
+  if (plan_.demonstrates()) return play_next_of_demonstration();
+  const std::size_t next = replay_.played()->index + 1;
+  if (next == kept_.count() || source_.explorer) return rest();
   begin_exploration(next);
+  replay_.show(0);
+}
+
+// After the last exploration, all are played again.
+void Player::play_next_of_demonstration() {
+  const std::size_t next = replay_.played()->index + 1;
+  const bool was_last = next == kept_.count();
+  wants_exploring_ = was_last && plan_.has_next();
+  if (wants_exploring_) return;
+  if (was_last) plan_.complete_round();
+  begin_exploration(was_last ? 0 : next);
   replay_.show(0);
 }
 
@@ -195,7 +205,7 @@ void Player::rest() {
 }
 
 Result<void> Player::play() {
-  if (!source_.plan.empty() && !std::exchange(had_viewer_, true)) {
+  if (plan_.is_planned() && audience_.begin()) {
     wants_exploring_ = true;
     return {};
   }
@@ -204,7 +214,7 @@ Result<void> Player::play() {
   pace_.begin();
   if (body_.is_exploring() || !replay_.is_over()) return {};
   const std::size_t index = replay_.played()->index;
-  const bool is_last = index + 1 == source_.recording.explorations.size();
+  const bool is_last = index + 1 == kept_.count();
   begin_exploration(source_.explorer ? index : is_last ? 0 : index + 1);
   replay_.show(0);
   return {};
@@ -251,46 +261,35 @@ Result<void> Player::seek(const SeekCommand& seek) {
 
 Result<void> Player::choose_thing(const std::string& name) {
   if (!source_.explorer) return not_now("the object of a recording cannot be changed");
-  SOMATO_TRY_VOID(take_over());
+  SOMATO_TRY_VOID(plan_.take_over());
   const auto& things = source_.explorer->things();
   const auto found = std::find_if(things.begin(), things.end(),
                                   [&](const ExploredThing& thing) { return thing.name == name; });
   if (found == things.end()) return not_now("unknown object or material");
-  thing_ = static_cast<std::size_t>(found - things.begin());
+  plan_.select(static_cast<std::size_t>(found - things.begin()));
   return {};
 }
 
 Result<void> Player::place(const Placement& placement) {
-  if (!source_.explorer || !take_over() || !source_.explorer->things()[thing_].object) {
+  if (!source_.explorer || !plan_.take_over() ||
+      !source_.explorer->things()[plan_.thing()].object) {
     return not_now("no object can be placed");
   }
-  placement_ = placement;
-  return {};
-}
-
-// A plan is fixed, but a viewer ends a demonstration. Its explorations were the first trial.
-Result<void> Player::take_over() {
-  if (!source_.plan.empty() && !demonstration_.runs()) {
-    return not_now("the explorations of this session are fixed");
-  }
-  if (demonstration_.runs()) trials_ = 1;
-  demonstration_.end();
-  source_.plan.clear();
-  planned_ = 0;
+  plan_.place(placement);
   return {};
 }
 
 // The exploration in progress ends first.
 Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
-  SOMATO_TRY_VOID(take_over());
-  if (source_.recording.explorations.size() >= kMostExplorations) {
+  SOMATO_TRY_VOID(plan_.take_over());
+  if (kept_.count() >= kMostExplorations) {
     return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
   }
   body_.stop();
   replay_.give_up();
   wants_exploring_ = true;
-  had_viewer_ = true;
+  audience_.begin();
   return {};
 }
 
@@ -338,17 +337,17 @@ void Player::publish_state() {
 }
 
 std::string Player::state_text() const {
-  ViewState state{source_, replay_.reader().picture(), names_, replay_.played()};
+  ViewState state{source_, replay_.reader().picture(), names(), replay_.played()};
   state.labels = shown_labels();
   state.frame = replay_.next();
   state.playing = pace_.playing;
   state.speed = std::min(pace_.speed, 100.0);  // the fastest that a page can choose
-  state.thing = thing_;
-  state.placement = placement_;
+  state.thing = plan_.thing();
+  state.placement = plan_.placement();
   state.system = system_;
   state.system_problem = replay_.reader().problem();
   state.training = training_;
-  state.demonstrated = demonstration_.rounds();
+  state.demonstrated = plan_.rounds();
   state.clients = hub_.viewers();
   state.problem = problem_;
   return json_text(state_json(state));
@@ -360,20 +359,16 @@ void Player::explore() {
   replay_.end();
   pace_.playing = true;
   moments_left_ = 0;
-  if (source_.plan.empty()) {
-    exploring_ = thing_;
-    return body_.start(*source_.explorer, thing_, trials_++, placement_);
-  }
-  const PlannedExploration& next = source_.plan[planned_++];
-  exploring_ = thing_ = next.thing;
-  body_.start(*source_.explorer, next.thing, next.trial, {});
+  const ExplorationPlan::Next next = plan_.next();
+  exploring_ = next.thing;
+  body_.start(*source_.explorer, next.thing, next.trial, next.placement);
 }
 
 // The scene of a thing is the same each time.
 void Player::grow(const BodyDescription& body, const Scene& scene) {
   std::shared_ptr<const Scene>& kept = kept_scenes_[json_text(scene_json(scene))];
   if (!kept) kept = std::make_shared<const Scene>(scene);
-  growing_.emplace(source_.recording.explorations.size(), body, kept);
+  growing_.emplace(kept_.count(), body, kept);
   pace_.begin();
   replay_.begin(growing_->played());
   publish_state();
@@ -395,7 +390,8 @@ void Player::finish(std::future<Result<Exploration>> explored) {
   replay_.end();
   growing_.reset();
   coming_.reset();
-  const bool plays_on = demonstration_.runs() && pace_.playing;
+  const bool demonstrates = plan_.demonstrates();
+  const bool plays_on = demonstrates && pace_.playing;
   rest();
   if (auto exploration = explored.get(); !exploration) {
     fail_exploring(exploration.error());
@@ -405,7 +401,7 @@ void Player::finish(std::future<Result<Exploration>> explored) {
   }
   // A demonstration shows the end of each exploration for a while.
   pace_.playing = plays_on && replay_.played() != nullptr;
-  const bool goes_on = planned_ < source_.plan.size() && !pace_.playing;
+  const bool goes_on = plan_.has_next() && !pace_.playing && (plays_on || !demonstrates);
   wants_exploring_ = wants_exploring_ || goes_on;
   publish_state();
 }
@@ -418,64 +414,43 @@ void Player::catch_up() {
 }
 
 void Player::fail_exploring(const Error& error) {
-  names_.forget(source_.recording.explorations.size());
+  kept_.discard_next();
   if (error.kind == ErrorKind::kInterrupted) return;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);
-  if (error.kind == ErrorKind::kUnavailable) planned_ = source_.plan.size();
+  if (error.kind == ErrorKind::kUnavailable) plan_.give_up();
 }
 
-// Those before are valid.
 Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene) {
-  auto& explorations = source_.recording.explorations;
-  Recording single{{std::move(exploration)}};
-  const Exploration& first = explorations.empty() ? single.explorations[0] : explorations[0];
-  auto valid =
-      validate(single).and_then([&] { return check_alike(single.explorations[0], first); });
-  if (!valid) {
-    names_.forget(explorations.size());
-    return valid;
-  }
-  save_before(explorations.size());
-  explorations.push_back(std::move(single.explorations[0]));
-  explored_scenes_.push_back(std::move(scene));
-  begin_exploration(explorations.size() - 1);
+  SOMATO_TRY_VOID(kept_.add(std::move(exploration), std::move(scene)));
+  save_before(kept_.count() - 1);
+  begin_exploration(kept_.count() - 1);
   replay_.show(replay_.moments() - 1);
   return {};
 }
 
 // An exploration is saved when the next one has ended: it can be named until then.
 void Player::save_before(std::size_t end) {
-  for (; saved_ < end; ++saved_) {
-    if (!source_.sink) continue;
-    Exploration exploration = source_.recording.explorations[saved_];
-    exploration.labels = names_.labels(saved_, std::move(exploration.labels));
-    const auto taken = source_.sink(std::move(exploration));
-    if (taken) continue;
-    problem_ = sentence_of(taken.error());
-    replay_.tap().finish(taken);
-  }
+  const auto saved = kept_.save_before(end);
+  if (saved) return;
+  problem_ = sentence_of(saved.error());
+  replay_.tap().finish(saved);
 }
 
 // Names the exploration that is shown.
 Result<void> Player::name(const Label& given) {
   if (replay_.played() == nullptr) return not_now("there is no exploration to name");
-  const std::size_t index = replay_.played()->index;
-  if (source_.sink && index < saved_) {
-    return not_now("this exploration is saved already; only the last one can be named");
-  }
-  names_.give(index, given);
-  return {};
+  return kept_.name(replay_.played()->index, given);
 }
 
 // While a body explores, the name of the thing that it was given.
 std::vector<Label> Player::shown_labels() const {
   if (replay_.played() == nullptr) return {};
   const PlayedExploration& played = *replay_.played();
-  if (played.has_ended) return names_.labels(played.index, played.exploration->labels);
+  if (played.has_ended) return names().labels(played.index, played.exploration->labels);
   const ExploredThing& thing = source_.explorer->things()[exploring_];
   const bool is_material = !thing.object && !thing.material.name.empty();
-  return names_.labels(played.index, {{is_material ? "material" : "object", thing.name}});
+  return names().labels(played.index, {{is_material ? "material" : "object", thing.name}});
 }
 
 }  // namespace somato::live

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "live/audience.h"
 #include "live/body_thread.h"
-#include "live/demonstration.h"
 #include "live/event_hub.h"
-#include "live/given_names.h"
+#include "live/exploration_plan.h"
 #include "live/growing_exploration.h"
+#include "live/kept_explorations.h"
 #include "live/pace.h"
 #include "live/replay.h"
 #include "live/strips.h"
@@ -44,7 +45,7 @@ class Player {
   const ViewSource& source() const { return source_; }
 
   /// The labels that viewers gave to explorations.
-  const GivenNames& names() const { return names_; }
+  const GivenNames& names() const { return kept_.names(); }
 
   /// The system that is chosen, or nullptr.
   const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
@@ -61,8 +62,8 @@ class Player {
   /// The state as it is now, in JSON.
   std::string state_text() const;
 
-  /// Begins to play with the first viewer where that was waited for. A recording then rests while
-  /// there are no viewers.
+  /// Begins to play with the first viewer where that was waited for. A recording and a
+  /// demonstration then rest while there are no viewers.
   void on_viewers(std::size_t viewers);
 
  private:
@@ -75,8 +76,8 @@ class Player {
   void rest();
   std::optional<Pace::Clock::time_point> due() const;
 
-  Result<void> take_over();
   void play_next();
+  void play_next_of_demonstration();
 
   Result<void> play();
   Result<void> step(std::int64_t frames);
@@ -104,29 +105,21 @@ class Player {
   Pace pace_;
   Replay replay_;
   std::optional<std::size_t> system_;
-  GivenNames names_;
-  std::size_t saved_;  // explorations that were passed to the sink, and those of the source
+  KeptExplorations kept_;
+  Audience audience_;
   std::string problem_;
   std::string shown_system_problem_;
   bool training_ = false;
   bool closed_ = false;
-  bool had_viewer_ = false;
-  bool rests_unseen_ = false;     // without viewers
-  bool plays_when_seen_ = false;  // it rests because there are no viewers
 
   // The state of a body.
-  Demonstration demonstration_;
+  ExplorationPlan plan_;
   double result_pause_ = 0.0;  // s
-  Placement placement_;
-  std::size_t thing_ = 0;
   std::size_t exploring_ = 0;  // the thing that is explored
-  std::size_t trials_ = 0;
-  std::size_t planned_ = 0;  // explorations of the plan that have begun
   bool wants_exploring_ = false;
   std::optional<GrowingExploration> growing_;
   std::optional<BodyStep> coming_;  // the step that the body has taken, until it is shown
   std::size_t moments_left_ = 0;    // to be shown though nothing plays
-  std::vector<std::shared_ptr<ScenePlayer>> explored_scenes_;        // of each, or nullptr
   std::map<std::string, std::shared_ptr<const Scene>> kept_scenes_;  // by their JSON
   BodyThread body_;                                                  // ends before the rest
 };

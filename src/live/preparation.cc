@@ -1,6 +1,7 @@
 #include "live/preparation.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,6 +25,12 @@ Result<Prepared> train(const ViewSystem& system, const Recording& explored, std:
   return prepared;
 }
 
+// The view has a higher priority. The threads that this one starts have the same priority.
+void yield_to_others() {
+  constexpr int kNice = 10;
+  ::setpriority(PRIO_PROCESS, 0, kNice);
+}
+
 }  // namespace
 
 // An internal error must not end the program.
@@ -32,6 +39,7 @@ void Preparation::start(ViewSystem system, PriorExplorations explorations, std::
   thread_ = std::thread([this, seed, system = std::move(system),
                          explorations = std::move(explorations), done = std::move(done)] {
     try {
+      yield_to_others();
       const auto prepared = prepare(system, explorations, seed, done);
       if (!prepared) done(fail(prepared.error()));
     } catch (const std::exception& error) {

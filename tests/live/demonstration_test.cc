@@ -72,5 +72,25 @@ TEST(DemonstrationThread, StandsStillDuringAPause) {
   EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] > rounds; }));
 }
 
+// A step that the body has begun may still end its exploration.
+TEST(DemonstrationThread, RestsWithoutViewers) {
+  ViewSession session(demonstrated(), {true, 100.0, 0.0, 0.0});
+  session.start();
+  auto viewer = session.hub().subscribe(1);
+  ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() >= 1; }));
+  viewer.reset();
+  ASSERT_TRUE(eventually([&] { return state_of(session)["clients"] == 0; }));
+  const json state = state_of(session);
+  EXPECT_EQ(state["playing"], false);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const json later = state_of(session);
+  EXPECT_EQ(later["playing"], false);
+  EXPECT_EQ(later["demonstrated"], state["demonstrated"]);
+  EXPECT_LE(later["explorations"].size(), state["explorations"].size() + 1);
+  viewer = session.hub().subscribe(1);
+  const int rounds = state["demonstrated"].get<int>();
+  EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] > rounds; }));
+}
+
 }  // namespace
 }  // namespace somato

@@ -37,6 +37,11 @@ export function fill(to: Element, children: Child[]): void {
   append(to, children);
 }
 
+/** Sets the text of an element if it changes: a new text costs a layout. */
+export function write(to: Element, text: string): void {
+  if (to.textContent !== text) to.textContent = text;
+}
+
 /** A name that may be wrapped after each underscore. */
 export function breakable(name: string): Child[] {
   return name

@@ -1,6 +1,6 @@
 // Legends, as parts of a picture: a bar of colours with its ends, and markers with names.
 
-import { uniqueId } from "./dom";
+import { uniqueId, write } from "./dom";
 import { marker } from "./markers";
 import { readable } from "./numbers";
 import { rounded, shape, shortened, svg, text, textWidth } from "./svg";
@@ -25,8 +25,8 @@ export function colourBar(width: number, unit: string, colour: (share: number) =
   const middle = text(width / 2, 25, unit, { class: "middle muted" });
   const group = shape("g", { class: "colour-bar" }, [shape("defs", {}, [gradient]), bar, low, middle, high]);
   const setRange = (from: number, to: number) => {
-    low.textContent = readable(from);
-    high.textContent = readable(to);
+    write(low, readable(from));
+    write(high, readable(to));
   };
   return { group, setRange };
 }

@@ -89,6 +89,9 @@ function drawMarkLegend(
 }
 
 function setWinner(frame: MapFrame, neuron: number | null): void {
+  const shown = String(neuron ?? "");
+  if (frame.winner.dataset["neuron"] === shown) return;
+  frame.winner.dataset["neuron"] = shown;
   if (neuron === null) return frame.winner.replaceChildren();
   const d = frame.cells[neuron]?.getAttribute("d") ?? "";
   const back = shape("path", { d, class: "map-ring-back" });

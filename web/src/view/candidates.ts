@@ -1,7 +1,7 @@
 // A bar for each class: the distance of the nearest class divided by that of the class, so that the
 // longest bar is the best. The order is fixed, so that bars can be followed.
 
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { marker } from "../parts/markers";
 import { digits, percent } from "../parts/numbers";
 import { shape } from "../parts/svg";
@@ -46,7 +46,7 @@ export class Candidates {
       const distance = distances.get(name) ?? null;
       const share = distance === null ? null : distance > 0 ? nearest / distance : 1;
       row.bar.style.width = `${100 * (share ?? 0)}%`;
-      row.nearness.textContent = share === null ? "" : percent(share);
+      write(row.nearness, share === null ? "" : percent(share));
       row.root.title = distance === null ? name : `${name}: distance ${digits(distance)}`;
       row.root.classList.toggle("nearest", name === reading?.answer);
     }

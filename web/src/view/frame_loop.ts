@@ -1,5 +1,5 @@
-// Draws the newest frame once per animation frame of the browser, and counts the dropped frames in
-// between. Nothing is drawn while the page is hidden, because the browser then requests no
+// Draws the newest frame once per animation frame of the browser, or less often if the budget of
+// drawing demands it, and counts the dropped frames in between. Nothing is drawn while the page is hidden, because the browser then requests no
 // animation frames.
 
 export interface Work {
@@ -21,12 +21,14 @@ export class FrameLoop {
   private drawn = 0;
   private dropped = 0;
   private drawing = 0; // of the clock, at the last frame
+  private last = Number.NEGATIVE_INFINITY; // ms, of the last frame
   private readonly times = new Times();
   private readonly drawings = new Times();
 
   constructor(
     private readonly draw: (text: string) => void,
     private readonly report: (work: Work) => void,
+    private readonly pause: () => number = () => 0, // ms, at least, between two frames
   ) {}
 
   take(text: string): void {
@@ -38,6 +40,12 @@ export class FrameLoop {
   private request(): void {
     if (this.requested) return;
     this.requested = true;
+    const wait = this.last + this.pause() - performance.now();
+    if (wait > 0) window.setTimeout(() => this.requestPicture(), wait);
+    else this.requestPicture();
+  }
+
+  private requestPicture(): void {
     window.requestAnimationFrame(() => this.picture());
   }
 
@@ -47,6 +55,7 @@ export class FrameLoop {
     this.waiting = null;
     if (text === null) return;
     const begin = performance.now();
+    this.last = begin;
     this.draw(text);
     this.count(performance.now() - begin, drawingClock.time - this.drawing);
     this.drawing = drawingClock.time;

@@ -32,7 +32,7 @@ export class HandPanel {
     const renderer = makeRenderer();
     this.view =
       renderer &&
-      new SceneView(this.place, renderer, {
+      new SceneView(this.place, renderer, model.budget, {
         pointed: (taxel) => this.point(taxel),
         picked: (taxel) => void model.askTaxel(taxel),
       });

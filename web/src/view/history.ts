@@ -16,6 +16,8 @@ export class History {
   isLacking = true;
   /** Whether the whole exploration is included, and not only the received frames. */
   isWhole = false;
+  /** The number of times that it has begun anew. */
+  beginnings = 0;
   /** A number that changes with the content. */
   version = 0;
 
@@ -70,6 +72,7 @@ export class History {
     this.moments = [];
     this.isLacking = true;
     this.isWhole = false;
+    this.beginnings += 1;
     this.version += 1;
   }
 

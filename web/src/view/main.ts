@@ -7,6 +7,7 @@ import type { Frame, Training } from "./data";
 import { FrameLoop } from "./frame_loop";
 import { Model } from "./model";
 import { buildPage } from "./page";
+import { beginPicture, isPicture } from "./picture";
 import { Server } from "./server";
 import { watchTheme } from "./theme_colours";
 import { takeToken } from "./token";
@@ -15,8 +16,8 @@ const root = document.getElementById("view");
 if (root !== null) start(root);
 
 function start(place: HTMLElement): void {
-  const whole = document.documentElement; // its data and class are for `somato view --render`
-  whole.classList.toggle("as-picture", new URL(window.location.href).searchParams.has("picture"));
+  const whole = document.documentElement; // its data are for `somato view --render`
+  beginPicture(window.location.href);
   const server = new Server(takeToken());
   const model = new Model(server);
   const frames = new FrameLoop(
@@ -26,6 +27,7 @@ function start(place: HTMLElement): void {
       whole.dataset["shown"] = `${frame.exploration}:${frame.frame}`;
     },
     (work) => page.status.work(work),
+    () => (isPicture() ? 0 : model.budget.pause),
   );
   const trainings = new FrameLoop(
     (text) => model.training.set(JSON.parse(text) as Training),

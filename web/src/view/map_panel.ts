@@ -1,7 +1,7 @@
 // The activity of a map, beside those that other senses call up, or its training.
 
 import { sequenceColour } from "../parts/colour_maps";
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { choice, segments } from "../parts/controls";
 import { type ValuesPicture, valuesPicture } from "../parts/map_picture";
 import type { Frame, State } from "./data";
@@ -42,11 +42,11 @@ export class MapPanel {
     this.followTraining();
   }
 
-  /** Training is shown when it begins. */
+  /** A training is shown when its first picture arrives; that before a view has none. */
   private followTraining(): void {
     let before = false;
-    this.model.shownState.watch((state) => {
-      const now = state?.training ?? false;
+    this.model.training.watch((training) => {
+      const now = training !== null && !training.done;
       if (now && !before) this.switchTo(1);
       before = now;
     });
@@ -102,7 +102,7 @@ export class MapPanel {
   private draw(frame: Frame | null): void {
     const shown = this.map === null ? undefined : frame?.maps[this.map.module];
     this.nothing.hidden = this.map !== null && (shown !== undefined || this.map.classes.length > 0);
-    this.nothing.textContent = whyNoMap(this.model.shownState.value);
+    write(this.nothing, whyNoMap(this.model.shownState.value));
     if (this.picture === null || !this.panel.isOpen.value) return;
     this.picture.setValues(shown?.activity ?? [], [0, 1]);
     this.picture.setWinner(shown?.winner ?? null);
@@ -121,5 +121,5 @@ function whyNoMap(state: State | null): string {
   if (state === null) return "Waiting for the program.";
   if (state.system === null) return "No system is selected.";
   if (state.graph !== null && state.maps.length === 0) return "None of its maps can be drawn.";
-  return "Not trained yet: press Train.";
+  return state.training ? "The system is being trained." : "Not trained yet: press Train.";
 }

@@ -4,6 +4,7 @@
 import type { ChannelData } from "../parts/data";
 import type { Link, Listener } from "./connection";
 import type { Command, Frame, NeuronAnswer, Scene, State, TaxelAnswer, Training } from "./data";
+import { DrawingBudget } from "./drawing_budget";
 import { ForceScale } from "./force_scale";
 import { History } from "./history";
 import { HistorySource } from "./history_source";
@@ -32,6 +33,7 @@ export class Model implements Source {
   readonly theme = new Observable(0); // set when the colours have changed
   readonly history = new History();
   readonly scale = new ForceScale();
+  readonly budget = new DrawingBudget();
   private readonly source: HistorySource;
 
   constructor(private readonly server: Server) {
@@ -63,7 +65,7 @@ export class Model implements Source {
     this.history.add(frame);
     this.scale.see(frame.exploration, frame.channels["touch"] ?? []);
     this.frame.set(frame);
-    void this.source.look();
+    this.source.look();
   }
 
   /** The visible range has grown. */

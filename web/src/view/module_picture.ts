@@ -2,7 +2,7 @@
 // for other values in one row, otherwise a picture of rows and columns.
 
 import type { ModuleData } from "../parts/data";
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { countOf, fineDigits, percent, readable } from "../parts/numbers";
 import type { Frame } from "./data";
 import type { Model } from "./model";
@@ -41,7 +41,7 @@ export class ModulePicture {
     if (module === undefined) return;
     this.describe(module);
     const values = frame?.modules[module.name];
-    this.numbers.textContent = values === undefined ? notHere(module) : wordsOf(module, values);
+    write(this.numbers, values === undefined ? notHere(module) : wordsOf(module, values));
     this.paint(values, isRow(module));
   }
 

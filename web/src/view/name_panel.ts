@@ -1,7 +1,7 @@
 // The name that the system gives, the truth, and how near each class is. The list of classes is the
 // legend of the map beside it.
 
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { digits } from "../parts/numbers";
 import { Candidates } from "./candidates";
 import type { Frame, Reading, State } from "./data";
@@ -60,14 +60,14 @@ export class NamePanel {
     this.shown.hidden = reading === null;
     this.nothing.hidden = reading !== null;
     this.candidates.show(reading);
-    if (reading === null) this.nothing.textContent = whyNothing(this.model.shownState.value);
+    if (reading === null) write(this.nothing, whyNothing(this.model.shownState.value));
     else this.show(reading, frame!.exploration);
   }
 
   private show(reading: Reading, exploration: number): void {
     const confidence = Math.min(1, Math.max(0, reading.confidence ?? 0));
-    this.answer.textContent = reading.answer;
-    this.confidence.textContent = digits(reading.confidence);
+    write(this.answer, reading.answer);
+    write(this.confidence, digits(reading.confidence));
     this.meter.setAttribute("aria-valuenow", confidence.toFixed(2));
     this.bar.style.width = `${confidence * 100}%`;
     this.judge(reading.answer, exploration);
@@ -80,13 +80,14 @@ export class NamePanel {
     const isRight = truth === answer;
     this.verdict.hidden = truth === null;
     this.verdict.classList.toggle("right", isRight);
-    this.verdict.textContent = isRight ? "✓ Right" : `✗ Wrong: it is ${truth ?? ""}`;
+    write(this.verdict, isRight ? "✓ Right" : `✗ Wrong: it is ${truth ?? ""}`);
   }
 }
 
 function whyNothing(state: State | null): string {
   if (state === null) return "Waiting for the program.";
-  if (state.system_problem !== null) return state.system_problem;
+  if (state.system_problem !== null)
+    return state.training ? "The system is being trained. The name appears afterwards." : state.system_problem;
   if (state.systems.length === 0)
     return "No system is available. Record at least two labelled objects to train one here, or start with --model FILE.";
   if (state.system === null) return "No system is selected. Select one above to see its reading.";

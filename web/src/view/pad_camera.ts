@@ -47,8 +47,8 @@ const kClose = 0.025; // m: parts of the same finger
 /** Whether another finger stands between the pad and the camera. */
 function isHidden(at: Vector3, direction: Vector3, pads: readonly { at: Vector3 }[]): boolean {
   return pads.some((other) => {
-    const to = other.at.clone().sub(at);
-    const along = to.dot(direction);
-    return along > kClose && to.addScaledVector(direction, -along).length() < kWidth;
+    const [x, y, z] = [other.at.x - at.x, other.at.y - at.y, other.at.z - at.z];
+    const along = x * direction.x + y * direction.y + z * direction.z;
+    return along > kClose && x * x + y * y + z * z - along * along < kWidth * kWidth;
   });
 }

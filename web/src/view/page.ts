@@ -4,7 +4,6 @@
 import { element, fill } from "../parts/dom";
 import { CodePanel } from "./code_panel";
 import { Drawer } from "./drawer";
-import { FilmButtons } from "./film";
 import { HandPanel } from "./hand_panel";
 import { pageHeader } from "./header";
 import { helpDialog } from "./help";
@@ -14,9 +13,8 @@ import { LinkBanner } from "./link_banner";
 import { MapPanel } from "./map_panel";
 import type { Model } from "./model";
 import { NamePanel } from "./name_panel";
-import { Naming } from "./naming";
 import { problemBar } from "./problem_bar";
-import { sessionFiles } from "./session_files";
+import { sessionRow } from "./session_row";
 import { SkinPanel } from "./skin_panel";
 import { StatusLine } from "./status_line";
 import { StripsPanel } from "./strips_panel";
@@ -48,14 +46,9 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
     problemBar(model),
     invitation(model),
   ]);
-  const session = element("div", { class: "session" }, [
-    new Naming(model).root,
-    new FilmButtons(model).root,
-    sessionFiles(model),
-  ]);
   const places = element("div", { class: "panels" }, [...panels.map((panel) => panel.root), drawer.root]);
   const header = pageHeader(model, { help: help.show, tour: () => tour.begin() });
-  fill(root, [header, messages, places, session, transport.root, help.root, tour.root]);
+  fill(root, [header, messages, places, sessionRow(model), transport.root, help.root, tour.root]);
   listenToKeys({ transport, panels, help: help.show });
   model.shownLink.watch(({ kind }) => root.classList.toggle("without-program", kind !== "open"));
   return { status, hand };

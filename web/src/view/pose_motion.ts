@@ -5,8 +5,8 @@
 import type { NumberOrNull } from "../parts/data";
 import type { Frame } from "./data";
 
-const kLongest = 250; // ms
-const kNext = 30; // frames: more is a jump
+const kLongest = 400; // ms
+const kNext = 60; // frames: more is a jump
 const kPoseLength = 7; // x, y, z, and the quaternion w, x, y, z
 
 type Moment = Pick<Frame, "exploration" | "frame" | "poses">;
@@ -18,11 +18,15 @@ export class PoseMotion {
   private begun = 0;
   private lasting = 0;
 
+  /** `longest`: ms; with 0, bodies jump. */
+  constructor(private readonly longest = kLongest) {}
+
   /** A new frame; `now` in ms. */
   take(moment: Moment, now: number): void {
+    if (moment === this.last) return; // it is drawn again
     const follows = this.last !== null && isNext(this.last, moment) && this.to.length === moment.poses.length;
     this.from = follows ? this.at(now) : moment.poses;
-    this.lasting = follows ? Math.min(kLongest, now - this.begun) : 0;
+    this.lasting = follows ? Math.min(this.longest, now - this.begun) : 0;
     this.to = moment.poses;
     this.begun = now;
     this.last = moment;

@@ -14,13 +14,14 @@ import {
 } from "three";
 
 import type { Frame, Scene } from "./data";
+import type { DrawingBudget } from "./drawing_budget";
 import { drawingClock } from "./frame_loop";
 import { drawsAtAll, drawsInSoftware } from "./graphics";
 import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
 import { padCamera } from "./pad_camera";
+import { isPicture } from "./picture";
 import { PoseMotion } from "./pose_motion";
-import { Resolution } from "./resolution";
 import { SceneParts } from "./scene_parts";
 
 /** The taxel under the pointer, and the clicked one. */
@@ -45,8 +46,8 @@ export class SceneView {
   );
   private readonly lines = tableLines();
   private readonly retired: SceneParts[] = [];
-  private readonly motion = new PoseMotion();
-  private readonly resolution: Resolution;
+  private readonly motion = new PoseMotion(isPicture() ? 0 : undefined);
+  private readonly finest: number; // pixels per CSS pixel
   private parts: SceneParts | null = null;
   private described: Scene | null = null;
   private share: Share = () => 0;
@@ -61,10 +62,11 @@ export class SceneView {
   constructor(
     private readonly host: HTMLElement,
     private readonly renderer: WebGLRenderer,
+    private readonly budget: DrawingBudget,
     private readonly pointing: Pointing,
   ) {
     this.simple = drawsInSoftware();
-    this.resolution = new Resolution(this.simple ? 1 : Math.min(window.devicePixelRatio, 2));
+    this.finest = this.simple ? 1 : Math.min(window.devicePixelRatio, 2);
     renderer.debug.checkShaderErrors = false; // asking waits for the compiler
     renderer.shadowMap.enabled = !this.simple;
     renderer.shadowMap.type = PCFSoftShadowMap;
@@ -159,9 +161,15 @@ export class SceneView {
   }
 
   private settle(): void {
-    if (this.renderer.getPixelRatio() === this.resolution.still) return;
-    this.renderer.setPixelRatio(this.resolution.still);
-    this.request();
+    this.budget.rest();
+    if (this.resolve(this.finest)) this.request();
+  }
+
+  /** The pixels per CSS pixel; true if they change. */
+  private resolve(pixels: number): boolean {
+    if (this.renderer.getPixelRatio() === pixels) return false;
+    this.renderer.setPixelRatio(pixels);
+    return true;
   }
 
   private request(): void {
@@ -185,9 +193,8 @@ export class SceneView {
   }
 
   private keepUp(now: number): void {
-    this.resolution.follow(now);
-    if (this.renderer.getPixelRatio() !== this.resolution.moving)
-      this.renderer.setPixelRatio(this.resolution.moving);
+    this.budget.follow(now);
+    this.resolve(this.finest * this.budget.resolution);
     this.move();
   }
 

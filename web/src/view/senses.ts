@@ -2,7 +2,7 @@
 // or the samples of a fast channel as a line.
 
 import type { ChannelData, NumberOrNull } from "../parts/data";
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { digits, withUnit } from "../parts/numbers";
 import type { Frame } from "./data";
 import { Plotter } from "./plotter";
@@ -67,7 +67,7 @@ function barsOf(channel: ChannelData): Sense {
   const show = (values: readonly NumberOrNull[]) =>
     shown.forEach((_, i) => {
       const value = values[i] ?? null;
-      numbers[i]!.textContent = withUnit(digits(value), channel.unit);
+      write(numbers[i]!, withUnit(digits(value), channel.unit));
       if (value === null) return;
       const range = ranges[i]!;
       range[0] = Math.min(range[0], value);

@@ -51,10 +51,6 @@ export class Strip {
     this.unwatch = model.pointed.watch(() => this.showValues());
   }
 
-  get isMade(): boolean {
-    return this.plot !== null;
-  }
-
   draw(): void {
     const values = this.model.frame.value?.channels[this.channel.name] ?? null;
     this.showValues();

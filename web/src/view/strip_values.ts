@@ -2,7 +2,7 @@
 // values are those of the present moment, or of the moment under the pointer.
 
 import type { ChannelData, NumberOrNull } from "../parts/data";
-import { element, fill } from "../parts/dom";
+import { element, fill, write } from "../parts/dom";
 import { digits, seconds, withUnit } from "../parts/numbers";
 import { shape } from "../parts/svg";
 import { lineLook } from "./strip_lines";
@@ -32,9 +32,9 @@ export class StripValues {
   show(values: readonly NumberOrNull[] | null, pointed: Pointed | null = null): void {
     this.root.classList.toggle("pointed", pointed !== null);
     if (values === null) return;
-    if (!this.few) this.root.textContent = this.manyWords(values, pointed);
-    else if (values.length > this.cells.length) this.root.textContent = `last ${values.length} samples`;
-    else this.cells.forEach((cell, i) => (cell.textContent = digits(values[i] ?? Number.NaN)));
+    if (!this.few) write(this.root, this.manyWords(values, pointed));
+    else if (values.length > this.cells.length) write(this.root, `last ${values.length} samples`);
+    else this.cells.forEach((cell, i) => write(cell, digits(values[i] ?? Number.NaN)));
   }
 
   private manyWords(values: readonly NumberOrNull[], pointed: Pointed | null): string {

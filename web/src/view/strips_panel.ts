@@ -6,6 +6,7 @@ import type { State } from "./data";
 import { drawsInSoftware } from "./graphics";
 import type { Model } from "./model";
 import { Panel } from "./panel";
+import { isPicture } from "./picture";
 import { Strip } from "./strip";
 
 // ms: strips change slowly.
@@ -27,6 +28,8 @@ export class StripsPanel {
   private listed = "";
   private last = 0;
   private timer = 0;
+  private next = 0; // the strip that is drawn next
+  private waiting = 0; // strips that the newest frame has not reached yet
 
   constructor(private readonly model: Model) {
     this.panel.addTools(this.buttons);
@@ -50,6 +53,7 @@ export class StripsPanel {
   private rebuild(): void {
     const channels = this.model.shownState.value?.channels ?? [];
     for (const strip of this.strips) strip.destroy();
+    this.next = 0;
     this.strips = channels
       .filter(({ name }) => this.chosen.has(name))
       .map((channel) => new Strip(channel, this.model));
@@ -76,18 +80,28 @@ export class StripsPanel {
     return button;
   }
 
-  /** Draws now if the last drawing is old enough, otherwise soon; new strips are created one by one. */
+  /** All strips are drawn soon, one after the other, so that no picture of the page takes long. */
   private schedule(): void {
+    if (isPicture()) return this.strips.forEach((strip) => strip.draw());
+    this.waiting = this.strips.length;
+    this.await();
+  }
+
+  private await(): void {
     window.clearTimeout(this.timer);
-    const wait = this.last + (drawsInSoftware() ? kPauseInSoftware : kPause) - performance.now();
-    if (wait <= 0 && this.strips.every(({ isMade }) => isMade)) this.draw();
-    else this.timer = window.setTimeout(() => this.draw(), Math.max(0, wait));
+    if (this.waiting === 0) return;
+    const pause = (drawsInSoftware() ? kPauseInSoftware : kPause) / this.strips.length;
+    const wait = Math.max(0, this.last + pause - performance.now());
+    this.timer = window.setTimeout(() => this.draw(), wait);
   }
 
   private draw(): void {
     this.last = performance.now();
     if (!this.panel.isOpen.value || document.hidden) return;
-    for (const strip of this.strips) strip.draw();
+    this.strips[this.next]?.draw();
+    this.next = (this.next + 1) % this.strips.length;
+    this.waiting -= 1;
+    this.await();
   }
 }
 

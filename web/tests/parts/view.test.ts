@@ -5,6 +5,7 @@ import { describe, expect, test } from "vitest";
 import { hex, lightness, parsed } from "../../src/parts/colour_maps";
 import { kRest, touchColour } from "../../src/parts/touch_colours";
 import type { Frame, Strips } from "../../src/view/data";
+import { DrawingBudget } from "../../src/view/drawing_budget";
 import { ForceScale, roundNumber } from "../../src/view/force_scale";
 import { fingerGroups } from "../../src/view/finger_groups";
 import { gapsOf } from "../../src/view/gaps";
@@ -167,7 +168,7 @@ describe("the poses between frames", () => {
   test("jump with a jump", () => {
     const motion = new PoseMotion();
     motion.take(at(0, 0), 1000);
-    motion.take(at(50, 1), 1100);
+    motion.take(at(90, 1), 1100);
     expect(motion.at(1100)[0]).toBe(1);
   });
 });
@@ -266,4 +267,48 @@ test("the made-up hand hangs together", () => {
   [0.065, 0, 0.2].forEach((value, i) => expect(at(2)[i]).toBeCloseTo(value));
   [0.065, 0, 0.14].forEach((value, i) => expect(at(3)[i]).toBeCloseTo(value));
   expect(at(8)).toEqual([0, 0, 0]);
+});
+
+describe("the budget of drawing", () => {
+  /** Pictures every so many ms for a time. */
+  function pictures(budget: DrawingBudget, from: number, every: number, during: number): number {
+    let now = from;
+    for (; now < from + during; now += every) budget.follow(now);
+    return now;
+  }
+
+  test("does not change in a fast browser", () => {
+    const budget = new DrawingBudget();
+    pictures(budget, 0, 16, 5000);
+    expect(budget.resolution).toBe(1);
+    expect(budget.pause).toBeLessThan(35);
+  });
+
+  test("is lowered until pictures are drawn often enough, and raised again", () => {
+    const budget = new DrawingBudget();
+    let now = pictures(budget, 0, 100, 1200); // ten per second
+    expect(budget.pause).toBeGreaterThan(90);
+    now = pictures(budget, now, 28, 4000); // 36 per second
+    const [pause, resolution] = [budget.pause, budget.resolution];
+    now = pictures(budget, now, 28, 4000);
+    expect([budget.pause, budget.resolution]).toEqual([pause, resolution]);
+    pictures(budget, now, 16, 10_000);
+    expect([budget.pause, budget.resolution]).toEqual([30, 1]);
+  });
+
+  test("does not take a rest for slow drawing", () => {
+    const budget = new DrawingBudget();
+    for (let i = 0; i < 20; i += 1) {
+      pictures(budget, 2000 * i, 16, 200);
+      budget.rest();
+    }
+    expect(budget.pause).toBeLessThan(35);
+  });
+
+  test("counts pictures that come in bunches", () => {
+    const budget = new DrawingBudget();
+    let now = 0;
+    for (let i = 0; i < 10; i += 1) now = pictures(budget, now, 6, 36) + 350; // bunches: 16 per second
+    expect(budget.pause).toBeGreaterThan(90);
+  });
 });
