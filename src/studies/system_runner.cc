@@ -4,6 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "somato/graph/system_model.h"
+#include "somato/maps/som_quality.h"
+
 namespace somato {
 namespace {
 
@@ -85,6 +88,7 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
   if (!trained) return tally.failed(trained.error());
   outcomes_[training] = std::make_unique<FoldOutcome>(
       test_fold(*trained, prepared_, folds_[fold], neighbours(*trained, fold)));
+  add_distances(*trained, *outcomes_[training]);
   if (auto kept = journal.add(number_, training, *outcomes_[training]); !kept) {
     return tally.failed(std::move(kept.error()));
   }
@@ -94,6 +98,7 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
 void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   if (taken_ == 0) return;
   outcomes_[0] = std::make_unique<FoldOutcome>(tested);
+  add_distances(trained, *outcomes_[0]);
   std::vector<Neighbours> nearest = neighbours(trained, 0);
   outcomes_[0]->nearest = std::move(nearest.front());
   for (std::size_t i = 0; i < prepared_.alterations.size(); ++i) {
@@ -109,6 +114,13 @@ std::vector<Neighbours> SystemRunner::neighbours(const TrainedFold& trained, std
     neighbours_[fold] = nearest_neighbours(*vectors, prepared_, folds_[fold]);
   });
   return neighbours_[fold];
+}
+
+void SystemRunner::add_distances(const TrainedFold& trained, FoldOutcome& outcome) const {
+  if (folds_.size() > 1) return;
+  const Som& som = *som_of(trained.system, prepared_.map);
+  outcome.map.u_matrix = u_matrix(som);
+  outcome.map.edge_distances = edge_distances(som);
 }
 
 ProtocolResults SystemRunner::results() const {
@@ -135,7 +147,8 @@ std::vector<SeedOutcome> SystemRunner::seeds() const {
 }
 
 Run SystemRunner::run_of(const SeedOutcome& seed) const {
-  Run run{seed.seed, {}, {}, {}, {}};
+  Run run{seed.seed, {}, {}, {}, {}, {}};
+  if (folds_.size() == 1) run.map = seed.folds.front()->map;
   run.winners.resize(tested_.size());
   for (std::size_t f = 0; f < folds_.size(); ++f) {
     const FoldOutcome& outcome = *seed.folds[f];

@@ -224,7 +224,7 @@ TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
 class ReadPlaced : public ::testing::Test {
  protected:
   ReadPlaced() {
-    outcome_.grid = kRow;
+    outcome_.map.grid = kRow;
     prepared_.samples.samples = 4;
     prepared_.samples.test_samples = 4;
     prepared_.order = StudiedOrder{

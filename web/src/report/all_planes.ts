@@ -5,7 +5,7 @@ import { between, kSequence, sequenceColour } from "../parts/colour_maps";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure, type Shown } from "../parts/figure";
-import { neuronAtPixel, pixelColumns } from "../parts/grid";
+import { neuronAtPixel, pixelColumns, pixelRows } from "../parts/grid";
 import { gridLayout, handLayout, type HandLayout } from "../parts/hand_layout";
 import { boneAt } from "../parts/hand_map";
 import { colourBar } from "../parts/legend";
@@ -108,7 +108,7 @@ function planeAt(
     const neuron = neuronAtPixel(grid, column, row);
     return neuron === null ? null : colour(planes.values[neuron]?.[which]);
   };
-  const image = pixelImage(box, pixelColumns(grid), grid.rows, at);
+  const image = pixelImage(box, pixelColumns(grid), pixelRows(grid), at);
   image.setAttribute("data-element", String(which));
   image.append(shape("title", {}, [planes.channel.elements[which] ?? ""]));
   return image;

@@ -5,10 +5,10 @@ import { choice } from "../parts/controls";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, fill, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import { placeOf } from "../parts/grid";
+import { neuronWords } from "../parts/grid";
 import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
-import { rangeOf } from "../parts/numbers";
+import { capital, rangeOf } from "../parts/numbers";
 import { allPlanesFigure } from "./all_planes";
 import { fitting } from "./fitting";
 import { axisOf } from "./frequencies";
@@ -165,18 +165,17 @@ class LinkedPlanes {
   private preview(pointed: number | null): void {
     const neuron = pointed ?? this.neuron;
     this.hand.setValues(this.planes.values[neuron] ?? [], rangeOfAll(this.planes));
-    this.handTitle.textContent = `Neuron at ${placeOf(this.grid, neuron)}`;
+    this.handTitle.textContent = capital(neuronWords(this.grid, neuron));
   }
 
   private shownNeuron() {
-    const place = placeOf(this.grid, this.neuron);
     const shown = shownOfSaved(this.system);
-    return { ...shown, words: `${shown.words}, neuron at ${place}`, name: `${shown.name}-neuron${this.neuron + 1}` };
+    return { ...shown, words: `${shown.words}, ${neuronWords(this.grid, this.neuron)}`, name: `${shown.name}-neuron${this.neuron + 1}` };
   }
 
   private neuronNumbers() {
     const values = this.planes.values[this.neuron] ?? [];
-    const columns = ["element", `weight at ${placeOf(this.grid, this.neuron).replace(",", "")}`];
+    const columns = ["element", `weight of ${neuronWords(this.grid, this.neuron).replace(",", "")}`];
     return { columns, rows: this.planes.channel.elements.map((name, i) => [name, values[i] ?? null]) };
   }
 }
