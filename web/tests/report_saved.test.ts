@@ -113,7 +113,7 @@ test("every pixel of saved component planes has the colour of its weight", async
     planes.values.map((values, neuron): Cell => {
       const [row, column] = [Math.floor(neuron / 15), neuron % 15];
       const box: Cell["box"] = [x! + (column * side!) / 15, y! + (row * side!) / 15, side! / 15, side! / 15];
-      return { box, colour: between(kSequence, ((values[element] ?? 0) - low) / (high - low)) };
+      return { box, colour: between(kSequence, stepped(((values[element] ?? 0) - low) / (high - low), 255)) };
     }),
   );
   expect(await wrongCells(figure, cells)).toEqual([]);

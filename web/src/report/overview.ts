@@ -5,7 +5,7 @@ import { element, fill, type Child } from "../parts/dom";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
 import { labelsPicture } from "../parts/map_labels";
-import { countOf } from "../parts/numbers";
+import { capital, countOf } from "../parts/numbers";
 import { figure } from "../parts/figure";
 import { commonScale, thingPicture } from "../parts/thing_picture";
 import { fitting } from "./fitting";
@@ -101,7 +101,7 @@ function handOf(system: SystemReport): Child {
   picture.setValues(of.values, range);
   return element("div", { class: "hero-hand" }, [
     picture.element,
-    element("p", { class: "small muted" }, [`${of.channel.name} of the hand at ${name}, at the moment of greatest contact`]),
+    element("p", { class: "small muted" }, [`${capital(of.channel.name)} of the hand while it explores ${name.replaceAll("_", " ")}, at the moment of greatest contact`]),
   ]);
 }
 

@@ -2,6 +2,7 @@
 // sequence of all numbers.
 
 import { sequenceColour } from "../parts/colour_maps";
+import { handLayout } from "../parts/hand_layout";
 import { rangeOf, readable, withUnit } from "../parts/numbers";
 import { touchColour, touchEnd } from "../parts/touch_colours";
 import type { MomentChannel } from "./unpacked";
@@ -24,7 +25,13 @@ export function colourNote(of: MomentChannel): string {
   return ` Stronger touch has the colour of ${withUnit(readable(end), of.channel.unit)}.`;
 }
 
-const isTouch = ({ channel }: MomentChannel) => channel.name === "touch";
+/** Touch of a hand, or a change of it that is counted upwards only. */
+function isTouch({ channel, series, values }: MomentChannel): boolean {
+  const isOfSensors = channel.name.startsWith("touch") && handLayout(channel.elements) !== null;
+  return isOfSensors && [values, ...series].every((frame) => frame.every((value) => (value ?? 0) >= 0));
+}
+
+
 const endOf = (of: MomentChannel) => touchEnd(mostOf(of), of.channel.unit);
 
 /** The strongest reading of each element. */
