@@ -74,10 +74,18 @@ Json graph_json(const System& system, const std::string& map,
 }
 
 Json grid_json(const Grid& grid) {
-  return {{"rows", grid.rows()},
-          {"columns", grid.columns()},
-          {"lattice", choice_name(grid.lattice())},
-          {"topology", choice_name(grid.topology())}};
+  Json json = {{"rows", grid.rows()},
+               {"columns", grid.columns()},
+               {"lattice", choice_name(grid.lattice())},
+               {"topology", choice_name(grid.topology())}};
+  if (const NeuronGraph* graph = grid.graph()) {
+    json["edges"] = graph->edges();
+    json["cells"] = Json::array();
+    for (const NeuronGraph::Cell& cell : graph->cells()) {
+      json["cells"].push_back({cell.row, cell.column});
+    }
+  }
+  return json;
 }
 
 }  // namespace somato::detail

@@ -96,6 +96,15 @@ std::vector<double> u_matrix(const Som& som) {
   return heights;
 }
 
+std::vector<double> edge_distances(const Som& som) {
+  std::vector<double> distances;
+  if (!som.grid().graph()) return distances;
+  const std::vector<NeuronGraph::Edge>& edges = som.grid().graph()->edges();
+  distances.reserve(edges.size());
+  for (const auto& [a, b] : edges) distances.push_back(weight_distance(som, a, b));
+  return distances;
+}
+
 std::vector<double> component_plane(const Som& som, std::size_t element) {
   require(element < som.input_size(), "component_plane: the map has no such input element");
   std::vector<double> plane(som.neurons());

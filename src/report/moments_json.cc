@@ -7,7 +7,7 @@
 #include "recording/recording_json.h"
 #include "report/packed_json.h"
 #include "report/samples_json.h"
-#include "report/short_number.h"
+#include "studies/short_number.h"
 
 namespace somato::detail {
 namespace {

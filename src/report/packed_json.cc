@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/short_number.h"
+#include "studies/short_number.h"
 
 namespace somato::detail {
 namespace {

@@ -12,6 +12,7 @@
 #include "report/frame_curves.h"
 #include "report/moments_json.h"
 #include "report/not_given.h"
+#include "report/packed_json.h"
 #include "report/part_settings.h"
 #include "report/samples_json.h"
 #include "report/trained_json.h"
@@ -31,7 +32,11 @@ Json protocols_json(const PartResults& part) {
     Json one = detail::protocol_json(protocol);
     for (Json& metric : one["metrics"]) metric.erase("of_each");
     for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
-      one["runs"][i]["recording"] = part.pairs[i].recording;
+      Json& run = one["runs"][i];
+      run["recording"] = part.pairs[i].recording;
+      const auto& map = protocol.runs[i].map;
+      if (map)
+        run["map"]["u_matrix"] = detail::packed_numbers(map->u_matrix, detail::PackedBits::k16);
     }
     json.push_back(std::move(one));
   }

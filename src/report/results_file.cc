@@ -6,7 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "report/checked_json.h"
@@ -75,6 +77,65 @@ std::vector<std::string> classes_of(const CheckedJson& json, std::size_t samples
   return names;
 }
 
+std::vector<double> numbers_of(const CheckedJson& json, std::size_t count) {
+  std::vector<double> numbers;
+  json.each([&](const CheckedJson& number) { numbers.push_back(number.number()); });
+  if (json.ok()) expect_length(json, count);
+  return numbers;
+}
+
+// Connected neurons of a map with `neurons` neurons.
+std::vector<NeuronGraph::Edge> edges_of(const CheckedJson& json, std::size_t neurons) {
+  std::set<NeuronGraph::Edge> edges;
+  json.each([&](const CheckedJson& edge) {
+    std::vector<std::size_t> ends;
+    edge.each([&](const CheckedJson& end) { ends.push_back(end.whole(kAny)); });
+    if (edge.ok()) expect_length(edge, 2);
+    if (!edge.ok()) return;
+    const bool is_edge = ends[0] < ends[1] && ends[1] < neurons;
+    if (!is_edge || !edges.emplace(ends[0], ends[1]).second) edge.refuse("is not an edge");
+  });
+  return {edges.begin(), edges.end()};
+}
+
+Grid graph_of(const CheckedJson& json, std::size_t neurons) {
+  const CheckedJson listed = json.at("edges");
+  if (neurons == 0 || neurons > NeuronGraph::kMostNeurons) json.refuse("is no graph of neurons");
+  std::vector<NeuronGraph::Edge> edges = edges_of(listed, neurons);
+  if (!json.ok()) return {};
+  return Grid(std::make_shared<const NeuronGraph>(neurons, std::move(edges)));
+}
+
+// The cells of a graph follow from its edges.
+Grid grid_of(const CheckedJson& json) {
+  const std::size_t rows = json.at("rows").whole(kMostNeurons);
+  const std::size_t columns = json.at("columns").whole(kMostNeurons);
+  const auto lattice = choice_named<Lattice>("lattice", json.at("lattice").text(), {});
+  const auto topology = choice_named<Topology>("topology", json.at("topology").text(), {});
+  if (!json.ok()) return {};
+  if (json.has("edges")) return graph_of(json, columns);
+  if (lattice && topology && Grid::validate(rows, columns, *lattice, *topology)) {
+    return {rows, columns, *lattice, *topology};
+  }
+  json.refuse("is no grid of a map");
+  return {};
+}
+
+// A map by which samples with these winners were tested.
+TrainedMap map_of(const CheckedJson& json, const std::vector<std::size_t>& winners) {
+  TrainedMap map{grid_of(json.at("grid"))};
+  if (!json.ok()) return map;
+  map.u_matrix = numbers_of(json.at("u_matrix"), map.grid.size());
+  if (map.grid.graph()) {
+    map.edge_distances = numbers_of(json.at("edge_distances"), map.grid.graph()->edges().size());
+  }
+  const auto most = std::max_element(winners.begin(), winners.end());
+  if (json.ok() && most != winners.end() && *most >= map.grid.size()) {
+    json.refuse(fmt::format("has no neuron {}, which is a winner", *most));
+  }
+  return map;
+}
+
 Run run_of(const CheckedJson& json, std::size_t samples) {
   Run run;
   run.seed = json.at("seed").whole(kAny);
@@ -84,6 +145,7 @@ Run run_of(const CheckedJson& json, std::size_t samples) {
   if (json.ok()) expect_length(winners, samples);
   run.labels = classes_of(json.at("labels"), samples);
   run.predictions = classes_of(json.at("predictions"), samples);
+  if (json.has("map")) run.map = map_of(json.at("map"), run.winners);
   if (!json.has("other_predictions")) return run;
   json.at("other_predictions").entries([&](const std::string& name, const CheckedJson& named) {
     run.other_predictions.emplace_back(name, classes_of(named, samples));

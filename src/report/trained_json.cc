@@ -12,9 +12,9 @@
 #include "graph/learned_parts.h"
 #include "recording/recording_json.h"
 #include "report/packed_json.h"
-#include "report/short_number.h"
 #include "somato/graph/evaluation.h"
 #include "somato/maps/som_quality.h"
+#include "studies/short_number.h"
 
 namespace somato::detail {
 namespace {

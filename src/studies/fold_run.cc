@@ -172,7 +172,7 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
   const Samples& inputs = trained.inputs.samples;
   SomWorkspace workspace;
   FoldOutcome outcome;
-  outcome.grid = som.grid();
+  outcome.map.grid = som.grid();
   nearest.resize(1 + prepared.alterations.size());
   outcome.nearest = std::move(nearest.front());
   for (const std::size_t sample : trained.inputs.places_of(fold.training)) {

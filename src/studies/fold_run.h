@@ -9,6 +9,7 @@
 #include "somato/core/result.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
+#include "somato/studies/results.h"
 #include "studies/exploration_samples.h"
 #include "studies/forgetting.h"
 #include "studies/prepared_study.h"
@@ -45,7 +46,7 @@ struct FoldOutcome {
   std::vector<std::size_t> recalled = {};    ///< The strongest neurons of the activities called up
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
-  Grid grid = {};  ///< The grid of the trained map, which for maps that grow depends on training.
+  TrainedMap map = {};  ///< The trained map; distances only where all samples are tested by it.
   ObjectsOutcome objects = {};          ///< Only with object_after_object.
   std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
                                         ///< votes name.

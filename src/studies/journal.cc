@@ -10,6 +10,7 @@
 
 #include "files/checksum.h"
 #include "files/whole_file.h"
+#include "graph/graph_json.h"
 #include "studies/checked_line.h"
 
 namespace somato {
@@ -76,15 +77,6 @@ std::vector<PredictionOutcome> predictions_of(const SortedJson& all) {
   return predictions;
 }
 
-SortedJson json_of(const Grid& grid) {
-  SortedJson json{{"rows", grid.rows()},
-                  {"columns", grid.columns()},
-                  {"lattice", choice_name(grid.lattice())},
-                  {"topology", choice_name(grid.topology())}};
-  if (grid.graph()) json["edges"] = grid.graph()->edges();
-  return json;
-}
-
 // A line has a checksum, so that its grid is possible.
 Grid grid_of(const SortedJson& json) {
   const auto columns = json.at("columns").get<std::size_t>();
@@ -134,7 +126,9 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
           {"altered", altered_json(outcome)},
           {"recalled", outcome.recalled},
           {"predictions", numbers_of(outcome.predictions)},
-          {"grid", json_of(outcome.grid)},
+          {"grid", detail::grid_json(outcome.map.grid)},
+          {"u_matrix", outcome.map.u_matrix},
+          {"edge_distances", outcome.map.edge_distances},
           {"objects", json_of(outcome.objects)},
           {"named", outcome.named}};
 }
@@ -156,7 +150,9 @@ FoldOutcome outcome_of(const SortedJson& line) {
   }
   line.at("recalled").get_to(outcome.recalled);
   outcome.predictions = predictions_of(line.at("predictions"));
-  outcome.grid = grid_of(line.at("grid"));
+  outcome.map.grid = grid_of(line.at("grid"));
+  line.at("u_matrix").get_to(outcome.map.u_matrix);
+  line.at("edge_distances").get_to(outcome.map.edge_distances);
   outcome.objects = objects_of(line.at("objects"));
   line.at("named").get_to(outcome.named);
   return outcome;

@@ -287,10 +287,11 @@ std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcom
                 share_with(similar, neighbours(outcome.nearest.standardized)))}};
   Numbers winners = outcome.training_winners;
   winners.insert(winners.end(), outcome.winners.begin(), outcome.winners.end());
-  if (outcome.grid.graph()) {
-    read_parts(outcome.grid, outcome, order.individuals, similar, known, values);
+  const Grid& grid = outcome.map.grid;
+  if (grid.graph()) {
+    read_parts(grid, outcome, order.individuals, similar, known, values);
   } else {
-    read_order(order, outcome.grid, winners, seed, values);
+    read_order(order, grid, winners, seed, values);
   }
   return values;
 }

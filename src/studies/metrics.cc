@@ -219,7 +219,7 @@ class MetricsMaker {
       std::vector<double> of_wrong(groupings.size(), 0.0);
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
         const FoldWinners all = fold_winners(seed, f);
-        const AreaMeasure measure = make(seed.folds[f]->grid, all.winners);
+        const AreaMeasure measure = make(seed.folds[f]->map.grid, all.winners);
         of_right += measure(at(label.classes.of_sample, all.samples));
         for (std::size_t g = 0; g < groupings.size(); ++g) {
           of_wrong[g] += measure(at(groupings[g], all.samples));
@@ -257,7 +257,7 @@ class MetricsMaker {
     readings.reserve(seeds_.size());
     for (const SeedOutcome& seed : seeds_) {
       const FoldOutcome& outcome = *seed.folds.front();
-      readings.push_back(one_map ? read_map(study_.study, study_.prepared, outcome.grid,
+      readings.push_back(one_map ? read_map(study_.study, study_.prepared, outcome.map.grid,
                                             outcome.winners, seed.seed)
                                  : read_placed(study_.prepared, outcome, seed.seed));
     }

@@ -284,7 +284,7 @@ void describe_map(const LearningMap& map, const PreparedStudy& prepared, const F
     }
     return winners;
   };
-  outcome.grid = map.map().grid();
+  outcome.map.grid = map.map().grid();
   outcome.training_winners = winners_of(fold.training);
   outcome.winners = winners_of(fold.test);
   outcome.named = map.classify(inputs.samples, inputs.places_of(fold.test));

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "graph/graph_json.h"
 #include "studies/results_json.h"
+#include "studies/short_number.h"
 
 namespace somato {
 namespace {
@@ -20,6 +23,15 @@ Json metrics_json(const std::vector<Metric>& metrics) {
   return json;
 }
 
+Json map_json(const TrainedMap& map) {
+  Json json = {{"grid", detail::grid_json(map.grid)},
+               {"u_matrix", detail::short_numbers(std::span<const double>(map.u_matrix))}};
+  if (map.grid.graph()) {
+    json["edge_distances"] = detail::short_numbers(std::span<const double>(map.edge_distances));
+  }
+  return json;
+}
+
 Json runs_json(const std::vector<Run>& runs) {
   Json json = Json::array();
   for (const Run& run : runs) {
@@ -30,6 +42,7 @@ Json runs_json(const std::vector<Run>& runs) {
     for (const auto& [label, predictions] : run.other_predictions) {
       json.back()["other_predictions"][label] = predictions;
     }
+    if (run.map) json.back()["map"] = map_json(*run.map);
   }
   return json;
 }

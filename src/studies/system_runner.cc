@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "somato/graph/system_model.h"
+#include "somato/maps/som_quality.h"
 #include "studies/object_after_object.h"
 
 namespace somato {
@@ -101,6 +103,7 @@ void SystemRunner::run(std::size_t index, Journal& journal, Tally& tally) {
 void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
   if (taken_ == 0) return;
   outcomes_[0] = std::make_unique<FoldOutcome>(tested);
+  add_distances(trained, *outcomes_[0]);
   std::vector<Neighbours> nearest = neighbours(trained, 0);
   outcomes_[0]->nearest = std::move(nearest.front());
   for (std::size_t i = 0; i < prepared_.alterations.size(); ++i) {
@@ -114,7 +117,9 @@ Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t see
     return learn_object_after_object(description_, prepared_, folds_[fold], seed, progress);
   }
   SOMATO_TRY(const auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
-  return test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
+  FoldOutcome outcome = test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
+  add_distances(trained, outcome);
+  return outcome;
 }
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
@@ -125,6 +130,13 @@ std::vector<Neighbours> SystemRunner::neighbours(const TrainedFold& trained, std
     neighbours_[fold] = nearest_neighbours(*vectors, prepared_, folds_[fold]);
   });
   return neighbours_[fold];
+}
+
+void SystemRunner::add_distances(const TrainedFold& trained, FoldOutcome& outcome) const {
+  if (folds_.size() > 1) return;
+  const Som& som = *som_of(trained.system, prepared_.map);
+  outcome.map.u_matrix = u_matrix(som);
+  outcome.map.edge_distances = edge_distances(som);
 }
 
 ProtocolResults SystemRunner::results() const {
@@ -153,7 +165,8 @@ std::vector<SeedOutcome> SystemRunner::seeds() const {
 }
 
 Run SystemRunner::run_of(const SeedOutcome& seed) const {
-  Run run{seed.seed, {}, {}, {}, {}};
+  Run run{seed.seed, {}, {}, {}, {}, {}};
+  if (folds_.size() == 1) run.map = seed.folds.front()->map;
   run.winners.resize(tested_.size());
   for (std::size_t f = 0; f < folds_.size(); ++f) {
     const FoldOutcome& outcome = *seed.folds[f];

@@ -85,6 +85,8 @@ class SystemRunner {
   Result<FoldOutcome> outcome_of(std::size_t fold, std::uint64_t seed, Tally& tally);
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
   std::vector<Neighbours> neighbours(const TrainedFold& trained, std::size_t fold);
+  /// Adds the distances of the map's weights, where one map is tested with all samples.
+  void add_distances(const TrainedFold& trained, FoldOutcome& outcome) const;
   std::vector<SeedOutcome> seeds() const;
   Run run_of(const SeedOutcome& seed) const;
   std::vector<std::string> names_of_tested(

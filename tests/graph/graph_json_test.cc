@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
+#include "support/json_schema.h"
 #include "support/systems.h"
 
 namespace somato::detail {
@@ -60,6 +62,23 @@ TEST(GraphJson, DescribesThePhases) {
   ASSERT_EQ(phases.size(), 1U);
   EXPECT_EQ(phases[0]["learn"], (Json{"map"}));
   EXPECT_EQ(phases[0]["of"], "explorations");
+}
+
+TEST(GraphJson, DescribesGridsAndGraphs) {
+  EXPECT_EQ(
+      grid_json(Grid(2, 3, Lattice::kHexagonal, Topology::kTorus)),
+      Json::parse(R"({"rows": 2, "columns": 3, "lattice": "hexagonal", "topology": "torus"})"));
+  const auto star = std::make_shared<const NeuronGraph>(
+      4, std::vector<NeuronGraph::Edge>{{0, 2}, {1, 2}, {2, 3}});
+  const Json json = grid_json(Grid(star));
+  EXPECT_EQ(json["rows"], 1);
+  EXPECT_EQ(json["columns"], 4);
+  EXPECT_EQ(json["edges"], Json::parse("[[0, 2], [1, 2], [2, 3]]"));
+  ASSERT_EQ(json["cells"].size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(json["cells"][i], Json({star->cells()[i].row, star->cells()[i].column}));
+  }
+  EXPECT_TRUE(testing::fits_schema(json, "parts.json#/$defs/GridData"));
 }
 
 }  // namespace

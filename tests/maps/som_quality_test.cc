@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 #include "support/random_maps.h"
@@ -55,6 +57,19 @@ TEST(SomQuality, OfNothingIsZero) {
 
 TEST(UMatrix, IsTheMeanDistanceToTheNeighbours) {
   EXPECT_EQ(u_matrix(row_of_four()), (std::vector<double>{10, 10, 14.5, 19}));
+}
+
+// Neuron 2 with neighbours 0 and 3; neuron 1 has none.
+TEST(UMatrix, OfAGraphFollowsItsEdges) {
+  SomParameters p;
+  p.rows = 1;
+  p.columns = 4;
+  const auto graph =
+      std::make_shared<const NeuronGraph>(4, std::vector<NeuronGraph::Edge>{{2, 3}, {0, 2}});
+  const Som som(resolve(p, 1, 1).value(), Matrix<float>(4, 1, {0, 10, 20, 1}), graph);
+  EXPECT_EQ(u_matrix(som), (std::vector<double>{20, 0, 19.5, 19}));
+  EXPECT_EQ(edge_distances(som), (std::vector<double>{20, 19}));  // edges are ascending
+  EXPECT_TRUE(edge_distances(row_of_four()).empty());
 }
 
 TEST(ComponentPlane, HoldsTheWeightsOfOneElement) {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/studies/reproduction.h"
@@ -161,6 +164,60 @@ Json& chance_of(Json& json) {
   return protocol_of(json)["metrics"]["classes_separated_chance"]["of_each"];
 }
 
+Json& map_of(Json& json) {
+  return protocol_of(json)["runs"][1]["map"];
+}
+
+// The results of a map that grows, whose second map has three neurons in a row.
+Results grown_results() {
+  Results results = made_results();
+  const auto graph =
+      std::make_shared<const NeuronGraph>(3, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}});
+  for (Run& run : results.parts[0].protocols[0].runs) {
+    std::fill(run.winners.begin(), run.winners.end(), 2);
+    run.map = TrainedMap{Grid(graph), {0.5, 1.0, 1.5}, {0.5, 1.5}};
+  }
+  return results;
+}
+
+TEST(ResultsFile, MapsThatGrowAreReadBack) {
+  const Results results = grown_results();
+  const auto read = parse_results(to_json(results), "results.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(read->parts[0].protocols[0].runs[1].map, results.parts[0].protocols[0].runs[1].map);
+}
+
+// As results of this version before maps were stored.
+TEST(ResultsFile, MapsMayBeMissing) {
+  Json json = Json::parse(to_json(made_results()));
+  protocol_of(json)["runs"][1].erase("map");
+  const auto read = parse_results(json.dump(), "results.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_TRUE(read->parts[0].protocols[0].runs[0].map);
+  EXPECT_FALSE(read->parts[0].protocols[0].runs[1].map);
+}
+
+TEST(ResultsFile, ImpossibleGraphsAreRefused) {
+  const Json whole = Json::parse(to_json(grown_results()));
+  const std::vector<std::pair<Json, std::string>> edges{
+      {Json::parse("[[0, 0], [1, 2]]"), "edges[0]' is not an edge"},
+      {Json::parse("[[0, 1], [1, 3]]"), "edges[1]' is not an edge"},
+      {Json::parse("[[0, 1], [0, 1]]"), "edges[1]' is not an edge"},
+      {Json::parse("[[0, 1], [2, 1]]"), "edges[1]' is not an edge"},
+      {Json::parse("[[0, 1, 2]]"), "edges[0]' has 3 entries"},
+      {Json::parse("[[0, 1]]"), "edge_distances' has 2 entries"}};
+  for (const auto& [damaged, words] : edges) {
+    Json json = whole;
+    map_of(json)["grid"]["edges"] = damaged;
+    const auto read = parse_results(json.dump(), "results.json");
+    ASSERT_FALSE(read) << damaged;
+    EXPECT_NE(read.error().what.find(words), std::string::npos) << read.error().what;
+  }
+  Json json = whole;
+  map_of(json)["grid"]["columns"] = 5000;
+  EXPECT_FALSE(parse_results(json.dump(), "results.json"));
+}
+
 struct Damage {
   std::string name;
   std::function<void(Json&)> make;
@@ -239,6 +296,14 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"other_predictions",
                [](Json& j) { protocol_of(j)["runs"][0]["other_predictions"] = {1, 2}; },
                "other_predictions' is array"},
+        Damage{"map_rows", [](Json& j) { map_of(j)["grid"]["rows"] = 0; },
+               "runs[1].map.grid' is no grid"},
+        Damage{"map_lattice", [](Json& j) { map_of(j)["grid"]["lattice"] = "round"; },
+               "runs[1].map.grid' is no grid"},
+        Damage{"map_smaller", [](Json& j) { map_of(j)["grid"]["rows"] = 1; },
+               "runs[1].map.u_matrix' has 25 entries, but needs 5"},
+        Damage{"map_winner", [](Json& j) { protocol_of(j)["runs"][1]["winners"][3] = 25; },
+               "runs[1].map' has no neuron 25"},
         Damage{"pair_recording", [](Json& j) { part_of(j)["pairs"][0][0] = 2; },
                "'parts[0].pairs[0]' refers to a recording that does not exist"},
         Damage{"pair_short", [](Json& j) { part_of(j)["pairs"][0] = {1}; }, "has 1 entries"},

@@ -23,9 +23,11 @@ FoldOutcome outcome_number(std::size_t number) {
   outcome.summed_distance = 0.1 + static_cast<double>(number) / 3.0;
   outcome.topographic_errors = 1.0 / 7.0;
   outcome.recalled = {number, 3};
-  outcome.grid = number % 2 == 0 ? Grid(4, 3, Lattice::kHexagonal, Topology::kTorus)
-                                 : Grid(std::make_shared<const NeuronGraph>(
-                                       3, std::vector<NeuronGraph::Edge>{{0, 2}, {1, 2}}));
+  outcome.map.grid = number % 2 == 0 ? Grid(4, 3, Lattice::kHexagonal, Topology::kTorus)
+                                     : Grid(std::make_shared<const NeuronGraph>(
+                                           3, std::vector<NeuronGraph::Edge>{{0, 2}, {1, 2}}));
+  outcome.map.u_matrix = {1.0 / 7.0, static_cast<double>(number)};
+  outcome.map.edge_distances = {static_cast<double>(number) / 3.0};
   const double third = static_cast<double>(number) / 3.0;
   outcome.predictions = {{third, 1.0, 2.0, {0.1, 3.0, 0.4}, {5.0}, {6.0}, {7.0}, {8.0}, {9.0}},
                          PredictionOutcome{}};

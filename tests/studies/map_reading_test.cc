@@ -226,7 +226,7 @@ TEST_F(ReadOrder, WithinGroupsOfTwoIsNone) {
 class ReadPlaced : public ::testing::Test {
  protected:
   ReadPlaced() {
-    outcome_.grid = kRow;
+    outcome_.map.grid = kRow;
     prepared_.samples.samples = 4;
     prepared_.samples.test_samples = 4;
     prepared_.order = StudiedOrder{
@@ -268,7 +268,7 @@ TEST_F(ReadPlaced, StandsBesideTheBetterBaseline) {
 // won. Individual 0 is in the first part, 1 and 2 are in the second. Most similar are 0 (new sample
 // 0), 0 or 1 (sample 1, whose number is between theirs), 2 (sample 2) and none (sample 3).
 TEST_F(ReadPlaced, LooksAtTheConnectedParts) {
-  outcome_.grid = Grid(std::make_shared<const NeuronGraph>(
+  outcome_.map.grid = Grid(std::make_shared<const NeuronGraph>(
       9, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}, {3, 5}, {5, 6}}));
   const Neighbours none{{2, 2, 0, 0}, {2, 2, 0, 0}};
   outcome_.winners = {1, 5, 2, 8};

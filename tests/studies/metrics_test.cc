@@ -28,7 +28,7 @@ const Grid kSquare(2, 2, Lattice::kRectangular, Topology::kPlane);
 // All samples for both, in one training a seed.
 FoldOutcome tested_on_itself(const Numbers& winners) {
   FoldOutcome outcome;
-  outcome.grid = kSquare;
+  outcome.map.grid = kSquare;
   outcome.training_winners = winners;
   outcome.winners = winners;
   outcome.named_by = winners;
@@ -94,7 +94,7 @@ TEST_F(Metrics, OfAreasAreMeansOverFolds) {
   outcomes[1].training_winners = {0, 0};
   outcomes[1].winners = {0, 0};
   for (FoldOutcome& outcome : outcomes) {
-    outcome.grid = kSquare;
+    outcome.map.grid = kSquare;
     outcome.named_by = {outcome.training_winners[0], outcome.training_winners[0]};
     outcome.nearest = {{1, 1}, {1, 1}};
   }
@@ -111,7 +111,7 @@ TEST_F(Metrics, AreOfBothRecordingsOnlyUnderTestData) {
   prepared.samples.samples = 2;
   prepared.samples.test_samples = 2;
   FoldOutcome outcome;
-  outcome.grid = kSquare;
+  outcome.map.grid = kSquare;
   outcome.training_winners = {0, 1};
   outcome.winners = {2, 3};
   outcome.named_by = {0, 1};
@@ -151,7 +151,7 @@ class MetricsOfLabels : public Metrics {
     for (std::size_t i = 0; i < 4; ++i) {
       folds.push_back({training[i], {i}});
       FoldOutcome outcome;
-      outcome.grid = kSquare;
+      outcome.map.grid = kSquare;
       outcome.training_winners = training[i];  // sample i at neuron i
       outcome.winners = {i};
       outcome.named_by = {named_by[i]};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace somato {
@@ -91,6 +92,20 @@ TEST(Results, NameTheLabelOfTheGroupsAndFurtherPredictions) {
   protocol["runs"][1]["other_predictions"] = {{"shape", {"round", "flat"}},
                                               {"colour", {"red", "red"}}};
   EXPECT_EQ(json_of(part), expected);
+}
+
+// Distances have six significant digits.
+TEST(Results, HaveTheMapThatTestedAllSamples) {
+  PartResults part = small_part();
+  part.protocols[0].runs[0].map =
+      TrainedMap{Grid(1, 2, Lattice::kRectangular, Topology::kPlane), {1.0 / 3.0, 1234567.8}, {}};
+  const auto graph = std::make_shared<const NeuronGraph>(3, std::vector<NeuronGraph::Edge>{{0, 1}});
+  part.protocols[0].runs[1].map = TrainedMap{Grid(graph), {0.5, 0.5, 0.0}, {0.5}};
+  const Json runs = json_of(part)["parts"][0]["protocols"][0]["runs"];
+  EXPECT_EQ(runs[0]["map"], Json::parse(R"({"grid": {"rows": 1, "columns": 2,
+      "lattice": "rectangular", "topology": "plane"}, "u_matrix": [0.333333, 1234570.0]})"));
+  EXPECT_EQ(runs[1]["map"]["grid"]["edges"], Json::parse("[[0, 1]]"));
+  EXPECT_EQ(runs[1]["map"]["edge_distances"], Json::parse("[0.5]"));
 }
 
 TEST(Results, HaveTheValuesOfEachWrongGrouping) {

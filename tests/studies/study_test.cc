@@ -9,6 +9,7 @@
 #include "somato/codes/standardization.h"
 #include "somato/core/random.h"
 #include "somato/graph/system_model.h"
+#include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
 #include "studies/metric_names.h"
 #include "studies/wrong_groupings.h"
@@ -151,6 +152,22 @@ TEST(Study, MeasuresTheMapOfTrainIsTest) {
   const bool connected = WinnerAreas(map.grid(), outcome.winners).connected(classes);
   EXPECT_EQ(values_of(system, "individuals_apart")[0], apart ? 1.0 : 0.0);
   EXPECT_EQ(values_of(system, "areas_connected")[0], connected ? 1.0 : 0.0);
+}
+
+// The map of the second seed is the first of a study that begins with it.
+TEST(Study, KeepsTheMapOfEverySeedWhereAllSamplesAreTestedByIt) {
+  const Recording recording = objects_apart(3, 4, 150.0, 2);
+  StudyDescription description = small_study();
+  const StudyOutcome both = outcome_of(description, recording);
+  description.study.first_seed += 1;
+  description.study.seeds = 1;
+  const StudyOutcome second = outcome_of(description, recording);
+  const auto& runs = system_of(both, "train_is_test").runs;
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].map, (TrainedMap{both.map().grid(), u_matrix(both.map()), {}}));
+  EXPECT_EQ(runs[1].map, (TrainedMap{second.map().grid(), u_matrix(second.map()), {}}));
+  EXPECT_NE(runs[0].map->u_matrix, runs[1].map->u_matrix);
+  for (const auto& run : system_of(both, "leave_one_out").runs) EXPECT_FALSE(run.map);
 }
 
 std::string saved_system(const StudyOutcome& outcome) {

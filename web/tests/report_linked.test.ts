@@ -4,9 +4,11 @@
 import type { Locator, Page } from "playwright-core";
 import { beforeEach, describe, expect, test } from "vitest";
 
+import { between, kSequence } from "../src/parts/colour_maps";
 import { accessibilityViolations, screenshotPath } from "./browser";
 import { figureOf, goTo, ReportBrowser, savedRows } from "./report_browser";
 import { reportFixture } from "./report_fixture";
+import { growingSystem } from "./report_systems";
 
 const report = new ReportBrowser();
 const data = reportFixture();
@@ -37,9 +39,13 @@ describe("maps of a system", () => {
     await section.getByRole("slider", { name: "Seed" }).fill("4");
     const hits = (await savedRows(figureOf(section, "Hits"))).slice(1).map((row) => Number(row[3]));
     hits.forEach((count, neuron) => expect(count).toBe(fifth.winners.filter((winner) => winner === neuron).length));
-    const notice = figureOf(section, "U-matrix").locator(".other-map");
+    const other = await savedRows(figureOf(section, "U-matrix"));
+    expect(other.slice(1).map((row) => Number(row[3]))).toEqual(fifth.map!.u_matrix);
+    expect(fifth.map!.u_matrix).not.toEqual(run.map!.u_matrix);
+    expect(await figureOf(section, "U-matrix").locator(".what").textContent()).toContain("seed 5");
+    // The weights of one system are stored.
+    const notice = section.locator(".other-map");
     expect(await notice.textContent()).toContain("seed 1: another map than that of the selected winners");
-    expect(await figureOf(section, "U-matrix").locator(".marker").count()).toBe(0);
     await notice.getByRole("button").click();
     expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
     expect(await section.locator(".other-map").count()).toBe(0);
@@ -80,6 +86,64 @@ describe("maps of a system", () => {
     await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
     expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
     expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
+    await page.close();
+  });
+});
+
+test("a U-matrix that was not stored for a seed is that of the saved system, and says so", async () => {
+  const protocols = hand.protocols.map((one) => ({ ...one, runs: one.runs.map(({ map: _, ...rest }) => rest) }));
+  ({ page } = await report.open({ ...data, systems: [{ ...hand, protocols }], claims: [] }));
+  section = await goTo(page, kId);
+  const figure = figureOf(section, "U-matrix");
+  expect(await figure.locator(".other-map").count()).toBe(0);
+  await section.getByRole("slider", { name: "Seed" }).fill("4");
+  expect(await figure.locator(".other-map").textContent()).toContain("seed 1: another map");
+  expect(await figure.locator(".marker").count()).toBe(0);
+  const rows = (await savedRows(figure)).slice(1).map((row) => Number(row[3]));
+  expect(rows).toEqual(hand.trained!.u_matrix);
+  await page.close();
+});
+
+describe("a map that grows", () => {
+  const system = growingSystem();
+  const [first, second] = system.protocols[0]!.runs;
+
+  test("is drawn as neurons and their connections, another graph for each seed", async () => {
+    ({ page } = await report.open({ ...data, systems: [system], claims: [] }));
+    section = await goTo(page, "growing");
+    expect(await section.locator(".facts").textContent()).toContain("5 neurons with 4 connections");
+    for (const title of ["Winners", "U-matrix", "Hits"]) {
+      expect(await figureOf(section, title).locator("[data-cell]").count()).toBe(5);
+      expect(await figureOf(section, title).locator(".map-edges path").count()).toBe(4);
+    }
+    // An edge ends in the middles of its neurons; the longest distance is the brightest.
+    const places = await figureOf(section, "U-matrix").locator("[data-cell], .map-edges path").evaluateAll((all) =>
+      all.map((one) => {
+        const box = (one as SVGGraphicsElement).getBBox();
+        return { x: box.x, y: box.y, width: box.width, height: box.height, stroke: getComputedStyle(one).stroke };
+      }),
+    );
+    const [edges, cells] = [places.slice(0, 4), places.slice(4)];
+    const middle = (i: number, name: "x" | "y") => cells[i]![name] + cells[i]![name === "x" ? "width" : "height"] / 2;
+    edges.forEach((edge, i) => {
+      expect(edge.x).toBeCloseTo(Math.min(middle(0, "x"), middle(i + 1, "x")), 1);
+      expect(edge.width).toBeCloseTo(Math.abs(middle(0, "x") - middle(i + 1, "x")), 1);
+      expect(edge.height).toBeCloseTo(Math.abs(middle(0, "y") - middle(i + 1, "y")), 1);
+      const [red, green, blue] = between(kSequence, (i + 1) / 4); // from 0, which neuron 0 has, to 4
+      const shown = edge.stroke.match(/\d+/g)!.map(Number);
+      [red, green, blue].forEach((part, k) => expect(Math.abs(part - shown[k]!)).toBeLessThanOrEqual(4));
+    });
+    await page.screenshot({ path: screenshotPath("report-growing"), fullPage: true });
+    await figureOf(section, "Winners").locator('[data-cell="4"]').click();
+    const won = first!.winners.filter((winner) => winner === 4).length;
+    expect(await section.locator(".won p").textContent()).toBe(`Neuron 5 wins ${won} sample${won === 1 ? "" : "s"}.`);
+    await section.getByRole("slider", { name: "Seed" }).fill("1");
+    expect(await figureOf(section, "Winners").locator("[data-cell]").count()).toBe(6);
+    const rows = await savedRows(figureOf(section, "U-matrix"));
+    expect(rows[0]).toEqual(["neuron", "distance", "class"]);
+    expect(rows.slice(1).map((row) => Number(row[1]))).toEqual(second!.map!.u_matrix);
+    await section.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 1 });
+    expect(await figureOf(section, "Winners").locator(".message").textContent()).toContain("cannot be drawn together");
     await page.close();
   });
 });

@@ -64,6 +64,17 @@ export function clusteredRun(
   };
 }
 
+/** Another one for each seed. */
+export function uMatrixOf(grid: GridData, seed: number): number[] {
+  const random = randomNumbers(90 + seed);
+  return range(grid.rows * grid.columns).map((neuron) => round(0.2 + 0.15 * Math.sin(neuron / 7 + seed) + 0.05 * random()));
+}
+
+/** The same runs with the maps of results.json. */
+export function withMaps(grid: GridData, runs: RunData[]): RunData[] {
+  return runs.map((run) => ({ ...run, map: { grid, u_matrix: uMatrixOf(grid, run.seed) } }));
+}
+
 export function protocol(
   name: string,
   group: string | undefined,

@@ -5,8 +5,9 @@ import { inflateSync } from "node:zlib";
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, expect, test } from "vitest";
 
-import { between, kSequence, type Colour } from "../src/parts/colour_maps";
+import { between, kSequence, parsed, type Colour } from "../src/parts/colour_maps";
 import { checksum } from "../src/parts/png_text";
+import { kRest, touchColour } from "../src/parts/touch_colours";
 import { screenshotPath } from "./browser";
 import { figureOf, goTo, ReportBrowser, saved } from "./report_browser";
 import { reportFixture } from "./report_fixture";
@@ -14,6 +15,7 @@ import { reportFixture } from "./report_fixture";
 const report = new ReportBrowser();
 const data = reportFixture();
 const hand = data.systems[0]!;
+const run = hand.protocols[0]!.runs[0]!;
 let page: Page;
 let section: Locator;
 
@@ -22,78 +24,125 @@ beforeAll(async () => {
   section = await goTo(page, "t_mpsom_multiplied");
 });
 
-/** The colours of points of a saved SVG, given in its own coordinates, in a page without the report. */
-async function coloursOf(svg: string, points: [number, number][]): Promise<Colour[]> {
+interface Cell {
+  box: [x: number, y: number, width: number, height: number]; // in the coordinates of the picture
+  colour: Colour;
+}
+
+/** A message for each cell of a saved file in which any pixel has another colour than it demands. */
+async function wrongCells(figure: Locator, cells: Cell[]): Promise<string[]> {
+  const svg = (await saved(figure, "SVG")).bytes;
+  const png = (await saved(figure, "PNG")).bytes;
+  expect(svg.toString("utf8")).not.toContain("<image");
+  const view = /viewBox="([^"]+)"/.exec(svg.toString("utf8"))![1]!.split(" ").map(Number);
+  const files = [
+    `data:image/svg+xml;base64,${svg.toString("base64")}`,
+    `data:image/png;base64,${png.toString("base64")}`,
+  ];
+  const wrong = await Promise.all(files.map((file) => wrongPixels(file, view, cells)));
+  return wrong.flat();
+}
+
+/** Opens the file in a page without the report. Pixels at the border of a cell may be mixed with those beside it. */
+async function wrongPixels(file: string, view: number[], cells: Cell[]): Promise<string[]> {
   const other = await report.browser.newPage();
-  const colours = await other.evaluate(
-    async ([text, places]) => {
+  const wrong = await other.evaluate(
+    async ([address, [left, top, width], all]) => {
       const image = new Image();
-      image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+      image.src = address;
       await image.decode();
-      const [left, top, width] = /viewBox="([^"]+)"/.exec(text)![1]!.split(" ").map(Number) as [number, number, number];
-      const scale = (3 * image.naturalWidth) / width;
       const canvas = document.createElement("canvas");
-      [canvas.width, canvas.height] = [3 * image.naturalWidth, 3 * image.naturalHeight];
+      const times = address.startsWith("data:image/svg") ? 3 : 1;
+      [canvas.width, canvas.height] = [times * image.naturalWidth, times * image.naturalHeight];
       const context = canvas.getContext("2d")!;
       context.drawImage(image, 0, 0, canvas.width, canvas.height);
-      return places.map(([x, y]) => [...context.getImageData((x - left) * scale, (y - top) * scale, 1, 1).data.slice(0, 3)]);
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const scale = canvas.width / width!;
+      return all.flatMap(({ box: [x, y, wide, tall], colour }, cell) => {
+        const [from, to] = [(x - left!) * scale, (x + wide - left!) * scale].map(Math.round);
+        for (let row = Math.round((y - top!) * scale) + 2; row < Math.round((y + tall - top!) * scale) - 2; row += 1)
+          for (let column = from! + 2; column < to! - 2; column += 1) {
+            const at = 4 * (row * canvas.width + column);
+            if (data[at] === colour[0] && data[at + 1] === colour[1] && data[at + 2] === colour[2]) continue;
+            const shown = [...data.slice(at, at + 3)].join(" ");
+            return [`${address.slice(0, 14)}, cell ${cell}: ${shown} instead of ${colour.join(" ")}`];
+          }
+        return [];
+      });
     },
-    [svg, points] as const,
+    [file, view, cells] as const,
   );
   await other.close();
-  return colours as unknown as Colour[];
+  return wrong;
 }
 
-function differsBy(one: Colour, other: Colour): number {
-  return Math.max(...one.map((part, i) => Math.abs(part - other[i]!)));
-}
+const kTallestOfTouch = 315; // 7 pixels for each of 45 elements
 
-test("the pixels of a saved heat map are the data, without smoothing", async () => {
+/** The nearest of `steps` colours of the scale. */
+const stepped = (share: number, steps: number) => Math.round(Math.min(1, share) * steps) / steps;
+
+test("every pixel of saved touch over time has the colour of its value", async () => {
   const touch = hand.moments[0]!.channels[0]!;
-  const { bytes } = await saved(figureOf(section, "Touch over time"), "SVG");
-  const svg = bytes.toString("utf8");
-  expect(svg).not.toContain("<image");
-  const values = touch.series.flat().map((value) => value ?? 0);
-  const [low, high] = [Math.min(...values), Math.max(...values)];
-  // The rectangle of the matrix: 34, 8, 460 wide and 7 pixels for each of 45 elements.
-  const cells = touch.series.flatMap((row, frame) => row.map((value, i) => ({ value: value ?? 0, frame, i })));
-  const some = cells.filter((_, i) => i % 97 === 0);
   const columns = touch.series.length;
-  // Points near two corners of each cell, which smoothing would mix with its neighbours.
-  const near = (share: number) =>
-    some.map(({ frame, i }): [number, number] => [34 + ((frame + share) * 460) / columns, 8 + ((i + share) * 315) / 45]);
-  for (const share of [0.25, 0.75]) {
-    const colours = await coloursOf(svg, near(share));
-    some.forEach(({ value }, k) => {
-      // 256 steps of colours, each of which differs by a few units from the next.
-      const expected = between(kSequence, (value - low) / (high - low));
-      expect(differsBy(colours[k]!, expected)).toBeLessThanOrEqual(3);
-    });
-  }
+  // The scale ends at a round number that nine of ten touched sensors do not exceed.
+  const most = touch.channel.elements.map((_, i) => Math.max(...touch.series.map((row) => row[i] ?? 0)));
+  const touched = most.filter((one) => one > 0.02 * Math.max(...most)).sort((one, other) => one - other);
+  const end = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((one) => one >= touched[Math.ceil(0.9 * touched.length) - 1]!)!;
+  const cells = touch.series.flatMap((row, frame) =>
+    row.map((value, i): Cell => {
+      const box: Cell["box"] = [34 + (frame * 460) / columns, 8 + 7 * i, 460 / columns, kTallestOfTouch / 45];
+      return { box, colour: parsed(touchColour(stepped((value ?? 0) / end, 256))) };
+    }),
+  );
+  expect(new Set(cells.map(({ colour }) => colour.join())).size).toBeGreaterThan(20);
+  expect(cells.filter(({ colour }) => colour.join() === kRest.join()).length).toBeGreaterThan(100);
+  expect(await wrongCells(figureOf(section, "Touch over time"), cells)).toEqual([]);
 });
 
-test("the pixels of all planes are the weights", async () => {
+test("every pixel of saved component planes has the colour of its weight", async () => {
   const planes = hand.trained!.planes[0]!;
-  const { bytes } = await saved(figureOf(section, "Component planes of touch, arranged on the hand"), "SVG");
-  const svg = bytes.toString("utf8");
-  expect(svg).not.toContain("<image");
+  const figure = figureOf(section, "Component planes of touch, arranged on the hand");
   const all = planes.values.flat().map((value) => value ?? 0);
   const [low, high] = [Math.min(...all), Math.max(...all)];
-  // Where the pixels of the first two elements lie: 15 x 15 neurons in a box of the page's picture.
-  const boxes = await figureOf(section, "Component planes of touch, arranged on the hand")
+  // Where the pixels of each element lie: 15 x 15 neurons in a box of the picture.
+  const boxes = await figure
     .locator("image")
-    .evaluateAll((images) => images.slice(0, 2).map((one) => ["x", "y", "width"].map((name) => Number(one.getAttribute(name)))));
-  for (const [element, [x, y, side]] of boxes.entries()) {
-    const points = planes.values.map((_, neuron): [number, number] => [
-      x! + (((neuron % 15) + 0.3) * side!) / 15,
-      y! + ((Math.floor(neuron / 15) + 0.3) * side!) / 15,
-    ]);
-    const colours = await coloursOf(svg, points);
-    planes.values.forEach((values, neuron) => {
-      const expected = between(kSequence, ((values[element] ?? 0) - low) / (high - low));
-      expect(differsBy(colours[neuron]!, expected)).toBeLessThanOrEqual(3);
-    });
-  }
+    .evaluateAll((images) => images.map((one) => ["x", "y", "width"].map((name) => Number(one.getAttribute(name)))));
+  expect(boxes.length).toBe(45);
+  const cells = boxes.flatMap(([x, y, side], element) =>
+    planes.values.map((values, neuron): Cell => {
+      const [row, column] = [Math.floor(neuron / 15), neuron % 15];
+      const box: Cell["box"] = [x! + (column * side!) / 15, y! + (row * side!) / 15, side! / 15, side! / 15];
+      return { box, colour: between(kSequence, stepped(((values[element] ?? 0) - low) / (high - low), 255)) };
+    }),
+  );
+  expect(await wrongCells(figure, cells)).toEqual([]);
+});
+
+test("every pixel of a saved U-matrix has the colour of its distance", async () => {
+  const distances = run.map!.u_matrix;
+  const [low, high] = [Math.min(...distances), Math.max(...distances)];
+  const winners = new Set(run.winners); // markers hide the colours of these
+  const figure = figureOf(section, "U-matrix");
+  const outlines = await figure.locator("[data-cell]").evaluateAll((all) =>
+    all.map((one) => {
+      const { x, y, width, height } = (one as SVGGraphicsElement).getBBox();
+      return [x, y, width, height] as const;
+    }),
+  );
+  // The picture has a margin of 3, and white lines of 0.7 between the cells.
+  const cells = outlines.flatMap(([x, y, width, height], neuron): Cell[] =>
+    winners.has(neuron)
+      ? []
+      : [
+          {
+            box: [x + 3.5, y + 3.5, width - 1, height - 1],
+            colour: between(kSequence, stepped((distances[neuron]! - low) / (high - low), 128)),
+          },
+        ],
+  );
+  expect(cells.length).toBeGreaterThan(180);
+  expect(await wrongCells(figure, cells)).toEqual([]);
 });
 
 test("a file has its fonts, its title and caption, and what made it", async () => {

@@ -4,7 +4,7 @@
 import type { GridData } from "../src/parts/data";
 import type { ClaimReport, SystemReport } from "../src/report/unpacked";
 import { emptySystem } from "../src/report/read";
-import { clusteredRun, kObjects, kShapeOf, protocol, range } from "./report_runs";
+import { clusteredRun, kObjects, kShapeOf, protocol, range, withMaps } from "./report_runs";
 import { kJoints, kTouch, moment, things } from "./report_things";
 import { fields, handGraph, planes, trained } from "./report_trained";
 
@@ -13,7 +13,10 @@ const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topo
 
 export function handSystem(): SystemReport {
   const shapeOf = (name: string) => kShapeOf[name] ?? "";
-  const runs = range(20).map((i) => clusteredRun(i + 1, kRectangular, kObjects, shapeOf));
+  const runs = withMaps(
+    kRectangular,
+    range(20).map((i) => clusteredRun(i + 1, kRectangular, kObjects, shapeOf)),
+  );
   const outs = range(20)
     .map((i) => clusteredRun(i + 101, kRectangular, kObjects, shapeOf))
     .map((run, i) => ({ ...run, seed: i + 1 }));
@@ -104,6 +107,44 @@ export function probeSystem(variation: string): SystemReport {
     moments: [],
     not_given: [],
     missing: [],
+  };
+}
+
+/** A map that grows: a graph, which has another neuron in the second training. */
+export function growingSystem(): SystemReport {
+  const hand = handSystem();
+  const grids = [star(5), star(6)];
+  const runs = grids.map((grid, i) => ({
+    ...clusteredRun(i + 1, { ...grid, rows: 1, columns: 5 }, ["boccia", "boule"], (name) => name),
+    map: { grid, u_matrix: range(grid.columns), edge_distances: (grid.edges ?? []).map((_, edge) => edge + 1) },
+  }));
+  const graph = hand.graph!;
+  const map = { ...graph.modules.at(-1)!, type: "growing_cells" };
+  return {
+    ...hand,
+    name: "growing",
+    protocols: [
+      protocol("train_is_test", undefined, "object", runs),
+      protocol("leave_group_out", "trial", "object", runs.map(({ map: _, ...run }) => run)),
+    ],
+    graph: { ...graph, modules: [...graph.modules.slice(0, -1), map] },
+    grid: grids[0]!,
+    trained: trained(grids[0]!, ["boccia", "boule"], [planes(grids[0]!, kTouch, "N", 3)], []),
+    samples: null,
+    moments: [],
+  };
+}
+
+/** Neuron 0 is connected with each other one; 0 is in the middle of a row of cells. */
+function star(neurons: number): GridData {
+  const columns = range(neurons).map((i) => (i === 0 ? 2 : i <= 2 ? i - 1 : i));
+  return {
+    rows: 1,
+    columns: neurons,
+    lattice: "rectangular",
+    topology: "plane",
+    edges: range(neurons - 1).map((i) => [0, i + 1]),
+    cells: columns.map((column, i) => [i === 0 ? 1 : i % 2 === 0 ? 0 : 2, column]),
   };
 }
 

@@ -2,7 +2,7 @@
 
 import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData } from "../src/parts/data";
 import type { ReceptiveFields, TrainedData } from "../src/report/unpacked";
-import { randomNumbers, range, round } from "./report_runs";
+import { randomNumbers, range, round, uMatrixOf } from "./report_runs";
 
 function module(
   name: string,
@@ -106,7 +106,7 @@ export function trained(
     seed: 1,
     classes,
     neuron_classes: neurons.map(() => (random() < 0.15 ? Math.floor(random() * classes.length) : null)),
-    u_matrix: neurons.map((neuron) => round(0.2 + 0.15 * Math.sin(neuron / 7) + 0.05 * random())),
+    u_matrix: uMatrixOf(grid, 1),
     hits: neurons.map(() => (random() < 0.12 ? 1 + Math.floor(random() * 3) : 0)),
     planes: allPlanes,
     receptive_fields: receptive,

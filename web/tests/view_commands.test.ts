@@ -137,7 +137,7 @@ describe("the commands that it sends", () => {
     expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");
     await view.page.locator(".panel-map svg[role=application]").focus();
     for (const key of ["ArrowDown", "ArrowRight", "Enter"]) await view.page.keyboard.press(key);
-    await view.page.waitForSelector('.closer h3:text-is("Neuron in row 2, column 2")');
+    await view.page.waitForSelector('.closer h3:text-is("Neuron at row 2, column 2")');
     await view.page.getByLabel("Touch sensor", { exact: true }).focus();
     await view.page.keyboard.press("ArrowDown");
     await view.page.waitForSelector(`.closer h3:text-is("Touch sensor ${kTaxels[0]}")`);

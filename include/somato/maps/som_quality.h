@@ -63,6 +63,10 @@ SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t t
 /// neurons that share an edge with it (Ultsch 1990). 0 for a single neuron.
 std::vector<double> u_matrix(const Som& som);
 
+/// The Euclidean distances between the weights of connected neurons, in the order of
+/// NeuronGraph::edges(); empty for a map on rows and columns.
+std::vector<double> edge_distances(const Som& som);
+
 /// A component plane: the weight of each neuron for input element `element`.
 std::vector<double> component_plane(const Som& som, std::size_t element);
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "somato/maps/grid.h"
 #include "somato/studies/claim.h"
 
 namespace somato {
@@ -30,6 +31,15 @@ struct Metric {
   double standard_deviation() const;
 };
 
+/// The map of a training.
+struct TrainedMap {
+  Grid grid;                                ///< For maps that grow, another one in each training.
+  std::vector<double> u_matrix = {};        ///< See u_matrix().
+  std::vector<double> edge_distances = {};  ///< See edge_distances().
+
+  bool operator==(const TrainedMap&) const = default;
+};
+
 /// The results of one pair, by sample in the order of the recording.
 struct Run {
   std::uint64_t seed = 0;
@@ -38,6 +48,8 @@ struct Run {
   std::vector<std::string> predictions;  ///< The predicted classes.
   /// The predictions of further labels, by their names.
   std::vector<std::pair<std::string, std::vector<std::string>>> other_predictions;
+  /// The map by which all samples were tested; empty if there were several.
+  std::optional<TrainedMap> map = {};
 };
 
 /// A system under one protocol.

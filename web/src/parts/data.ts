@@ -9,12 +9,19 @@ export type NumberOrNull = number | null;
 /** The labels of an exploration: name to value, such as "object" to "boule". */
 export type Labels = Record<string, string>;
 
-/** The grid of a map. */
+/**
+ * The grid of a map; or, with `edges`, the graph of a map that grows, whose neurons are numbered in
+ * one row.
+ */
 export interface GridData {
   rows: number;
   columns: number;
   lattice: "rectangular" | "hexagonal";
   topology: "plane" | "torus";
+  /** Connected neurons, the lower number first. */
+  edges?: [number, number][];
+  /** For each neuron of a graph the row and column of its cell in a drawing, from 0. */
+  cells?: [number, number][];
 }
 
 /** For each neuron the index of its class in `classes`; null for a neuron without a class. */

@@ -13,6 +13,7 @@ import { markerPath } from "./markers";
 import { rangeOf, readable, withUnit } from "./numbers";
 import { painter } from "./painter";
 import { rounded, shape, svg, text, type Box } from "./svg";
+import { nearestTowards } from "./towards";
 
 export interface HandOptions extends CursorOptions {
   unit?: string;
@@ -86,7 +87,7 @@ function draw(
     bar.group,
   ]);
   const picture = svg(width + 2 * kMargin, below + kBar - 14 + 2 * kMargin, options.label, [inner]);
-  const step = (at: number, rows: number, columns: number) => nearestTowards(layout, at, columns, rows);
+  const step = (at: number, rows: number, columns: number) => nearestTowards(layout.dots, at, columns, rows);
   const place = { svg: picture, cells, rings, kind: isHand ? "hand" : "grid", cellName: "elements", step };
   return { place, setRange: bar.setRange };
 }
@@ -111,20 +112,4 @@ export function boneAt(box: Box, wide: number, tall: number, corner: number): SV
   const [x, y] = [rounded(box.x * wide), rounded(box.y * tall)];
   const [width, height] = [rounded(box.width * wide), rounded(box.height * tall)];
   return shape("rect", { x, y, width, height, rx: rounded(corner), class: "bone" });
-}
-
-/** The nearest element in the given direction (within 45 degrees), or the same element. */
-export function nearestTowards(layout: HandLayout, from: number, dx: number, dy: number): number {
-  const at = layout.dots[from];
-  if (!at) return from;
-  let best = from;
-  let least = Number.POSITIVE_INFINITY;
-  layout.dots.forEach((dot, i) => {
-    const along = (dot.x - at.x) * dx + (dot.y - at.y) * dy;
-    const beside = Math.abs((dot.x - at.x) * dy) + Math.abs((dot.y - at.y) * dx);
-    if (along < 0.2 || beside > along + 0.3 || along + beside >= least) return;
-    least = along + beside;
-    best = i;
-  });
-  return best;
 }

@@ -9,6 +9,7 @@ import { markerLegend } from "./legend";
 import { mapFrame, setFootHeight, type MapFrame, type MapOptions } from "./map_cells";
 import { cellPicture, type CellPicture } from "./map_cursor";
 import { marker } from "./markers";
+import { graphOf } from "./neuron_graph";
 import { shape, text } from "./svg";
 
 export interface LabelsOptions extends MapOptions {
@@ -78,6 +79,7 @@ function drawAreas(frame: MapFrame, areas: (number | null)[], won: Won): void {
     cell.setAttribute("fill", classColour(area));
     cell.setAttribute("fill-opacity", String(won.has(neuron) ? kWonOpacity : kAreaOpacity));
   });
+  if (graphOf(frame.grid)) return;
   const { between } = borders(frame.grid, areas);
   frame.border.after(shape("path", { d: edgesPath(between, frame.cell), class: "map-border area-border" }));
 }
@@ -115,7 +117,7 @@ function drawMarkers(frame: MapFrame, neuron: number, numbers: number[], counts:
 }
 
 function spacingOf(frame: MapFrame, markers: number): number {
-  const side = isHexagonal(frame.grid) ? 2 / (1 + Math.sqrt(3)) : 1;
+  const side = graphOf(frame.grid) ? 0.56 : isHexagonal(frame.grid) ? 2 / (1 + Math.sqrt(3)) : 1;
   return (0.96 * side * frame.cell) / Math.ceil(Math.sqrt(markers));
 }
 

@@ -1,4 +1,4 @@
-// Pictures of a map, rectangular or hexagonal, plane or torus (whose border is dotted).
+// Pictures of a map, rectangular or hexagonal, plane or torus (whose border is dotted), or a graph.
 //
 //   const picture = valuesPicture(grid, { label: "U-matrix", unit: "", onChoose: show });
 //   picture.setValues(values, [low, high]);   // cheap: only changed cells are updated
@@ -19,7 +19,7 @@ import { cellPicture, type CellPicture } from "./map_cursor";
 import { colourBar, markerLegend } from "./legend";
 import { marker } from "./markers";
 import { rangeOf, readable, withUnit } from "./numbers";
-import { painter } from "./painter";
+import { painter, scaled } from "./painter";
 import { shape } from "./svg";
 
 export interface ValuesOptions extends MapOptions {
@@ -31,6 +31,7 @@ export interface ValuesOptions extends MapOptions {
 
 export interface ValuesPicture extends CellPicture {
   setValues(values: readonly (number | null)[], range?: readonly [number, number]): void;
+  setEdges(values: readonly number[], range: readonly [number, number]): void; // colours those of a graph
   setWinner(neuron: number | null): void;
   setMarks(classes: readonly (number | null)[], names: readonly string[]): void;
 }
@@ -59,6 +60,10 @@ export function valuesPicture(grid: GridData, options: ValuesOptions): ValuesPic
       paint(values, low, high);
       bar?.setRange(low, high);
       picture.refresh();
+    },
+    setEdges: (values, [low, high]) => {
+      const colour = scaled(options.colour ?? sequenceColour, low, high);
+      frame.edges.forEach((edge, i) => (edge.style.stroke = colour(values[i]) ?? ""));
     },
     setWinner: (neuron) => setWinner(frame, neuron),
     setMarks: (classes, classNames) => {

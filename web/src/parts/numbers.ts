@@ -84,3 +84,9 @@ export function rangeOf(values: readonly (number | null)[]): [number, number] | 
   }
   return low <= high ? [low, high] : null;
 }
+
+/** With spaces and a capital letter. */
+export function capital(name: string): string {
+  const words = name.replaceAll("_", " ");
+  return words.slice(0, 1).toUpperCase() + words.slice(1);
+}

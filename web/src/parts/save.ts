@@ -107,7 +107,8 @@ function frame(copy: SVGSVGElement, about: About): void {
   const { above, below } = kSaving.hasCaption ? words(about, x, y, width, height) : { above: [], below: [] };
   const top = y - kMargin - above.length * kTitle.row;
   const bottom = y + height + kMargin + below.length * kCaption.row + (below.length > 0 ? kMargin : 0);
-  const [wide, tall] = [width + 2 * kMargin, bottom - top];
+  // Whole numbers, so that a PNG is not stretched to whole pixels.
+  const [wide, tall] = [Math.ceil(width + 2 * kMargin), Math.ceil(bottom - top)];
   const back = { x: x - kMargin, y: top, width: wide, height: tall, fill: "#ffffff" };
   copy.prepend(shape("rect", back));
   copy.append(...above, ...below);

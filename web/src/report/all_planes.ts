@@ -1,15 +1,15 @@
 // The component planes of all elements of a channel at once: a small map for each, at its place on
 // the hand if the names identify it.
 
-import { between, kSequence, sequenceColour } from "../parts/colour_maps";
+import { sequenceColour } from "../parts/colour_maps";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, type Child } from "../parts/dom";
 import { figure, type Shown } from "../parts/figure";
-import { neuronAtPixel, pixelColumns } from "../parts/grid";
+import { neuronAtPixel, pixelColumns, pixelRows } from "../parts/grid";
 import { gridLayout, handLayout, type HandLayout } from "../parts/hand_layout";
 import { boneAt } from "../parts/hand_map";
 import { colourBar } from "../parts/legend";
-import { pixel, pixelImage, scaled } from "../parts/painter";
+import { pixelImage, pixelRamp, scaled } from "../parts/painter";
 import { rounded, shape, shortened, svg, text } from "../parts/svg";
 import { neuronTable } from "./system_map";
 
@@ -92,7 +92,7 @@ function nameAt(name: string, x: number, y: number, pitch: number): SVGTextEleme
   return text(x, y, shortened(name, pitch - 4, 11), { class: "middle muted note" });
 }
 
-const planePixel = (share: number) => pixel(between(kSequence, share));
+const planePixel = pixelRamp(sequenceColour);
 
 function planeAt(
   grid: GridData,
@@ -108,7 +108,7 @@ function planeAt(
     const neuron = neuronAtPixel(grid, column, row);
     return neuron === null ? null : colour(planes.values[neuron]?.[which]);
   };
-  const image = pixelImage(box, pixelColumns(grid), grid.rows, at);
+  const image = pixelImage(box, pixelColumns(grid), pixelRows(grid), at);
   image.setAttribute("data-element", String(which));
   image.append(shape("title", {}, [planes.channel.elements[which] ?? ""]));
   return image;

@@ -6,12 +6,12 @@ import { element, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { fingerRuns } from "../parts/hand_layout";
 import { markerShape, plotSymbol } from "../parts/markers";
-import { readable, withUnit } from "../parts/numbers";
+import { capital, readable, withUnit } from "../parts/numbers";
 import { rounded, shape } from "../parts/svg";
 import type { MomentChannel, SystemReport } from "./unpacked";
-import { capital } from "./groups";
 import { matrixPicture } from "./matrix";
 import { frameAt, type Exploration } from "./exploration";
+import { colourNote, readingColours } from "./reading_colours";
 import { plotFigure, plotPicture, seriesLegend, strokeOf } from "./plots";
 import { shownOf } from "./origin";
 import { systemName } from "./words";
@@ -33,7 +33,7 @@ export function courseFigure(system: SystemReport, of: MomentChannel, exploratio
       rows: of.series.map((values, i) => [of.times[i] ?? null, ...values]),
     }),
     about: () => shownOf(system, name),
-    note: isFew ? "" : "Each row is an element.",
+    note: isFew ? "" : `Each row is an element.${colourNote(of)}`,
     hint: "The vertical line marks the time above.",
   });
 }
@@ -110,6 +110,7 @@ function stripsOf(of: MomentChannel, exploration: Exploration): HTMLElement {
     rowName: "element",
     columnName: "time",
     unit: channel.unit,
+    ...readingColours(of),
     height: Math.max(160, Math.min(340, rows.length * 7)),
     rowEnds: [shortName(channel.elements[0]), shortName(channel.elements.at(-1))],
     columnEnds: [`${readable(of.times[0])} s`, `${readable(of.times.at(-1))} s`],

@@ -68,6 +68,20 @@ export interface RunData {
   predictions: string[];
   /** Predictions of other labels, by the name of the label. */
   other_predictions?: Record<string, string[]>;
+  /**
+   * The map by which all samples were tested; without it there were several, or the results are of
+   * an earlier version.
+   */
+  map?: RunMap;
+}
+
+/** The map of one training. */
+export interface RunMap {
+  grid: GridData;
+  /** For each neuron the mean distance between its weights and those of its neighbours. */
+  u_matrix: PackedNumbers;
+  /** For each edge of a graph the distance between the weights of the connected neurons. */
+  edge_distances?: number[];
 }
 
 /** One protocol of a system, as in results.json. */

@@ -70,10 +70,10 @@ function cardOf({ selection, link, name, words }: Card): HTMLElement {
 
 const kSize = 150;
 
-function thumbnail({ system, protocol, run, label }: Selection): Child {
+function thumbnail({ system, grid, protocol, run, label }: Selection): Child {
   const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
-  if (!system.grid || !winners) return null;
-  return labelsThumbnail(system.grid, { ...winners, label: `Map of ${systemName(system)}`, size: kSize });
+  if (!grid || !winners) return null;
+  return labelsThumbnail(grid, { ...winners, label: `Map of ${systemName(system)}`, size: kSize });
 }
 
 function accuracyWords(system: SystemReport): string {

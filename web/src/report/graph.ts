@@ -49,7 +49,7 @@ function phaseNote(system: SystemReport): string {
   });
   if (phases.length === 0) return "";
   return phases.length === 1
-    ? `The system is trained in one phase, ${phases[0]?.slice(3) ?? ""}.`
+    ? `The system is trained in one phase: ${phases[0]?.slice(3) ?? ""}.`
     : `The system is trained in phases: ${phases.join("; ")}.`;
 }
 

@@ -2,6 +2,7 @@
 // question, whose systems are opened from a table because they are many.
 
 import { idOf } from "../parts/figure";
+import { capital } from "../parts/numbers";
 import { addressOf } from "./address";
 import type { Placed } from "./same_names";
 import type { ReportData, SystemReport } from "./unpacked";
@@ -62,7 +63,3 @@ export function questionsOf(data: ReportData): Question[] {
 }
 
 /** "touch_change" as the start of a title. */
-export function capital(name: string): string {
-  const words = name.replaceAll("_", " ");
-  return words.slice(0, 1).toUpperCase() + words.slice(1);
-}

@@ -109,20 +109,21 @@ function beside({ baseline }: Result): string {
 function summaryOfMany(systems: readonly SystemReport[]): string {
   const results = systems.map(mainResults);
   const parts = [
-    range(results.map(({ known }) => known), "of samples left out"),
-    range(results.map(({ fresh }) => fresh), "of samples of things left out, by their other labels"),
+    range("the class of", results.map(({ known }) => known), "the samples that were left out of the training"),
+    range("another label of", results.map(({ fresh }) => fresh), "the samples whose class was left out"),
   ].filter((part) => part !== null);
-  return parts.length === 0 ? "" : `${systems.length} systems identify ${parts.join(" and ")}.`;
+  return parts.length === 0 ? "" : `${systems.length} systems identify ${parts.join(", and ")}.`;
 }
 
-function range(results: (Result | null)[], of: string): string | null {
+function range(label: string, results: (Result | null)[], of: string): string | null {
   const found = results.filter((one) => one !== null);
   const ends = (values: (number | null | undefined)[]) => {
     const known = values.filter((value) => value !== null && value !== undefined);
-    return `${percent(Math.min(...known))} to ${percent(Math.max(...known))}`;
+    const [least, most] = [percent(Math.min(...known)), percent(Math.max(...known))];
+    return least === most ? least : `${least} to ${most}`;
   };
   if (found.length === 0) return null;
-  return `${ends(found.map(({ accuracy }) => accuracy.mean))} ${of} (nearest neighbour: ${ends(found.map(({ baseline }) => baseline?.mean))})`;
+  return `${label} ${ends(found.map(({ accuracy }) => accuracy.mean))} of ${of} (nearest neighbour: ${ends(found.map(({ baseline }) => baseline?.mean))})`;
 }
 
 /** The original systems, without variations. */

@@ -24,6 +24,8 @@ export interface MatrixOptions {
   rowEnds: [string, string];
   columnEnds: [string, string];
   describe: (row: number, column: number) => string;
+  colour?: (share: number) => string;
+  range?: readonly [number, number]; // of the colours; that of the values unless said
   bands?: { name: string; from: number; to: number }[]; // consecutive rows with a common name
   onRow?: (row: number) => void;
 }
@@ -39,12 +41,13 @@ export function matrixPicture(
   const rows = values.length;
   const columns = Math.max(1, ...values.map((row) => row.length));
   const [width, height] = [options.width ?? 460, options.height ?? Math.max(80, Math.min(380, rows * 12))];
-  const [low, high] = rangeOf(values.flatMap((row) => rangeOf(row) ?? [])) ?? [0, 1];
-  const colour = scaled(pixelRamp(sequenceColour, kSteps), low, high);
+  const [low, high] = options.range ?? rangeOf(values.flatMap((row) => rangeOf(row) ?? [])) ?? [0, 1];
+  const colours = options.colour ?? sequenceColour;
+  const colour = scaled(pixelRamp(colours, kSteps), low, high);
   const box = { x: kLeft, y: kTop, width, height };
   const image = pixelImage(box, columns, Math.max(1, rows), (x, y) => colour(values[y]?.[x]));
   const line = shape("rect", { class: "matrix-mark", "data-transient": "" });
-  const bar = colourBar(width, options.unit, sequenceColour);
+  const bar = colourBar(width, options.unit, colours);
   bar.setRange(low, high);
   bar.group.setAttribute("transform", `translate(${kLeft} ${kTop + height + 34})`);
   const below = kTop + height + 16;

@@ -6,13 +6,13 @@ import { element, fill, uniqueId, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
-import { rangeOf, readable, seconds } from "../parts/numbers";
+import { capital, readable, seconds } from "../parts/numbers";
 import { courseFigure } from "./courses";
 import { fitting } from "./fitting";
 import { Exploration, frameAt, momentTime } from "./exploration";
-import { capital } from "./groups";
 import { valuesFigure, valuesTable } from "./moment_values";
 import { shownOf } from "./origin";
+import { colourNote, readingColours } from "./reading_colours";
 import type { Samples } from "./samples";
 import type { MomentChannel, SystemReport } from "./unpacked";
 import { systemName } from "./words";
@@ -80,12 +80,13 @@ function figuresOf(system: SystemReport, exploration: Exploration): Child[] {
 function handFigure(system: SystemReport, of: MomentChannel, exploration: Exploration): Child {
   const { channel, series } = of;
   const { name } = exploration;
+  const { colour, range } = readingColours(of);
   const picture = handMap(channel, {
     label: `${channel.name} while exploring ${name}`,
     unit: channel.unit,
     size: fitting(380),
+    colour,
   });
-  const range = rangeOf(series.flatMap((values) => rangeOf(values) ?? [])) ?? rangeOf(of.values) ?? [0, 1];
   const values = () =>
     exploration.time === momentTime(of) ? of.values : (series[frameAt(of, exploration.time)] ?? of.values);
   const words = () => `${name}, at ${readable(Math.round(exploration.time * 100) / 100)} s`;
@@ -103,6 +104,7 @@ function handFigure(system: SystemReport, of: MomentChannel, exploration: Explor
     picture: () => picture.svg,
     numbers: () => valuesTable({ ...of, values: values() }),
     about: () => shownOf(system, words()),
+    note: colourNote(of).trim(),
     hint: "Starts at the moment of greatest contact.",
   });
 }

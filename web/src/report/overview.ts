@@ -5,7 +5,7 @@ import { element, fill, type Child } from "../parts/dom";
 import { handLayout } from "../parts/hand_layout";
 import { handMap } from "../parts/hand_map";
 import { labelsPicture } from "../parts/map_labels";
-import { countOf, rangeOf } from "../parts/numbers";
+import { capital, countOf } from "../parts/numbers";
 import { figure } from "../parts/figure";
 import { commonScale, thingPicture } from "../parts/thing_picture";
 import { fitting } from "./fitting";
@@ -13,6 +13,7 @@ import { galleryOf } from "./gallery";
 import { groupsOf, questionsOf } from "./groups";
 import { bestSystem, isOfHand, originals, summaryOf } from "./main_results";
 import { shownBySelection } from "./origin";
+import { readingColours } from "./reading_colours";
 import { Selection } from "./selection";
 import { winnersOf } from "./system_map";
 import { systemsFigure } from "./systems_table";
@@ -63,8 +64,7 @@ const kMapSize = 384;
 
 function bestMap(system: SystemReport): Child {
   const selection = new Selection(system);
-  const { protocol, run, label } = selection;
-  const { grid } = system;
+  const { protocol, run, label, grid } = selection;
   const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
   if (!grid || !winners) return null;
   const shown = shownBySelection(selection);
@@ -96,11 +96,12 @@ function handOf(system: SystemReport): Child {
   if (!first) return null;
   const { moment, of } = first;
   const name = Object.values(moment.labels)[0] ?? "";
-  const picture = handMap(of.channel, { label: `${of.channel.name} at ${name}`, unit: of.channel.unit, size: 250 });
-  picture.setValues(of.values, [0, rangeOf(of.values)?.[1] ?? 1]);
+  const { colour, range } = readingColours(of);
+  const picture = handMap(of.channel, { label: `${of.channel.name} at ${name}`, unit: of.channel.unit, size: 250, colour });
+  picture.setValues(of.values, range);
   return element("div", { class: "hero-hand" }, [
     picture.element,
-    element("p", { class: "small muted" }, [`${of.channel.name} of the hand at ${name}, at the moment of greatest contact`]),
+    element("p", { class: "small muted" }, [`${capital(of.channel.name)} of the hand while it explores ${name.replaceAll("_", " ")}, at the moment of greatest contact`]),
   ]);
 }
 

@@ -5,10 +5,10 @@ import { choice } from "../parts/controls";
 import type { ChannelPlanes, GridData } from "../parts/data";
 import { element, fill, type Child } from "../parts/dom";
 import { figure } from "../parts/figure";
-import { placeOf } from "../parts/grid";
+import { neuronWords } from "../parts/grid";
 import { handMap, type HandPicture } from "../parts/hand_map";
 import { valuesPicture, type ValuesPicture } from "../parts/map_picture";
-import { rangeOf } from "../parts/numbers";
+import { capital, rangeOf, readable, withUnit } from "../parts/numbers";
 import { allPlanesFigure } from "./all_planes";
 import { fitting } from "./fitting";
 import { axisOf } from "./frequencies";
@@ -60,6 +60,7 @@ class LinkedPlanes {
   private readonly map: ValuesPicture;
   private readonly hand: HandPicture;
   private readonly elements;
+  private readonly names: readonly string[]; // of the elements
   private readonly mapTitle = element("p", { class: "small what" });
   private readonly handTitle = element("p", { class: "small what" });
 
@@ -86,8 +87,9 @@ class LinkedPlanes {
     };
     const options = { label: handLabel, unit, size: fitting(380), ...keepElement };
     const axis = axisOf(this.system, channel);
+    this.names = axis?.unit ? axis.values.map((value) => withUnit(readable(value), axis.unit)) : channel.elements;
     this.hand = axis ? linePicture(axis, options) : handMap(channel, options);
-    this.elements = choice("Element", channel.elements, this.element, (one) => this.setElement(one));
+    this.elements = choice("Element", this.names, this.element, (one) => this.setElement(one));
     this.setElement(this.element);
     this.setNeuron(this.neuron);
   }
@@ -158,25 +160,23 @@ class LinkedPlanes {
   private previewPlane(pointed: number | null): void {
     const one = pointed ?? this.element;
     this.map.setValues(this.planes.values.map((values) => values[one] ?? null));
-    const { elements } = this.planes.channel;
-    this.mapTitle.textContent = elements.length > 1 ? (elements[one] ?? "") : "";
+    this.mapTitle.textContent = this.names.length > 1 ? (this.names[one] ?? "") : "";
   }
 
   private preview(pointed: number | null): void {
     const neuron = pointed ?? this.neuron;
     this.hand.setValues(this.planes.values[neuron] ?? [], rangeOfAll(this.planes));
-    this.handTitle.textContent = `Neuron at ${placeOf(this.grid, neuron)}`;
+    this.handTitle.textContent = capital(neuronWords(this.grid, neuron));
   }
 
   private shownNeuron() {
-    const place = placeOf(this.grid, this.neuron);
     const shown = shownOfSaved(this.system);
-    return { ...shown, words: `${shown.words}, neuron at ${place}`, name: `${shown.name}-neuron${this.neuron + 1}` };
+    return { ...shown, words: `${shown.words}, ${neuronWords(this.grid, this.neuron)}`, name: `${shown.name}-neuron${this.neuron + 1}` };
   }
 
   private neuronNumbers() {
     const values = this.planes.values[this.neuron] ?? [];
-    const columns = ["element", `weight at ${placeOf(this.grid, this.neuron).replace(",", "")}`];
+    const columns = ["element", `weight of ${neuronWords(this.grid, this.neuron).replace(",", "")}`];
     return { columns, rows: this.planes.channel.elements.map((name, i) => [name, values[i] ?? null]) };
   }
 }

@@ -1,7 +1,8 @@
 // The selection for a system: a protocol, a label, a run and a neuron. Figures listen to its changes.
 
+import type { GridData } from "../parts/data";
 import { labelNames } from "./labels";
-import type { ProtocolData, RunData, SystemReport } from "./unpacked";
+import type { ProtocolData, RunData, RunMap, SystemReport } from "./unpacked";
 import { hasOneMap } from "./words";
 
 export class Selection {
@@ -30,6 +31,16 @@ export class Selection {
 
   get run(): RunData | undefined {
     return this.protocol?.runs[this.runIndex];
+  }
+
+  /** The map of the selected winners; null if they are of several maps, or if it was not stored. */
+  get map(): RunMap | null {
+    return this.run?.map ?? null;
+  }
+
+  /** The grid of the selected winners. Without a stored map that of the saved system. */
+  get grid(): GridData | null {
+    return this.map?.grid ?? this.system.grid;
   }
 
   /** Whether the selected winners are neurons of the trained system that was saved. */

@@ -1,5 +1,6 @@
 // The selection of a system as part of an address. Protocols and neurons are counted from 1.
 
+import { neuronCount } from "../parts/grid";
 import type { Selection } from "./selection";
 
 /** Only what differs from the initial selection. */
@@ -21,7 +22,7 @@ export function restored(selection: Selection, state: URLSearchParams): void {
   const label = selection.labels.indexOf(state.get("label") ?? selection.labels[0] ?? "");
   if (label >= 0) selection.setLabel(label);
   if (isIn(number("run"), selection.protocol?.runs.length ?? 0)) selection.setRun(number("run"));
-  const neurons = (system.grid?.rows ?? 0) * (system.grid?.columns ?? 0);
+  const neurons = selection.grid ? neuronCount(selection.grid) : 0;
   const neuron = Number(state.get("neuron") ?? 0) - 1;
   selection.setNeuron(isIn(neuron, neurons) ? neuron : null);
 }

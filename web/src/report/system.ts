@@ -2,6 +2,7 @@
 
 import { choice } from "../parts/controls";
 import { element, fill, type Child } from "../parts/dom";
+import { gridWords } from "../parts/grid";
 import { countOf } from "../parts/numbers";
 import { registerSection, showInAddress } from "./address";
 import { confusionFigures } from "./confusions";
@@ -78,7 +79,7 @@ function factsOf(system: SystemReport): [string, string][] {
   const runs = Math.max(0, ...protocols.map((protocol) => protocol.runs.length));
   const samples = Math.max(0, ...protocols.map((protocol) => protocol.samples));
   const facts: [string, string][] = [["Results", system.file]];
-  if (grid) facts.push(["Map", `${grid.rows} × ${grid.columns}, ${grid.lattice}, ${grid.topology}`]);
+  if (grid) facts.push(["Map", gridWords(grid)]);
   facts.push(["Samples", String(samples)], ["Runs", String(runs)]);
   const word = recordings.length === 1 ? "Recording" : "Recordings";
   if (recordings.length > 0) facts.push([word, recordingWords(recordings)]);

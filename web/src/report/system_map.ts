@@ -7,13 +7,15 @@ import { columnOf, neuronCount, rowOf } from "../parts/grid";
 import { hitsPicture } from "../parts/map_hits";
 import { labelsPicture, type LabelsOptions } from "../parts/map_labels";
 import { valuesPicture } from "../parts/map_picture";
+import { graphOf } from "../parts/neuron_graph";
+import { rangeOf } from "../parts/numbers";
 import { fitting } from "./fitting";
 import { classesOf, numbered, predictionsOf, valuesOf } from "./labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
 import { shownBySelection, shownOfSaved } from "./origin";
 import { savedNotice } from "./saved_notice";
 import type { Selection } from "./selection";
-import type { ProtocolData, RunData, SystemReport, TrainedData } from "./unpacked";
+import type { ProtocolData, RunData, SystemReport } from "./unpacked";
 import { hasOneMap, systemName } from "./words";
 
 export interface MapSizes {
@@ -25,17 +27,25 @@ const kSizes: MapSizes = { large: 520, small: 300 };
 
 /** Names of files begin with `prefix`, so that the same map may be on the page twice. */
 export function mapFigures(selection: Selection, sizes = kSizes, prefix = ""): HTMLElement[] {
-  const { grid, trained } = selection.system;
-  const name = `${prefix}${systemName(selection.system)}`;
+  const { system } = selection;
+  const name = `${prefix}${systemName(system)}`;
   const figures = [winnersFigure(selection, name, fitting(sizes.large))];
-  if (grid && (trained?.u_matrix.length ?? 0) > 0) figures.push(uMatrixFigure(selection, name, grid, fitting(sizes.small)));
-  if (grid) figures.push(hitsFigure(selection, name, grid, fitting(sizes.small)));
+  const stored = system.protocols.some(({ runs }) => runs.some(({ map }) => map !== undefined));
+  if (stored || (system.grid && (system.trained?.u_matrix.length ?? 0) > 0)) {
+    figures.push(uMatrixFigure(selection, name, fitting(sizes.small)));
+  }
+  if (stored || system.grid) figures.push(hitsFigure(selection, name, fitting(sizes.small)));
   return figures;
 }
 
+/** Maps that grow differ in their neurons, so that the winners on several have no common picture. */
+export function canDraw({ grid, map, system }: Selection): boolean {
+  const type = system.graph?.modules.find(({ name }) => name === system.graph?.map)?.type ?? "";
+  return grid !== null && (map !== null || !type.startsWith("growing_"));
+}
+
 function winnersFigure(selection: Selection, name: string, size: number): HTMLElement {
-  const { grid } = selection.system;
-  const torus = grid?.topology === "torus" ? " Opposite dotted borders are connected." : "";
+  const torus = selection.grid?.topology === "torus" ? " Opposite dotted borders are connected." : "";
   const options = {
     title: "Winners",
     file: `${name}-winners`,
@@ -58,13 +68,14 @@ export function winnersOf(
 }
 
 function drawWinners(selection: Selection, size: number): Drawn {
-  const { protocol, run, label, system } = selection;
-  if (!system.grid) return nothing("The map cannot be drawn because its shape is unknown.");
+  const { protocol, run, label, system, grid } = selection;
+  if (!grid) return nothing("The map cannot be drawn because its shape is unknown.");
   if (!protocol || !run) return nothing("This protocol has no runs.");
+  if (!canDraw(selection)) return nothing(kGrownApart);
   const winners = winnersOf(system, protocol, run, label);
   if (!winners) return nothing(`The label ${label} is unknown for the samples of this run.`);
   const { words } = shownBySelection(selection);
-  const picture = labelsPicture(system.grid, {
+  const picture = labelsPicture(grid, {
     ...winners,
     label: `Winners: ${words}`,
     size,
@@ -75,7 +86,7 @@ function drawWinners(selection: Selection, size: number): Drawn {
   return {
     body: [element("p", { class: "small what" }, [words]), picture.element, folds],
     svg: picture.svg,
-    table: winnersTable(system.grid, run.winners, values, predictionsOf(protocol, run, label)),
+    table: winnersTable(grid, run.winners, values, predictionsOf(protocol, run, label)),
     map: picture,
   };
 }
@@ -83,54 +94,68 @@ function drawWinners(selection: Selection, size: number): Drawn {
 const kManyMaps =
   "Each sample was tested on a separate map trained without it: positions on different maps are not comparable, and no areas are drawn.";
 
+const kGrownApart =
+  "Each sample was tested on a separate map trained without it. Maps that grow differ in their neurons, so that the winners cannot be drawn together.";
+
 function winnersTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
-  const columns = ["sample", "winner", "row", "column", "class", "named"];
+  const columns = ["sample", "winner", ...placeColumns(grid), "class", "named"];
   const rows = winners.map((winner, i) => [
     i + 1,
     winner + 1,
-    rowOf(grid, winner) + 1,
-    columnOf(grid, winner) + 1,
+    ...placeIn(grid, winner),
     values[i] ?? "",
     named?.[i] ?? null,
   ]);
   return { columns, rows };
 }
 
-function uMatrixFigure(selection: Selection, name: string, grid: GridData, size: number): HTMLElement {
+function uMatrixFigure(selection: Selection, name: string, size: number): HTMLElement {
   const options = {
     title: "U-matrix",
     file: `${name}-u-matrix`,
     note: "The mean distance between a neuron's weights and those of its neighbours: light ridges separate different samples. A marker is the class of most samples that a neuron wins.",
-    about: () => (selection.isOfSavedMap ? shownBySelection(selection) : shownOfSaved(selection.system)),
+    about: () => (isOfWinners(selection) ? shownBySelection(selection) : shownOfSaved(selection.system)),
   };
-  return liveFigure(options, selection, () => drawUMatrix(selection, grid, size));
+  return liveFigure(options, selection, () => drawUMatrix(selection, size));
+}
+
+/** Whether the U-matrix is that of the selected winners; otherwise it is that of the saved system. */
+function isOfWinners({ map, isOfSavedMap }: Selection): boolean {
+  return map !== null || isOfSavedMap;
 }
 
 /** Markers are only drawn for winners on the same map. */
-function drawUMatrix(selection: Selection, grid: GridData, size: number): Drawn {
-  const { system, isOfSavedMap } = selection;
-  const distances = (system.trained as TrainedData).u_matrix;
-  const onChoose = (neuron: number) => (isOfSavedMap ? selection.setNeuron(neuron) : undefined);
+function drawUMatrix(selection: Selection, size: number): Drawn {
+  const { system, map } = selection;
+  const grid = map?.grid ?? system.grid;
+  const distances = map?.u_matrix ?? system.trained?.u_matrix ?? [];
+  if (!grid || distances.length === 0) return nothing("The samples were tested on different maps, and no trained system was saved.");
+  const isOwn = isOfWinners(selection);
+  const onChoose = (neuron: number) => (isOwn ? selection.setNeuron(neuron) : undefined);
   const picture = valuesPicture(grid, { label: "U-matrix", unit: "distance", size, onChoose });
-  picture.setValues(distances);
-  const marks = marksOf(selection, grid);
+  const edges = map?.edge_distances ?? [];
+  const range = rangeOf([...distances, ...edges]) ?? [0, 1];
+  picture.setValues(distances, range);
+  picture.setEdges(edges, range);
+  const marks = isOwn ? marksOf(selection, grid) : null;
   if (marks) picture.setMarks(marks.classes, marks.names);
   const table = neuronTable(grid, ["distance", "class"], (i) => [
     distances[i] ?? null,
     marks?.names[marks.classes[i] ?? -1] ?? null,
   ]);
+  const words = element("p", { class: "small what" }, [shownBySelection(selection).words]);
   return {
-    body: [savedNotice(selection), picture.element],
+    body: [isOwn ? words : savedNotice(selection), picture.element],
     svg: picture.svg,
     table,
-    ...(isOfSavedMap ? { map: picture } : {}),
+    ...(isOwn ? { map: picture } : {}),
   };
 }
 
 /** The class of most samples that each neuron wins, of equals the first. */
 function marksOf(selection: Selection, grid: GridData): { classes: (number | null)[]; names: readonly string[] } | null {
-  const { system, protocol, run, label, isOfSavedMap } = selection;
-  const won = isOfSavedMap && protocol && run ? winnersOf(system, protocol, run, label) : null;
+  const { system, protocol, run, label } = selection;
+  const won = protocol && run ? winnersOf(system, protocol, run, label) : null;
   if (!won) return null;
   const counts = Array.from({ length: neuronCount(grid) }, () => new Map<number, number>());
   won.winners.forEach((winner, i) => {
@@ -141,14 +166,14 @@ function marksOf(selection: Selection, grid: GridData): { classes: (number | nul
   return { classes: counts.map((of) => most(of)?.[0] ?? null), names: won.names };
 }
 
-function hitsFigure(selection: Selection, name: string, grid: GridData, size: number): HTMLElement {
+function hitsFigure(selection: Selection, name: string, size: number): HTMLElement {
   const options = { title: "Hits", file: `${name}-hits`, note: "Number of samples won by each neuron." };
-  return liveFigure(options, selection, () => drawHits(selection, grid, size));
+  return liveFigure(options, selection, () => drawHits(selection, size));
 }
 
-function drawHits(selection: Selection, grid: GridData, size: number): Drawn {
-  const { protocol, run } = selection;
-  if (!protocol || !run) return nothing("This protocol has no runs.");
+function drawHits(selection: Selection, size: number): Drawn {
+  const { protocol, run, grid } = selection;
+  if (!protocol || !run || !grid) return nothing("This protocol has no runs.");
   if (!hasOneMap(protocol)) return nothing("The samples were tested on different maps, whose neurons are not comparable.");
   const hits = new Array<number>(neuronCount(grid)).fill(0);
   for (const winner of run.winners) hits[winner] = (hits[winner] ?? 0) + 1;
@@ -169,9 +194,12 @@ export function neuronTable(
 ): Table {
   const rows = Array.from({ length: neuronCount(grid) }, (_, i) => [
     i + 1,
-    rowOf(grid, i) + 1,
-    columnOf(grid, i) + 1,
+    ...placeIn(grid, i),
     ...cells(i),
   ]);
-  return { columns: ["neuron", "row", "column", ...columns], rows };
+  return { columns: ["neuron", ...placeColumns(grid), ...columns], rows };
 }
+
+const placeColumns = (grid: GridData) => (graphOf(grid) ? [] : ["row", "column"]);
+const placeIn = (grid: GridData, neuron: number) =>
+  graphOf(grid) ? [] : [rowOf(grid, neuron) + 1, columnOf(grid, neuron) + 1];

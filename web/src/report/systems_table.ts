@@ -65,7 +65,10 @@ export function claimsOf(system: SystemReport, data: ReportData): ClaimReport[] 
 
 function claimsWords(claims: ClaimReport[]): string {
   if (claims.length === 0) return "–";
-  return `${holding(claims)} of ${claims.length}`;
+  const decided = claims.filter((claim) => claim.verdict !== "cannot be decided here").length;
+  const open = claims.length - decided;
+  if (decided === 0) return `${open} undecided`;
+  return `${holding(claims)} of ${decided}${open > 0 ? `, ${open} undecided` : ""}`;
 }
 
 function holding(claims: ClaimReport[]): number {

@@ -6,15 +6,20 @@ import type { SystemReport } from "./unpacked";
 import { systemName } from "./words";
 
 export function notGivenFigure(system: SystemReport): Child {
-  const rows = system.not_given.map((one) => [one.part, one.name, one.value, one.text]);
+  const rows = system.not_given.map((one) => [one.part, one.name, one.value, withoutRemark(one.text)]);
   return figure({
-    title: "Settings not given in the paper",
+    title: "Values of these settings",
     file: `${systemName(system)}-not-given`,
     body: plainTable("Not given", ["module", "setting", "value", "meaning"], rows, 3),
     numbers: () => ({ columns: ["part", "setting", "value", "text"], rows }),
-    note: "The papers do not specify these settings; the values are our choices.",
+    note: "The papers do not specify these settings. Their values are assumptions.",
     wide: true,
   });
+}
+
+/** The heading states for all settings that they are not given. */
+function withoutRemark(text: string): string {
+  return text.replace(/[.;]\s*not given in the papers?\.$/i, ".");
 }
 
 /** A table of words; the first `codes` columns are as in the file. */

@@ -4,7 +4,7 @@
 import type { NumberOrNull } from "../parts/data";
 import type * as file from "./data";
 
-export type { ClaimReport, CurveReport, MetricData, NotGiven, ProtocolData, RunData } from "./data";
+export type { ClaimReport, CurveReport, MetricData, NotGiven } from "./data";
 
 export type Unpacked<T> = T extends file.PackedRows
   ? NumberOrNull[][]
@@ -20,6 +20,9 @@ export type Unpacked<T> = T extends file.PackedRows
 
 export type MomentChannel = Unpacked<file.MomentChannel>;
 export type MomentData = Unpacked<file.MomentData>;
+export type ProtocolData = Unpacked<file.ProtocolData>;
+export type RunData = Unpacked<file.RunData>;
+export type RunMap = Unpacked<file.RunMap>;
 export type ReceptiveFields = Unpacked<file.ReceptiveFields>;
 export type TrainedData = Unpacked<file.TrainedData>;
 export type SystemReport = Omit<Unpacked<file.SystemReport>, "moments"> & {

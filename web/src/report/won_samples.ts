@@ -1,8 +1,8 @@
 // The samples that the selected neuron wins, each with a button that plays its exploration.
 
 import { element, fill, type Child } from "../parts/dom";
-import { placeOf } from "../parts/grid";
-import { countOf } from "../parts/numbers";
+import { neuronWords } from "../parts/grid";
+import { capital, countOf } from "../parts/numbers";
 import { valuesOf } from "./labels";
 import type { Samples } from "./samples";
 import type { Selection } from "./selection";
@@ -18,11 +18,11 @@ export function wonSamples(selection: Selection, samples: Samples, onPlay: () =>
 }
 
 function listed(selection: Selection, samples: Samples, onPlay: () => void): Child[] {
-  const { protocol, run, neuron, system, label } = selection;
-  if (!protocol || !run || !system.grid) return [];
+  const { protocol, run, neuron, system, label, grid } = selection;
+  if (!protocol || !run || !grid) return [];
   if (neuron === null) return [element("p", { class: "small muted" }, [kHint])];
   const won = run.winners.flatMap((winner, sample) => (winner === neuron ? [sample] : []));
-  const words = `The neuron at ${placeOf(system.grid, neuron)} wins ${countOf(won.length, "sample")}.`;
+  const words = `${capital(neuronWords(grid, neuron))} wins ${countOf(won.length, "sample")}.`;
   const names = valuesOf(system, protocol, run, label);
   // The samples of other recordings have no readings.
   const isRecording = protocol.protocol !== "test_data" && run.recording === system.recording;

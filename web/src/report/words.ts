@@ -1,5 +1,6 @@
 // The names of protocols and metrics in words. docs/reference/results.md defines every metric.
 
+import { capital } from "../parts/numbers";
 import type { ProtocolData, SystemReport } from "./unpacked";
 import type { Placed } from "./same_names";
 
@@ -83,7 +84,7 @@ export function metricName(metric: string): string {
   const [, own] = splitMetric(metric);
   const mapped = /^mapped_with (.+) (\S+)$/.exec(own);
   if (mapped) return `Samples of ${mapped[1]} among ${mapped[2]}`;
-  return kMetrics[own] ?? own.replaceAll("_", " ");
+  return kMetrics[own] ?? capital(own);
 }
 
 const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right)/;

@@ -1,13 +1,8 @@
-// The scale of touch: from 0 to a round number that the strongest touch of nine of ten touched
-// sensors does not exceed, so that one sensor does not darken all others. It covers the exploration
-// so far, or is fixed while it is held. Noise is not touch, so that the scale has a minimum for known
-// units.
+// The scale of touch while it is measured: that of touch_colours.ts for the exploration so far, or
+// fixed while it is held.
 
 import type { NumberOrNull } from "../parts/data";
-
-const kLeast: Record<string, number | undefined> = { N: 1 };
-const kShare = 0.9; // of the touched sensors
-const kNoise = 0.02; // of the strongest: a sensor below is not touched
+import { touchEnd } from "../parts/touch_colours";
 
 export class ForceScale {
   private most: number[] = []; // of each sensor
@@ -35,7 +30,7 @@ export class ForceScale {
   }
 
   get end(): number {
-    this.known ??= roundNumber(Math.max(usual(this.most), kLeast[this.measure] ?? 0));
+    this.known ??= touchEnd(this.most, this.measure);
     return this.known;
   }
 
@@ -47,19 +42,4 @@ export class ForceScale {
     this.most = [];
     this.known = null;
   }
-}
-
-/** The maximum of nine of ten of the touched sensors. */
-function usual(most: readonly number[]): number {
-  const strongest = Math.max(0, ...most.filter((one) => one > 0));
-  const touched = most.filter((one) => one > kNoise * strongest).sort((a, b) => a - b);
-  return touched[Math.ceil(kShare * touched.length) - 1] ?? 0;
-}
-
-/** 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten, not below `value`; 1 for nothing. */
-export function roundNumber(value: number): number {
-  if (!(value > 0) || !Number.isFinite(value)) return 1;
-  const power = 10 ** Math.floor(Math.log10(value));
-  const times = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((digit) => digit * power >= value * (1 - 1e-9)) ?? 10;
-  return Number((times * power).toPrecision(3));
 }

@@ -2,9 +2,9 @@
 
 import type { ChannelPlanes } from "../parts/data";
 import { element } from "../parts/dom";
-import { placeOf } from "../parts/grid";
+import { neuronWords } from "../parts/grid";
 import { handMap } from "../parts/hand_map";
-import { readable, withUnit } from "../parts/numbers";
+import { capital, readable, withUnit } from "../parts/numbers";
 import type { NeuronAnswer, State } from "./data";
 import { describe } from "./labels";
 import type { Model } from "./model";
@@ -14,8 +14,8 @@ const kMostNear = 5;
 
 export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): HTMLElement[] {
   const map = state.maps.find(({ module }) => module === answer.map);
-  const where = map === undefined ? `neuron ${answer.neuron + 1}` : placeOf(map.grid, answer.neuron);
-  const head = element("h3", {}, [`Neuron in ${where}`]);
+  const where = map === undefined ? `neuron ${answer.neuron + 1}` : neuronWords(map.grid, answer.neuron);
+  const head = element("h3", {}, [capital(where)]);
   const says =
     answer.answer === null ? "Class: none" : `Class: ${answer.answer}`;
   const planes = [...answer.planes]

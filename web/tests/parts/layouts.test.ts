@@ -3,7 +3,7 @@ import { describe, expect, test } from "vitest";
 import type { ModuleData } from "../../src/parts/data";
 import { graphLayout } from "../../src/parts/graph_layout";
 import { gridLayout, handLayout, rowSizes } from "../../src/parts/hand_layout";
-import { nearestTowards } from "../../src/parts/hand_map";
+import { nearestTowards } from "../../src/parts/towards";
 import { hull } from "../../src/parts/thing_picture";
 import { reportFixture } from "../report_fixture";
 import { randomNumbers } from "../report_runs";
@@ -143,7 +143,7 @@ describe("the layout of a hand", () => {
         [0, 1],
         [0, -1],
       ])
-        seen.add(nearestTowards(layout, at, dx!, dy!));
+        seen.add(nearestTowards(layout.dots, at, dx!, dy!));
     expect(seen.size).toBe(45);
   });
 });

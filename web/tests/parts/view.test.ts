@@ -3,10 +3,10 @@
 import { describe, expect, test } from "vitest";
 
 import { hex, lightness, parsed } from "../../src/parts/colour_maps";
-import { kRest, touchColour } from "../../src/parts/touch_colours";
+import { kRest, roundNumber, touchColour } from "../../src/parts/touch_colours";
 import type { Frame, Strips } from "../../src/view/data";
 import { DrawingBudget } from "../../src/view/drawing_budget";
-import { ForceScale, roundNumber } from "../../src/view/force_scale";
+import { ForceScale } from "../../src/view/force_scale";
 import { fingerGroups } from "../../src/view/finger_groups";
 import { gapsOf } from "../../src/view/gaps";
 import { geometryOf } from "../../src/view/geometry";

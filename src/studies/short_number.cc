@@ -1,4 +1,4 @@
-#include "report/short_number.h"
+#include "studies/short_number.h"
 
 #include <fmt/format.h>
 
