@@ -23,7 +23,7 @@ interface Card {
 
 /** Null if there is only one map. */
 export function galleryOf(groups: readonly Group[]): Child {
-  const systems = groups.flatMap((group) => group.systems);
+  const systems = groups.flatMap((group) => group.systems).filter(({ system }) => system.grid !== null);
   const [first] = groups;
   if (systems.length > 1) {
     const cards = systems.map(({ system, link }) => ({
@@ -41,7 +41,7 @@ const kMostRuns = 24;
 
 function galleryOfRuns({ id, systems: [only] }: Group): Child {
   const runs = only?.system.protocols[0]?.runs ?? [];
-  if (!only || runs.length < 2) return null;
+  if (!only?.system.grid || runs.length < 2) return null;
   const cards = runs.slice(0, kMostRuns).map((_, run): Card => {
     const selection = new Selection(only.system);
     selection.setRun(run);
