@@ -140,11 +140,12 @@ def solve(rows, goals):
     return [system[i][count] / system[i][i] for i in range(count)]
 
 
-def fit(rows, seconds):
-    """Coefficients that are not negative and have the least squares of relative errors."""
+def fit(rows, seconds, noise):
+    """Coefficients that are not negative and have the least squares of errors relative to the noise."""
     used = list(range(len(rows[0])))
     while True:
-        found = solve([[row[i] / goal for i in used] for row, goal in zip(rows, seconds)], [1.0] * len(rows))
+        found = solve([[row[i] / unit for i in used] for row, unit in zip(rows, noise)],
+                      [goal / unit for goal, unit in zip(seconds, noise)])
         if min(found) >= 0:
             return [found[used.index(i)] if i in used else 0.0 for i in range(len(rows[0]))]
         used.pop(found.index(min(found)))
@@ -163,10 +164,11 @@ class Model:
 
     def __init__(self, measured):
         self.measured = measured
-        self.compute = fit([terms(size) for size in FITTED], [self.of(size) for size in FITTED])
-        more = [max(self.of((2 * s, d, n), 2) - self.of((s, d, n)), 1e-6) for s, d, n in ALL_REDUCED]
-        self.reduce = fit([[1.0, sum_bytes(d, n)] for _, d, n in ALL_REDUCED], more)
-        self.reduced = more
+        alone = [self.of(size) for size in FITTED]
+        self.compute = fit([terms(size) for size in FITTED], alone, alone)
+        alone = [self.of(size) for size in ALL_REDUCED]
+        self.more = [self.of((2 * s, d, n), 2) - seconds for (s, d, n), seconds in zip(ALL_REDUCED, alone)]
+        self.reduce = fit([[1.0, sum_bytes(d, n)] for _, d, n in ALL_REDUCED], self.more, alone)
 
     def of(self, size, processes=1, threads=1):
         return median(self.measured[name_of({"size": size, "processes": processes, "threads": threads})])
@@ -205,8 +207,9 @@ def report(options):
     print("Nanoseconds for each")
     for name, seconds in zip(NAMES, model.compute):
         print(f"  {name}: {1e9 * seconds:.3g}")
-    print(f"All-reduce between two processes here: {1e6 * model.reduce[0]:.0f} us and {1 / model.reduce[1] / 1e9:.2f} GB/s"
-          if model.reduce[1] > 0 else f"All-reduce between two processes here: {1e6 * model.reduce[0]:.0f} us")
+    print(f"All-reduce between two processes here: {1e6 * model.reduce[0]:.0f} us and {1e9 * model.reduce[1]:.2f} ns per byte")
+    for (_, dimensions, neurons), seconds in zip(ALL_REDUCED, model.more):
+        print(f"  {sum_bytes(dimensions, neurons)} bytes: {1e3 * seconds:.2f} ms")
     for title, sizes in (("Fitted", FITTED), ("Left out", LEFT_OUT)):
         print(title)
         for size in sizes:

@@ -8,6 +8,7 @@ namespace somato {
 
 JoinedNumbers::JoinedNumbers(std::vector<std::unique_ptr<NumberSource>> files)
     : files_(std::move(files)) {
+  places_.reserve(files_.size());
   for (const auto& file : files_) places_.push_back(file->extent());
 }
 

@@ -190,13 +190,14 @@ def check_few(cases):
 
 
 def check_all(cases):
-    kinds = itertools.product(SOURCES, ["euclidean", "dot_product"], ["plane", "torus"])
-    for source, similarity, topology in kinds:
+    kinds = [*itertools.product(["dense", "sparse"], ["euclidean", "dot_product"], ["plane", "torus"]),
+             ("text", "euclidean", "torus"), ("text", "dot_product", "plane")]
+    resumed = itertools.cycle([(2, 3), (4, 1), (3, 7), (7, 2)])
+    for (source, similarity, topology), (processes, then) in zip(kinds, resumed):
         case = cases(source, ["--similarity", similarity, "--topology", topology])
-        for processes in (2, 3, 4, 7):
-            case.check(processes)
-        for processes, then in ((2, 3), (4, 1), (3, 7)):
-            case.check_killed(processes, then)
+        for number in (2, 3, 4, 7):
+            case.check(number)
+        case.check_killed(processes, then)
         yield case
     case = cases("dense", [])
     case.check_stopped(2, LOGGED + 1)
