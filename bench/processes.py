@@ -164,11 +164,11 @@ class Model:
 
     def __init__(self, measured):
         self.measured = measured
-        alone = [self.of(size) for size in FITTED]
-        self.compute = fit([terms(size) for size in FITTED], alone, alone)
-        alone = [self.of(size) for size in ALL_REDUCED]
-        self.more = [self.of((2 * s, d, n), 2) - seconds for (s, d, n), seconds in zip(ALL_REDUCED, alone)]
-        self.reduce = fit([[1.0, sum_bytes(d, n)] for _, d, n in ALL_REDUCED], self.more, alone)
+        single = [self.of(size) for size in FITTED]
+        self.compute = fit([terms(size) for size in FITTED], single, single)
+        single = [self.of(size) for size in ALL_REDUCED]
+        self.more = [self.of((2 * s, d, n), 2) - seconds for (s, d, n), seconds in zip(ALL_REDUCED, single)]
+        self.reduce = fit([[1.0, sum_bytes(d, n)] for _, d, n in ALL_REDUCED], self.more, single)
 
     def of(self, size, processes=1, threads=1):
         return median(self.measured[name_of({"size": size, "processes": processes, "threads": threads})])
