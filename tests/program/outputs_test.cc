@@ -78,7 +78,8 @@ TEST_F(Outputs, AreNotWhatIsReadUnderAnotherName) {
   fs::create_hard_link(path("data.csv"), path("hard"));
   fs::create_symlink("data.csv", path("soft"));
   for (const char* name : {"hard", "soft", "in/../data.csv"}) {
-    expect_refused(2, {"som", "train", "data.csv", "-o", name}, {"saving would overwrite DATA"});
+    expect_refused(2, {"som", "train", "data.csv", "-o", name},
+                   {"saving would overwrite one of DATA"});
   }
   fs::create_hard_link(path(trial()), path("hard_trial"));
   expect_refused(2, {"apply", "out/system.somato", "grasps", "-o", "hard_trial"},

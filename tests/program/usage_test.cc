@@ -24,7 +24,6 @@ TEST_F(Usage, UnknownCommandsAndFlagsNameTheNearest) {
            {"unknown flag '-z'", "see 'somato som train --help'"}},
           {{"som", "map", "m", "data.csv", "--labls", "x"}, {"som map: unknown flag '--labls'"}},
           {{"reference", "more"}, {"reference: unexpected argument 'more'"}},
-          {{"som", "train", "data.csv", "more", "-o", "x"}, {"unexpected argument 'more'"}},
           {{"run", "a", "b", "--data", "c", "--out", "d"}, {"unexpected argument 'b'"}}});
 }
 
