@@ -158,7 +158,8 @@ Result<std::vector<double>> numbers_from(const Archive& archive, const std::stri
     return damaged_model("'" + name + "' does not fit the map", where);
   }
   for (const double value : found->values) {
-    if (!(value >= least && value <= most)) {
+    const bool is_possible = value >= least && value <= most;  // false for NaN
+    if (!is_possible) {
       return damaged_model("'" + name + "' contains an invalid number", where);
     }
   }

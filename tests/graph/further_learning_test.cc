@@ -132,7 +132,9 @@ TEST(FurtherLearning, OriginsAreTheNumbersOfTheSameNeurons) {
     EXPECT_TRUE(std::is_sorted(known.begin(), known.end())) << kind;
     EXPECT_EQ(std::adjacent_find(known.begin(), known.end()), known.end()) << kind;
     EXPECT_TRUE(known.empty() || known.back() < before.rows()) << kind;
-    if (kind == "som") EXPECT_EQ(known, range(0, 12));
+    if (kind == "som") {
+      EXPECT_EQ(known, range(0, 12));
+    }
   }
 }
 
