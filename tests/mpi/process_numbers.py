@@ -192,7 +192,7 @@ def check_few(cases):
 def check_all(cases):
     kinds = [*itertools.product(["dense", "sparse"], ["euclidean", "dot_product"], ["plane", "torus"]),
              ("text", "euclidean", "torus"), ("text", "dot_product", "plane")]
-    resumed = itertools.cycle([(2, 3), (4, 1), (3, 7), (7, 2)])
+    resumed = [(2, 3), (4, 1), (3, 7), (7, 2), (2, 4), (3, 1), (4, 2), (2, 1), (3, 2), (4, 3)]
     for (source, similarity, topology), (processes, then) in zip(kinds, resumed):
         case = cases(source, ["--similarity", similarity, "--topology", topology])
         for number in (2, 3, 4, 7):
