@@ -166,7 +166,8 @@ std::vector<SeedOutcome> SystemRunner::seeds() const {
 
 Run SystemRunner::run_of(const SeedOutcome& seed) const {
   Run run{seed.seed, {}, {}, {}, {}, {}};
-  if (folds_.size() == 1) run.map = seed.folds.front()->map;
+  const TrainedMap& map = seed.folds.front()->map;
+  if (!map.u_matrix.empty()) run.map = map;
   run.winners.resize(tested_.size());
   for (std::size_t f = 0; f < folds_.size(); ++f) {
     const FoldOutcome& outcome = *seed.folds[f];

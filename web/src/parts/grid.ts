@@ -18,8 +18,8 @@ const kSquare: readonly Point[] = [
   [0.5, 0.5],
   [-0.5, 0.5],
 ];
-const kDisc: readonly Point[] = Array.from({ length: 16 }, (_, i) => {
-  const angle = (i * Math.PI) / 8;
+const kDisc: readonly Point[] = Array.from({ length: 32 }, (_, i) => {
+  const angle = (i * Math.PI) / 16;
   return [0.36 * Math.cos(angle), 0.36 * Math.sin(angle)];
 });
 const kHexagon: readonly Point[] = [
