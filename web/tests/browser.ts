@@ -12,7 +12,8 @@ const kBuilt = process.env["SOMATO_WEB_OUT"] ?? join(kHere, "..", "dist");
 
 export async function launchBrowser(): Promise<Browser> {
   const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
-  const args = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+  // Without a graphics processor, Chromium paints the page itself; only three dimensions are drawn by SwiftShader.
+  const args = ["--no-sandbox", "--enable-unsafe-swiftshader"];
   return chromium.launch({ executablePath, args });
 }
 
