@@ -7,7 +7,6 @@ usage: process_numbers.py --program SOMATO [--mpiexec MPIEXEC...] [--all]
 """
 
 import argparse
-import io
 import itertools
 import os
 import random
@@ -71,7 +70,6 @@ def write_sparse(folder):
         places += sorted(draw.sample(range(COLUMNS), 2))
         values += [draw.gauss(0, 1), draw.uniform(1, 50)]
         starts.append(len(places))
-    name = io.BytesIO(b"csr")
     header = b"{'descr': '|S3', 'fortran_order': False, 'shape': (), }"
     header += b" " * (-(len(header) + 11) % 64) + b"\n"
     with zipfile.ZipFile(folder / "rows.npz", "w", zipfile.ZIP_DEFLATED) as archive:
@@ -79,7 +77,7 @@ def write_sparse(folder):
         archive.writestr("indptr.npy", array("i4", (len(starts),), starts))
         archive.writestr("shape.npy", array("i4", (2,), [ROWS, COLUMNS]))
         archive.writestr("data.npy", array("f8", (len(values),), values))
-        archive.writestr("format.npy", b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + name.read())
+        archive.writestr("format.npy", b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + b"csr")
     return ["rows.npz"]
 
 
