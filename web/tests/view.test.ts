@@ -49,7 +49,7 @@ describe("what it shows", () => {
     );
     const touch = frame.channels["touch"]!.map(Number);
     const at = touch.indexOf(Math.max(...touch));
-    expect(await words(view.page, "[data-channel=touch] .strip-values")).toBe(
+    await soon(() => words(view.page, "[data-channel=touch] .strip-values")).toBe(
       `max ${digits(touch[at]!)} at ${kTaxels[at]}`,
     );
     expect(await words(view.page, ".time")).toBe("4.0 s / 5.9 s");

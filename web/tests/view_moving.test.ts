@@ -125,7 +125,7 @@ describe("the strips", () => {
     await soon(() => words(view.page, "[data-channel=touch] .strip-values")).toContain(
       `${kTaxels[taxel]}: ${digits(felt["touch"]![taxel]!)} N at 4.0 s`,
     );
-    expect(await view.page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(
+    await soon(() => view.page.locator("[data-channel=joints] .strip-value .number").allInnerTexts()).toEqual(
       felt["joints"]!.map(digits),
     );
   });

@@ -133,10 +133,10 @@ it("shows what the recording holds", async () => {
       degrees.map(digits),
     );
     const touch = framesOf(exploration, "touch")[frame]!;
-    expect(await words(page, "[data-channel=touch] .strip-values")).toContain(
+    await soon(() => words(page, "[data-channel=touch] .strip-values")).toContain(
       `max ${digits(Math.max(...touch))} at`,
     );
-    expect(await words(page, "[data-channel=height] .strip-value .number")).toBe(
+    await soon(() => words(page, "[data-channel=height] .strip-value .number")).toBe(
       digits(framesOf(exploration, "height")[frame]![0]!),
     );
   }
