@@ -53,7 +53,7 @@ TEST_F(Completion, KnowsFlagsAndTheirValues) {
 
 TEST_F(Completion, KnowsNames) {
   EXPECT_EQ(completed({"run", "t_mpsom_a"}), (Words{"t_mpsom_added", "t_mpsom_added_icub"}));
-  EXPECT_EQ(completed({"run", "--seeds", "3", "fabric"}), (Words{"fabricslide"}));
+  EXPECT_EQ(completed({"run", "--seeds", "3", "fabrics"}), (Words{"fabricslide"}));
   EXPECT_EQ(completed({"reproduce", "texture", "hardn"}),
             (Words{"hardness", "hardness_acoustic", "hardness_from_texture", "hardness_hkust"}));
   EXPECT_EQ(completed({"modules", "one"}), (Words{"one_hot"}));
