@@ -33,7 +33,7 @@ struct Reading {
   std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
   std::vector<std::pair<std::size_t, MapReading>> maps;
   std::vector<Candidate> candidates;   ///< The nearest, which is the answer, first; or none.
-  std::optional<double> novelty = {};  ///< Of the nearest, if the system has a threshold.
+  std::optional<double> novelty = {};  ///< That of the nearest, if there is a threshold.
 
   /// The name that is read: that of the nearest class, or "unknown" if it is too far. There must be
   /// a candidate.

@@ -99,7 +99,8 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
   require(samples.classes.size() == samples.samples, "k_folds needs a class for each sample");
   require(samples.folds >= 2 && samples.folds <= samples.samples,
           "k_folds needs at least one sample per fold");
-  return protocol == Protocol::kFolds ? folds_of_parts(deal(samples)) : class_folds(samples);
+  return protocol == Protocol::kLeaveClassOut ? class_folds(samples)
+                                              : folds_of_parts(deal(samples));
 }
 
 }  // namespace somato

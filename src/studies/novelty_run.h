@@ -40,8 +40,8 @@ class LabelledMap {
   const ExplorationValues& inputs_;
   std::vector<std::size_t> classes_;  ///< Those of the training explorations.
   std::size_t count_;                 ///< The number of classes.
-  std::vector<std::size_t> places_;   ///< Of the training explorations among the inputs.
-  std::vector<std::size_t> winners_;  ///< Theirs.
+  std::vector<std::size_t> places_;   ///< The places of these among the inputs.
+  std::vector<std::size_t> winners_;  ///< The winners of these.
   NeuronLabels labels_;
 };
 
