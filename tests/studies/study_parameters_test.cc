@@ -113,7 +113,7 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
                        "study.toml:6: unknown key 'formats'; did you mean 'format'?");
   expect_study_refused("[study]\nname = \"n\"\nprotocols = [\"leave_one_in\"]\n",
                        "study.toml:3: 'protocols' must be one of train_is_test, leave_one_out, "
-                       "leave_group_out, k_folds, "
+                       "leave_group_out, leave_class_out, k_folds, "
                        "object_after_object, test_data, not \"leave_one_in\"; did you mean "
                        "'leave_one_out'?");
 }
