@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,15 +51,24 @@ Result<Table> answer_of(const SystemModel& model, const Som& som, const SignalVi
   }
   SomWorkspace workspace;
   const std::size_t winner = som.winner(input, workspace);
-  const std::size_t label = model.answer->labels.classify(som, input, workspace);
-  const std::string& name = model.answer->label;
-  return Table{
+  const SystemAnswer& answer = *model.answer;
+  const std::size_t nearest = som.winner_among(answer.labels.labelled(), input, workspace);
+  const std::size_t label = *answer.labels[nearest];
+  const std::string& name = answer.label;
+  std::optional<double> novelty;
+  if (answer.novelty) novelty = answer.novelty->of(label, som.distance(input, nearest, workspace));
+  const bool unknown = novelty && is_unknown(*novelty);
+  Table table{
       {},
       {entry("exploration", number), entry("source", exploration.source), entry("winner", winner),
        entry("row", som.grid().row_of(winner)), entry("column", som.grid().column_of(winner)),
        entry("distance", som.distance(input, winner, workspace)),
-       entry(name, model.answer->classes[label]),
+       entry(name, unknown ? std::string(kUnknownAnswer) : answer.classes[label]),
        entry("given_" + name, find_label(exploration, name).value_or(""))}};
+  if (!novelty) return table;
+  table.entries.push_back(entry("novelty", *novelty));
+  table.entries.push_back(entry("nearest_" + name, answer.classes[label]));
+  return table;
 }
 
 std::string csv_cell(const Table::Entry& cell) {

@@ -28,7 +28,7 @@ const live::MapReading* answering(const live::SaidReading& said) {
 
 std::optional<std::string> value_of(const live::SaidReading& said) {
   if (said.reading == nullptr || said.reading->candidates.empty()) return {};
-  return said.model.answer->classes[said.reading->candidates.front().number];
+  return said.reading->name(said.model.answer->classes);
 }
 
 Json reading_json(const live::SaidReading& said, bool is_final) {
@@ -41,6 +41,10 @@ Json reading_json(const live::SaidReading& said, bool is_final) {
   line["value"] = value ? Json(*value) : Json();
   line["confidence"] = value ? Json(said.reading->confidence()) : Json();
   line["distance"] = map != nullptr ? Json(map->distance) : Json();
+  if (value && said.reading->novelty) {
+    line["novelty"] = *said.reading->novelty;
+    line["nearest"] = said.model.answer->classes[said.reading->candidates.front().number];
+  }
   line["winner"] = map != nullptr ? Json(map->winner) : Json();
   line["final"] = is_final;
   return line;

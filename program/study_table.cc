@@ -49,8 +49,9 @@ std::string mean_of(const ProtocolResults& system, const std::string& name) {
 std::string main_metrics(const ProtocolResults& system) {
   std::string text =
       fmt::format("  {:<20} {:<18} {:<10} {}\n", "", "map", "by chance", "nearest neighbour");
-  for (const std::string name : {"accuracy", "individuals_apart", "areas_connected",
-                                 "quantization_error", "topographic_error"}) {
+  for (const std::string name :
+       {"accuracy", "unknown_auroc", "unknown_noticed", "unknown_false_alarms", "individuals_apart",
+        "areas_connected", "quantization_error", "topographic_error"}) {
     const Metric* metric = system.find_metric(name);
     if (metric == nullptr) continue;
     std::string row =

@@ -87,6 +87,7 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
     answer.votes.add(som.winners(inputs, i, workspace).first, classes[i]);
   }
   answer.labels = answer.votes.labels();
+  if (answer.novelty) answer.novelty->add_classes(answer.classes.size());
   model.answer = std::move(answer);
   return {};
 }

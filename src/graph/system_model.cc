@@ -8,6 +8,7 @@
 #include "graph/labels_part.h"
 #include "graph/model_parts.h"
 #include "graph/modules/map_module.h"
+#include "graph/novelty_part.h"
 #include "maps/map_parts.h"
 #include "somato/core/check.h"
 
@@ -99,6 +100,8 @@ void require_fit(const System& system, const SystemAnswer& answer) {
   require(answer.votes.neurons() == 0 || (answer.votes.labels() == answer.labels &&
                                           answer.votes.classes() <= answer.classes.size()),
           "the labels of an answer must be those of its votes");
+  require(!answer.novelty || answer.novelty->scales.size() == answer.classes.size(),
+          "a threshold for unknown inputs needs a scale for each class");
 }
 
 Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
@@ -109,6 +112,7 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   if (som == nullptr) return damaged_model("the output map is missing", where);
   SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
   part.answer.labels = std::move(labels);
+  SOMATO_TRY(part.answer.novelty, novelty_from(archive, part.answer.classes.size(), where));
   if (!archive.find("votes")) return std::move(part.answer);
   SOMATO_TRY(auto votes, votes_from(archive, som->neurons(), part.answer.classes.size(), where));
   if (votes.labels() != part.answer.labels) {
@@ -132,6 +136,7 @@ Archive archive_of(const System& system, const std::optional<SystemAnswer>& answ
     if (answer->votes.neurons() > 0) {
       archive.add("votes", votes_array(answer->votes, answer->classes.size()));
     }
+    if (answer->novelty) add_novelty(archive, *answer->novelty);
   }
   return archive;
 }

@@ -31,6 +31,11 @@ std::vector<std::size_t> all_modules(const System& system) {
 
 }  // namespace
 
+std::string Reading::name(const std::vector<std::string>& classes) const {
+  return novelty && is_unknown(*novelty) ? std::string(kUnknownAnswer)
+                                         : classes[candidates.front().number];
+}
+
 double Reading::confidence() const {
   if (candidates.size() < 2) return candidates.empty() ? 0.0 : 1.0;
   const double nearest = candidates[0].distance;
@@ -118,6 +123,11 @@ Result<std::optional<Reading>> SystemReading::read() {
     }
   }
   reading.candidates = candidates(input_of(map_));
+  const auto& novelty = model_->answer->novelty;
+  if (novelty && !reading.candidates.empty()) {
+    const Candidate& nearest = reading.candidates.front();
+    reading.novelty = novelty->of(nearest.number, nearest.distance);
+  }
   return std::optional<Reading>(std::move(reading));
 }
 

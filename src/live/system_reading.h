@@ -32,7 +32,12 @@ struct Candidate {
 struct Reading {
   std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
   std::vector<std::pair<std::size_t, MapReading>> maps;
-  std::vector<Candidate> candidates;  ///< The nearest, which is the answer, first; or none.
+  std::vector<Candidate> candidates;   ///< The nearest, which is the answer, first; or none.
+  std::optional<double> novelty = {};  ///< That of the nearest, if there is a threshold.
+
+  /// The name that is read: that of the nearest class, or "unknown" if it is too far. There must be
+  /// a candidate.
+  std::string name(const std::vector<std::string>& classes) const;
 
   /// How much nearer the nearest class is than the next: 0 equally near, 1 far; 1 without a next.
   double confidence() const;

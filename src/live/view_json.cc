@@ -95,7 +95,7 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
   const std::vector<std::string>& classes = model->answer->classes;
   const auto name = [&](const Candidate& one) { return json_text(Json(classes[one.number])); };
   text.open('{');
-  text.key("answer").add("{}", name(reading->candidates.front()));
+  text.key("answer").add("{}", json_text(Json(reading->name(classes))));
   text.key("confidence").finite("{:.6g}", reading->confidence());
   text.key("candidates").open('[');
   for (const Candidate& one : reading->candidates) {

@@ -12,6 +12,7 @@
 #include "somato/studies/results.h"
 #include "studies/exploration_samples.h"
 #include "studies/forgetting.h"
+#include "studies/novelty_measures.h"
 #include "studies/prepared_study.h"
 
 namespace somato {
@@ -50,6 +51,7 @@ struct FoldOutcome {
   ObjectsOutcome objects = {};          ///< Only with object_after_object.
   std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
                                         ///< votes name.
+  NoveltyOutcome novelty = {};          ///< Only with leave_class_out.
 
   bool operator==(const FoldOutcome&) const = default;
 };

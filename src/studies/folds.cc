@@ -1,6 +1,7 @@
 #include "studies/folds.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -51,6 +52,24 @@ std::vector<std::size_t> deal(const FoldSamples& samples) {
   return parts;
 }
 
+// The number of the class in order, modulo the number of parts, is the part that is held out of the
+// other classes.
+std::vector<Fold> class_folds(const FoldSamples& samples) {
+  const std::vector<std::size_t> parts = deal(samples);
+  std::vector<Fold> classes = folds_of_parts(samples.classes);
+  require(classes.size() >= 2, "leave_class_out needs at least two classes");
+  for (std::size_t number = 0; number < classes.size(); ++number) {
+    Fold& fold = classes[number];
+    const auto is_held_out = [&](std::size_t sample) {
+      return parts[sample] == number % samples.folds;
+    };
+    std::copy_if(fold.training.begin(), fold.training.end(), std::back_inserter(fold.known),
+                 is_held_out);
+    std::erase_if(fold.training, is_held_out);
+  }
+  return classes;
+}
+
 }  // namespace
 
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
@@ -72,6 +91,7 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
       require(groups.size() >= 2, "leave_group_out needs at least two groups");
       return groups;
     }
+    case Protocol::kLeaveClassOut:
     case Protocol::kFolds:
     case Protocol::kObjectAfterObject:
       break;
@@ -79,7 +99,8 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
   require(samples.classes.size() == samples.samples, "k_folds needs a class for each sample");
   require(samples.folds >= 2 && samples.folds <= samples.samples,
           "k_folds needs at least one sample per fold");
-  return folds_of_parts(deal(samples));
+  return protocol == Protocol::kLeaveClassOut ? class_folds(samples)
+                                              : folds_of_parts(deal(samples));
 }
 
 }  // namespace somato

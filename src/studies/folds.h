@@ -12,6 +12,8 @@ namespace somato {
 struct Fold {
   std::vector<std::size_t> training;
   std::vector<std::size_t> test;
+  std::vector<std::size_t> known = {};  ///< Neither: held out of the training, of its classes; for
+                                        ///< leave_class_out.
 
   bool operator==(const Fold&) const = default;
 };
@@ -22,14 +24,15 @@ struct FoldSamples {
   std::size_t test_samples =
       0;  ///< The size of a separate recording, whose samples are numbered after the others.
   std::vector<std::size_t> groups = {};   ///< One per sample, for leave_group_out.
-  std::vector<std::size_t> classes = {};  ///< One per sample, for folds.
-  std::size_t folds = 10;                 ///< For folds.
+  std::vector<std::size_t> classes = {};  ///< One per sample, for folds and leave_class_out.
+  std::size_t folds = 10;                 ///< For folds and leave_class_out.
   std::uint64_t seed = 1;                 ///< The seed of the assignment to folds.
 };
 
 /// The folds of a protocol; every test sample is tested in exactly one. Throws InvalidArgument if
 /// there are too few samples: 1 for train_is_test and test_data, otherwise 2; 2 groups for
-/// leave_group_out; as many samples as folds; a test sample for test_data.
+/// leave_group_out; 2 classes for leave_class_out; as many samples as folds; a test sample for
+/// test_data. The known samples of a fold of leave_class_out are those of a part of k_folds.
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples);
 
 }  // namespace somato

@@ -113,24 +113,49 @@ ObjectsOutcome objects_of(const SortedJson& json) {
   return objects;
 }
 
+// The lists of scores in a fixed order, for writing and for reading.
+template <typename Outcome, typename Visit>
+void for_each_score(Outcome& novelty, const Visit& visit) {
+  for (auto* scores : {&novelty.known, &novelty.unknown}) {
+    visit(scores->novelty);
+    visit(scores->distance);
+    visit(scores->nearest);
+  }
+}
+
+SortedJson json_of(const NoveltyOutcome& novelty) {
+  SortedJson json = SortedJson::array();
+  for_each_score(novelty, [&](const std::vector<double>& scores) { json.push_back(scores); });
+  return json;
+}
+
+NoveltyOutcome novelty_of(const SortedJson& json) {
+  NoveltyOutcome novelty;
+  std::size_t place = 0;
+  for_each_score(novelty, [&](std::vector<double>& scores) { json.at(place++).get_to(scores); });
+  return novelty;
+}
+
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
-  return {{"protocol", protocol},
-          {"training", training},
-          {"training_winners", outcome.training_winners},
-          {"winners", outcome.winners},
-          {"named_by", outcome.named_by},
-          {"nearest_raw", outcome.nearest.raw},
-          {"nearest_standardized", outcome.nearest.standardized},
-          {"summed_distance", outcome.summed_distance},
-          {"topographic_errors", outcome.topographic_errors},
-          {"altered", altered_json(outcome)},
-          {"recalled", outcome.recalled},
-          {"predictions", numbers_of(outcome.predictions)},
-          {"grid", detail::grid_json(outcome.map.grid)},
-          {"u_matrix", outcome.map.u_matrix},
-          {"edge_distances", outcome.map.edge_distances},
-          {"objects", json_of(outcome.objects)},
-          {"named", outcome.named}};
+  SortedJson content{{"protocol", protocol},
+                     {"training", training},
+                     {"training_winners", outcome.training_winners},
+                     {"winners", outcome.winners},
+                     {"named_by", outcome.named_by},
+                     {"nearest_raw", outcome.nearest.raw},
+                     {"nearest_standardized", outcome.nearest.standardized},
+                     {"summed_distance", outcome.summed_distance},
+                     {"topographic_errors", outcome.topographic_errors},
+                     {"altered", altered_json(outcome)},
+                     {"recalled", outcome.recalled},
+                     {"predictions", numbers_of(outcome.predictions)},
+                     {"grid", detail::grid_json(outcome.map.grid)},
+                     {"u_matrix", outcome.map.u_matrix},
+                     {"edge_distances", outcome.map.edge_distances},
+                     {"objects", json_of(outcome.objects)},
+                     {"named", outcome.named}};
+  if (outcome.novelty != NoveltyOutcome{}) content["novelty"] = json_of(outcome.novelty);
+  return content;
 }
 
 FoldOutcome outcome_of(const SortedJson& line) {
@@ -155,6 +180,7 @@ FoldOutcome outcome_of(const SortedJson& line) {
   line.at("edge_distances").get_to(outcome.map.edge_distances);
   outcome.objects = objects_of(line.at("objects"));
   line.at("named").get_to(outcome.named);
+  if (line.contains("novelty")) outcome.novelty = novelty_of(line.at("novelty"));
   return outcome;
 }
 

@@ -49,6 +49,7 @@ class MetricsMaker {
     }
     for (std::size_t i = 0; i < study_.prepared.alterations.size(); ++i) add_altered(i);
     prefix_.clear();
+    if (study_.protocol == Protocol::kLeaveClassOut) add_novelty();
     if (!recalls) describe_maps();
     add_predictions();
     return std::move(metrics_);
@@ -127,6 +128,40 @@ class MetricsMaker {
       add_accuracies(label.classes,
                      [&](const FoldOutcome& o) -> const auto& { return o.altered[alteration]; });
     }
+  }
+
+  // The scores of all folds of a seed are pooled, since one threshold fits all systems.
+  template <typename Measure>
+  void add_pooled(const std::string& name, const Measure& measure) {
+    add(name, [&](const SeedOutcome& seed) {
+      NoveltyOutcome pooled;
+      for (const FoldOutcome* fold : seed.folds) pooled.add(fold->novelty);
+      return measure(pooled.known, pooled.unknown);
+    });
+  }
+
+  // By one of the scores: how well it separates, and how many it notices at the false-alarm rate.
+  void add_separation(const std::string& before, const std::string& after,
+                      std::vector<double> NoveltyScores::* score) {
+    using Scores = const NoveltyScores&;
+    add_pooled(before + "unknown_auroc" + after, [&](Scores known, Scores unknown) {
+      return area_under_curve(known.*score, unknown.*score);
+    });
+    const double rate = study_.study.false_alarm_rate;
+    add_pooled(before + "unknown_noticed_at_rate" + after, [&](Scores known, Scores unknown) {
+      return noticed_at(known.*score, unknown.*score, rate);
+    });
+  }
+
+  void add_novelty() {
+    using Scores = const NoveltyScores&;
+    add_separation("", "", &NoveltyScores::novelty);
+    add_pooled("unknown_noticed",
+               [](Scores, Scores unknown) { return share_unknown(unknown.novelty); });
+    add_pooled("unknown_false_alarms",
+               [](Scores known, Scores) { return share_unknown(known.novelty); });
+    add_separation("", "_of_distance", &NoveltyScores::distance);
+    add_separation("baseline_", "", &NoveltyScores::nearest);
   }
 
   // The share of right classes expected if the named ones are in random order.

@@ -191,7 +191,8 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
     prepared.groups[label] = std::move(groups);
   }
   for (const Protocol protocol : study.protocols) {
-    const bool in_parts = protocol == Protocol::kFolds || protocol == Protocol::kObjectAfterObject;
+    const bool in_parts = protocol == Protocol::kFolds || protocol == Protocol::kLeaveClassOut ||
+                          protocol == Protocol::kObjectAfterObject;
     if (in_parts && study.folds > learned) {
       return fail(
           ErrorKind::kData,
@@ -299,17 +300,17 @@ std::vector<std::size_t> PreparedStudy::altered(const std::vector<std::size_t>& 
 }
 
 std::vector<std::size_t> PreparedStudy::used_by(const Fold& fold) const {
-  std::vector<std::size_t> used;
-  std::set_union(fold.training.begin(), fold.training.end(), fold.test.begin(), fold.test.end(),
-                 std::back_inserter(used));
   const std::vector<std::size_t> tested = tested_by(fold);
-  used.insert(used.end(), tested.begin() + static_cast<std::ptrdiff_t>(fold.test.size()),
-              tested.end());
+  std::vector<std::size_t> used;
+  std::set_union(fold.training.begin(), fold.training.end(), tested.begin(), tested.end(),
+                 std::back_inserter(used));
   return used;
 }
 
 std::vector<std::size_t> PreparedStudy::tested_by(const Fold& fold) const {
-  std::vector<std::size_t> tested = fold.test;
+  std::vector<std::size_t> tested;
+  std::merge(fold.test.begin(), fold.test.end(), fold.known.begin(), fold.known.end(),
+             std::back_inserter(tested));
   for (std::size_t i = 0; i < alterations.size(); ++i) {
     const std::vector<std::size_t> more = altered(fold.test, i);
     tested.insert(tested.end(), more.begin(), more.end());

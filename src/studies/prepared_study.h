@@ -60,7 +60,8 @@ struct PreparedStudy {
   /// The numbers of `explorations` as altered by alteration number `alteration`.
   std::vector<std::size_t> altered(const std::vector<std::size_t>& explorations,
                                    std::size_t alteration) const;
-  /// The test explorations of a fold, followed by those altered by each alteration.
+  /// The test explorations of a fold with its known ones, followed by those altered by each
+  /// alteration.
   std::vector<std::size_t> tested_by(const Fold& fold) const;
   /// These and the training explorations, ascending.
   std::vector<std::size_t> used_by(const Fold& fold) const;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/threads.h"
 #include "recording/content_hash.h"
 #include "studies/journal.h"
+#include "studies/novelty_run.h"
 #include "studies/prepared_study.h"
 #include "studies/settings.h"
 #include "studies/system_runner.h"
@@ -41,9 +43,20 @@ Classes learned_classes(const PreparedStudy& prepared) {
   return classes;
 }
 
+// The threshold of the system that is returned, with the classes of the training samples only.
+Result<std::optional<Novelty>> novelty_of(const StudyDescription& description,
+                                          const PreparedStudy& prepared, const TrainedFold& trained,
+                                          const Fold& all, const Progress& progress) {
+  if (!description.study.unknown) return std::optional<Novelty>{};
+  SOMATO_TRY(auto novelty, find_novelty(description, prepared, trained, all.training,
+                                        description.study.first_seed, progress));
+  novelty.scales.resize(learned_classes(prepared).names.size());
+  return std::optional(std::move(novelty));
+}
+
 StudyOutcome outcome_of(const StudyDescription& description, const PreparedStudy& prepared,
                         TrainedFold trained, std::vector<std::size_t> winners,
-                        PartResults results) {
+                        std::optional<Novelty> novelty, PartResults results) {
   StudyOutcome outcome{std::move(results), {std::move(trained.system), {}}, {}, {}};
   const System& system = outcome.model.system;
   const Som& som = *som_of(system, prepared.map);
@@ -51,8 +64,12 @@ StudyOutcome outcome_of(const StudyDescription& description, const PreparedStudy
   outcome.winners = std::move(winners);
   NeuronVotes votes(som.neurons());
   votes.add_all(outcome.winners, outcome.classes.of_sample);
-  outcome.model.answer = SystemAnswer{system.modules()[prepared.map].name, description.study.label,
-                                      outcome.classes.names, votes.labels(), std::move(votes)};
+  outcome.model.answer = SystemAnswer{system.modules()[prepared.map].name,
+                                      description.study.label,
+                                      outcome.classes.names,
+                                      votes.labels(),
+                                      std::move(votes),
+                                      std::move(novelty)};
   outcome.results.parameters = study_settings(description, system);
   return outcome;
 }
@@ -162,10 +179,13 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
   if (tally.stopped()) return fail(tally.error());
   // On everything, for the picture and for use; last, since the journal does not keep it.
   const Fold all = folds(Protocol::kTrainIsTest, prepared.samples).front();
-  auto trained = train_fold(description, prepared, all, description.study.first_seed,
-                            [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); });
-  if (!trained) {
-    tally.failed(std::move(trained.error()));
+  const Progress progress = [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); };
+  auto trained = train_fold(description, prepared, all, description.study.first_seed, progress);
+  auto novelty = trained.and_then([&](const TrainedFold& fold) {
+    return novelty_of(description, prepared, fold, all, progress);
+  });
+  if (!novelty) {
+    tally.failed(std::move(novelty.error()));
     return fail(tally.error());
   }
   FoldOutcome tested = test_fold(*trained, prepared, all, {});
@@ -175,7 +195,7 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
   }
   tally.one_done();
   return outcome_of(description, prepared, std::move(*trained), std::move(tested.training_winners),
-                    std::move(results));
+                    std::move(*novelty), std::move(results));
 }
 
 Result<StudyProgress> run_part_of_study(const StudyDescription& description,

@@ -38,13 +38,13 @@ std::string place_of(const Table& file, const std::string& key) {
   return entry ? entry->where : table->where;
 }
 
-// A key that only a protocol reads.
-Result<void> check_effect(const Table& file, const std::string& key, const std::string& protocol,
+// A key that only something else reads, such as a protocol.
+Result<void> check_effect(const Table& file, const std::string& key, const std::string& reader,
                           bool is_read) {
   const Table* table = study_table(file);
   if (is_read || !table || !table->find(key)) return {};
-  return fail(ErrorKind::kUsage, "'" + key + "' has no effect without the protocol " + protocol,
-              place_of(file, key), "leave it out, or add the protocol");
+  return fail(ErrorKind::kUsage, "'" + key + "' has no effect without " + reader,
+              place_of(file, key), "leave it out, or add it");
 }
 
 Result<void> check_complete(const StudyParameters& study, const Table& file) {
@@ -96,13 +96,19 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
     return refuse("recall", "object_after_object names explorations by the winner, not by a recall",
                   "remove the recall, or the protocol");
   }
-  SOMATO_TRY_VOID(check_effect(file, "groups", "leave_group_out",
+  SOMATO_TRY_VOID(check_effect(file, "groups", "the protocol leave_group_out",
                                study.groups.empty() || has(Protocol::kLeaveGroupOut)));
-  SOMATO_TRY_VOID(check_effect(file, "folds", "k_folds or object_after_object",
-                               has(Protocol::kFolds) || continual));
+  SOMATO_TRY_VOID(
+      check_effect(file, "folds", "the protocol k_folds, leave_class_out or object_after_object",
+                   has(Protocol::kFolds) || has(Protocol::kLeaveClassOut) || continual));
   for (const char* key :
        {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
-    SOMATO_TRY_VOID(check_effect(file, key, "object_after_object", continual));
+    SOMATO_TRY_VOID(check_effect(file, key, "the protocol object_after_object", continual));
+  }
+  const bool unknown = study.unknown || has(Protocol::kLeaveClassOut);
+  for (const char* key : {"false_alarm_rate", "calibration_folds"}) {
+    SOMATO_TRY_VOID(
+        check_effect(file, key, "the protocol leave_class_out or unknown = true", unknown));
   }
   return {};
 }
@@ -125,6 +131,7 @@ const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
       {Protocol::kTrainIsTest, "train_is_test"},
       {Protocol::kLeaveOneOut, "leave_one_out"},
       {Protocol::kLeaveGroupOut, "leave_group_out"},
+      {Protocol::kLeaveClassOut, "leave_class_out"},
       {Protocol::kFolds, "k_folds"},
       {Protocol::kObjectAfterObject, "object_after_object"},
       {Protocol::kTestData, "test_data"}};
@@ -185,7 +192,8 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
                "Labels whose values are the groups of leave_group_out, which is run once for each "
                "label.")
           .add("folds", &P::folds, "", Range::between(2, 1e6),
-               "Number of parts of k_folds and object_after_object.")
+               "Number of parts of k_folds and object_after_object, and of the parts that "
+               "leave_class_out holds out of the known classes.")
           .add("replay_per_object", &P::replay_per_object, "explorations", Range::between(0, 1e6),
                "Number of explorations of each object that are kept and learned again with each "
                "later object, under object_after_object.")
@@ -199,6 +207,16 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("generated_spread", &P::generated_spread, "", Range::between(0, 1e3),
                "Standard deviation of that noise, as a share of the distance of the neuron from "
                "the nearest other one.")
+          .add("unknown", &P::unknown, "", Range::any(),
+               "Whether the saved system reads \"unknown\" if an exploration is too far from all "
+               "that it has learned; the threshold is found by further trainings, on training "
+               "explorations only.")
+          .add("false_alarm_rate", &P::false_alarm_rate, "", Range::between(1e-4, 0.5),
+               "Share of explorations of known classes that may be read as unknown; not given in "
+               "the paper.")
+          .add("calibration_folds", &P::calibration_folds, "", Range::between(2, 1000),
+               "Number of parts of the training explorations, each held out of a further training "
+               "to find the threshold of unknown ones; not given in the paper.")
           .add("seeds", &P::seeds, "", Range::between(1, 1e6),
                "Number of seeds; each trains a separate map. The papers show one map.")
           .add("first_seed", &P::first_seed, "", Range::between(0, 1e15),

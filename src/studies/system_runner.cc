@@ -6,6 +6,7 @@
 
 #include "somato/graph/system_model.h"
 #include "somato/maps/som_quality.h"
+#include "studies/novelty_run.h"
 #include "studies/object_after_object.h"
 
 namespace somato {
@@ -119,6 +120,10 @@ Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t see
   SOMATO_TRY(const auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
   FoldOutcome outcome = test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
   add_distances(trained, outcome);
+  if (part_.protocol != Protocol::kLeaveClassOut) return outcome;
+  SOMATO_TRY(const auto novelty,
+             find_novelty(description_, prepared_, trained, folds_[fold].training, seed, progress));
+  outcome.novelty = test_novelty(novelty, trained, prepared_, folds_[fold]);
   return outcome;
 }
 

@@ -44,6 +44,22 @@ SystemAnswer small_answer() {
   return {"map", "object", {"ball", "a \"cube\""}, NeuronLabels({std::nullopt, 1})};
 }
 
+SystemAnswer wary_answer() {
+  SystemAnswer answer = small_answer();
+  answer.novelty = Novelty{0.1, 23, 1.0 / 3.0, {0.1, 2.5}};
+  return answer;
+}
+
+TEST(SystemModel, KeepsTheThresholdForUnknownInputs) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(save_system(folder.file("a"), small_system(), wary_answer()));
+  const auto loaded = load_system(folder.file("a"));
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(loaded->answer->novelty, wary_answer().novelty);
+  ASSERT_TRUE(save_system(folder.file("b"), loaded->system, loaded->answer));
+  EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
+}
+
 TEST(SystemModel, IsTheSameWhenLoaded) {
   const TemporaryFolder folder;
   const Recording recording = hand_recording(6, 8);
@@ -94,6 +110,7 @@ TEST(SystemModel, RefusesToSaveWhatCouldNotBeLoaded) {
   refused([](SystemAnswer& a) { a.labels = NeuronLabels({1}); });
   refused([](SystemAnswer& a) { a.labels = NeuronLabels({{}, {}}); });
   refused([](SystemAnswer& a) { a.labels = NeuronLabels({0, 2}); });
+  refused([](SystemAnswer& a) { a.novelty = Novelty{0.1, 23, 1.0, {1.0}}; });
   const Recording recording = hand_recording(4, 8);
   const std::string joints = "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n";
   for (const std::string type : {"standardization", "one_hot", "som"}) {
@@ -123,7 +140,7 @@ TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
 
 Archive saved_model() {
   const TemporaryFolder folder;
-  EXPECT_TRUE(save_system(folder.file("a"), small_system(), small_answer()));
+  EXPECT_TRUE(save_system(folder.file("a"), small_system(), wary_answer()));
   return load_archive(folder.file("a")).value();
 }
 
@@ -170,11 +187,12 @@ TEST(SystemModel, RefusesPartsThatAreMissingOrTooMany) {
        {"description", "layout", "module.standard.means", "module.standard.deviations",
         "module.code.low", "module.code.high", "module.tensor.parameters",
         "module.tensor.weights_0", "module.tensor.weights_1", "module.map.parameters",
-        "module.map.weights", "labels"}) {
+        "module.map.weights", "labels", "novelty.scales"}) {
     expect_model_refused(without_part(an_archive(), name),
                          "'" + std::string(name) + "' is missing");
   }
   expect_model_refused(without_part(an_archive(), "answer"), "do not fit together");
+  expect_model_refused(without_part(an_archive(), "novelty"), "do not fit together");
   for (const char* name : {"notes", "module.map.bias", "module.joints.means", "module.none.low"}) {
     expect_model_refused(with_part(an_archive(), name, std::string("x")), "do not fit together");
   }
@@ -248,6 +266,33 @@ TEST(SystemModel, RefusesAnswersThatCannotBe) {
   expect_model_part_refused("labels", Labels{{2}, {0, 2}}, "label of an unknown class");
   expect_model_part_refused("labels", Labels{{3}, {0, 1, 1}}, "do not fit the map");
   expect_model_part_refused("labels", Labels{{2}, {-1, -1}}, "no neuron has a label");
+}
+
+TEST(SystemModel, RefusesThresholdsThatCannotBe) {
+  const auto text = [](const std::string& rate, const std::string& samples,
+                       const std::string& threshold) {
+    return "false_alarm_rate = " + rate + "\nsamples = " + samples + "\nthreshold = " + threshold +
+           "\n";
+  };
+  const auto refused = [](Archive::Content content, const std::string& because) {
+    expect_model_part_refused("novelty", std::move(content), because);
+  };
+  refused(text("1.5", "23", "1.0"), "'false_alarm_rate' must be");
+  refused(text("0.1", "0", "1.0"), "'samples' must be");
+  refused(text("0.1", "23", "0.0"), "'threshold' must be");
+  refused(text("0.1", "23", "nan"), "'threshold' must be");
+  refused(text("0.1", "23", "inf"), "'threshold' must be");
+  refused(text("0.1", "23", "1.0") + "scale = 1.0\n", "unknown key 'scale'");
+  refused(Array<double>{{1}, {1.0}}, "another type");
+  const auto scales_refused = [](Archive::Content content, const std::string& because) {
+    expect_model_part_refused("novelty.scales", std::move(content), because);
+  };
+  scales_refused(Array<double>{{1}, {1.0}}, "does not have a scale for each class");
+  scales_refused(Array<double>{{2, 1}, {1.0, 1.0}}, "does not have a scale for each class");
+  scales_refused(Array<float>{{2}, {1.0F, 1.0F}}, "another type");
+  for (const double scale : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    scales_refused(Array<double>{{2}, {1.0, scale}}, "not above 0");
+  }
 }
 
 TEST(SystemModel, SaysWhyAFileCannotBeRead) {

@@ -181,5 +181,15 @@ TEST(Reading, IsSureWhenTheNextClassIsFar) {
   EXPECT_EQ(reading.confidence(), 0.0);
 }
 
+TEST(Reading, IsUnknownAboveTheThresholdOnly) {
+  Reading reading;
+  reading.candidates = {{1, 1.0}, {0, 2.0}};
+  EXPECT_EQ(reading.name({"ball", "cube"}), "cube");
+  reading.novelty = 1.0;
+  EXPECT_EQ(reading.name({"ball", "cube"}), "cube");
+  reading.novelty = 1.01;
+  EXPECT_EQ(reading.name({"ball", "cube"}), "unknown");
+}
+
 }  // namespace
 }  // namespace somato::live

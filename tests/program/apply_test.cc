@@ -59,6 +59,42 @@ TEST_F(Apply, AnswersAsTheStudyDid) {
   }
 }
 
+// Ten balls are known; all other objects are not.
+TEST_F(Apply, ReadsWhatIsTooFarAsUnknown) {
+  write("wary.toml",
+        "[study]\nname = 'wary'\nseeds = 1\nprotocols = ['train_is_test']\n"
+        "only = ['ball_small', 'ball_large']\nunknown = true\nfalse_alarm_rate = 0.1\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"
+        "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\n");
+  output_of({"run", "wary.toml", "--data", kTrials, "--out", "out"});
+  const SystemModel model = load_system(path("out/system.somato")).value();
+  const auto rows = rows_of(output_of({"apply", "out/system.somato", kTrials}));
+  EXPECT_EQ(rows[0], (Words{"exploration", "source", "winner", "row", "column", "distance",
+                            "object", "given_object", "novelty", "nearest_object"}));
+  std::size_t unknown = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const bool is_far = std::stod(rows[i][8]) > 1.0;
+    EXPECT_EQ(rows[i][6], is_far ? "unknown" : rows[i][9]);
+    if (is_far) unknown += rows[i][7].starts_with("ball") ? 0 : 1;
+  }
+  EXPECT_GT(unknown, 5U);
+  const std::string lines =
+      output_of({"live", "--model", "out/system.somato", "--recording", kTrials, "--speed", "max"});
+  std::istringstream in(lines);
+  std::size_t exploration = 0;
+  for (std::string text; std::getline(in, text);) {
+    const Json line = Json::parse(text);
+    if (!line["final"]) continue;
+    const Words& row = rows.at(++exploration);
+    EXPECT_EQ(line["value"], row[6]);
+    EXPECT_EQ(line["nearest"], row[9]);
+    EXPECT_NEAR(line["novelty"].get<double>(), std::stod(row[8]), 1e-6);
+    EXPECT_EQ(line["right"], row[6] == row[7]);
+  }
+  EXPECT_EQ(exploration, 30U);
+}
+
 TEST_F(Apply, SavesWhatItShowsForAnyNumberOfThreads) {
   train_system();
   const std::string shown = output_of({"apply", "out/system.somato", kTrials});

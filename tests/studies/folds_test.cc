@@ -55,8 +55,34 @@ TEST(Protocol, TestDataLearnsAllAndTestsAllOfTheOther) {
   EXPECT_EQ(folds(Protocol::kTestData, {3, 2}), (Folds{{{0, 1, 2}, {3, 4}}}));
 }
 
+TEST(Protocol, LeaveClassOutHoldsAPartOfTheOthersOut) {
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    FoldSamples samples = some_samples(10 + seed, seed);
+    samples.folds = 2 + seed % 4;
+    const Folds parts = folds(Protocol::kFolds, samples);
+    const Folds classes = folds(Protocol::kLeaveClassOut, samples);
+    ASSERT_EQ(classes.size(), 3U);
+    for (std::size_t number = 0; number < 3; ++number) {
+      const Fold& fold = classes[number];
+      for (std::size_t i = 0; i < samples.samples; ++i) {
+        const bool is_unknown = samples.classes[i] == number;
+        const bool is_held_out = contains(parts[number % samples.folds].test, i);
+        EXPECT_EQ(contains(fold.test, i), is_unknown);
+        EXPECT_EQ(contains(fold.known, i), !is_unknown && is_held_out);
+        EXPECT_EQ(contains(fold.training, i), !is_unknown && !is_held_out);
+      }
+      EXPECT_TRUE(std::is_sorted(fold.known.begin(), fold.known.end()));
+    }
+  }
+  FoldSamples one_class{3};
+  one_class.classes = {0, 0, 0};
+  one_class.folds = 2;
+  EXPECT_THROW((void)folds(Protocol::kLeaveClassOut, one_class), InvalidArgument);
+}
+
 TEST(Protocol, EverySampleIsTestedOnceAndItsFoldLearnsAllTheOthers) {
   for (const auto& [protocol, name] : Choices<Protocol>::all()) {
+    if (protocol == Protocol::kLeaveClassOut) continue;  // holds out others: the preceding test
     const bool own = protocol == Protocol::kTestData;
     for (std::size_t count = 2; count < 20; ++count) {
       const FoldSamples samples = some_samples(count, count);

@@ -28,6 +28,7 @@ FoldOutcome outcome_number(std::size_t number) {
                                            3, std::vector<NeuronGraph::Edge>{{0, 2}, {1, 2}}));
   outcome.map.u_matrix = {1.0 / 7.0, static_cast<double>(number)};
   outcome.map.edge_distances = {static_cast<double>(number) / 3.0};
+  if (number == 1) outcome.novelty = {{{0.1, 1.0 / 3.0}, {2.0}, {}}, {{3.0}, {}, {4.0}}};
   const double third = static_cast<double>(number) / 3.0;
   outcome.predictions = {{third, 1.0, 2.0, {0.1, 3.0, 0.4}, {5.0}, {6.0}, {7.0}, {8.0}, {9.0}},
                          PredictionOutcome{}};

@@ -113,7 +113,7 @@ TEST(ReadStudy, SaysWhatIsMisspelt) {
                        "study.toml:6: unknown key 'formats'; did you mean 'format'?");
   expect_study_refused("[study]\nname = \"n\"\nprotocols = [\"leave_one_in\"]\n",
                        "study.toml:3: 'protocols' must be one of train_is_test, leave_one_out, "
-                       "leave_group_out, k_folds, "
+                       "leave_group_out, leave_class_out, k_folds, "
                        "object_after_object, test_data, not \"leave_one_in\"; did you mean "
                        "'leave_one_out'?");
 }
@@ -150,12 +150,11 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   expect_study_refused(
       study + "groups = [\"trial\"]\n" + module,
       "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
-      "it out, or add the protocol");
+      "it out, or add it");
   EXPECT_TRUE(read(study + "groups = []\n" + module));  // as a variation takes them away
   expect_study_refused(study + "folds = 4\n" + module,
-                       "study.toml:3: 'folds' has no effect without the protocol k_folds or "
-                       "object_after_object; leave it out, "
-                       "or add the protocol");
+                       "study.toml:3: 'folds' has no effect without the protocol k_folds, "
+                       "leave_class_out or object_after_object; leave it out, or add it");
 }
 
 TEST(ReadStudy, RefusesQuestionsThatAskForNothing) {

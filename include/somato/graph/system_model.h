@@ -7,6 +7,7 @@
 #include "somato/core/result.h"
 #include "somato/graph/system.h"
 #include "somato/maps/labels.h"
+#include "somato/maps/novelty.h"
 
 namespace somato {
 
@@ -18,6 +19,7 @@ struct SystemAnswer {
   std::vector<std::string> classes;  ///< Names of the classes.
   NeuronLabels labels;               ///< One class per labelled neuron.
   NeuronVotes votes = {};  ///< The votes that gave the labels; empty in files of earlier versions.
+  std::optional<Novelty> novelty = {};  ///< When an input is unknown; empty: never.
 };
 
 /// A trained system with its output.

@@ -18,6 +18,8 @@ enum class Protocol {
   kTrainIsTest,        ///< All for both, as in the papers: it measures memory, not generalization.
   kLeaveOneOut,        ///< Each exploration in turn is tested by a system trained on the others.
   kLeaveGroupOut,      ///< The same with all explorations that share a label.
+  kLeaveClassOut,      ///< Each class in turn is unknown to a system trained on the others, of
+                       ///< which some explorations are held out.
   kFolds,              ///< The same with equal parts, with each class distributed over all of them.
   kObjectAfterObject,  ///< The parts of kFolds; classes are learned one after another.
   kTestData,  ///< A separate test recording is tested by a system trained on the complete other
@@ -62,6 +64,9 @@ struct StudyParameters {
   ReplayChoice replay_choice = ReplayChoice::kRandom;
   std::size_t generated_per_object = 0;
   double generated_spread = 0.1;
+  bool unknown = false;
+  double false_alarm_rate = 0.05;
+  std::size_t calibration_folds = 5;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;
   std::size_t wrong_groupings = 20;

@@ -33,6 +33,14 @@ const kMetrics: Record<string, string> = {
   baseline_accuracy: "Nearest-neighbour accuracy",
   baseline_accuracy_raw: "Nearest neighbour, raw",
   baseline_accuracy_standardized: "Nearest neighbour, standardized",
+  unknown_auroc: "Unknown separated from known (AUROC)",
+  unknown_auroc_of_distance: "The same by distance only",
+  unknown_noticed: "Unknown noticed",
+  unknown_noticed_at_rate: "Unknown noticed at the false-alarm rate",
+  unknown_noticed_at_rate_of_distance: "The same by distance only, at the rate",
+  unknown_false_alarms: "Known read as unknown",
+  baseline_unknown_auroc: "Unknown separated by the nearest neighbour (AUROC)",
+  baseline_unknown_noticed_at_rate: "Unknown noticed by the nearest neighbour",
   individuals_apart: "No neuron wins two classes",
   areas_connected: "One connected area per class",
   classes_separated: "Classes separated",
@@ -87,7 +95,7 @@ export function metricName(metric: string): string {
   return kMetrics[own] ?? capital(own);
 }
 
-const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right)/;
+const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right|unknown)/;
 const kCountsOfSamples =
   /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
 
