@@ -11,6 +11,7 @@ Command merge_command();
 Command report_command();
 Command information_command();
 Command suggest_command();
+Command touch_order_command();
 Command apply_command();
 Command systems_command();
 Command modules_command();

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
                                 live_command(),
                                 information_command(),
                                 suggest_command(),
+                                touch_order_command(),
                                 apply_command(),
                                 systems_command(),
                                 modules_command(),

@@ -19,6 +19,7 @@
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study_parameters.h"
 #include "studies/sweep.h"
+#include "studies/touch_order.h"
 #include "suggestion/suggestion.h"
 #include "usage.h"
 
@@ -161,6 +162,11 @@ std::string reference_page(const std::vector<Command>& commands) {
       "[suggest.md](../mathematics/suggest.md) describes the search; none of these numbers is in "
       "the papers.\n\n";
   add_table<SuggestionParameters>(page, "suggestion");
+  page +=
+      "## Orders of grasps\n\nFlags of `somato touch-order`; they are not keys of a file. "
+      "[continual.md](../continual.md#the-next-grasp) describes the comparison; none of these "
+      "numbers is in the papers.\n\n";
+  add_table<TouchOrderParameters>(page, "touch_order");
   page +=
       "## Maps\n\nKeys of a module of type `som`; those of other types are listed with "
       "[them](modules.md).\n\n";
