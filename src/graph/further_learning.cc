@@ -39,6 +39,12 @@ Result<Numbers> classes_of(const Recording& recording, std::span<const std::size
   return numbers;
 }
 
+bool are_different(std::span<const std::size_t> explorations) {
+  Numbers ascending(explorations.begin(), explorations.end());
+  std::sort(ascending.begin(), ascending.end());
+  return std::adjacent_find(ascending.begin(), ascending.end()) == ascending.end();
+}
+
 // In a model of an earlier version, each label counts as one vote.
 NeuronVotes votes_of(const SystemAnswer& answer) {
   if (answer.votes.neurons() > 0) return answer.votes;
@@ -74,6 +80,7 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
                            std::span<const std::size_t> explorations,
                            const FurtherLearning& options) {
   require(model.answer.has_value(), "a model needs an answer to learn names");
+  require(are_different(explorations), "an exploration is learned once");
   SOMATO_TRY(const auto map, model.system.find(model.answer->map));
   SystemAnswer answer = *model.answer;
   SOMATO_TRY(const auto classes, classes_of(recording, explorations, answer.label, answer.classes));

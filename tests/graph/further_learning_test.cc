@@ -165,6 +165,8 @@ TEST(FurtherLearning, LeavesTheModelAsItIsWhenItFails) {
   }
   SystemModel unnamed{build(system_text("som"), all), {}};
   EXPECT_THROW((void)learn_further(unnamed, all, range(0, 6), {}), InvalidArgument);
+  SystemModel model = model_of_first("som");
+  EXPECT_THROW((void)learn_further(model, all, Numbers{1, 2, 1}, {}), InvalidArgument);
 }
 
 // A file of an earlier version has no votes: each name counts once.

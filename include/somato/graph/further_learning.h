@@ -32,12 +32,12 @@ Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Sampl
 
 /// Lets a trained system learn explorations of a recording in addition to what it has learned, with
 /// their names: the output map learns their inputs, then each exploration votes for the value of
-/// its label at the neuron that it wins. New names become new classes. Votes of earlier
-/// explorations stay with their neurons; those of removed neurons are lost.
+/// its label at the neuron that it wins. No exploration occurs twice. New names become new classes.
+/// Votes of earlier explorations stay with their neurons; those of removed neurons are lost.
 ///
 /// If learning fails, the model is unchanged. Errors: those of train_system(), and kUsage if an
 /// exploration does not have the label of the model's answer. Throws InvalidArgument if the model
-/// has no answer.
+/// has no answer, or if an exploration occurs twice.
 Result<void> learn_further(SystemModel& model, const Recording& recording,
                            std::span<const std::size_t> explorations,
                            const FurtherLearning& options = {});
