@@ -117,8 +117,7 @@ TEST(FurtherLearning, GivesNewClassesAScale) {
   model.answer->novelty = Novelty{0.1, 20, 1.0, std::vector<double>(known, 3.0)};
   ASSERT_TRUE(learn_further(model, recording(), range(6, 12), {6}));
   EXPECT_GT(model.answer->classes.size(), known);
-  EXPECT_EQ(model.answer->novelty->scales,
-            std::vector<double>(model.answer->classes.size(), 3.0));
+  EXPECT_EQ(model.answer->novelty->scales, std::vector<double>(model.answer->classes.size(), 3.0));
 }
 
 // With the input of a neuron's only vote as evidence: an origin says where a neuron was before.
