@@ -141,7 +141,7 @@ TEST(BodySessionThread, GoesBackWhileABodyExplores) {
     const json frame = frame_of(session);
     if (frame.is_null() || frame["poses"][0].get<int>() % 2 == 0) return false;
     shown[frame["frame"].get<int>()] = frame;
-    return frame["frame"] >= 30;
+    return frame["frame"] >= 30 && shown.size() >= 3;
   }));
   command(session, R"({"command":"pause"})");
   const auto there = std::prev(shown.end(), 2);

@@ -3,7 +3,6 @@
 #include <thread>
 
 #include "program/reproducing.h"
-#include "support/sanitized.h"
 
 namespace somato {
 namespace {
@@ -223,7 +222,7 @@ TEST_F(Sweep, RecordingsMayBeGiven) {
 }
 
 TEST_F(Sweep, InterruptedResumesWithTheSameBytes) {
-  write_system(std::to_string(testing::fewer_if_sanitized(4000)));
+  write_system("4000");
   write_sweep();
   ProgramWorld world;
   world.terminal = true;
@@ -280,7 +279,7 @@ TEST_F(Sweep, RefusesBeforeAnythingRuns) {
 }
 
 TEST_F(Sweep, TheSamePartTwiceAtOnceIsRefused) {
-  write_system(std::to_string(testing::fewer_if_sanitized(4000)));
+  write_system("4000");
   write_sweep();
   ProgramWorld world;
   world.terminal = true;
