@@ -14,7 +14,7 @@
 namespace somato::program {
 namespace {
 
-std::string figure(const SeedValues& values, int digits) {
+std::string figure(const Metric& values, int digits) {
   return fmt::format("{:.{}f} +- {:.{}f}", values.mean(), digits, values.standard_deviation(),
                      digits);
 }
@@ -52,7 +52,7 @@ std::string text_of(const TouchOrders& orders, const TouchOrderParameters& param
   return text;
 }
 
-Table table_of(const SeedValues& accuracy, const SeedValues& certainty, std::size_t grasps) {
+Table table_of(const Metric& accuracy, const Metric& certainty, std::size_t grasps) {
   return {
       {},
       {entry("grasps", std::uint64_t{grasps}), entry("accuracy", accuracy.mean()),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/elementary.h"
 #include "kernels/product_kernels.h"
@@ -94,6 +95,13 @@ std::array<float, 4> four_uniform(std::uint64_t seed, Stream stream, std::uint32
 }
 
 }  // namespace
+
+std::vector<std::size_t> random_order(std::size_t count, Random& random) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  shuffle(order, random);
+  return order;
+}
 
 float uniform_at(std::uint64_t seed, Stream stream, std::uint32_t row, std::uint32_t column) {
   return four_uniform(seed, stream, row, column / 4)[column % 4];

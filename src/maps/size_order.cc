@@ -103,10 +103,6 @@ CircularOrder order_of(const Rankings& rankings) {
 }
 
 // Equal numbers have equal ranks: to shuffle the ranks is to shuffle the numbers.
-void shuffle(Numbers& ranks, Random& random) {
-  for (std::size_t i = ranks.size(); i > 1; --i) std::swap(ranks[i - 1], ranks[random.below(i)]);
-}
-
 void shuffle(Rankings& rankings, Random& random) {
   shuffle(rankings.all.ranks, random);
   for (Ranked& group : rankings.groups) shuffle(group.ranks, random);

@@ -1,6 +1,5 @@
 #include "studies/design.h"
 
-#include <numeric>
 #include <utility>
 
 #include "somato/core/check.h"
@@ -10,15 +9,6 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kMostStrata = std::size_t{1} << 20;
-
-std::vector<std::size_t> random_order(std::size_t count, Random& random) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t left = count; left > 1; --left) {
-    std::swap(order[left - 1], order[random.below(left)]);
-  }
-  return order;
-}
 
 // A fraction of 24 bits: with a number of up to 20 bits before the point nothing is rounded into
 // the next stratum.

@@ -36,10 +36,7 @@ std::vector<Fold> folds_of_parts(const std::vector<std::size_t>& parts) {
 // Class by class, each in random order, the samples are dealt to the parts in turn.
 std::vector<std::size_t> deal(const FoldSamples& samples) {
   Random random(samples.seed, Stream::kGroupings);
-  std::vector<std::size_t> shuffled = range(0, samples.samples);
-  for (std::size_t i = shuffled.size(); i > 1; --i) {
-    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
-  }
+  const std::vector<std::size_t> shuffled = random_order(samples.samples, random);
   std::vector<std::pair<std::size_t, std::size_t>> order;  // class, place among the shuffled
   order.reserve(shuffled.size());
   for (std::size_t i = 0; i < shuffled.size(); ++i) {
@@ -68,6 +65,14 @@ std::vector<Fold> class_folds(const FoldSamples& samples) {
     std::erase_if(fold.training, is_held_out);
   }
   return classes;
+}
+
+std::vector<std::size_t> at(const std::vector<std::size_t>& values,
+                            const std::vector<std::size_t>& places) {
+  std::vector<std::size_t> chosen;
+  chosen.reserve(places.size());
+  for (const std::size_t place : places) chosen.push_back(values[place]);
+  return chosen;
 }
 
 }  // namespace
@@ -101,6 +106,18 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
           "k_folds needs at least one sample per fold");
   return protocol == Protocol::kLeaveClassOut ? class_folds(samples)
                                               : folds_of_parts(deal(samples));
+}
+
+std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,
+                              const std::vector<std::size_t>& classes, std::size_t parts,
+                              std::uint64_t seed) {
+  FoldSamples samples{chosen.size()};
+  samples.classes = at(classes, chosen);
+  samples.folds = std::min(parts, chosen.size());
+  samples.seed = seed;
+  std::vector<Fold> divided = folds(Protocol::kFolds, samples);
+  for (Fold& fold : divided) fold = {at(chosen, fold.training), at(chosen, fold.test)};
+  return divided;
 }
 
 }  // namespace somato

@@ -35,4 +35,10 @@ struct FoldSamples {
 /// test_data. The known samples of a fold of leave_class_out are those of a part of k_folds.
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples);
 
+/// The folds of k_folds among the `chosen` samples only, at most one for each of them; `classes`
+/// has the class of every sample. Throws InvalidArgument as folds() does.
+std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,
+                              const std::vector<std::size_t>& classes, std::size_t parts,
+                              std::uint64_t seed);
+
 }  // namespace somato

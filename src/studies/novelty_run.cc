@@ -31,22 +31,6 @@ Numbers winners_at(const Som& som, const Samples& inputs, const Numbers& places)
   return winners;
 }
 
-// The parts of the training explorations, as numbers of explorations.
-std::vector<Fold> calibration_folds(const StudyParameters& study, const PreparedStudy& prepared,
-                                    const Numbers& training) {
-  FoldSamples samples{training.size()};
-  samples.classes = classes_of(prepared, training);
-  samples.folds = std::min(study.calibration_folds, training.size());
-  samples.seed = study.first_seed;
-  std::vector<Fold> parts = folds(Protocol::kFolds, samples);
-  for (Fold& part : parts) {
-    for (Numbers* numbers : {&part.training, &part.test}) {
-      for (std::size_t& number : *numbers) number = training[number];
-    }
-  }
-  return parts;
-}
-
 // The distances of held-out explorations in units of the scales of a system that has not learned
 // from them.
 Result<std::vector<double>> held_out_scores(const TrainedFold& trained,
@@ -122,12 +106,14 @@ Result<Novelty> find_novelty(const StudyDescription& description, const Prepared
                              const TrainedFold& trained, const std::vector<std::size_t>& training,
                              std::uint64_t seed, const Progress& progress) {
   std::vector<double> scores;
-  for (const Fold& part : calibration_folds(description.study, prepared, training)) {
+  const StudyParameters& study = description.study;
+  for (const Fold& part : folds_among(training, prepared.classes().of_sample,
+                                      study.calibration_folds, study.first_seed)) {
     SOMATO_TRY(const auto without, train_fold(description, prepared, part, seed, progress));
     SOMATO_TRY(const auto held_out, held_out_scores(without, prepared, part));
     scores.insert(scores.end(), held_out.begin(), held_out.end());
   }
-  Novelty novelty{description.study.false_alarm_rate, scores.size(), 1.0, {}};
+  Novelty novelty{study.false_alarm_rate, scores.size(), 1.0, {}};
   SOMATO_TRY(novelty.threshold, conformal_threshold(std::move(scores), novelty.false_alarm_rate));
   SOMATO_TRY(novelty.scales, LabelledMap(trained, prepared, training).scales());
   return novelty;

@@ -296,10 +296,7 @@ void describe_map(const LearningMap& map, const PreparedStudy& prepared, const F
 
 std::vector<std::size_t> order_of_objects(std::size_t objects, std::uint64_t seed) {
   Random random(seed, Stream::kSizeOrder);
-  Numbers order(objects);
-  for (std::size_t i = 0; i < objects; ++i) order[i] = i;
-  for (std::size_t i = objects; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  return order;
+  return random_order(objects, random);
 }
 
 Result<FoldOutcome> learn_object_after_object(const StudyDescription& description,

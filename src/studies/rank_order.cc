@@ -75,10 +75,6 @@ double mean_order(const std::vector<OrderedGroup>& groups) {
   return sum / static_cast<double>(groups.size());
 }
 
-void shuffle(std::vector<double>& values, Random& random) {
-  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
-}
-
 }  // namespace
 
 std::vector<double> principal_positions(const Matrix<double>& inner_products) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace somato {
@@ -67,20 +68,11 @@ Numbers most_distant(const std::vector<Point>& points) {
   return places;
 }
 
-Numbers in_random_order(std::size_t count, Random& random) {
-  Numbers places(count);
-  for (std::size_t i = 0; i < count; ++i) places[i] = i;
-  for (std::size_t i = count; i > 1; --i) std::swap(places[i - 1], places[random.below(i)]);
-  return places;
-}
-
 Numbers order_of(ReplayChoice choice, const Samples& samples, const Numbers& candidates,
                  Random& random) {
-  Numbers places(candidates.size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   switch (choice) {
     case ReplayChoice::kRandom:
-      return in_random_order(candidates.size(), random);
+      return random_order(candidates.size(), random);
     case ReplayChoice::kNearestToMean:
       return nearest_to_mean(points_of(samples, candidates));
     case ReplayChoice::kMostDistant:
@@ -88,6 +80,8 @@ Numbers order_of(ReplayChoice choice, const Samples& samples, const Numbers& can
     case ReplayChoice::kFirst:
       break;
   }
+  Numbers places(candidates.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
   return places;
 }
 

@@ -173,7 +173,7 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
   if (!options.parts.empty()) journal->look(options.parts, study);
 
   Trainings trainings(description, prepared, parts);
-  Tally tally(options.progress, trainings.count() - trainings.known(*journal) + 1);
+  Tally tally("the study", options.progress, trainings.count() - trainings.known(*journal) + 1);
   for_each_task(trainings.count(), options.threads,
                 [&](std::size_t number) { trainings.run(number, *journal, tally); });
   if (tally.stopped()) return fail(tally.error());
@@ -212,7 +212,7 @@ Result<StudyProgress> run_part_of_study(const StudyDescription& description,
 
   Trainings trainings(description, prepared, parts);
   const std::vector<std::size_t> missing = trainings.missing(journal, part);
-  Tally tally(options.progress, missing.size());
+  Tally tally("the study", options.progress, missing.size());
   for_each_task(missing.size(), options.threads,
                 [&](std::size_t i) { trainings.run(missing[i], journal, tally); });
   if (tally.stopped()) return fail(tally.error());

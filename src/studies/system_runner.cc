@@ -1,7 +1,6 @@
 #include "studies/system_runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "somato/graph/system_model.h"
@@ -11,8 +10,6 @@
 
 namespace somato {
 namespace {
-
-constexpr auto kNowAndThen = std::chrono::milliseconds(50);
 
 std::vector<std::size_t> all_tested(const std::vector<Fold>& folds) {
   std::vector<std::size_t> tested;
@@ -35,35 +32,6 @@ std::vector<std::vector<const ObjectsOutcome*>> objects_of(const std::vector<See
 }
 
 }  // namespace
-
-void Tally::one_done() {
-  const std::scoped_lock lock(mutex_);
-  ++done_;
-  if (progress_ && !progress_(done_, total_)) {
-    keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
-  }
-}
-
-bool Tally::should_continue() {
-  const std::scoped_lock lock(mutex_);
-  const auto now = std::chrono::steady_clock::now();
-  if (stopped_ || now - checked_ < kNowAndThen) return !stopped_;
-  checked_ = now;
-  if (progress_ && !progress_(done_, total_)) {
-    keep({ErrorKind::kInterrupted, "the study was stopped before its end", {}, {}});
-  }
-  return !stopped_;
-}
-
-void Tally::failed(Error error) {
-  const std::scoped_lock lock(mutex_);
-  keep(std::move(error));
-}
-
-void Tally::keep(Error error) {
-  if (!error_) error_ = std::move(error);
-  stopped_ = true;
-}
 
 SystemRunner::SystemRunner(const StudyDescription& description, const PreparedStudy& prepared,
                            ProtocolPart part, std::size_t number)

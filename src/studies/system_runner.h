@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,33 +16,9 @@
 #include "studies/journal.h"
 #include "studies/metrics.h"
 #include "studies/prepared_study.h"
+#include "studies/tally.h"
 
 namespace somato {
-
-/// Counts trainings over all protocols, and keeps the first failure.
-class Tally {
- public:
-  Tally(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
-
-  void one_done();
-  void failed(Error error);
-  bool stopped() const { return stopped_; }
-  const Error& error() const { return *error_; }
-
-  /// Called regularly during a training to request a stop.
-  bool should_continue();
-
- private:
-  void keep(Error error);
-
-  const Progress& progress_;
-  std::uint64_t total_;
-  std::uint64_t done_ = 0;
-  std::mutex mutex_;
-  std::chrono::steady_clock::time_point checked_;
-  std::optional<Error> error_;
-  std::atomic<bool> stopped_ = false;
-};
 
 /// A protocol with the label of its groups, if it has any.
 struct ProtocolPart {

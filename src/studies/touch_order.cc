@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "core/threads.h"
@@ -14,11 +12,11 @@
 #include "somato/core/random.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/som_training.h"
-#include "somato/studies/results.h"
 #include "studies/exploration_samples.h"
 #include "studies/folds.h"
 #include "studies/grasp_vectors.h"
 #include "studies/next_grasp.h"
+#include "studies/tally.h"
 
 namespace somato {
 namespace {
@@ -40,21 +38,6 @@ struct Problem {
   Classes classes;
   std::vector<Samples> vectors;  // of each grasp, for all explorations
 };
-
-// The parts of these explorations.
-std::vector<Fold> parts_of(const Problem& problem, const Numbers& explorations, std::size_t parts,
-                           std::uint64_t seed) {
-  FoldSamples samples{explorations.size()};
-  samples.classes = at(problem.classes.of_sample, explorations);
-  samples.folds = std::min(parts, explorations.size());
-  samples.seed = seed;
-  std::vector<Fold> folds_of = folds(Protocol::kFolds, samples);
-  for (Fold& fold : folds_of) {
-    fold.training = at(explorations, fold.training);
-    fold.test = at(explorations, fold.test);
-  }
-  return folds_of;
-}
 
 // The names that a map, trained on explorations of one grasp, reads for others.
 Result<Numbers> readings(const Problem& problem, std::size_t grasp, const Fold& fold,
@@ -86,7 +69,8 @@ Result<ReadingProbabilities> reading_probabilities(const Problem& problem, std::
                                                    const Numbers& training, std::uint64_t seed) {
   const std::size_t classes = problem.classes.names.size();
   ReadingProbabilities shares(classes, std::vector<double>(classes, 1.0));
-  for (const Fold& part : parts_of(problem, training, problem.parameters.calibration_folds, seed)) {
+  for (const Fold& part : folds_among(training, problem.classes.of_sample,
+                                      problem.parameters.calibration_folds, seed)) {
     SOMATO_TRY(const auto names, readings(problem, grasp, part, seed));
     for (std::size_t i = 0; i < names.size(); ++i) {
       shares[problem.classes.of_sample[part.test[i]]][names[i]] += 1.0;
@@ -126,13 +110,6 @@ struct OrderSums {
   double stopped_right = 0.0;
 };
 
-Numbers shuffled(std::size_t count, Random& random) {
-  Numbers order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  return order;
-}
-
 // One test exploration, read grasp by grasp. The grasps in `left` are taken in their order, unless
 // they are chosen.
 void read_in_order(const LearnedGrasps& learned, std::size_t test, std::size_t label, Numbers left,
@@ -159,20 +136,22 @@ void read_in_order(const LearnedGrasps& learned, std::size_t test, std::size_t l
 // All orders of one seed.
 Result<std::vector<OrderSums>> read_seed(const Problem& problem, std::uint64_t seed) {
   const std::size_t grasps = problem.vectors.size();
-  Numbers all(problem.classes.of_sample.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  Numbers fixed(grasps);
+  std::iota(fixed.begin(), fixed.end(), std::size_t{0});
+  FoldSamples samples{problem.classes.of_sample.size()};
+  samples.classes = problem.classes.of_sample;
+  samples.folds = problem.parameters.folds;
+  samples.seed = seed;
   Random random(seed, Stream::kGroupings);
   std::vector<OrderSums> sums(kOrders.size(), OrderSums(grasps));
-  for (const Fold& fold : parts_of(problem, all, problem.parameters.folds, seed)) {
+  for (const Fold& fold : folds(Protocol::kFolds, samples)) {
     SOMATO_TRY(const auto learned, learn_grasps(problem, fold, seed));
-    Numbers fixed(grasps);
-    std::iota(fixed.begin(), fixed.end(), std::size_t{0});
     for (std::size_t test = 0; test < fold.test.size(); ++test) {
       const std::size_t label = problem.classes.of_sample[fold.test[test]];
       const double certain = problem.parameters.certainty;
       read_in_order(learned, test, label, fixed, true, certain, sums[0]);
       read_in_order(learned, test, label, fixed, false, certain, sums[1]);
-      read_in_order(learned, test, label, shuffled(grasps, random), false, certain, sums[2]);
+      read_in_order(learned, test, label, random_order(grasps, random), false, certain, sums[2]);
     }
   }
   return sums;
@@ -180,9 +159,11 @@ Result<std::vector<OrderSums>> read_seed(const Problem& problem, std::uint64_t s
 
 TouchOrderResult result_of(std::size_t order, const std::vector<std::vector<OrderSums>>& seeds,
                            std::size_t grasps, std::size_t explorations) {
-  TouchOrderResult result{kOrders[order], {}, {}, {}, {}};
-  result.accuracy.resize(grasps);
-  result.certainty.resize(grasps);
+  TouchOrderResult result{kOrders[order],
+                          std::vector<Metric>(grasps, Metric{"accuracy", {}}),
+                          std::vector<Metric>(grasps, Metric{"certainty", {}}),
+                          {"stopped_grasps", {}},
+                          {"stopped_accuracy", {}}};
   const auto count = static_cast<double>(explorations);
   for (const std::vector<OrderSums>& seed : seeds) {
     const OrderSums& sums = seed[order];
@@ -222,14 +203,6 @@ Result<Problem> problem_of(const Recording& recording, const TouchOrderParameter
 
 }  // namespace
 
-double SeedValues::mean() const {
-  return Metric{{}, values}.mean();
-}
-
-double SeedValues::standard_deviation() const {
-  return Metric{{}, values}.standard_deviation();
-}
-
 const Declarations<TouchOrderParameters>& TouchOrderParameters::declarations() {
   using P = TouchOrderParameters;
   static const auto declared =
@@ -266,27 +239,15 @@ Result<TouchOrders> compare_touch_orders(const Recording& recording,
                                          const Progress& progress, std::size_t threads) {
   SOMATO_TRY(const auto problem, problem_of(recording, parameters));
   std::vector<std::vector<OrderSums>> seeds(parameters.seeds);
-  std::mutex mutex;
-  std::optional<Error> error;
-  std::uint64_t done = 0;
-  const auto failed = [&] {
-    const std::scoped_lock lock(mutex);
-    return error.has_value();
-  };
+  Tally tally("the comparison", progress, parameters.seeds);
   for_each_task(parameters.seeds, threads, [&](std::size_t number) {
-    if (failed()) return;
+    if (tally.stopped()) return;
     auto sums = read_seed(problem, parameters.first_seed + number);
-    const std::scoped_lock lock(mutex);
-    if (!sums) {
-      if (!error) error = std::move(sums.error());
-      return;
-    }
+    if (!sums) return tally.failed(std::move(sums.error()));
     seeds[number] = std::move(*sums);
-    if (progress && !progress(++done, parameters.seeds) && !error) {
-      error = Error{ErrorKind::kInterrupted, "the comparison was stopped before its end", {}, {}};
-    }
+    tally.one_done();
   });
-  if (error) return fail(std::move(*error));
+  if (tally.stopped()) return fail(tally.error());
   const std::size_t grasps = problem.vectors.size();
   const std::size_t explorations = recording.explorations.size();
   TouchOrders orders{explorations, problem.classes.names.size(), grasps, {}};

@@ -9,6 +9,7 @@
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/recording/recording.h"
+#include "somato/studies/results.h"
 
 namespace somato {
 
@@ -30,21 +31,13 @@ struct TouchOrderParameters {
   static const Declarations<TouchOrderParameters>& declarations();
 };
 
-/// One value per seed.
-struct SeedValues {
-  std::vector<double> values;
-
-  double mean() const;
-  double standard_deviation() const;  ///< Divided by the count minus one; 0 for a single seed.
-};
-
-/// The readings after 1, 2, ... grasps in one order.
+/// The readings after 1, 2, ... grasps in one order; one value per seed.
 struct TouchOrderResult {
-  std::string order;                  ///< "chosen", "fixed" or "random".
-  std::vector<SeedValues> accuracy;   ///< Share of right names, by the number of grasps.
-  std::vector<SeedValues> certainty;  ///< Mean probability of the name, by the number of grasps.
-  SeedValues stopped_grasps;          ///< Mean number of grasps until the name is certain, or all.
-  SeedValues stopped_accuracy;        ///< Share of right names then.
+  std::string order;              ///< "chosen", "fixed" or "random".
+  std::vector<Metric> accuracy;   ///< Share of right names, by the number of grasps.
+  std::vector<Metric> certainty;  ///< Mean probability of the name, by the number of grasps.
+  Metric stopped_grasps;          ///< Mean number of grasps until the name is certain, or all.
+  Metric stopped_accuracy;        ///< Share of right names then.
 };
 
 struct TouchOrders {

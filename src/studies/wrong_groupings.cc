@@ -42,10 +42,6 @@ bool only_one_partition(const std::vector<std::size_t>& dealt) {
   return classes.size() <= 1 || classes.size() == dealt.size();
 }
 
-void shuffle(std::vector<std::size_t>& values, Random& random) {
-  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
-}
-
 }  // namespace
 
 std::vector<std::vector<std::size_t>> wrong_groupings(const std::vector<std::size_t>& classes,

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -102,6 +103,21 @@ TEST(Random, DrawsBelowABoundWithoutBias) {
   }
   // Three quarters of 2^64 in three parts: a plain remainder would hit the first twice as often.
   EXPECT_NEAR(chi_square(random, 3, std::uint64_t{1} << 62), 2, 6 * std::sqrt(4.0));
+}
+
+TEST(Random, GivesEachOrderWithTheSameProbability) {
+  constexpr int kOrders = 60000;
+  Random random(27);
+  std::map<std::vector<std::size_t>, int> counts;
+  for (int i = 0; i < kOrders; ++i) ++counts[random_order(3, random)];
+  ASSERT_EQ(counts.size(), 6U);
+  double sum = 0.0;
+  for (const auto& [order, count] : counts) {
+    EXPECT_EQ(std::set(order.begin(), order.end()), (std::set<std::size_t>{0, 1, 2}));
+    sum += (count - kOrders / 6.0) * (count - kOrders / 6.0) / (kOrders / 6.0);
+  }
+  EXPECT_NEAR(sum, 5, 6 * std::sqrt(2 * 5.0));
+  EXPECT_EQ(random_order(0, random), std::vector<std::size_t>{});
 }
 
 TEST(Random, DrawsOnlyZeroBelowOneAndRefusesZero) {

@@ -170,6 +170,24 @@ TEST(Protocol, AsManyFoldsAsSamplesLeaveOneOut) {
   EXPECT_EQ(parts, folds(Protocol::kLeaveOneOut, samples));
 }
 
+// Samples 2, 3 and 7 to 9: two of class 0, three of class 1, so that each of two parts has both.
+TEST(Protocol, FoldsAmongChosenSamplesHaveTheirNumbers) {
+  const Numbers chosen{2, 3, 7, 8, 9};
+  const Numbers classes{5, 5, 0, 0, 5, 5, 5, 1, 1, 1};
+  const Folds parts = folds_among(chosen, classes, 2, 3);
+  ASSERT_EQ(parts.size(), 2U);
+  for (const Fold& part : parts) {
+    Numbers all = part.training;
+    all.insert(all.end(), part.test.begin(), part.test.end());
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(all, chosen);
+    EXPECT_EQ(std::count_if(part.test.begin(), part.test.end(),
+                            [](std::size_t sample) { return sample < 4; }),
+              1);
+  }
+  EXPECT_EQ(folds_among(chosen, classes, 99, 3).size(), chosen.size());
+}
+
 TEST(Protocol, NeedsSomethingToTrainOnAndToTest) {
   EXPECT_THROW(folds(Protocol::kTrainIsTest, {0}), InvalidArgument);
   EXPECT_THROW(folds(Protocol::kLeaveOneOut, {1}), InvalidArgument);

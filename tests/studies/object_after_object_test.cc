@@ -11,6 +11,7 @@
 #include "support/made_study.h"
 #include "support/study_results.h"
 #include "support/systems.h"
+#include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
@@ -197,10 +198,19 @@ TEST(ObjectAfterObject, IsTheSameForAnyNumberOfThreadsAndAfterAnInterruption) {
   const Recording recording = overlapping_objects();
   const StudyDescription description =
       objects_study("growing_when_required", "replay_per_object = 1\n");
+  const auto whole = testing::json_of(outcome_of(description, recording));
   StudyOptions options;
   options.threads = 3;
-  EXPECT_EQ(testing::json_of(outcome_of(description, recording, options)),
-            testing::json_of(outcome_of(description, recording)));
+  EXPECT_EQ(testing::json_of(outcome_of(description, recording, options)), whole);
+  const TemporaryFolder folder;
+  options = {};
+  options.journal = folder.file("journal");
+  options.progress = [](std::uint64_t done, std::uint64_t) { return done < 2; };
+  const auto stopped = run_study(description, recording, options);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
+  options.progress = {};
+  EXPECT_EQ(testing::json_of(outcome_of(description, recording, options)), whole);
 }
 
 TEST(ObjectAfterObject, RefusesAnObjectThatIsExploredOnce) {

@@ -94,7 +94,7 @@ TEST(TouchOrder, RefusesWhatCannotBeCompared) {
   refused([](TouchOrderParameters& p) { p.folds = 5; }, ErrorKind::kData);
 }
 
-TEST(TouchOrder, StopsWhenItIsAskedTo) {
+TEST(TouchOrder, StopsOnRequest) {
   const auto orders = compare_touch_orders(informative_poses(4, 3), small_parameters(),
                                            [](std::uint64_t, std::uint64_t) { return false; });
   ASSERT_FALSE(orders);

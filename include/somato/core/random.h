@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace somato {
 
@@ -55,6 +58,15 @@ class Random {
   double spare_normal_ = 0.0;
   bool has_spare_normal_ = false;
 };
+
+/// Puts the values into a random order (Fisher and Yates), each order with the same probability.
+template <typename Value>
+void shuffle(std::vector<Value>& values, Random& random) {
+  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
+}
+
+/// The numbers 0 .. count-1 in a random order.
+std::vector<std::size_t> random_order(std::size_t count, Random& random);
 
 /// The number at a position, which need not be stored: uniform in [0, 1), a multiple of 2^-24, for
 /// this seed, stream, row and column. The order of calls has no effect.
