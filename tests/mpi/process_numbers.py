@@ -129,22 +129,11 @@ class Case:
             time.sleep(0.01)
         return int(place.read_text(encoding="utf-8"))
 
-    def check_stopped(self, processes, seconds):
-        """The others wait for a process that is stopped. Progress is reported every half minute."""
-        run = self.start(processes, "stopped.map")
-        process = self.process(processes - 1)
-        os.kill(process, signal.SIGSTOP)
-        time.sleep(seconds)
-        if run.poll() is not None:
-            self.faults.append(f"{self.name}: the processes have not waited")
-        os.kill(process, signal.SIGCONT)
-        said = self.done(run)
-        if seconds > LOGGED and " left" not in said:
-            self.faults.append(f"{self.name}: no progress is reported")
-        self.compare("stopped.map", "a process that was stopped")
+    def signal_in_training(self, processes, output, number):
+        """Starts a training, sends a signal to one process after the first checkpoint, and returns both.
 
-    def kill_one(self, processes, output):
-        """Whether a process was killed before the end of the training, and after a checkpoint."""
+        Before the checkpoint, a process may still be connecting to the others.
+        """
         checkpoint = self.folder / "checkpoint"
         run = self.start(processes, output, "--checkpoint", "checkpoint", epochs=MANY_EPOCHS)
         process = self.process(processes - 1)
@@ -152,14 +141,40 @@ class Case:
         while not checkpoint.exists() and run.poll() is None and time.monotonic() < until:
             time.sleep(0.001)
         if run.poll() is None:
-            os.kill(process, signal.SIGKILL)
+            os.kill(process, number)
+        return run, process
+
+    def need_many(self):
+        if not (self.folder / "many.map").exists():
+            self.done(self.start(1, "many.map", epochs=MANY_EPOCHS))
+
+    def check_stopped(self, processes, seconds):
+        """The others wait for a process that is stopped. Progress is reported every half minute."""
+        self.need_many()
+        for _ in range(ATTEMPTS):
+            run, process = self.signal_in_training(processes, "stopped.map", signal.SIGSTOP)
+            time.sleep(seconds if run.poll() is None else 0)
+            if run.poll() is None:
+                break
+            self.done(run)
+        else:
+            self.faults.append(f"{self.name}: no training has waited for a process that was stopped")
+            return
+        os.kill(process, signal.SIGCONT)
+        said = self.done(run)
+        if seconds > LOGGED and " left" not in said:
+            self.faults.append(f"{self.name}: no progress is reported: {said}")
+        self.compare("stopped.map", "a process that was stopped", "many.map")
+
+    def kill_one(self, processes, output):
+        """Whether a process was killed before the end of the training, and after a checkpoint."""
+        run, _ = self.signal_in_training(processes, output, signal.SIGKILL)
         run.communicate(timeout=PATIENCE)
-        return run.returncode != 0 and checkpoint.exists() and not (self.folder / output).exists()
+        return run.returncode != 0 and (self.folder / "checkpoint").exists() and not (self.folder / output).exists()
 
     def check_killed(self, processes, then):
         """Nothing but the current epoch is lost when a process is killed."""
-        if not (self.folder / "many.map").exists():
-            self.done(self.start(1, "many.map", epochs=MANY_EPOCHS))
+        self.need_many()
         output = f"{processes}-{then}.map"
         for _ in range(ATTEMPTS):
             if self.kill_one(processes, output):
