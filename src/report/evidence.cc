@@ -67,12 +67,13 @@ std::vector<std::size_t> studied_explorations(const Recording& recording,
   return studied;
 }
 
-// Samples of all protocols but those that test with another recording.
+// Samples of the protocols that test all of them: of all but test_data, and some with test_last.
 std::optional<std::size_t> samples_of(const PartResults& part) {
+  std::optional<std::size_t> most;
   for (const ProtocolResults& protocol : part.protocols) {
-    if (protocol.protocol != "test_data") return protocol.samples;
+    if (protocol.protocol != "test_data") most = std::max(most.value_or(0), protocol.samples);
   }
-  return {};
+  return most;
 }
 
 void find_recording(const ReportSources& sources, Evidence& evidence) {

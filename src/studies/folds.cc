@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -49,17 +50,32 @@ std::vector<std::size_t> deal(const FoldSamples& samples) {
   return parts;
 }
 
+// 1 for the last samples of each class, 0 for the earlier ones.
+std::vector<std::size_t> last_of_classes(const FoldSamples& samples) {
+  std::map<std::size_t, std::size_t> later;  // samples by class
+  std::vector<std::size_t> parts(samples.samples);
+  for (std::size_t i = samples.samples; i-- > 0;) {
+    parts[i] = later[samples.classes[i]]++ < samples.test_last ? 1 : 0;
+  }
+  require(std::find(parts.begin(), parts.end(), 0) != parts.end(),
+          "test_last needs earlier samples");
+  return parts;
+}
+
+std::vector<std::size_t> parts_of(const FoldSamples& samples) {
+  return samples.test_last > 0 ? last_of_classes(samples) : deal(samples);
+}
+
 // The number of the class in order, modulo the number of parts, is the part that is held out of the
-// other classes.
+// other classes; with test_last it is always the last samples.
 std::vector<Fold> class_folds(const FoldSamples& samples) {
-  const std::vector<std::size_t> parts = deal(samples);
+  const std::vector<std::size_t> parts = parts_of(samples);
   std::vector<Fold> classes = folds_of_parts(samples.classes);
   require(classes.size() >= 2, "leave_class_out needs at least two classes");
   for (std::size_t number = 0; number < classes.size(); ++number) {
     Fold& fold = classes[number];
-    const auto is_held_out = [&](std::size_t sample) {
-      return parts[sample] == number % samples.folds;
-    };
+    const std::size_t part = samples.test_last > 0 ? 1 : number % samples.folds;
+    const auto is_held_out = [&](std::size_t sample) { return parts[sample] == part; };
     std::copy_if(fold.training.begin(), fold.training.end(), std::back_inserter(fold.known),
                  is_held_out);
     std::erase_if(fold.training, is_held_out);
@@ -102,10 +118,12 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
       break;
   }
   require(samples.classes.size() == samples.samples, "k_folds needs a class for each sample");
-  require(samples.folds >= 2 && samples.folds <= samples.samples,
+  require(samples.test_last > 0 || (samples.folds >= 2 && samples.folds <= samples.samples),
           "k_folds needs at least one sample per fold");
-  return protocol == Protocol::kLeaveClassOut ? class_folds(samples)
-                                              : folds_of_parts(deal(samples));
+  if (protocol == Protocol::kLeaveClassOut) return class_folds(samples);
+  std::vector<Fold> parts = folds_of_parts(parts_of(samples));
+  if (samples.test_last > 0) return {std::move(parts.back())};
+  return parts;
 }
 
 std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,

@@ -27,12 +27,15 @@ struct FoldSamples {
   std::vector<std::size_t> classes = {};  ///< One per sample, for folds and leave_class_out.
   std::size_t folds = 10;                 ///< For folds and leave_class_out.
   std::uint64_t seed = 1;                 ///< The seed of the assignment to folds.
+  std::size_t test_last = 0;  ///< Above 0: folds and leave_class_out hold out that many of each
+                              ///< class, the last ones, instead of parts.
 };
 
-/// The folds of a protocol; every test sample is tested in exactly one. Throws InvalidArgument if
+/// The folds of a protocol; every test sample is tested in exactly one. With `test_last`, k_folds and
+/// object_after_object have one fold, which tests these samples only. Throws InvalidArgument if
 /// there are too few samples: 1 for train_is_test and test_data, otherwise 2; 2 groups for
-/// leave_group_out; 2 classes for leave_class_out; as many samples as folds; a test sample for
-/// test_data. The known samples of a fold of leave_class_out are those of a part of k_folds.
+/// leave_group_out; 2 classes for leave_class_out; as many samples as folds, or one that is not
+/// among the last; a test sample for test_data. The known samples of a fold of leave_class_out are those of a part of k_folds.
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples);
 
 /// The folds of k_folds among the `chosen` samples only, at most one for each of them; `classes`

@@ -160,7 +160,7 @@ Result<void> check_classes(const PreparedStudy& prepared, const std::string& lab
               "there are no classes to distinguish; use another label");
 }
 
-// An object whose only exploration is tested could never be learned.
+// A class whose explorations are all tested could never be learned.
 Result<void> check_each_is_repeated(const Classes& classes, const std::string& label,
                                     std::size_t learned) {
   Numbers counts(classes.names.size(), 0);
@@ -173,12 +173,28 @@ Result<void> check_each_is_repeated(const Classes& classes, const std::string& l
               {}, "object_after_object needs at least two of each; select others with 'only'");
 }
 
+Result<void> check_each_has_earlier_ones(const Classes& classes, const StudyParameters& study,
+                                         std::size_t learned) {
+  Numbers counts(classes.names.size(), 0);
+  for (std::size_t i = 0; i < learned; ++i) ++counts[classes.of_sample[i]];
+  for (std::size_t one = 0; one < counts.size(); ++one) {
+    if (counts[one] == 0 || counts[one] > study.test_last) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("{} of the explorations have '{}' as their '{}', and the last {} would "
+                            "be tested",
+                            counts[one], classes.names[one], study.label, study.test_last),
+                {}, "use a smaller 'test_last' in [study], or select others with 'only'");
+  }
+  return {};
+}
+
 Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedStudy& prepared) {
   const std::size_t all = prepared.recording.explorations.size();
   prepared.samples.samples = learned;
   prepared.samples.test_samples = all - learned;
   prepared.samples.folds = study.folds;
   prepared.samples.seed = study.first_seed;
+  prepared.samples.test_last = study.test_last;
   prepared.samples.classes = prepared.classes().of_sample;
   prepared.samples.classes.resize(learned);
   for (const std::string& label : study.groups) {
@@ -193,7 +209,9 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
   for (const Protocol protocol : study.protocols) {
     const bool in_parts = protocol == Protocol::kFolds || protocol == Protocol::kLeaveClassOut ||
                           protocol == Protocol::kObjectAfterObject;
-    if (in_parts && study.folds > learned) {
+    if (in_parts && study.test_last > 0) {
+      SOMATO_TRY_VOID(check_each_has_earlier_ones(prepared.classes(), study, learned));
+    } else if (in_parts && study.folds > learned) {
       return fail(
           ErrorKind::kData,
           fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},

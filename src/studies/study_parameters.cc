@@ -98,9 +98,11 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
   }
   SOMATO_TRY_VOID(check_effect(file, "groups", "the protocol leave_group_out",
                                study.groups.empty() || has(Protocol::kLeaveGroupOut)));
-  SOMATO_TRY_VOID(
-      check_effect(file, "folds", "the protocol k_folds, leave_class_out or object_after_object",
-                   has(Protocol::kFolds) || has(Protocol::kLeaveClassOut) || continual));
+  for (const char* key : {"folds", "test_last"}) {
+    SOMATO_TRY_VOID(
+        check_effect(file, key, "the protocol k_folds, leave_class_out or object_after_object",
+                     has(Protocol::kFolds) || has(Protocol::kLeaveClassOut) || continual));
+  }
   for (const char* key :
        {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
     SOMATO_TRY_VOID(check_effect(file, key, "the protocol object_after_object", continual));
@@ -194,6 +196,10 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("folds", &P::folds, "", Range::between(2, 1e6),
                "Number of parts of k_folds and object_after_object, and of the parts that "
                "leave_class_out holds out of the known classes.")
+          .add("test_last", &P::test_last, "explorations", Range::between(0, 1e6),
+               "Number of explorations of each class, the last of the recording, that are tested "
+               "after training on the earlier ones, instead of the parts: by k_folds and "
+               "object_after_object, and by leave_class_out as known ones. 0: parts.")
           .add("replay_per_object", &P::replay_per_object, "explorations", Range::between(0, 1e6),
                "Number of explorations of each object that are kept and learned again with each "
                "later object, under object_after_object.")

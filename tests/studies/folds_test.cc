@@ -80,6 +80,19 @@ TEST(Protocol, LeaveClassOutHoldsAPartOfTheOthersOut) {
   EXPECT_THROW((void)folds(Protocol::kLeaveClassOut, one_class), InvalidArgument);
 }
 
+TEST(Protocol, TestLastTestsTheLastOfEachClassOnTheEarlierOnes) {
+  FoldSamples samples{7};
+  samples.classes = {0, 1, 0, 1, 0, 1, 0};
+  samples.test_last = 2;
+  const Folds last{{{0, 1, 2}, {3, 4, 5, 6}}};
+  EXPECT_EQ(folds(Protocol::kFolds, samples), last);
+  EXPECT_EQ(folds(Protocol::kObjectAfterObject, samples), last);
+  EXPECT_EQ(folds(Protocol::kLeaveClassOut, samples),
+            (Folds{{{1}, {0, 2, 4, 6}, {3, 5}}, {{0, 2}, {1, 3, 5}, {4, 6}}}));
+  samples.test_last = 4;
+  EXPECT_THROW((void)folds(Protocol::kFolds, samples), InvalidArgument);
+}
+
 TEST(Protocol, EverySampleIsTestedOnceAndItsFoldLearnsAllTheOthers) {
   for (const auto& [protocol, name] : Choices<Protocol>::all()) {
     if (protocol == Protocol::kLeaveClassOut) continue;  // holds out others: the preceding test

@@ -60,6 +60,7 @@ struct StudyParameters {
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
   std::vector<std::string> groups;
   std::size_t folds = 10;
+  std::size_t test_last = 0;
   std::size_t replay_per_object = 0;
   ReplayChoice replay_choice = ReplayChoice::kRandom;
   std::size_t generated_per_object = 0;

@@ -24,8 +24,9 @@ function listed(selection: Selection, samples: Samples, onPlay: () => void): Chi
   const won = run.winners.flatMap((winner, sample) => (winner === neuron ? [sample] : []));
   const words = `${capital(neuronWords(grid, neuron))} wins ${countOf(won.length, "sample")}.`;
   const names = valuesOf(system, protocol, run, label);
-  // The samples of other recordings have no readings.
-  const isRecording = protocol.protocol !== "test_data" && run.recording === system.recording;
+  // The samples of other recordings have no readings, and some of a recording are not numbered as in it.
+  const isWhole = run.winners.length === (system.samples ?? []).length;
+  const isRecording = protocol.protocol !== "test_data" && isWhole && run.recording === system.recording;
   const buttons = won.map((sample) => {
     const index = isRecording ? samples.placeOf(sample) : null;
     if (index === null) return element("span", {}, [names?.[sample] ?? `sample ${sample + 1}`]);
