@@ -25,16 +25,21 @@ Result<Samples> inputs_of(const System& system, std::size_t map, const Recording
   return values.samples.subset(values.places_of(explorations));
 }
 
-// The class of each exploration; new names are added to `classes`.
+// A new name is added.
+std::size_t class_of(const std::string& name, std::vector<std::string>& classes) {
+  const auto known = std::find(classes.begin(), classes.end(), name);
+  const auto number = static_cast<std::size_t>(known - classes.begin());
+  if (known == classes.end()) classes.push_back(name);
+  return number;
+}
+
 Result<Numbers> classes_of(const Recording& recording, std::span<const std::size_t> explorations,
                            const std::string& label, std::vector<std::string>& classes) {
   Numbers numbers;
   numbers.reserve(explorations.size());
   for (const std::size_t exploration : explorations) {
     SOMATO_TRY(const auto name, find_label(recording.explorations[exploration], label));
-    const auto known = std::find(classes.begin(), classes.end(), name);
-    numbers.push_back(static_cast<std::size_t>(known - classes.begin()));
-    if (known == classes.end()) classes.push_back(name);
+    numbers.push_back(class_of(name, classes));
   }
   return numbers;
 }
@@ -55,12 +60,66 @@ NeuronVotes votes_of(const SystemAnswer& answer) {
   return votes;
 }
 
+std::string name_for(const SystemAnswer& answer, std::size_t neuron, double distance) {
+  const std::size_t label = *answer.labels[neuron];
+  const bool is_far = answer.novelty && is_unknown(answer.novelty->of(label, distance));
+  return is_far ? std::string(kUnknownAnswer) : answer.classes[label];
+}
+
+Numbers without_name(const NeuronLabels& labels) {
+  Numbers neurons;
+  for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
+    if (!labels[neuron]) neurons.push_back(neuron);
+  }
+  return neurons;
+}
+
+// Returns the neuron, which may be new, and adds no vote.
+Result<std::size_t> give_neuron(modules::MapModule& map, const SignalView& input,
+                                NeuronVotes& votes) {
+  if (map.add_neuron(input)) {
+    NeuronOrigins origins(votes.neurons() + 1);
+    for (std::size_t neuron = 0; neuron < votes.neurons(); ++neuron) origins[neuron] = neuron;
+    votes = votes.moved_to(origins);
+    return votes.neurons() - 1;
+  }
+  const Numbers free = without_name(votes.labels());
+  if (free.empty()) {
+    return fail(ErrorKind::kUsage, "all neurons of the map have names", {},
+                "use a system with a larger map, or train it with this exploration");
+  }
+  SomWorkspace workspace;
+  const std::size_t neuron = map.som().winner_among(free, input, workspace);
+  map.place_neuron(neuron, input);
+  return neuron;
+}
+
+// More votes than for all other names.
+void outvote(NeuronVotes& votes, std::size_t neuron, std::size_t label) {
+  std::size_t all = 0;
+  for (std::size_t one = 0; one < votes.classes(); ++one) all += votes.of(neuron, one);
+  votes.add(neuron, label, all + 1);
+}
+
+Result<void> check_name(const std::string& name) {
+  if (!name.empty() && name != kUnknownAnswer) return {};
+  return fail(ErrorKind::kUsage,
+              name.empty() ? "a name is empty"
+                           : "'unknown' is the answer for what a system has not learned",
+              {}, "give another name");
+}
+
+modules::MapModule& map_to_change(System& system, std::size_t map) {
+  auto* module = dynamic_cast<modules::MapModule*>(system.modules()[map].module.get());
+  require(module != nullptr, "only a map can learn further");
+  return *module;
+}
+
 }  // namespace
 
 Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Samples& inputs,
                                     const FurtherLearning& options) {
-  auto* learner = dynamic_cast<modules::MapModule*>(system.modules()[map].module.get());
-  require(learner != nullptr, "only a map can learn further");
+  modules::MapModule& learner = map_to_change(system, map);
   LearningPlan plan;
   plan.seed = options.seed;
   plan.progress = options.progress;
@@ -71,7 +130,7 @@ Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Sampl
     if (phase.of == Rate::kExploration) plan.draws = phase.draws;
     plan.order = phase.order;
   }
-  auto learned = learner->learn_further(plan, inputs);
+  auto learned = learner.learn_further(plan, inputs);
   if (learned || learned.error().kind == ErrorKind::kInterrupted) return learned;
   return fail(system.at_module(std::move(learned.error()), map));
 }
@@ -97,6 +156,40 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
   if (answer.novelty) answer.novelty->add_classes(answer.classes.size());
   model.answer = std::move(answer);
   return {};
+}
+
+Result<Taught> teach(SystemModel& model, const Recording& recording, std::size_t exploration,
+                     const std::string& name) {
+  require(model.answer.has_value(), "a model needs an answer to learn names");
+  SOMATO_TRY_VOID(check_name(name));
+  SOMATO_TRY(const auto map, model.system.find(model.answer->map));
+  SOMATO_TRY(const auto inputs, inputs_of(model.system, map, recording, {&exploration, 1}, 1));
+  modules::MapModule& module = map_to_change(model.system, map);
+  SystemAnswer answer = *model.answer;
+  answer.votes = votes_of(answer);
+  SomWorkspace workspace;
+  const auto named = [&] {
+    return module.som().winner_among(answer.votes.labels().labelled(), inputs[0], workspace);
+  };
+  std::size_t neuron = named();
+  const double distance = module.som().distance(inputs[0], neuron, workspace);
+  Taught taught{name_for(answer, neuron, distance), {}};
+  const std::size_t label = class_of(name, answer.classes);
+  if (taught.before == name) {
+    answer.votes.add(neuron, label);
+  } else {
+    if (distance > 0.0) {
+      SOMATO_TRY(neuron, give_neuron(module, inputs[0], answer.votes));
+    }
+    outvote(answer.votes, neuron, label);
+    // Of neurons with nearly the same weights, another one may answer.
+    if (named() != neuron) outvote(answer.votes, named(), label);
+    taught.neuron = neuron;
+  }
+  answer.labels = answer.votes.labels();
+  if (answer.novelty) answer.novelty->add_classes(answer.classes.size());
+  model.answer = std::move(answer);
+  return taught;
 }
 
 }  // namespace somato

@@ -154,6 +154,21 @@ Result<System> build(const Archive& archive, const std::string& where) {
   return system;
 }
 
+Result<SystemModel> model_in(const Archive& archive, const std::string& where) {
+  SOMATO_TRY(auto system, build(archive, where));
+  for (const SystemModule& module : system.modules()) {
+    Learner* learner = module.module->learner();
+    if (learner == nullptr) continue;
+    auto loaded = learner->load(archive, prefix_of(module), where);
+    if (!loaded) return damaged_model(std::move(loaded.error()), where);
+  }
+  SystemModel model{std::move(system), {}};
+  if (archive.find("answer")) {
+    SOMATO_TRY(model.answer, read_answer(archive, model.system, where));
+  }
+  return model;
+}
+
 }  // namespace
 
 const Som* som_of(const System& system, std::size_t module) {
@@ -173,21 +188,14 @@ Result<void> save_system(const std::string& path, const System& system,
   return save_archive(path, archive_of(system, answer));
 }
 
+SystemModel copy_of(const SystemModel& model) {
+  return model_in(archive_of(model.system, model.answer), "copy").value();
+}
+
 Result<SystemModel> load_system(const std::string& path) {
   SOMATO_TRY(const auto archive, load_archive(path));
   SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
-  SOMATO_TRY(auto system, build(archive, path));
-  for (const SystemModule& module : system.modules()) {
-    Learner* learner = module.module->learner();
-    if (learner == nullptr) continue;
-    auto loaded = learner->load(archive, prefix_of(module), path);
-    if (!loaded) return damaged_model(std::move(loaded.error()), path);
-  }
-  SystemModel model{std::move(system), {}};
-  if (archive.find("answer")) {
-    SOMATO_TRY(auto answer, read_answer(archive, model.system, path));
-    model.answer = std::move(answer);
-  }
+  SOMATO_TRY(auto model, model_in(archive, path));
   // Saving again must give the same parts, neither more nor fewer.
   if (archive_of(model.system, model.answer) == archive) return model;
   return damaged_model("the parts do not fit together", path);

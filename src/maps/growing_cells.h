@@ -54,6 +54,9 @@ class GrowingCells : public GrowingMap {
   std::unique_ptr<GrowingMap> copy() const override {
     return std::make_unique<GrowingCells>(*this);
   }
+  void place(std::size_t neuron, std::span<const float> input) override {
+    weights_.place(neuron, input);
+  }
   void resume() override { weights_.number_anew(); }
   const NeuronOrigins& origins() const override { return weights_.origins(); }
   void save(Archive& archive, const std::string& prefix) const override;

@@ -47,6 +47,9 @@ class GrowingGrid : public GrowingMap {
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
   std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<GrowingGrid>(*this); }
+  void place(std::size_t neuron, std::span<const float> input) override {
+    weights_.place(neuron, input);
+  }
   void resume() override;
   const NeuronOrigins& origins() const override { return weights_.origins(); }
   void save(Archive& archive, const std::string& prefix) const override;

@@ -116,6 +116,10 @@ void GrowingWeights::remove(const std::vector<std::size_t>& neurons) {
   origins_ = std::move(origins);
 }
 
+void GrowingWeights::place(std::size_t neuron, std::span<const float> input) {
+  std::copy(input.begin(), input.end(), rows_.row(neuron).begin());
+}
+
 void GrowingWeights::move(std::size_t neuron, std::span<const float> input, double rate) {
   const std::span<float> row = rows_.row(neuron);
   for (std::size_t i = 0; i < row.size(); ++i) {

@@ -57,6 +57,13 @@ class GrowingMap {
   /// The present map. Learning is not affected.
   virtual Som map() const = 0;
 
+  /// Adds a neuron with the weights `input`, with the highest number; no other neuron changes its
+  /// weights. Returns false, and changes nothing, if the map cannot add a single neuron or is full.
+  virtual bool add_at(std::span<const float> /*input*/) { return false; }
+
+  /// Gives a neuron the weights `input`; all else remains.
+  virtual void place(std::size_t neuron, std::span<const float> input) = 0;
+
   /// Prepares further learning: neurons are numbered anew, and a map whose learning has ended by
   /// itself tunes its weights again.
   virtual void resume() = 0;
@@ -109,6 +116,9 @@ class GrowingWeights {
 
   /// Removes neurons (ascending); the others keep their order.
   void remove(const std::vector<std::size_t>& neurons);
+
+  /// w = input.
+  void place(std::size_t neuron, std::span<const float> input);
 
   /// w += rate (input - w).
   void move(std::size_t neuron, std::span<const float> input, double rate);

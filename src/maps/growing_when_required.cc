@@ -107,10 +107,10 @@ void GrowingWhenRequired::learn(std::span<const float> input) {
   const double distance =
       std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
   const bool is_far = exponential(-distance / distance_unit_) < parameters_.activity_threshold;
-  const bool can_grow = habituation_[nearest.first] < parameters_.habituation_threshold &&
-                        neurons() < parameters_.growth.most_neurons;
+  const bool can_grow =
+      habituation_[nearest.first] < parameters_.habituation_threshold && !is_full();
   if (is_far && can_grow) {
-    insert(nearest, input);
+    weights_.move(insert(nearest), input, parameters_.insertion_share);
   } else {
     adapt(nearest.first, input);
   }
@@ -122,15 +122,22 @@ void GrowingWhenRequired::learn(std::span<const float> input) {
   remove_isolated();
 }
 
-void GrowingWhenRequired::insert(const Winners& nearest, std::span<const float> input) {
+bool GrowingWhenRequired::add_at(std::span<const float> input) {
+  if (is_full()) return false;
+  weights_.place(insert(weights_.nearest_two(input)), input);
+  return true;
+}
+
+// At the weights of the nearest neuron at first.
+std::size_t GrowingWhenRequired::insert(const Winners& nearest) {
   const std::size_t inserted = neurons();
   weights_.add(weights_[nearest.first]);
-  weights_.move(inserted, input, parameters_.insertion_share);
   habituation_.push_back(1.0);
   ages_.emplace_back();
   connect(inserted, nearest.first);
   connect(inserted, nearest.second);
   disconnect(nearest.first, nearest.second);
+  return inserted;
 }
 
 void GrowingWhenRequired::adapt(std::size_t winner, std::span<const float> input) {

@@ -45,10 +45,14 @@ class GrowingWhenRequired : public GrowingMap {
   GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const Som& som);
 
   void learn(std::span<const float> input) override;
+  bool add_at(std::span<const float> input) override;
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
   std::unique_ptr<GrowingMap> copy() const override {
     return std::make_unique<GrowingWhenRequired>(*this);
+  }
+  void place(std::size_t neuron, std::span<const float> input) override {
+    weights_.place(neuron, input);
   }
   void resume() override { weights_.number_anew(); }
   const NeuronOrigins& origins() const override { return weights_.origins(); }
@@ -57,7 +61,8 @@ class GrowingWhenRequired : public GrowingMap {
                     const std::string& where) override;
 
  private:
-  void insert(const Winners& nearest, std::span<const float> input);
+  bool is_full() const { return neurons() >= parameters_.growth.most_neurons; }
+  std::size_t insert(const Winners& nearest);
   void adapt(std::size_t winner, std::span<const float> input);
   void habituate(std::size_t neuron, double time);
   void connect(std::size_t a, std::size_t b);

@@ -83,18 +83,37 @@ float Som::weight(std::size_t neuron, std::size_t element) const {
 }
 
 void Som::store_all() {
-  if (elements_.all()) return;
+  if (!elements_.all()) store(StoredElements(elements_.size()));
+}
+
+// `elements` contains those that are stored already.
+void Som::store(StoredElements elements) {
   const LaneMatrix<float>& stored = weights();
-  LaneMatrix<float> all(neurons(), input_size());
+  LaneMatrix<float> more(neurons(), elements.count());
   for (std::size_t place = 0; place < elements_.count(); ++place) {
-    const std::size_t element = elements_.listed()[place];
+    const std::size_t element = elements_.all() ? place : elements_.listed()[place];
+    const std::size_t column = *elements.place_of(element);
     for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
-      all(neuron, element) = stored(neuron, place);
+      more(neuron, column) = stored(neuron, place);
     }
   }
-  weights_ = std::move(all);
+  weights_ = std::move(more);
   products_.reset();
-  elements_ = StoredElements(elements_.size());
+  elements_ = std::move(elements);
+}
+
+Som Som::with_neuron_at(std::size_t neuron, const SignalView& input) const {
+  require(neuron < neurons(), "the map does not have this neuron");
+  Som changed = *this;
+  changed.store(elements_.with(input));
+  SomWorkspace workspace;
+  const std::span<const float> prepared = changed.prepare(input, workspace);
+  std::vector<float> weights(prepared.begin(), prepared.end());
+  if (parameters_.similarity == Similarity::kDotProduct) normalize_length(weights);
+  for (std::size_t place = 0; place < weights.size(); ++place) {
+    changed.weights_(neuron, place) = weights[place];
+  }
+  return changed;
 }
 
 double Som::input_factor(const SignalView& input) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "maps/element_set.h"
@@ -43,6 +44,21 @@ StoredElements StoredElements::worth_storing(std::size_t size, std::vector<std::
   if (used.empty()) used.push_back(0);
   if (2 * used.size() >= size) return StoredElements(size);
   return {size, std::move(used)};
+}
+
+StoredElements StoredElements::with(const SignalView& signal) const {
+  require(signal.size == size_, "stored elements are selected from an input of another size");
+  if (all()) return *this;
+  std::vector<std::uint32_t> others;
+  for (std::size_t i = 0; i < signal.values.size(); ++i) {
+    const auto element = signal.sparse ? signal.indices[i] : static_cast<std::uint32_t>(i);
+    if (signal.values[i] != 0.0F) others.push_back(element);
+  }
+  std::vector<std::uint32_t> used;
+  used.reserve(listed_.size() + others.size());
+  std::set_union(listed_.begin(), listed_.end(), others.begin(), others.end(),
+                 std::back_inserter(used));
+  return worth_storing(size_, std::move(used));
 }
 
 bool StoredElements::possible_list(std::size_t size, std::span<const std::uint32_t> listed) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "files/archive.h"
+#include "graph/model_of_first.h"
 #include "somato/core/check.h"
 #include "somato/graph/system_model.h"
 #include "support/damaged_files.h"
@@ -25,58 +26,13 @@ using testing::with_part;
 using testing::without_part;
 using Numbers = std::vector<std::size_t>;
 
-const std::vector<std::string> kKinds{"som", "growing_when_required", "growing_cells",
-                                      "growing_grid"};
-
-std::string system_text(const std::string& kind) {
-  const std::string settings =
-      kind == "som" ? "rows = 3\ncolumns = 4\niterations = 100\n"
-      : kind == "growing_cells"
-          ? "most_neurons = 12\ninsertion_interval = 9\ndeletion_threshold = 0.4\n"
-      : kind == "growing_when_required"
-          ? "most_neurons = 12\nhabituation_threshold = 2.0\ninsertion_share = 1.0\n"
-          : "most_neurons = 12\n";
-  return "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n" +
-         module("closed", "last", "input = \"joints\"\n") +
-         module("map", kind, "input = \"closed\"\n" + settings);
-}
-
-// Three objects of six explorations each.
-Recording recording() {
-  return testing::objects_apart(3, 6, 8.0, 1);
-}
-
-Numbers range(std::size_t begin, std::size_t end) {
-  Numbers numbers;
-  for (std::size_t i = begin; i < end; ++i) numbers.push_back(i);
-  return numbers;
-}
-
-// Trained on the first object, whose explorations have voted.
-SystemModel model_of_first(const std::string& kind) {
-  const Recording all = recording();
-  SystemModel model{trained(build(system_text(kind), all), all, 6, 3), {}};
-  const Som& som = *som_of(model.system, 2);
-  NeuronVotes votes(som.neurons());
-  for (std::size_t i = 0; i < 6; ++i) {
-    votes.add(som.winner(testing::frames_of(all, "joints", i).row(0)), 0);
-  }
-  const std::string name = find_label(all.explorations.front(), "object").value();
-  model.answer = SystemAnswer{"map", "object", {name}, votes.labels(), votes};
-  return model;
-}
-
-SystemModel saved_and_loaded(const SystemModel& model) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(save_system(folder.file("model"), model.system, model.answer));
-  return testing::value_or_throw(load_system(folder.file("model")));
-}
-
-std::string bytes_of_saved(const SystemModel& model) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(save_system(folder.file("model"), model.system, model.answer));
-  return bytes_of(folder.file("model"));
-}
+using testing::bytes_of_saved;
+using testing::kKinds;
+using testing::model_of_first;
+using testing::range;
+using testing::recording;
+using testing::saved_and_loaded;
+using testing::system_text;
 
 // The law: saving between two objects changes nothing, in any part of the model.
 TEST(FurtherLearning, IsTheSameAfterTheModelWasSaved) {

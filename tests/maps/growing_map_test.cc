@@ -89,6 +89,9 @@ class CountingMap : public GrowingMap {
   std::size_t neurons() const override { return inputs.size(); }
   Som map() const override { return {}; }
   std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<CountingMap>(*this); }
+  void place(std::size_t neuron, std::span<const float> input) override {
+    inputs[neuron] = input[0];
+  }
   void resume() override { inputs.clear(); }
   const NeuronOrigins& origins() const override { return origins_; }
   void save(Archive& /*archive*/, const std::string& /*prefix*/) const override {}

@@ -123,6 +123,32 @@ Som stored_everywhere(Som som) {
   return som;
 }
 
+// The law: one neuron has the input as weights and is the most similar to it; all others remain.
+TEST(SomStoredElements, MoveOneNeuronToAnInput) {
+  for_each_stored_problem(75, [](const StoredProblem& problem, Random& random) {
+    const Som before = train_som(problem.parameters, problem.samples).value();
+    const Samples inputs =
+        testing::random_samples(1, before.input_size(), random.below(2) == 0, random);
+    const std::size_t moved = random.below(before.neurons());
+    const Som after = before.with_neuron_at(moved, inputs[0]);
+    expect_same_weights(after, stored_everywhere(before).with_neuron_at(moved, inputs[0]),
+                        problem.name);
+    std::vector<float> input(before.input_size());
+    write_dense(inputs[0], input);
+    const bool is_unit = problem.parameters.similarity == Similarity::kDotProduct;
+    if (is_unit || before.parameters().normalize_input.value()) normalize_length(input);
+    for (std::size_t d = 0; d < before.input_size(); ++d) {
+      ASSERT_NEAR(after.weight(moved, d), input[d], 1e-6) << problem.name;
+      for (std::size_t neuron = 0; neuron < before.neurons(); ++neuron) {
+        if (neuron == moved) continue;
+        ASSERT_EQ(after.weight(neuron, d), before.weight(neuron, d)) << problem.name;
+      }
+    }
+    SomWorkspace workspace;
+    EXPECT_EQ(after.winner(inputs[0], workspace), moved) << problem.name;
+  });
+}
+
 TEST(SomStoredElements, AnswerAsAllElements) {
   for_each_stored_problem(74, [](const StoredProblem& problem, Random& random) {
     const Som some = train_som(problem.parameters, problem.samples).value();

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
@@ -41,5 +43,29 @@ Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Sampl
 Result<void> learn_further(SystemModel& model, const Recording& recording,
                            std::span<const std::size_t> explorations,
                            const FurtherLearning& options = {});
+
+/// What a model has learned from the name of one exploration.
+struct Taught {
+  std::string before;  ///< The name that the model answered before; may be "unknown".
+  std::optional<std::size_t> neuron = {};  ///< The neuron of the output map that has the input of
+                                           ///< the exploration as weights now; none if the name was
+                                           ///< known.
+};
+
+/// Teaches a trained model the name of an exploration of a recording, after which the model answers
+/// this name for it. If it did already, the exploration is a further vote for the neuron that named
+/// it. Otherwise one neuron of the output map receives the map's input: a new one if the map can
+/// add one, or else the most similar neuron without a name. A neuron that has this input already
+/// takes over the name.
+///
+/// All other neurons keep their weights and names, so that the answer changes only for inputs that
+/// are nearer to this neuron than to all others. A new name becomes a new class, with the mean
+/// scale of the others for unknown inputs. Not given in the papers.
+///
+/// If teaching fails, the model is unchanged. Errors: kUsage for the name "unknown" or "", and if
+/// all neurons have names and the map cannot add one; those of evaluate(). Throws InvalidArgument
+/// if the model has no answer.
+Result<Taught> teach(SystemModel& model, const Recording& recording, std::size_t exploration,
+                     const std::string& name);
 
 }  // namespace somato

@@ -34,6 +34,9 @@ struct SystemModel {
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer = {});
 
+/// The same model, bit by bit, as if it had been saved and loaded.
+SystemModel copy_of(const SystemModel& model);
+
 /// Reads the same system, bit by bit. Errors: kSystem for a file that cannot be read, kData for one
 /// that is damaged or contains something else.
 Result<SystemModel> load_system(const std::string& path);

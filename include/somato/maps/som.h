@@ -35,6 +35,9 @@ class StoredElements {
   /// The elements in `used`, which is ascending, by the same rule.
   static StoredElements worth_storing(std::size_t size, std::vector<std::uint32_t> used);
 
+  /// These elements and those for which `signal` has a value other than 0, by the same rule.
+  StoredElements with(const SignalView& signal) const;
+
   /// Whether `listed` is not empty, is ascending without repeats and below `size`.
   static bool possible_list(std::size_t size, std::span<const std::uint32_t> listed);
 
@@ -145,6 +148,11 @@ class Som {
   /// Stores weights for all elements of an input; those without weights get 0.
   void store_all();
 
+  /// The same map, except that the weights of `neuron` are `input`, after normalization; those of a
+  /// dot-product map have length 1. It also stores the elements for which the input has a value. Throws InvalidArgument if there is no
+  /// such neuron or the size differs.
+  Som with_neuron_at(std::size_t neuron, const SignalView& input) const;
+
   /// The neuron most similar to `input`, by distances or inner products in double precision; in a
   /// tie the first neuron.
   std::size_t winner(const SignalView& input, SomWorkspace& workspace) const;
@@ -187,6 +195,7 @@ class Som {
   friend class WinnerSearch;
   friend LaneMatrix<float>& weights_to_change(Som& som);
   const LaneMatrix<float>& formed() const;
+  void store(StoredElements elements);
   double input_factor(const SignalView& input) const;
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;

@@ -32,6 +32,12 @@ class GrownRunner : public Runner {
   SomWorkspace workspace_;
 };
 
+std::vector<float> dense_values(const SignalView& input) {
+  std::vector<float> values(input.size);
+  write_dense(input, values);
+  return values;
+}
+
 constexpr std::uint64_t kDrawsOfASample = 10;
 
 std::uint64_t iterations_of(const GrowingWhenRequiredParameters& /*parameters*/,
@@ -161,6 +167,19 @@ Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,
   map->resume();
   SOMATO_TRY_VOID(grow_from(std::move(map), plan, growth_for(plan, inputs.count()), inputs));
   return map_->origins();
+}
+
+bool GrowingModule::add_neuron(const SignalView& input) {
+  require(map_ != nullptr, "a map must be trained before it learns further");
+  const bool added = map_->add_at(dense_values(input));
+  if (added) som_ = map_->map();
+  return added;
+}
+
+void GrowingModule::place_neuron(std::size_t neuron, const SignalView& input) {
+  require(map_ != nullptr, "a map must be trained before it learns further");
+  map_->place(neuron, dense_values(input));
+  som_ = map_->map();
 }
 
 void GrowingModule::save(Archive& archive, const std::string& prefix) const {

@@ -51,6 +51,8 @@ class GrowingModule : public MapModule {
   bool learns_by_draws() const override { return false; }
   Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations) override;
   Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) override;
+  bool add_neuron(const SignalView& input) override;
+  void place_neuron(std::size_t neuron, const SignalView& input) override;
   void save(Archive& archive, const std::string& prefix) const override;
   Result<void> load(const Archive& archive, const std::string& prefix,
                     const std::string& where) override;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+
 #include "somato/core/samples.h"
+#include "somato/core/signal.h"
 #include "somato/graph/module.h"
 #include "somato/maps/grid.h"
 #include "somato/maps/labels.h"
@@ -21,6 +24,14 @@ class MapModule : public Module, public Learner {
   /// observer of the plan, and returns the origins of the neurons. The map must be trained; if
   /// learning fails, it is unchanged. Errors: those of Learner::learn().
   virtual Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) = 0;
+
+  /// Adds a neuron with the weights `input` and the highest number; all others remain as they are.
+  /// Returns false if the map cannot add one. It must be trained.
+  virtual bool add_neuron(const SignalView& /*input*/) { return false; }
+
+  /// Gives a neuron of a trained map the weights `input`, after normalization; all others remain as
+  /// they are.
+  virtual void place_neuron(std::size_t neuron, const SignalView& input) = 0;
 
   Learner* learner() override { return this; }
 };
