@@ -51,10 +51,10 @@ describe("a system that learns names", () => {
     view.server.send("frame", { ...middle, frame: 40, last: false });
     await frameShown(view.page, 40);
     expect(await question().isVisible()).toBe(false);
-    await view.page.locator(".scene").focus();
+    await view.page.locator(".naming-name").focus();
     await showUnknown();
     await question().waitFor();
-    expect(await view.page.evaluate(() => document.activeElement?.className)).toContain("scene");
+    expect(await view.page.evaluate(() => document.activeElement?.className)).toBe("naming-name");
     await soon(() => view.page.locator(".question-spoken").innerText()).toContain("What is it?");
     await input().fill("tea cup");
     await view.page.keyboard.press("Enter");

@@ -31,7 +31,7 @@ export class NamingQuestion {
     private readonly model: Model,
     private readonly leave: () => void,
   ) {
-    const later = element("button", { type: "button", onclick: () => this.close() }, ["Not now"]);
+    const later = element("button", { type: "button", class: "quiet", onclick: () => this.close() }, ["Not now"]);
     const label = element("label", {}, [element("span", {}, ["What is it?"]), this.input]);
     const form = { class: "naming-question", "aria-label": "Name for the system to learn", hidden: true };
     this.form = element("form", form, [label, this.teach, later, this.known.root]);
