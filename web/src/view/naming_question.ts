@@ -35,7 +35,7 @@ export class NamingQuestion {
     const label = element("label", {}, [element("span", {}, ["What is it?"]), this.input]);
     const form = { class: "naming-question", "aria-label": "Name for the system to learn", hidden: true };
     this.form = element("form", form, [label, this.teach, later, this.known.root]);
-    this.root = element("div", {}, [this.form, this.speaker.root]);
+    this.root = element("div", { class: "naming-place" }, [this.form, this.speaker.root]);
     this.form.addEventListener("submit", (event) => void this.submit(event));
     this.form.addEventListener("keydown", (event) => event.key === "Escape" && this.close());
     this.input.addEventListener("input", () => this.pause());
