@@ -131,6 +131,14 @@ describe("a system that learns names", () => {
   });
 });
 
+it("invites to teach only where the system learns names", async () => {
+  await view.open({ ...kTeaching, demonstrated: 1 });
+  const sentence = view.page.getByRole("complementary", { name: "Invitation" }).getByText("the system learns it");
+  await sentence.waitFor();
+  view.server.change({ teaches: false });
+  await sentence.waitFor({ state: "hidden" });
+});
+
 describe("for everyone", () => {
   for (const [colorScheme, width] of [
     ["light", 1366],
