@@ -81,14 +81,16 @@ describe("a system that learns names", () => {
 
   it("waits while a name is typed", async () => {
     view.server.change({ playing: true });
-    await showUnknown();
+    await showUnknown(0);
     await input().focus();
-    await view.page.keyboard.type("cu");
+    await view.page.keyboard.type("cu"); // the second letter may come before the new state
     await view.received({ command: "pause" });
     view.server.change({ playing: false });
     await view.page.keyboard.type("p");
     await view.page.keyboard.press("Enter");
     await soon(() => view.server.commands.map(({ command }) => command)).toEqual(["pause", "name", "play"]);
+    expect(await view.page.evaluate(() => document.activeElement?.className)).toContain("reading-answer");
+    await view.page.getByText("Learned as “cup”").waitFor();
   });
 
   it("keeps a name that is refused", async () => {

@@ -23,7 +23,7 @@ export class NamingQuestion {
   private readonly form: HTMLFormElement;
   private readonly speaker = new Speaker("question-spoken");
   private readonly closed = new Set<number>(); // explorations
-  private asked: number | null = null; // the exploration
+  private subject: number | null = null; // the exploration
   private hasPaused = false;
 
   /** `leave` moves the focus when the question is closed while it has the focus. */
@@ -42,15 +42,15 @@ export class NamingQuestion {
   }
 
   show(frame: Frame | null, state: State | null): void {
-    const asked = frame !== null && state !== null && this.asks(frame, state) ? frame.exploration : null;
-    if (asked === this.asked) return;
-    this.asked = asked;
-    this.form.hidden = asked === null;
+    const subject = frame !== null && state !== null && this.asks(frame, state) ? frame.exploration : null;
+    if (subject === this.subject) return;
+    this.subject = subject;
+    this.form.hidden = subject === null;
     this.hasPaused = false;
-    if (asked === null || state === null) return;
+    if (subject === null || state === null) return;
     this.input.value = "";
     this.known.show(state);
-    this.speaker.say(String(asked), "What is it? Give its name in the panel Name, and the system learns it.");
+    this.speaker.say(String(subject), "What is it? Give its name in the panel Name, and the system learns it.");
   }
 
   private asks({ last, reading, exploration }: Frame, state: State): boolean {
@@ -63,24 +63,31 @@ export class NamingQuestion {
     const state = this.model.shownState.value;
     const value = this.input.value.trim();
     if (state === null || value === "") return;
+    const finish = this.finisher(); // the state in which it is taught may arrive before the answer
     this.teach.disabled = true;
     const isDone = await this.model.send({ command: "name", label: labelOf(state), value });
     this.teach.disabled = false;
-    if (isDone) this.close();
+    if (isDone) finish();
   }
 
-  /** Not asked again for this exploration. */
   private close(): void {
-    if (this.asked !== null) this.closed.add(this.asked);
-    const hadFocus = this.form.contains(document.activeElement);
-    const hasPaused = this.hasPaused;
-    this.show(null, null);
-    if (hadFocus) this.leave();
-    if (hasPaused) void this.model.send({ command: "play" });
+    this.finisher()();
+  }
+
+  /** Closes the question as it is now; it is not shown again for this exploration. */
+  private finisher(): () => void {
+    const { subject, hasPaused } = this;
+    const hasFocus = this.form.contains(document.activeElement);
+    return () => {
+      if (subject !== null) this.closed.add(subject);
+      if (subject === this.subject) this.show(null, null);
+      if (hasFocus) this.leave();
+      if (hasPaused) void this.model.send({ command: "play" });
+    };
   }
 
   private pause(): void {
-    if (this.model.shownState.value?.playing !== true) return;
+    if (this.hasPaused || this.model.shownState.value?.playing !== true) return;
     this.hasPaused = true;
     void this.model.send({ command: "pause" });
   }

@@ -1,4 +1,4 @@
-// What the view says about unknown things and what it was taught, without a browser.
+// The words of the view for unknown things and for explorations that were taught, without a browser.
 
 import { describe, expect, test } from "vitest";
 
@@ -92,7 +92,9 @@ describe("a name that was taught", () => {
 
   test("is not that of another name, nor one that was only counted, nor the taught exploration", () => {
     expect(originWords(fakeFrame(1, 40), withCup([kTaught]))).toBe(null);
-    expect(originWords(cupFrame(1), withCup([{ ...kTaught, neuron: null }]))).toBe(null);
+    const counted = { ...kTaught, exploration: 0, neuron: null };
+    expect(originWords(cupFrame(1), withCup([counted]))).toBe(null);
+    expect(originWords(cupFrame(1), withCup([kTaught, counted]))).toBe("Learned in this session, from exploration 5.");
     expect(originWords(cupFrame(4, 17), withCup([kTaught]))).toBe(null);
     expect(originWords({ ...cupFrame(1), reading: null }, withCup([kTaught]))).toBe(null);
   });
