@@ -29,7 +29,7 @@ struct Beginning {
   double speed;  // of a demonstration
 };
 
-constexpr std::array<Beginning, 4> kBeginnings = {{{"lucs2", "single_tensor_product", 3, 4.0},
+constexpr std::array<Beginning, 4> kBeginnings = {{{"lucs2", "single_tensor_product", 4, 4.0},
                                                    {"lucs3", "shape_and_size", 3, 1.0},
                                                    {"texture", "texture", 5, 1.0},
                                                    {"hardness", "hardness", 5, 1.0}}};
@@ -40,13 +40,19 @@ const Beginning* beginning_of(const std::string& body) {
   return found == kBeginnings.end() ? nullptr : &*found;
 }
 
-// Each thing once.
-Result<Recording> explore(const Explorer& explorer, std::size_t round,
+// A demonstration meets the last thing without having learned it.
+std::size_t things_to_learn(const Explorer& explorer, bool demonstrates) {
+  const std::size_t things = explorer.things().size();
+  return demonstrates && things > 2 ? things - 1 : things;
+}
+
+// Each of the first `things` once.
+Result<Recording> explore(const Explorer& explorer, std::size_t things, std::size_t round,
                           const std::function<bool()>& should_continue) {
   Recording recording;
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   auto explored = explore_all(
-      {explorer.things().size(), 1, threads},
+      {things, 1, threads},
       [&](std::size_t thing, std::size_t) {
         ExploreOptions options;
         options.limits.should_continue = should_continue;
@@ -74,10 +80,11 @@ Result<void> prepare_system(const Arguments& arguments, const std::string& body,
   SOMATO_TRY(auto session, body_session(arguments, kPriorSeed));
   const std::shared_ptr<const Explorer> explorer = std::move(session.explorer);
   source.system = static_cast<std::size_t>(found - source.systems.begin());
-  source.prior_explorations = {beginning->rounds,
-                               [explorer](std::size_t round, const auto& should_continue) {
-                                 return explore(*explorer, round, should_continue);
-                               }};
+  source.prior_explorations = {
+      beginning->rounds, [explorer, things = things_to_learn(*explorer, source.demonstrates)](
+                             std::size_t round, const auto& should_continue) {
+        return explore(*explorer, things, round, should_continue);
+      }};
   return {};
 }
 
@@ -86,6 +93,8 @@ void plan_demonstration(ViewSource& source) {
   source.demonstrates = true;
   source.plan.reserve(things);
   for (std::size_t thing = 0; thing < things; ++thing) source.plan.push_back({thing, 0});
+  // Another time, after it has been named.
+  if (things_to_learn(*source.explorer, true) < things) source.plan.push_back({things - 1, 1});
   source.thing = 0;
 }
 

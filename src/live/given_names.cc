@@ -18,6 +18,14 @@ void GivenNames::give(std::size_t exploration, const Label& label) {
   given_[exploration][label.name] = label.value;
 }
 
+std::optional<std::string> GivenNames::given(std::size_t exploration,
+                                             const std::string& label) const {
+  const auto labels = given_.find(exploration);
+  if (labels == given_.end()) return {};
+  const auto found = labels->second.find(label);
+  return found == labels->second.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<Label> GivenNames::labels(std::size_t exploration, std::vector<Label> own) const {
   for (const auto& [index, labels] : given_) {
     for (const auto& [name, value] : labels) {

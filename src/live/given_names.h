@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ class GivenNames {
 
   /// Takes back what was given to an exploration that was discarded.
   void forget(std::size_t exploration) { given_.erase(exploration); }
+
+  /// The value of the label that was given to an exploration, or nothing.
+  std::optional<std::string> given(std::size_t exploration, const std::string& label) const;
 
   bool empty() const { return given_.empty(); }
 
