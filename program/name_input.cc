@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "somato/recording/label_name.h"
+#include "live/given_names.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -54,13 +54,13 @@ std::optional<std::string> NameInput::read_name() {
     if (!has_ended_ && byte != '\n') line.push_back(byte);
   }
   std::string name = trimmed(line);
-  if (name.empty() || is_label_name(name)) {
+  if (name.empty() || live::is_name(name)) {
     return name.empty() ? std::nullopt : std::optional(std::move(name));
   }
   fmt::print(stderr,
              "somato: standard input: a name is not used, because it has control characters or more "
              "than {} bytes; give a short name in one line\n",
-             kLongestLabelName);
+             live::kLongestName);
   return {};
 }
 
