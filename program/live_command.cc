@@ -81,8 +81,8 @@ Result<void> save_taught(const Arguments& arguments, const ReadingSession& readi
   }
   const auto model = session.system();
   SOMATO_TRY_VOID(save_system(path, model->system, model->answer));
-  print_note(fmt::format("{}: the system with {}\n", path,
-                         counted(readings.taught(), "further name")));
+  print_note(
+      fmt::format("{}: the system with {}\n", path, counted(readings.taught(), "further name")));
   return {};
 }
 
@@ -180,9 +180,10 @@ Command live_command() {
        {"--explorations", "Number of explorations of each object or material. Default: 5"},
        {"--seed", "With --body: seed of placement and noise. Default: 1"},
        output_flag("-o,--output", "File for a recording of the explorations"),
-       output_flag("--teach",
-                   "Learn names from standard input, one line for an exploration, and save the "
-                   "system to this file at the end; after an unknown exploration a name is awaited"),
+       output_flag(
+           "--teach",
+           "Learn names from standard input, one line for an exploration, and save the "
+           "system to this file at the end; after an unknown exploration a name is awaited"),
        {"--speed",
         "Factor of the original speed, 0.05 to 100, or max: without waiting. Default: 1"},
        {"--view",

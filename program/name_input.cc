@@ -57,10 +57,11 @@ std::optional<std::string> NameInput::read_name() {
   if (name.empty() || live::is_name(name)) {
     return name.empty() ? std::nullopt : std::optional(std::move(name));
   }
-  fmt::print(stderr,
-             "somato: standard input: a name is not used, because it has control characters or more "
-             "than {} bytes; give a short name in one line\n",
-             live::kLongestName);
+  fmt::print(
+      stderr,
+      "somato: standard input: a name is not used, because it has control characters or more "
+      "than {} bytes; give a short name in one line\n",
+      live::kLongestName);
   return {};
 }
 

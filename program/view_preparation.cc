@@ -34,10 +34,11 @@ struct Beginning {
                                // learned it; the systems of the probes do not notice new materials
 };
 
-constexpr std::array<Beginning, 4> kBeginnings = {{{"lucs2", "single_tensor_product", 4, 4.0, "boccia"},
-                                                   {"lucs3", "shape_and_size", 3, 1.0, "block_90"},
-                                                   {"texture", "texture", 5, 1.0, ""},
-                                                   {"hardness", "hardness", 5, 1.0, ""}}};
+constexpr std::array<Beginning, 4> kBeginnings = {
+    {{"lucs2", "single_tensor_product", 4, 4.0, "boccia"},
+     {"lucs3", "shape_and_size", 3, 1.0, "block_90"},
+     {"texture", "texture", 5, 1.0, ""},
+     {"hardness", "hardness", 5, 1.0, ""}}};
 
 const Beginning* beginning_of(const std::string& body) {
   const auto found = std::find_if(kBeginnings.begin(), kBeginnings.end(),
@@ -62,8 +63,7 @@ std::vector<std::size_t> all_things(const Explorer& explorer) {
 
 // Each of these things once.
 Result<Recording> explore(const Explorer& explorer, const std::vector<std::size_t>& things,
-                          std::size_t round,
-                          const std::function<bool()>& should_continue) {
+                          std::size_t round, const std::function<bool()>& should_continue) {
   Recording recording;
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   auto explored = explore_all(
@@ -109,7 +109,7 @@ Result<void> prepare_system(const Arguments& arguments, const std::string& body,
   return {};
 }
 
-// What has not been learned comes last, and once more after it has been named.
+// The thing that has not been learned comes last, and once more after it has been named.
 void plan_demonstration(const std::string& body, ViewSource& source) {
   const Beginning* beginning = beginning_of(body);
   std::optional<std::size_t> unlearned;

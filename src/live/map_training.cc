@@ -138,8 +138,8 @@ class VisibleTraining {
     }
     if (scores.empty()) return {};
     const ExplorationValues& inputs = activations_.values_of(input_of_map());
-    auto novelty = labelled_map(system_, inputs, all_)
-                       .novelty(std::move(scores), Novelty{}.false_alarm_rate);
+    auto novelty =
+        labelled_map(system_, inputs, all_).novelty(std::move(scores), Novelty{}.false_alarm_rate);
     if (novelty) novelty_ = std::move(*novelty);
     return {};
   }
@@ -187,8 +187,8 @@ class VisibleTraining {
     if (!look_at(som)) return stopped();
     NeuronVotes votes(som.neurons());
     votes.add_all(winners, classes_.of_sample);
-    SystemAnswer answer{look_.module, wanted_.label, classes_.names, votes.labels(),
-                        std::move(votes), novelty_};
+    SystemAnswer answer{look_.module,   wanted_.label,    classes_.names,
+                        votes.labels(), std::move(votes), novelty_};
     return std::make_shared<const SystemModel>(SystemModel{std::move(system_), std::move(answer)});
   }
 

@@ -54,7 +54,8 @@ class Player {
   /// The strips over time of the exploration that is played, or nothing.
   std::optional<Strips> strips() const;
 
-  /// A system that was trained, without the names that it had been taught; it is used when it is the one that is chosen.
+  /// A system that was trained, without the names that it had been taught; it is used when it is
+  /// the one that is chosen.
   void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model);
   void show_training(bool training);
   void show_problem(std::string problem);

@@ -11,8 +11,8 @@
 
 namespace somato::live {
 
-/// What a system learns from the names that explorations are given in a session. Used by one
-/// thread; the models do not change, so that other threads may read them.
+/// A system that learns the names that explorations are given in a session. Used by one thread; the
+/// models do not change, so that other threads may read them.
 class Teacher {
  public:
   /// `model` has an answer.

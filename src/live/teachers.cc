@@ -26,9 +26,8 @@ const std::vector<TaughtName>& Teachers::names(std::size_t system) const {
 
 bool Teachers::is_taught(std::size_t system, std::size_t exploration) const {
   const auto& taught = names(system);
-  return std::any_of(taught.begin(), taught.end(), [&](const TaughtName& one) {
-    return one.exploration == exploration;
-  });
+  return std::any_of(taught.begin(), taught.end(),
+                     [&](const TaughtName& one) { return one.exploration == exploration; });
 }
 
 void Teachers::forget() {

@@ -23,7 +23,7 @@ class Teachers {
   /// Teaches a system that can be taught the name of an exploration of the recording.
   const TaughtName& teach(std::size_t system, std::size_t exploration, const std::string& name);
 
-  /// What a system was taught.
+  /// The names that a system was taught.
   const std::vector<TaughtName>& names(std::size_t system) const;
   bool is_taught(std::size_t system, std::size_t exploration) const;
 

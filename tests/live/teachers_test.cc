@@ -21,8 +21,8 @@ using testing::state_of;
 
 // `nothing_is_known`: every exploration is too far from what was learned.
 ViewSystem trained_system(bool nothing_is_known) {
-  SystemModel model = copy_of(
-      *testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2)));
+  SystemModel model =
+      copy_of(*testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2)));
   if (nothing_is_known) {
     model.answer->novelty =
         Novelty{0.05, 20, 1.0, std::vector<double>(model.answer->classes.size(), 1e-3)};

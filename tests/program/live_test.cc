@@ -324,8 +324,8 @@ TEST_F(Live, LearnsNamesFromStandardInput) {
   EXPECT_TRUE(taught[1].contains("problem")) << "the name unknown";
   EXPECT_EQ(taught[2]["taught"], "mug");
   EXPECT_EQ(finals_in(done.out).size(), count);
-  const json answers = json::parse(
-      output_of({"apply", "taught.somato", "grasps.mcap", "--json"}))["answers"];
+  const json answers =
+      json::parse(output_of({"apply", "taught.somato", "grasps.mcap", "--json"}))["answers"];
   EXPECT_EQ(answers[1]["object"], "cup");
   EXPECT_EQ(answers[4]["object"], "mug");
   EXPECT_EQ(answers[5]["object"], "cup");
@@ -340,8 +340,7 @@ TEST_F(Live, WritesNoSystemWithoutAName) {
   write("names", std::string(300, 'n') + "\n");
   ProgramWorld world;
   world.input_from = path("names");
-  const ProgramRun refused =
-      run(live({"--recording", kTrials, "--teach", "taught.somato"}), world);
+  const ProgramRun refused = run(live({"--recording", kTrials, "--teach", "taught.somato"}), world);
   EXPECT_EQ(refused.exit_code, 0);
   EXPECT_NE(refused.err.find("a name is not used"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(path("taught.somato")));
