@@ -59,36 +59,16 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"channel",
-                                          "one_hot",
-                                          "tensor_product",
-                                          "concatenation",
-                                          "sum",
-                                          "normalization",
-                                          "scale",
-                                          "logarithm",
-                                          "standardization",
-                                          "first",
-                                          "last",
-                                          "delay",
-                                          "change",
-                                          "resampling",
-                                          "onset_window",
-                                          "mean_removal",
-                                          "tare",
-                                          "high_pass",
-                                          "spectrum",
-                                          "accumulate",
-                                          "leaky_accumulate",
-                                          "number_code",
-                                          "som",
-                                          "growing_when_required",
-                                          "growing_cells",
-                                          "growing_grid",
-                                          "t_mpsom",
-                                          "winner",
-                                          "window",
-                                          "association",
+  EXPECT_EQ(names, (std::set<std::string>{"channel",       "one_hot",      "tensor_product",
+                                          "concatenation", "sum",          "normalization",
+                                          "scale",         "logarithm",    "standardization",
+                                          "first",         "last",         "delay",
+                                          "change",        "resampling",   "onset_window",
+                                          "mean_removal",  "tare",         "high_pass",
+                                          "spectrum",      "accumulate",   "leaky_accumulate",
+                                          "number_code",   "som",          "growing_when_required",
+                                          "growing_cells", "growing_grid", "t_mpsom",
+                                          "winner",        "window",       "association",
                                           "mean"}));
 }
 
@@ -296,11 +276,10 @@ TEST(Module, SparseSignalsStaySparseAsLongAsZerosStayZero) {
           module("late", "delay", "input = \"both\"") + module("end", "last", "input = \"both\"") +
           module("added", "sum", "inputs = [\"hot\", \"hot\"]"),
       recording);
-  const std::map<std::string, bool> sparse{{"hot", true},      {"product", true}, {"scaled", true},
-                                           {"shifted", false}, {"normal", true},  {"both", true},
-                                           {"mixed", false},   {"stm", true},     {"steps", true},
-                                           {"late", false},    {"end", true},     {"added", false},
-                                           {"logarithms", true}};
+  const std::map<std::string, bool> sparse{
+      {"hot", true},  {"product", true}, {"scaled", true},    {"shifted", false}, {"normal", true},
+      {"both", true}, {"mixed", false},  {"stm", true},       {"steps", true},    {"late", false},
+      {"end", true},  {"added", false},  {"logarithms", true}};
   for (const auto& [name, is_sparse] : sparse) {
     EXPECT_EQ(system.modules()[*system.find(name)].output.sparse, is_sparse) << name;
     EXPECT_EQ(output_of(system, recording, name, 0).values.is_sparse(), is_sparse) << name;
