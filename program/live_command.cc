@@ -33,8 +33,12 @@ Result<void> check_output_flags(const Arguments& arguments) {
     if (!arguments.has(flag) || arguments.has("view")) continue;
     return fail(ErrorKind::kUsage, "has no effect without the view", "--" + flag, "add --view");
   }
-  if (arguments.text("output") != "/dev/stdout") return {};
-  return fail(ErrorKind::kUsage, "standard output is for the readings", "--output", "name a file");
+  for (const std::string flag : {"output", "teach"}) {
+    if (arguments.text(flag) != "/dev/stdout") continue;
+    return fail(ErrorKind::kUsage, "standard output is for the readings", "--" + flag,
+                "name a file");
+  }
+  return {};
 }
 
 Result<double> read_speed(const Arguments& arguments) {
@@ -65,6 +69,21 @@ Result<ViewSystem> read_model(const std::string& path) {
   if (reading) return system;
   reading.error().where = path;
   return fail(std::move(reading.error()));
+}
+
+Result<void> save_taught(const Arguments& arguments, const ReadingSession& readings,
+                         const ViewSession& session) {
+  if (!arguments.has("teach")) return {};
+  const std::string path = arguments.text("teach");
+  if (readings.taught() == 0) {
+    print_note(fmt::format("{}: not written, because no name was learned\n", path));
+    return {};
+  }
+  const auto model = session.system();
+  SOMATO_TRY_VOID(save_system(path, model->system, model->answer));
+  print_note(
+      fmt::format("{}: the system with {}\n", path, counted(readings.taught(), "further name")));
+  return {};
 }
 
 // The system is the only one, so that the view shows what is written.
@@ -121,6 +140,8 @@ Result<void> run_live(const Arguments& arguments) {
   SOMATO_TRY(auto source, read_live_source(arguments));
   const bool is_viewed = view.has_value();
   ReadingSession readings(source.systems.front().trained, source.name);
+  source.teaches = arguments.has("teach");
+  if (source.teaches) readings.take_names(!is_viewed);  // a page must not wait
   source.readings = readings.sink();
   SessionRecording recording(arguments.text("output"));
   SOMATO_TRY_VOID(recording.begin(source));
@@ -132,6 +153,7 @@ Result<void> run_live(const Arguments& arguments) {
   readings.wait(is_viewed);
   server.reset();
   session.stop();
+  SOMATO_TRY_VOID(save_taught(arguments, readings, session));
   SOMATO_TRY(const auto saved, recording.finish());
   print_note(saved);
   auto outcome = readings.outcome();
@@ -158,6 +180,10 @@ Command live_command() {
        {"--explorations", "Number of explorations of each object or material. Default: 5"},
        {"--seed", "With --body: seed of placement and noise. Default: 1"},
        output_flag("-o,--output", "File for a recording of the explorations"),
+       output_flag(
+           "--teach",
+           "Learn names from standard input, one line for an exploration, and save the "
+           "system to this file at the end; after an unknown exploration a name is awaited"),
        {"--speed",
         "Factor of the original speed, 0.05 to 100, or max: without waiting. Default: 1"},
        {"--view",

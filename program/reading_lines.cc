@@ -70,4 +70,15 @@ std::string final_line(const live::SaidReading& said, const Exploration& explora
   return json_line(line);
 }
 
+std::string taught_line(const live::TaughtName& name) {
+  Json line{{"exploration", name.exploration + 1}, {"taught", name.name}};
+  if (name.problem.empty()) {
+    line["before"] = name.taught.before;
+    line["neuron"] = name.taught.neuron ? Json(*name.taught.neuron) : Json();
+  } else {
+    line["problem"] = name.problem;
+  }
+  return json_line(line);
+}
+
 }  // namespace somato::program

@@ -13,4 +13,7 @@ std::string moment_line(const live::SaidReading& said);
 /// The reading of the whole exploration, with the label that the exploration has.
 std::string final_line(const live::SaidReading& said, const Exploration& exploration);
 
+/// The result of teaching the system a name, as one line of JSON.
+std::string taught_line(const live::TaughtName& name);
+
 }  // namespace somato::program

@@ -22,6 +22,10 @@ live::ReadingSink ReadingSession::sink() {
   sink.on_end = [this](const live::SaidReading& said, const Exploration& exploration) {
     return output_.write(final_line(said, exploration));
   };
+  if (takes_names_) {
+    sink.name_of = [this](const live::SaidReading& said) { return name_of(said); };
+  }
+  sink.on_taught = [this](const live::TaughtName& name) { return note_taught(name); };
   sink.on_failure = [this](const Error& failure) { report(failure); };
   sink.on_done = [this](const Result<void>& outcome) { end(outcome); };
   return sink;
@@ -31,6 +35,20 @@ live::ReadingSink ReadingSession::sink() {
 Result<void> ReadingSession::begin(const Exploration& exploration) {
   if (std::exchange(is_checked_, true)) return {};
   return check_body_fit(model_->system, exploration, place_);
+}
+
+// A line that was typed during the exploration is its name.
+std::optional<std::string> ReadingSession::name_of(const live::SaidReading& said) {
+  const bool is_new =
+      said.reading != nullptr && said.reading->novelty && is_unknown(*said.reading->novelty);
+  if (!is_new || !waits_) return names_.take();
+  return names_.ask(fmt::format("Exploration {} is unknown. Type its name, or press Enter: ",
+                                said.exploration + 1));
+}
+
+Result<void> ReadingSession::note_taught(const live::TaughtName& name) {
+  if (name.problem.empty()) ++taught_;
+  return output_.write(taught_line(name));
 }
 
 void ReadingSession::report(const Error& failure) {

@@ -10,6 +10,7 @@
 
 #include "line_output.h"
 #include "live/view_source.h"
+#include "name_input.h"
 #include "somato/graph/system_model.h"
 
 namespace somato::program {
@@ -20,6 +21,16 @@ class ReadingSession {
   /// The readings of `model`; problems with the channels of a body are attributed to `place`.
   ReadingSession(std::shared_ptr<const SystemModel> model, std::string place)
       : model_(std::move(model)), place_(std::move(place)) {}
+
+  /// Takes names for the explorations from standard input from now on. `waits`: waits for one where
+  /// an exploration is unknown.
+  void take_names(bool waits) {
+    takes_names_ = true;
+    waits_ = waits;
+  }
+
+  /// The number of names that were learned.
+  std::size_t taught() const { return taught_; }
 
   /// Receives the readings of a player; must not outlive this object.
   live::ReadingSink sink();
@@ -34,6 +45,8 @@ class ReadingSession {
 
  private:
   Result<void> begin(const Exploration& exploration);
+  std::optional<std::string> name_of(const live::SaidReading& said);
+  Result<void> note_taught(const live::TaughtName& name);
   void report(const Error& failure);
   void end(const Result<void>& outcome);
   bool is_over(bool stays_open) const;
@@ -41,6 +54,10 @@ class ReadingSession {
   std::shared_ptr<const SystemModel> model_;
   std::string place_;
   LineOutput output_;
+  NameInput names_;
+  bool takes_names_ = false;
+  bool waits_ = false;
+  std::size_t taught_ = 0;
   bool is_checked_ = false;
   std::size_t failures_ = 0;
   std::mutex mutex_;

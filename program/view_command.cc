@@ -71,7 +71,7 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   source.scenes = recorded_scenes(std::move(session.objects));
   source.thing = thing;
   source.systems = std::move(systems);
-  if (arguments.has("demo")) plan_demonstration(source);
+  if (arguments.has("demo")) plan_demonstration(session.body, source);
   if (!recordings_in(arguments).empty() || arguments.has("model")) return source;
   SOMATO_TRY_VOID(prepare_system(arguments, session.body, source));
   return source;

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "exploring_body.h"
 #include "somato/bodies/exploring.h"
@@ -26,13 +29,16 @@ struct Beginning {
   std::string_view body;
   std::string_view system;
   std::size_t rounds;
-  double speed;  // of a demonstration
+  double speed;                // of a demonstration
+  std::string_view unlearned;  // of its own table: what a demonstration meets without having
+                               // learned it; the systems of the probes do not notice new materials
 };
 
-constexpr std::array<Beginning, 4> kBeginnings = {{{"lucs2", "single_tensor_product", 3, 4.0},
-                                                   {"lucs3", "shape_and_size", 3, 1.0},
-                                                   {"texture", "texture", 5, 1.0},
-                                                   {"hardness", "hardness", 5, 1.0}}};
+constexpr std::array<Beginning, 4> kBeginnings = {
+    {{"lucs2", "single_tensor_product", 4, 4.0, "boccia"},
+     {"lucs3", "shape_and_size", 3, 1.0, "block_90"},
+     {"texture", "texture", 5, 1.0, ""},
+     {"hardness", "hardness", 5, 1.0, ""}}};
 
 const Beginning* beginning_of(const std::string& body) {
   const auto found = std::find_if(kBeginnings.begin(), kBeginnings.end(),
@@ -40,17 +46,32 @@ const Beginning* beginning_of(const std::string& body) {
   return found == kBeginnings.end() ? nullptr : &*found;
 }
 
-// Each thing once.
-Result<Recording> explore(const Explorer& explorer, std::size_t round,
-                          const std::function<bool()>& should_continue) {
+std::optional<std::size_t> unlearned_thing(const Beginning& beginning, const Explorer& explorer) {
+  const auto& things = explorer.things();
+  const auto named = std::find_if(things.begin(), things.end(), [&](const ExploredThing& thing) {
+    return thing.name == beginning.unlearned;
+  });
+  if (named == things.end() || things.size() < 3) return {};
+  return static_cast<std::size_t>(named - things.begin());
+}
+
+std::vector<std::size_t> all_things(const Explorer& explorer) {
+  std::vector<std::size_t> things(explorer.things().size());
+  std::iota(things.begin(), things.end(), std::size_t{0});
+  return things;
+}
+
+// Each of these things once.
+Result<Recording> explore(const Explorer& explorer, const std::vector<std::size_t>& things,
+                          std::size_t round, const std::function<bool()>& should_continue) {
   Recording recording;
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   auto explored = explore_all(
-      {explorer.things().size(), 1, threads},
-      [&](std::size_t thing, std::size_t) {
+      {things.size(), 1, threads},
+      [&](std::size_t place, std::size_t) {
         ExploreOptions options;
         options.limits.should_continue = should_continue;
-        return explorer.explore(thing, round, options);
+        return explorer.explore(things[place], round, options);
       },
       [&](Exploration&& exploration) -> Result<void> {
         recording.explorations.push_back(std::move(exploration));
@@ -74,19 +95,34 @@ Result<void> prepare_system(const Arguments& arguments, const std::string& body,
   SOMATO_TRY(auto session, body_session(arguments, kPriorSeed));
   const std::shared_ptr<const Explorer> explorer = std::move(session.explorer);
   source.system = static_cast<std::size_t>(found - source.systems.begin());
-  source.prior_explorations = {beginning->rounds,
-                               [explorer](std::size_t round, const auto& should_continue) {
-                                 return explore(*explorer, round, should_continue);
-                               }};
+  std::vector<std::size_t> things = all_things(*explorer);
+  if (source.demonstrates) {
+    if (const auto unlearned = unlearned_thing(*beginning, *explorer)) {
+      std::erase(things, *unlearned);
+    }
+  }
+  source.prior_explorations = {
+      beginning->rounds,
+      [explorer, things = std::move(things)](std::size_t round, const auto& should_continue) {
+        return explore(*explorer, things, round, should_continue);
+      }};
   return {};
 }
 
-void plan_demonstration(ViewSource& source) {
-  const std::size_t things = source.explorer->things().size();
+// The thing that has not been learned comes last, and once more after it has been named.
+void plan_demonstration(const std::string& body, ViewSource& source) {
+  const Beginning* beginning = beginning_of(body);
+  std::optional<std::size_t> unlearned;
+  if (beginning != nullptr) unlearned = unlearned_thing(*beginning, *source.explorer);
   source.demonstrates = true;
-  source.plan.reserve(things);
-  for (std::size_t thing = 0; thing < things; ++thing) source.plan.push_back({thing, 0});
-  source.thing = 0;
+  for (const std::size_t thing : all_things(*source.explorer)) {
+    if (thing != unlearned) source.plan.push_back({thing, 0});
+  }
+  if (unlearned) {
+    source.plan.push_back({*unlearned, 0});
+    source.plan.push_back({*unlearned, 1});
+  }
+  source.thing = source.plan.front().thing;
 }
 
 double demonstration_speed(const std::string& body) {

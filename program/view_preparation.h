@@ -14,8 +14,9 @@ namespace somato::program {
 Result<void> prepare_system(const Arguments& arguments, const std::string& body,
                             ViewSource& source);
 
-/// The plan of --demo: each thing of the source in turn.
-void plan_demonstration(ViewSource& source);
+/// The plan of --demo with that body: each thing of the source in turn; the last one is a thing
+/// that the system has not learned, which is explored a second time after it has been named.
+void plan_demonstration(const std::string& body, ViewSource& source);
 
 /// The speed at which a demonstration of that body is shown.
 double demonstration_speed(const std::string& body);

@@ -28,7 +28,7 @@ struct ChannelPlanes {
 /// - `t_mpsom`: a neuron's weight is distributed over the elements of each input in proportion
 ///   to arbor times weight.
 /// - `concatenation`: each input receives its elements.
-/// - `standardization` and `scale` are undone, unless values were summed.
+/// - `standardization`, `scale` and `logarithm` are undone, unless values were summed.
 /// - `normalization`, memories, `first`, `last` and `change` pass weights on.
 ///
 /// The projection ends at any other module (a spectrum, a number code, another map, a loop): the

@@ -182,7 +182,7 @@ Result<Taught> teach(SystemModel& model, const Recording& recording, std::size_t
       SOMATO_TRY(neuron, give_neuron(module, inputs[0], answer.votes));
     }
     outvote(answer.votes, neuron, label);
-    // Of neurons with nearly the same weights, another one may answer.
+    // Another neuron with nearly the same weights may answer.
     if (named() != neuron) outvote(answer.votes, named(), label);
     taught.neuron = neuron;
   }

@@ -37,8 +37,7 @@ LabelledMap::LabelledMap(const Som& som, const ExplorationValues& inputs, const 
       winners_(winners_at(som_, inputs_.samples, places_)),
       labels_(NeuronLabels::by_majority(winners_, class_of_, som_.neurons())) {}
 
-std::vector<LabelledNeuron> LabelledMap::nearest(
-    const Numbers& explorations) const {
+std::vector<LabelledNeuron> LabelledMap::nearest(const Numbers& explorations) const {
   SomWorkspace workspace;
   std::vector<LabelledNeuron> nearest;
   nearest.reserve(explorations.size());

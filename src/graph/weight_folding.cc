@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "codes/logarithm.h"
 #include "graph/learned_parts.h"
 
 namespace somato::detail {
@@ -30,6 +31,7 @@ constexpr KnownType kTypes[] = {{"first", Kind::kPass, true},
                                 {"mean", Kind::kPass, true},
                                 {"normalization", Kind::kPass, false},
                                 {"scale", Kind::kUndo, true},
+                                {"logarithm", Kind::kUndo, true},
                                 {"standardization", Kind::kUndo, true},
                                 {"concatenation", Kind::kConcatenation, true},
                                 {"tensor_product", Kind::kProduct, false},
@@ -223,9 +225,14 @@ std::vector<double> WeightFolding::bin_centres(std::size_t module,
   return means;
 }
 
-// Before a standardization, or a factor and an offset.
+// Before a standardization, a logarithm, or a factor and an offset.
 std::vector<double> WeightFolding::undone(std::size_t module, const FoldedWeights& weights) const {
   std::vector<double> values = dense(weights);
+  if (system_.modules()[module].type->name == "logarithm") {
+    const double unit = setting(system_, module, "unit", LogarithmParameters{}.unit);
+    for (double& value : values) value = inverse_signed_logarithm(value, unit);
+    return values;
+  }
   const auto found = standardizations_.find(module);
   const double factor = setting(system_, module, "factor", 1.0);
   const double offset = setting(system_, module, "offset", 0.0);

@@ -2,12 +2,20 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "somato/recording/recording.h"
 
 namespace somato::live {
+
+/// The longest name or value of a label that can be given, in bytes.
+inline constexpr std::size_t kLongestName = 256;
+
+/// Whether a text can be given as a name: not empty, not too long and without control characters.
+bool is_name(std::string_view text);
 
 /// Labels that viewers gave to explorations, such as the name of what was touched. They stand
 /// beside the recording, which other threads may read.
@@ -18,6 +26,9 @@ class GivenNames {
 
   /// Takes back what was given to an exploration that was discarded.
   void forget(std::size_t exploration) { given_.erase(exploration); }
+
+  /// The value of the label that was given to an exploration, or nothing.
+  std::optional<std::string> given(std::size_t exploration, const std::string& label) const;
 
   bool empty() const { return given_.empty(); }
 

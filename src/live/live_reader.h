@@ -30,6 +30,9 @@ class LiveReader {
   /// computed twice for the same frames.
   const Reading* read(bool now);
 
+  /// The reading that was computed last for this exploration, or nullptr.
+  const Reading* latest() const { return latest_ ? &*latest_ : nullptr; }
+
   const SystemModel* model() const { return reading_ ? &reading_->model() : nullptr; }
   const SystemPicture& picture() const { return picture_; }
 

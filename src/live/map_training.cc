@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "graph/labelled_map.h"
+#include "live/held_out_parts.h"
 #include "live/viewed_system.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_training.h"
@@ -17,6 +20,7 @@ namespace {
 constexpr std::uint64_t kLooksAtLarge = 25;
 constexpr std::size_t kLarge = std::size_t{1} << 22;  // weights
 constexpr std::size_t kMostSamplesShown = 500;        // samples
+constexpr std::size_t kHeldOutParts = 3;              // one more training each
 
 tl::unexpected<Error> stopped() {
   return fail(ErrorKind::kInterrupted, "the training was stopped before its end");
@@ -33,8 +37,10 @@ class VisibleTraining {
         should_continue_(should_continue) {}
 
   Result<std::shared_ptr<const SystemModel>> train() {
-    auto trained =
-        build().and_then([&] { return learn(); }).and_then([&] { return find_samples(); });
+    auto trained = build()
+                       .and_then([&] { return learn(); })
+                       .and_then([&] { return find_samples(); })
+                       .and_then([&] { return find_novelty(); });
     if (!trained) return fail(std::move(trained.error()));
     return labelled();
   }
@@ -76,6 +82,7 @@ class VisibleTraining {
   Result<void> learn() {
     activations_ = Activations(system_.modules().size(), all_.size());
     SOMATO_TRY_VOID(evaluate_all(fixed_inputs(system_, {})));
+    fixed_ = activations_;
     SystemTraining training;
     training.seed = seed_;
     training.progress = [&](std::uint64_t done, std::uint64_t total) {
@@ -119,6 +126,42 @@ class VisibleTraining {
     return {};
   }
 
+  // Without enough explorations, or where they do not differ, nothing is unknown.
+  Result<void> find_novelty() {
+    std::vector<double> scores;
+    for (const HeldOutPart& part :
+         held_out_parts(classes_.of_sample, kHeldOutParts, Novelty{}.false_alarm_rate)) {
+      auto held_out = scores_of(part);
+      if (!held_out && held_out.error().kind == ErrorKind::kInterrupted) return stopped();
+      if (!held_out) return {};
+      scores.insert(scores.end(), held_out->begin(), held_out->end());
+    }
+    if (scores.empty()) return {};
+    const ExplorationValues& inputs = activations_.values_of(input_of_map());
+    auto novelty =
+        labelled_map(system_, inputs, all_).novelty(std::move(scores), Novelty{}.false_alarm_rate);
+    if (novelty) novelty_ = std::move(*novelty);
+    return {};
+  }
+
+  // By a system that has not learned from these explorations.
+  Result<std::vector<double>> scores_of(const HeldOutPart& part) {
+    SOMATO_TRY(auto system, System::build(wanted_.description, layout_of(recording_)));
+    Activations activations = fixed_;
+    SystemTraining training;
+    training.seed = seed_;
+    training.progress = [&](std::uint64_t, std::uint64_t) { return should_continue_(); };
+    SOMATO_TRY_VOID(train_system(system, recording_, part.training, training, activations));
+    SOMATO_TRY_VOID(evaluate(system, recording_, all_, {input_of_map()}, 1, activations));
+    return labelled_map(system, activations.values_of(input_of_map()), part.training)
+        .held_out_scores(part.held_out);
+  }
+
+  LabelledMap labelled_map(const System& system, const ExplorationValues& inputs,
+                           const std::vector<std::size_t>& training) const {
+    return {*som_of(system, map_), inputs, classes_.of_sample, classes_.names.size(), training};
+  }
+
   bool look_at(const Som& som) {
     look_.u_matrix = u_matrix(som);
     look_.winners.clear();
@@ -144,8 +187,8 @@ class VisibleTraining {
     if (!look_at(som)) return stopped();
     NeuronVotes votes(som.neurons());
     votes.add_all(winners, classes_.of_sample);
-    SystemAnswer answer{look_.module, wanted_.label, classes_.names, votes.labels(),
-                        std::move(votes)};
+    SystemAnswer answer{look_.module,   wanted_.label,    classes_.names,
+                        votes.labels(), std::move(votes), novelty_};
     return std::make_shared<const SystemModel>(SystemModel{std::move(system_), std::move(answer)});
   }
 
@@ -159,6 +202,8 @@ class VisibleTraining {
   System system_;
   std::size_t map_ = 0;
   Activations activations_;
+  Activations fixed_;  // what no training changes
+  std::optional<Novelty> novelty_;
   Samples samples_;
   TrainingSnapshot look_;
   bool sees_map_ = false;  // it learns now, and is looked at

@@ -34,7 +34,9 @@ using SnapshotObserver = std::function<bool(const TrainingSnapshot&)>;
 /// Trains a system on all explorations of a recording and labels its map by majority, with about a
 /// hundred snapshots of the map (25 for a map of more than four million weights, as each takes
 /// time). Snapshots have no effect: the map has the same bits as that of `somato run`. A map that
-/// learns together with other modules is only shown at the end. `should_continue` is called before
+/// learns together with other modules is only shown at the end. With enough explorations, three
+/// more trainings, each without a third of them, find the threshold for unknown explorations with a
+/// false-alarm rate of 5 %. `should_continue` is called before
 /// each exploration is evaluated, before the first snapshot; returning false ends the training as
 /// well. Errors: kUsage and kData with their location; kInterrupted.
 Result<std::shared_ptr<const SystemModel>> train_visibly(

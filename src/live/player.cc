@@ -40,6 +40,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       replay_(hub, pace_, source_.readings),
       system_(source_.system),
       kept_(source_.recording, source_.sink),
+      teachers_(source_),
       audience_(settings.wait_for_viewer, may_rest(source_, settings)),
       plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
@@ -95,6 +96,7 @@ void Player::turn() {
     pace_.keep(*next);
     advance();
   }
+  take_name();
   if (replay_.reader().problem() != shown_system_problem_) publish_state();
   if (is_complete()) replay_.tap().finish({});
 }
@@ -188,13 +190,18 @@ void Player::play_next() {
   replay_.show(0);
 }
 
-// After the last exploration, all are played again.
+// After the last exploration, all are played again, by the system as it was at first.
 void Player::play_next_of_demonstration() {
+  if (teach_demonstrated()) return;
   const std::size_t next = replay_.played()->index + 1;
   const bool was_last = next == kept_.count();
   wants_exploring_ = was_last && plan_.has_next();
   if (wants_exploring_) return;
-  if (was_last) plan_.complete_round();
+  if (was_last) {
+    plan_.complete_round();
+    teachers_.forget();
+    use_system();
+  }
   begin_exploration(was_last ? 0 : next);
   replay_.show(0);
 }
@@ -305,7 +312,9 @@ Result<void> Player::choose_system(const std::string& name) {
 void Player::take_trained(const std::string& name,
                           const std::shared_ptr<const SystemModel>& model) {
   for (ViewSystem& one : source_.systems) {
-    if (one.name == name) one.trained = model;
+    if (one.name != name) continue;
+    one.trained = model;
+    teachers_.drop(static_cast<std::size_t>(&one - source_.systems.data()));
   }
   if (system() != nullptr && system()->name == name) use_system();
 }
@@ -346,6 +355,8 @@ std::string Player::state_text() const {
   state.placement = plan_.placement();
   state.system = system_;
   state.system_problem = replay_.reader().problem();
+  state.teaches = teaches();
+  if (system_) state.taught = teachers_.names(*system_);
   state.training = training_;
   state.demonstrated = plan_.rounds();
   state.clients = hub_.viewers();
@@ -426,6 +437,7 @@ Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> 
   save_before(kept_.count() - 1);
   begin_exploration(kept_.count() - 1);
   replay_.show(replay_.moments() - 1);
+  teach_given(kept_.count() - 1);
   return {};
 }
 
@@ -440,7 +452,56 @@ void Player::save_before(std::size_t end) {
 // Names the exploration that is shown.
 Result<void> Player::name(const Label& given) {
   if (replay_.played() == nullptr) return not_now("there is no exploration to name");
-  return kept_.name(replay_.played()->index, given);
+  const PlayedExploration& played = *replay_.played();
+  SOMATO_TRY_VOID(kept_.name(played.index, given));
+  if (played.has_ended && given.name == answered_label()) teach_given(played.index);
+  return {};
+}
+
+// The reading of each exploration is one answer.
+bool Player::teaches() const {
+  return system_ && teachers_.can_teach(*system_) && replay_.reader().model() != nullptr;
+}
+
+std::string Player::answered_label() const {
+  return teaches() ? system()->trained->answer->label : "";
+}
+
+void Player::teach(std::size_t exploration, const std::string& name) {
+  const TaughtName& taught = teachers_.teach(*system_, exploration, name);
+  use_system();
+  replay_.tap().say_taught(taught);
+  publish_state();
+}
+
+void Player::teach_given(std::size_t exploration) {
+  if (!teaches()) return;
+  if (const auto name = names().given(exploration, answered_label())) teach(exploration, *name);
+}
+
+// Given by the receiver of the readings.
+void Player::take_name() {
+  const auto name = replay_.tap().take_name();
+  if (!name || !teaches() || replay_.played() == nullptr) return;
+  const std::size_t exploration = replay_.played()->index;
+  if (const auto named = kept_.name(exploration, {answered_label(), *name}); !named) {
+    problem_ = sentence_of(named.error());
+    return;
+  }
+  teach(exploration, *name);
+}
+
+// An unknown thing is named; the system's answer after that is shown for a while, too.
+bool Player::teach_demonstrated() {
+  const Reading* reading = teaches() ? replay_.reader().latest() : nullptr;
+  if (reading == nullptr || !reading->novelty || !is_unknown(*reading->novelty)) return false;
+  const PlayedExploration& played = *replay_.played();
+  Exploration named;
+  named.labels = names().labels(played.index, played.exploration->labels);
+  const auto name = find_label(named, answered_label());
+  if (!name || teachers_.is_taught(*system_, played.index)) return false;
+  teach(played.index, *name);
+  return true;
 }
 
 // While a body explores, the name of the thing that it was given.

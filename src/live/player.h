@@ -19,6 +19,7 @@
 #include "live/replay.h"
 #include "live/strips.h"
 #include "live/task_queue.h"
+#include "live/teachers.h"
 #include "live/view_command.h"
 #include "live/view_source.h"
 
@@ -53,7 +54,8 @@ class Player {
   /// The strips over time of the exploration that is played, or nothing.
   std::optional<Strips> strips() const;
 
-  /// A system that was trained; it is used when it is the one that is chosen.
+  /// A system that was trained, without the names that it had been taught; it is used when it is
+  /// the one that is chosen.
   void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model);
   void show_training(bool training);
   void show_problem(std::string problem);
@@ -88,6 +90,13 @@ class Player {
   Result<void> choose_system(const std::string& name);
   void use_system();
 
+  bool teaches() const;
+  std::string answered_label() const;
+  void teach(std::size_t exploration, const std::string& name);
+  void teach_given(std::size_t exploration);
+  void take_name();
+  bool teach_demonstrated();
+
   void explore();
   void grow(const BodyDescription& body, const Scene& scene);
   void show_step();
@@ -106,6 +115,7 @@ class Player {
   Replay replay_;
   std::optional<std::size_t> system_;
   KeptExplorations kept_;
+  Teachers teachers_;
   Audience audience_;
   std::string problem_;
   std::string shown_system_problem_;

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "live/system_reading.h"
 #include "somato/core/result.h"
+#include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 
@@ -19,6 +22,14 @@ struct SaidReading {
   const Reading* reading = nullptr;  ///< Or nothing yet.
 };
 
+/// A name that an exploration was given, and what the system has learned from it.
+struct TaughtName {
+  std::size_t exploration = 0;  ///< Counting from 0.
+  std::string name;
+  Taught taught = {};   ///< Without a problem.
+  std::string problem;  ///< Why the system could not learn it, a sentence; or empty.
+};
+
 /// Receives what a system says while explorations are played, each moment once and in order. The
 /// player waits during each call. An error of a call ends the readings with that error.
 struct ReadingSink {
@@ -30,6 +41,13 @@ struct ReadingSink {
 
   /// After the last moment, with the whole exploration and its labels.
   std::function<Result<void>(const SaidReading& said, const Exploration& exploration)> on_end;
+
+  /// After on_end, the name that the exploration is given, if any, for a system that learns names;
+  /// may be empty.
+  std::function<std::optional<std::string>(const SaidReading& said)> name_of = {};
+
+  /// The system has learned a name, or could not; may be empty.
+  std::function<Result<void>(const TaughtName& name)> on_taught = {};
 
   /// A body's exploration has failed; the next one follows.
   std::function<void(const Error& error)> on_failure;

@@ -37,6 +37,11 @@ void ReadingTap::end(const SaidReading& said, const PlayedExploration& played) {
   ++ended_;
   if (!is_open()) return;
   check(sink_.on_end(said, *played.exploration));
+  if (is_open() && sink_.name_of) name_ = sink_.name_of(said);
+}
+
+void ReadingTap::say_taught(const TaughtName& name) {
+  if (is_open() && sink_.on_taught) check(sink_.on_taught(name));
 }
 
 void ReadingTap::say_failure(const Error& error) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "live/live_reader.h"
@@ -28,6 +29,12 @@ class ReadingTap {
   /// have other moments then: only its end is passed on.
   void say(const PlayedExploration& played, std::size_t moments, LiveReader& reader);
 
+  /// The name that the exploration whose end was passed on is given, once; or nothing.
+  std::optional<std::string> take_name() { return std::exchange(name_, std::nullopt); }
+
+  /// The system has learned a name, or could not.
+  void say_taught(const TaughtName& name);
+
   /// An exploration has failed; others may follow.
   void say_failure(const Error& error) const;
 
@@ -50,6 +57,7 @@ class ReadingTap {
   double begun_ = 0.0;                // time of its first moment
   double time_ = 0.0;                 // s from there to the last one that was said
   std::size_t ended_ = 0;
+  std::optional<std::string> name_;
 };
 
 }  // namespace somato::live

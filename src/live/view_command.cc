@@ -8,13 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "live/given_names.h"
+
 namespace somato::live {
 namespace {
 
 using SortedJson = nlohmann::json;
 
 constexpr double kMostFrames = 1e9;
-constexpr double kLongestName = 256;
 
 // The fields of a command, taken one after the other; the first that is wrong is kept.
 class CommandFields {
@@ -39,8 +40,7 @@ class CommandFields {
   std::string text(const std::string& name) {
     const SortedJson* field = take(name);
     if (!field) return {};
-    if (field->is_string() &&
-        static_cast<double>(field->get_ref<const std::string&>().size()) <= kLongestName) {
+    if (field->is_string() && field->get_ref<const std::string&>().size() <= kLongestName) {
       return field->get<std::string>();
     }
     keep(fmt::format("'{}' must be a text of at most {} bytes", name, kLongestName));
@@ -50,10 +50,7 @@ class CommandFields {
   // The name or value of a label.
   std::string word(const std::string& name) {
     std::string value = text(name);
-    const bool has_control = std::any_of(value.begin(), value.end(), [](char c) {
-      return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    });
-    if (value.empty() || has_control) {
+    if (!is_name(value)) {
       keep(fmt::format("'{}' must be a text without line breaks and not empty", name));
     }
     return value;

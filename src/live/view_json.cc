@@ -97,6 +97,12 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
   text.open('{');
   text.key("answer").add("{}", json_text(Json(reading->name(classes))));
   text.key("confidence").finite("{:.6g}", reading->confidence());
+  text.key("novelty");
+  if (reading->novelty) {
+    text.finite("{:.6g}", *reading->novelty);
+  } else {
+    text.add("null");
+  }
   text.key("candidates").open('[');
   for (const Candidate& one : reading->candidates) {
     text.separate();

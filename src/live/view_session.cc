@@ -97,6 +97,10 @@ class ViewSession::Impl {
 
   live::EventHub& hub() { return hub_; }
   const Recording& recording() const { return player_.source().recording; }
+  std::shared_ptr<const SystemModel> system() const {
+    const ViewSystem* system = player_.system();
+    return system == nullptr ? nullptr : system->trained;
+  }
 
  private:
   static constexpr auto kPatience = std::chrono::seconds(5);
@@ -251,6 +255,10 @@ void ViewSession::stop() {
 
 const Recording& ViewSession::recording() const {
   return impl_->recording();
+}
+
+std::shared_ptr<const SystemModel> ViewSession::system() const {
+  return impl_->system();
 }
 
 Result<void> ViewSession::command(std::string_view json) {

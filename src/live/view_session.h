@@ -35,6 +35,10 @@ class ViewSession {
   /// The recording that was viewed, with all that a body has explored so far. After stop().
   const Recording& recording() const;
 
+  /// The selected system, with the names that it was taught, or nullptr if it is not trained. After
+  /// stop().
+  std::shared_ptr<const SystemModel> system() const;
+
   /// Does what a command in JSON says. From any thread. Errors (kUsage): no such command, or one
   /// that cannot be done now.
   Result<void> command(std::string_view json);

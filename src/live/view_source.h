@@ -61,6 +61,7 @@ struct ViewSource {
   bool demonstrates = false;
   /// The selected system is trained on these; may have no rounds.
   PriorExplorations prior_explorations = {};
+  bool teaches = true;        ///< Whether the selected system learns the names that are given.
   std::uint64_t seed = 1;     ///< The seed of training.
   ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
   SceneFinder scenes = {};    ///< For recordings; may be empty.

@@ -77,6 +77,19 @@ void add_systems(const ViewState& state, Json& json) {
   json["label"] = or_null(state.picture.label);
 }
 
+void add_taught(const ViewState& state, Json& json) {
+  json["teaches"] = state.teaches;
+  json["taught"] = Json::array();
+  for (const TaughtName& one : state.taught) {
+    const auto& neuron = one.taught.neuron;
+    json["taught"].push_back({{"exploration", one.exploration},
+                              {"name", one.name},
+                              {"before", one.taught.before},
+                              {"neuron", neuron ? Json(*neuron) : Json()},
+                              {"problem", or_null(one.problem)}});
+  }
+}
+
 }  // namespace
 
 Json state_json(const ViewState& state) {
@@ -95,6 +108,7 @@ Json state_json(const ViewState& state) {
   json["rates"] = rates_json(state.played);
   add_things(state, json);
   add_systems(state, json);
+  add_taught(state, json);
   json["training"] = state.training;
   json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
   json["clients"] = state.clients;

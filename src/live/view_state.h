@@ -7,6 +7,7 @@
 
 #include "live/given_names.h"
 #include "live/played_exploration.h"
+#include "live/reading_sink.h"
 #include "live/view_json.h"
 #include "live/view_source.h"
 #include "live/viewed_system.h"
@@ -28,6 +29,8 @@ struct ViewState {
   Placement placement = {};
   std::optional<std::size_t> system = {};
   std::string system_problem = {};
+  bool teaches = false;  ///< Whether the selected system learns the names that are given.
+  std::vector<TaughtName> taught = {};
   bool training = false;
   std::optional<std::size_t> demonstrated = {};  ///< Rounds of a demonstration.
   std::size_t clients = 0;

@@ -160,6 +160,14 @@ TEST(ChannelPlanes, AFactorAndAnOffsetAreUndone) {
               1e-12);
 }
 
+TEST(ChannelPlanes, ALogarithmIsUndone) {
+  const Problem problem(channels({"joints"}) + module("closed", "last", "input = 'joints'") +
+                        module("logarithms", "logarithm", "input = 'closed'\nunit = 0.25") +
+                        map_on("logarithms"));
+  EXPECT_NEAR(problem.planes()[0].values(4, 1),
+              0.25 * std::expm1(double{problem.som().weight(4, 1)}), 1e-12);
+}
+
 // The whole tensor, element by element: height x wrist x (joint, bin) x touch.
 class FullTensor : public ::testing::TestWithParam<double> {
  protected:

@@ -16,7 +16,7 @@
 namespace somato::testing {
 
 inline const std::vector<std::string> kKinds{"som", "growing_when_required", "growing_cells",
-                                      "growing_grid"};
+                                             "growing_grid"};
 
 inline std::string system_text(const std::string& kind) {
   const std::string settings =

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "codes/change.h"
+#include "codes/logarithm.h"
 #include "codes/onset.h"
 #include "codes/resampling.h"
 #include "somato/codes/memory.h"
@@ -58,35 +59,16 @@ TEST(Module, EveryTypeIsThereOnceAndSaysWhatItDoes) {
     }
     EXPECT_EQ(find_module_type(type.name, "").value(), &type);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"channel",
-                                          "one_hot",
-                                          "tensor_product",
-                                          "concatenation",
-                                          "sum",
-                                          "normalization",
-                                          "scale",
-                                          "standardization",
-                                          "first",
-                                          "last",
-                                          "delay",
-                                          "change",
-                                          "resampling",
-                                          "onset_window",
-                                          "mean_removal",
-                                          "tare",
-                                          "high_pass",
-                                          "spectrum",
-                                          "accumulate",
-                                          "leaky_accumulate",
-                                          "number_code",
-                                          "som",
-                                          "growing_when_required",
-                                          "growing_cells",
-                                          "growing_grid",
-                                          "t_mpsom",
-                                          "winner",
-                                          "window",
-                                          "association",
+  EXPECT_EQ(names, (std::set<std::string>{"channel",       "one_hot",      "tensor_product",
+                                          "concatenation", "sum",          "normalization",
+                                          "scale",         "logarithm",    "standardization",
+                                          "first",         "last",         "delay",
+                                          "change",        "resampling",   "onset_window",
+                                          "mean_removal",  "tare",         "high_pass",
+                                          "spectrum",      "accumulate",   "leaky_accumulate",
+                                          "number_code",   "som",          "growing_when_required",
+                                          "growing_cells", "growing_grid", "t_mpsom",
+                                          "winner",        "window",       "association",
                                           "mean"}));
 }
 
@@ -258,6 +240,14 @@ TEST(Module, SignalsAreScaledOneByOne) {
                  }
                  return scaled;
                });
+  expect_gives(module("m", "logarithm", "input = \"joints\"\nunit = 0.1"),
+               [](const Recording& r, std::size_t i) {
+                 Matrix<float> logarithms = frames_of(r, "joints", i);
+                 for (float& x : logarithms.values()) {
+                   x = static_cast<float>(signed_logarithm(x, 0.1));
+                 }
+                 return logarithms;
+               });
   expect_gives(module("m", "normalization", "input = \"joints\"\nnorm = \"maximum\""),
                [](const Recording& r, std::size_t i) {
                  return beside(r, i, [](auto a, auto) {
@@ -278,6 +268,7 @@ TEST(Module, SparseSignalsStaySparseAsLongAsZerosStayZero) {
           module("scaled", "scale", "input = \"product\"\nfactor = 2") +
           module("shifted", "scale", "input = \"product\"\noffset = 2") +
           module("normal", "normalization", "input = \"scaled\"") +
+          module("logarithms", "logarithm", "input = \"scaled\"") +
           module("both", "concatenation", "inputs = [\"hot\", \"scaled\"]") +
           module("mixed", "concatenation", "inputs = [\"hot\", \"touch\"]") +
           module("stm", "accumulate", "input = \"both\"") +
@@ -285,10 +276,10 @@ TEST(Module, SparseSignalsStaySparseAsLongAsZerosStayZero) {
           module("late", "delay", "input = \"both\"") + module("end", "last", "input = \"both\"") +
           module("added", "sum", "inputs = [\"hot\", \"hot\"]"),
       recording);
-  const std::map<std::string, bool> sparse{{"hot", true},      {"product", true}, {"scaled", true},
-                                           {"shifted", false}, {"normal", true},  {"both", true},
-                                           {"mixed", false},   {"stm", true},     {"steps", true},
-                                           {"late", false},    {"end", true},     {"added", false}};
+  const std::map<std::string, bool> sparse{
+      {"hot", true},  {"product", true}, {"scaled", true},    {"shifted", false}, {"normal", true},
+      {"both", true}, {"mixed", false},  {"stm", true},       {"steps", true},    {"late", false},
+      {"end", true},  {"added", false},  {"logarithms", true}};
   for (const auto& [name, is_sparse] : sparse) {
     EXPECT_EQ(system.modules()[*system.find(name)].output.sparse, is_sparse) << name;
     EXPECT_EQ(output_of(system, recording, name, 0).values.is_sparse(), is_sparse) << name;
@@ -537,6 +528,7 @@ TEST(Module, SteppedFrameByFrameIsAsAWhole) {
       module("scaled", "scale", "input = \"normal\"\nfactor = 3\noffset = -0.1") +
       module("standard", "standardization", "input = \"joints\"") +
       module("late", "delay", "input = \"standard\"") +
+      module("logarithms", "logarithm", "input = \"late\"\nunit = 0.3") +
       module("zero", "tare", "input = \"hot\"\nframes = 2") +
       module("quick", "high_pass", "input = \"zero\"\ntime_constant = 0.1\nrate = 20") +
       module("stm", "accumulate", "input = \"late\"\nevery_frame = true") +
@@ -570,7 +562,7 @@ TEST(Module, SteppedFrameByFrameIsAsAWhole) {
           << m.name;
     }
   }
-  EXPECT_EQ(stepped.size(), 16U);  // all but channel and those that need explorations as a whole
+  EXPECT_EQ(stepped.size(), 17U);  // all but channel and those that need explorations as a whole
 }
 
 // y(t) = x(t) + 0.75 y(t - 1), by three modules in a loop and by the memory that is made for it.

@@ -67,7 +67,11 @@ TEST(DemonstrationThread, StandsStillDuringAPause) {
   EXPECT_EQ(state["playing"], false);
   const int rounds = state["demonstrated"].get<int>();
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_EQ(state_of(session), state);
+  // An exploration that was about to begin may begin, and stands still at its first step.
+  const json later = state_of(session);
+  for (const std::string part : {"playing", "demonstrated", "explorations", "frame"}) {
+    EXPECT_EQ(later[part], state[part]) << part;
+  }
   command(session, R"({"command":"play"})");
   EXPECT_TRUE(eventually([&] { return state_of(session)["demonstrated"] > rounds; }));
 }

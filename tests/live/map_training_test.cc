@@ -52,6 +52,20 @@ TEST(MapTraining, LearnsWhatTrainingAsAWholeLearns) {
   }
 }
 
+// Its threshold comes from trainings without these explorations, of which the map knows nothing.
+TEST(MapTraining, FindsAThresholdForUnknownExplorations) {
+  EXPECT_FALSE(testing::trained_model(testing::crossed_system(), testing::hand_recording(6, 2))
+                   ->answer->novelty);
+  const auto model =
+      testing::trained_model(testing::crossed_system(), testing::hand_recording(20, 2));
+  const auto& novelty = model->answer->novelty;
+  ASSERT_TRUE(novelty);
+  EXPECT_EQ(novelty->samples, 20U);
+  EXPECT_EQ(novelty->false_alarm_rate, 0.05);
+  EXPECT_EQ(novelty->scales.size(), model->answer->classes.size());
+  EXPECT_GT(novelty->threshold, 1.0) << "explorations are farther from maps without them";
+}
+
 TEST(MapTraining, HasTheSameBitsEachTime) {
   const Recording recording = testing::hand_recording(6, 2);
   const auto a = testing::trained_model(testing::crossed_system(), recording);

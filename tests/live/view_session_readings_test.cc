@@ -250,6 +250,31 @@ TEST(SessionReadingsThread, GoOnAfterAnExplorationThatFails) {
   EXPECT_EQ(moments, 15U) << "five recorded steps of three explorations";
 }
 
+// A name is learned before the next exploration begins.
+TEST(SessionReadingsThread, TakeNamesFromTheirReceiver) {
+  ReadingListener listener;
+  ViewSource source =
+      source_with_readings(planned_source(std::make_unique<testing::FakeExplorer>()), listener);
+  std::vector<std::string> events;
+  source.readings.on_begin = [&](const Exploration&) -> Result<void> {
+    events.emplace_back("begin");
+    return {};
+  };
+  source.readings.name_of = [](const SaidReading& said) {
+    return said.exploration == 1 ? std::optional<std::string>("cup") : std::nullopt;
+  };
+  source.readings.on_taught = [&](const live::TaughtName& name) -> Result<void> {
+    events.push_back(name.name + " for " + std::to_string(name.exploration) + name.problem);
+    return {};
+  };
+  ViewSession session(std::move(source), {false, kFastest});
+  session.start();
+  EXPECT_TRUE(listener.wait());
+  session.stop();
+  EXPECT_EQ(events, (std::vector<std::string>{"begin", "begin", "cup for 1", "begin"}));
+  EXPECT_EQ(session.system()->answer->classes.back(), "cup");
+}
+
 TEST(SessionReadingsThread, EndWithAnErrorOfTheirReceiver) {
   ReadingListener listener;
   listener.refuses_ = true;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -33,7 +34,7 @@ std::vector<json> lines_in(const std::string& out) {
 std::vector<json> finals_in(const std::string& out) {
   std::vector<json> finals;
   for (const json& line : lines_in(out)) {
-    if (line.at("final") == true) finals.push_back(line);
+    if (line.value("final", false)) finals.push_back(line);
   }
   return finals;
 }
@@ -292,6 +293,59 @@ TEST_F(Live, WhatWasExploredBeforeAnInterruptionIsSaved) {
   ASSERT_GE(saved->explorations.size(), finals.size());
   EXPECT_NE(done.err.find("the recording has"), std::string::npos) << done.err;
   EXPECT_EQ(saved->explorations[0], read_recording(path("train.mcap"))->explorations[0]);
+}
+
+// Lines of the names that were learned.
+std::vector<json> taught_in(const std::string& out) {
+  std::vector<json> taught;
+  for (const json& line : lines_in(out)) {
+    if (line.contains("taught")) taught.push_back(line);
+  }
+  return taught;
+}
+
+// A name in a line for each exploration; the system that is saved answers them.
+TEST_F(Live, LearnsNamesFromStandardInput) {
+  learn();
+  output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
+  const std::size_t count = answers_of("grasps.mcap").size();
+  write("names", "\ncup\n \nunknown\nmug \r\ncup\n");
+  ProgramWorld world;
+  world.input_from = path("names");
+  const ProgramRun done =
+      run(live({"--recording", "grasps.mcap", "--teach", "taught.somato"}), world);
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const std::vector<json> taught = taught_in(done.out);
+  ASSERT_EQ(taught.size(), 4U) << done.out;
+  EXPECT_EQ(taught[0]["exploration"], 2);
+  EXPECT_EQ(taught[0]["taught"], "cup");
+  EXPECT_TRUE(taught[0]["neuron"].is_number_integer());
+  EXPECT_EQ(taught[1]["exploration"], 4);
+  EXPECT_TRUE(taught[1].contains("problem")) << "the name unknown";
+  EXPECT_EQ(taught[2]["taught"], "mug");
+  EXPECT_EQ(finals_in(done.out).size(), count);
+  const json answers =
+      json::parse(output_of({"apply", "taught.somato", "grasps.mcap", "--json"}))["answers"];
+  EXPECT_EQ(answers[1]["object"], "cup");
+  EXPECT_EQ(answers[4]["object"], "mug");
+  EXPECT_EQ(answers[5]["object"], "cup");
+  EXPECT_EQ(answers_of("grasps.mcap")[1]["object"], answers_of("grasps.mcap")[1]["given_object"]);
+}
+
+TEST_F(Live, WritesNoSystemWithoutAName) {
+  learn();
+  const ProgramRun done = run(live({"--recording", kTrials, "--teach", "taught.somato"}));
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(path("taught.somato")));
+  write("names", std::string(300, 'n') + "\n");
+  ProgramWorld world;
+  world.input_from = path("names");
+  const ProgramRun refused = run(live({"--recording", kTrials, "--teach", "taught.somato"}), world);
+  EXPECT_EQ(refused.exit_code, 0);
+  EXPECT_NE(refused.err.find("a name is not used"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(path("taught.somato")));
+  expect_refused(2, live({"--recording", kTrials, "--teach", "/dev/stdout"}),
+                 {"--teach", "standard output is for the readings"});
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ export function fakeFrame(exploration: number, frame: number): Frame {
   };
 }
 
+/** The end of an exploration that is not recognized. */
+export function unknownFrame(exploration: number, novelty = 1.43): Frame {
+  const frame = fakeFrame(exploration, kFrames - 1);
+  return { ...frame, reading: { ...frame.reading!, answer: "unknown", novelty } };
+}
+
 export function fakeStrips(exploration: number): Strips {
   const frames = Array.from({ length: kFrames }, (_, i) => fakeFrame(exploration, i));
   const names = Object.keys(frames[0]!.channels);
@@ -116,6 +122,7 @@ function readingOf(exploration: number, share: number): Reading {
   return {
     answer: candidates[0]!.name,
     confidence: round(1 - candidates[0]!.distance / candidates[1]!.distance),
+    novelty: null,
     candidates,
   };
 }
@@ -244,6 +251,8 @@ export function fakeState(): State {
       },
     ],
     label: "object",
+    teaches: false,
+    taught: [],
     training: false,
     demonstrated: null,
     clients: 1,

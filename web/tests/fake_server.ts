@@ -137,7 +137,8 @@ export class FakeServer {
     this.commands.push(command);
     if (this.refusal !== null) return json(response, 400, { error: this.refusal });
     this.obey(command);
-    json(response, 200, { ok: true });
+    // The state that follows from a name may arrive before the answer.
+    setTimeout(() => json(response, 200, { ok: true }), command.command === "name" ? 100 : 0);
   }
 
   private obey(command: Command): void {
@@ -152,6 +153,7 @@ export class FakeServer {
     if (command.command === "placement")
       this.change({ placement: { x: command.x, y: command.y, turn: command.turn } });
     if (command.command === "train") this.train();
+    if (command.command === "name" && this.state.teaches) this.learn(command.value);
     if (command.command === "stop_training") this.change({ training: false });
   }
 
@@ -176,6 +178,11 @@ export class FakeServer {
   private pause(): void {
     clearInterval(this.playing);
     this.change({ playing: false, frame: this.frame.frame + 1 });
+  }
+
+  private learn(name: string): void {
+    const one = { exploration: this.frame.exploration, name, before: "unknown", neuron: 17, problem: null };
+    this.change({ taught: [...this.state.taught, one] });
   }
 
   private train(): void {

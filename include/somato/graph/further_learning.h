@@ -44,7 +44,7 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
                            std::span<const std::size_t> explorations,
                            const FurtherLearning& options = {});
 
-/// What a model has learned from the name of one exploration.
+/// The result of teaching a model the name of one exploration.
 struct Taught {
   std::string before;  ///< The name that the model answered before; may be "unknown".
   std::optional<std::size_t> neuron = {};  ///< The neuron of the output map that has the input of

@@ -149,8 +149,8 @@ class Som {
   void store_all();
 
   /// The same map, except that the weights of `neuron` are `input`, after normalization; those of a
-  /// dot-product map have length 1. It also stores the elements for which the input has a value. Throws InvalidArgument if there is no
-  /// such neuron or the size differs.
+  /// dot-product map have length 1. It also stores the elements for which the input has a value.
+  /// Throws InvalidArgument if there is no such neuron or the size differs.
   Som with_neuron_at(std::size_t neuron, const SignalView& input) const;
 
   /// The neuron most similar to `input`, by distances or inner products in double precision; in a

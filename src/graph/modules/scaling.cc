@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "codes/logarithm.h"
 #include "graph/modules/support.h"
 #include "maps/map_parts.h"
 #include "somato/codes/standardization.h"
@@ -122,10 +123,37 @@ class ScaleModule : public MappedModule {
   bool stays_sparse_ = false;
 };
 
+class LogarithmModule : public MappedModule {
+ public:
+  using Parameters = LogarithmParameters;
+  explicit LogarithmModule(const Parameters& parameters) : parameters_(parameters) {}
+
+  Result<PortType> connect(const std::vector<Connection>& inputs) override {
+    return checked_size(inputs.front().type, inputs.front().port);
+  }
+
+  Result<void> map(std::span<const SignalView> inputs, SignalBuffer& out,
+                   SignalBuffer& /*scratch*/) const override {
+    out.assign(inputs.front());
+    for (float& value : out.values()) {
+      value = static_cast<float>(signed_logarithm(value, parameters_.unit));
+    }
+    return {};
+  }
+
+ private:
+  Parameters parameters_;
+};
+
 }  // namespace
 
 std::vector<ModuleType> scaling_types() {
   return {
+      describe<LogarithmModule>(
+          "logarithm",
+          "The logarithm of the magnitude of every element, with its sign: sign(x) log(1 + |x| / "
+          "unit). Small differences of small values count as much as large ones of large values.",
+          {input_port("Any signal.")}, "The shape of the input."),
       describe<ScaleModule>("scale", "Every element multiplied by a factor, plus an offset.",
                             {input_port("Any signal.")}, "The shape of the input."),
       describe<StandardizationModule>(

@@ -25,6 +25,13 @@ export class Candidates {
 
   constructor(private readonly model: Model) {
     this.root.append(this.list, this.note);
+    new ResizeObserver(() => this.makeReachable()).observe(this.list);
+  }
+
+  /** The keyboard scrolls a list that does not fit. */
+  private makeReachable(): void {
+    if (this.list.scrollHeight > this.list.clientHeight) this.list.tabIndex = 0;
+    else this.list.removeAttribute("tabindex");
   }
 
   /** The classes of the map that is shown. */

@@ -96,6 +96,16 @@ export interface State {
   maps: MapData[];
   /** The label that is predicted, such as "object". */
   label: string | null;
+  /**
+   * Whether the selected system learns a name that is given to an exploration: it is trained, one
+   * of its maps answers, and the view teaches.
+   */
+  teaches: boolean;
+  /**
+   * The explorations that were taught to the selected system in this view, in the order of
+   * learning; naming an exploration again replaces its entry.
+   */
+  taught: Taught[];
   /** Whether a system is being trained. */
   training: boolean;
   /** The number of complete rounds of a demonstration, or null. */
@@ -112,6 +122,26 @@ export interface ExplorationLabels {
   labels: Labels;
   /** The recording that contains it, if several are viewed. */
   recording?: string;
+}
+
+/**
+ * An exploration that a system was taught by its name. Neurons that had a name before keep their
+ * weights and their name.
+ */
+export interface Taught {
+  /** Its index. */
+  exploration: number;
+  /** The given name. */
+  name: string;
+  /** Its reading before it was taught, perhaps "unknown". */
+  before: string;
+  /**
+   * The neuron of the answering map whose weights are now exactly the input of this exploration;
+   * null if the exploration had been read correctly and was only counted, or was not learned.
+   */
+  neuron: number | null;
+  /** A sentence: why the system could not learn it. */
+  problem: string | null;
 }
 
 /** Offset of an object from its usual place. */
@@ -220,9 +250,15 @@ export interface MapActivity {
 
 /** The prediction of the system if this frame were the last. */
 export interface Reading {
+  /** The nearest class, or "unknown" if `novelty` is above 1. */
   answer: string;
   /** Relative distance margin to the second class: 0 for equal distances, at most 1. */
   confidence: NumberOrNull;
+  /**
+   * Distance from all that was learned, divided by the distance up to which a class is recognized;
+   * null if the system has no threshold.
+   */
+  novelty: number | null;
   /** By distance, the nearest first. */
   candidates: Candidate[];
 }

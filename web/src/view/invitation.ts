@@ -8,9 +8,11 @@ export function invitation(model: Model): HTMLElement {
   const train = element("button", { type: "button", class: "primary" }, ["Train another system"]);
   const explore = element("button", { type: "button" }, ["Explore an object"]);
   const close = element("button", { type: "button" }, ["Close"]);
+  const teaching = element("span", {}, [" If the system reads an object as unknown, give its name, and the system learns it."]);
   const root = element("aside", { class: "invitation", "aria-label": "Invitation", hidden: true }, [
     element("p", {}, [
       "The hand has explored every object once, and now repeats the explorations. You can train another system on them, or select an object and let the hand explore it.",
+      teaching,
     ]),
     element("div", { class: "invitation-buttons" }, [train, explore, close]),
   ]);
@@ -25,6 +27,7 @@ export function invitation(model: Model): HTMLElement {
   model.shownState.watch((state) => {
     train.hidden = state === null || other(state) === null;
     train.disabled = state?.training ?? false;
+    teaching.hidden = !(state?.teaches ?? false);
     show();
   });
   train.addEventListener("click", () => {

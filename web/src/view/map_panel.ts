@@ -8,6 +8,7 @@ import type { Frame, State } from "./data";
 import type { Model } from "./model";
 import { Panel } from "./panel";
 import { RecalledMaps } from "./recalled_maps";
+import { answeringMap, taughtFrom } from "./taught";
 import { TrainingView } from "./training_view";
 
 type MapState = State["maps"][number];
@@ -72,6 +73,7 @@ export class MapPanel {
     this.maps.setOptions(names, Math.max(0, names.indexOf(this.model.map.value ?? "")));
     this.maps.element.hidden = names.length < 2;
     this.build();
+    this.markTaught(this.model.frame.value);
   }
 
   /** Rebuilt only for another map, so that the pointed cell is kept. */
@@ -83,6 +85,7 @@ export class MapPanel {
     this.built = text;
     this.picture = this.map === null ? null : this.makePicture(this.map);
     fill(this.place, [this.picture?.element ?? null]);
+    delete this.place.dataset["taught"];
     this.recalled.build(this.map, state?.graph ?? null);
     this.draw(this.model.frame.value);
   }
@@ -107,7 +110,19 @@ export class MapPanel {
     this.picture.setValues(shown?.activity ?? [], [0, 1]);
     this.picture.setWinner(shown?.winner ?? null);
     this.place.dataset["winner"] = String(shown?.winner ?? "");
+    this.markTaught(frame);
     this.recalled.draw(frame);
+  }
+
+  /** The neuron that has learned the exploration. */
+  private markTaught(frame: Frame | null): void {
+    const state = this.model.shownState.value;
+    const isAnswering = state !== null && answeringMap(state)?.module === this.map?.module;
+    const neuron = isAnswering && frame !== null ? (taughtFrom(state, frame.exploration)?.neuron ?? null) : null;
+    const marked = neuron === null ? [] : [neuron];
+    if (String(marked) === this.place.dataset["taught"]) return;
+    this.place.dataset["taught"] = String(marked);
+    this.picture?.mark(marked);
   }
 
   private markChosen(): void {

@@ -83,11 +83,14 @@ export class Model implements Source {
     if (isShared) await this.send({ command: "dismiss" });
   }
 
-  async send(command: Command): Promise<void> {
+  /** Whether the command was executed; otherwise the problem is shown. */
+  async send(command: Command): Promise<boolean> {
     try {
       await this.server.command(command);
+      return true;
     } catch (problem) {
       this.problem.set(sentenceOf(problem));
+      return false;
     }
   }
 

@@ -1,26 +1,22 @@
 // The name of what is touched. A click changes it: the label of the current exploration.
 
-import { element, fill, uniqueId } from "../parts/dom";
+import { element, fill } from "../parts/dom";
 import type { State } from "./data";
+import { KnownNames, labelOf } from "./known_names";
 import type { Model } from "./model";
 
 export class Naming {
   readonly root = element("div", { class: "naming" });
-  private readonly name = element("button", {
-    type: "button",
-    class: "naming-name",
-    title: "Change the name of what is touched in this exploration",
-  });
-  private readonly known = element("datalist", { id: uniqueId("names") });
+  private readonly name = element("button", { type: "button", class: "naming-name" });
+  private readonly known = new KnownNames();
   private readonly input = element("input", {
     type: "text",
     required: true,
     maxlength: 80,
-    list: this.known.id,
+    list: this.known.root.id,
     "aria-label": "Name of what is touched",
   });
   private readonly form: HTMLFormElement;
-  private listed = "";
 
   constructor(private readonly model: Model) {
     const cancel = element("button", { type: "button", onclick: () => this.edit(false) }, ["Cancel"]);
@@ -28,7 +24,7 @@ export class Naming {
       this.input,
       element("button", { type: "submit", class: "primary" }, ["Set name"]),
       cancel,
-      this.known,
+      this.known.root,
     ]);
     fill(this.root, [this.name, this.form]);
     this.name.addEventListener("click", () => this.edit(true));
@@ -45,13 +41,8 @@ export class Naming {
       element("span", { class: "muted" }, [`${label} `]),
       element("strong", {}, [value ?? "not named"]),
     ]);
-    const names = [...new Set([...state.things.map(({ name }) => name), ...given(state, label)])];
-    if (names.join("\n") === this.listed) return;
-    this.listed = names.join("\n");
-    fill(
-      this.known,
-      names.map((name) => element("option", { value: name })),
-    );
+    this.name.title = `Change the name of what is touched in this exploration${state.teaches ? "; the system learns it" : ""}`;
+    this.known.show(state);
   }
 
   private edit(edits: boolean): void {
@@ -72,13 +63,4 @@ export class Naming {
     void this.model.send({ command: "name", label: labelOf(state), value });
     this.edit(false);
   }
-}
-
-/** The label that the system predicts, so that it can be trained on the given names. */
-function labelOf(state: State): string {
-  return state.label ?? "object";
-}
-
-function given(state: State, label: string): string[] {
-  return state.explorations.flatMap(({ labels }) => labels[label] ?? []);
 }

@@ -8,7 +8,7 @@ const kSteps: [string, string][] = [
   ["skin", "The skin: every touch sensor of the hand. Grey ones feel nothing; bright ones are pressed."],
   ["code", "The code: the system combines joint angles and touch into one vector of numbers."],
   ["map", "The map: each cell is a neuron. The bright cells respond most to the present code."],
-  ["name", "The name: the class of the neuron that responds most, and whether it is right."],
+  ["name", "The name: the class of the neuron that responds most, and whether it is right. If the system asks for the name of an unknown object, it learns it."],
 ];
 
 export class Tour {

@@ -2,11 +2,15 @@
 
 import type { State } from "./data";
 
+/** A reading that is too far from all classes, and the label of explorations that have no name. */
+export const kUnknown = "unknown";
+
 /** The value of the label for an exploration; null if it is unknown. */
 export function truthOf(state: State, exploration: number): string | null {
   if (state.label === null) return null;
   const labels = state.explorations.find(({ index }) => index === exploration)?.labels;
-  if (labels !== undefined) return labels[state.label] ?? null;
+  const given = labels?.[state.label] ?? null;
+  if (labels !== undefined) return given === kUnknown ? null : given;
   return state.live ? ofThing(state, state.label) : null;
 }
 

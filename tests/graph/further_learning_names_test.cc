@@ -18,7 +18,7 @@ using testing::kKinds;
 using testing::model_of_first;
 using testing::recording;
 
-// Of the last object, which no model of the first one has learned.
+// An exploration of the last object, which no model of the first one has learned.
 constexpr std::size_t kNew = 15;
 
 std::vector<float> input_of(const Recording& all, std::size_t exploration) {
@@ -82,8 +82,8 @@ TEST(Teaching, ChangesNoNamedNeuron) {
       for (int joint = 0; joint < 3; ++joint) {
         input.push_back(static_cast<float>(800.0 * random.uniform() - 100.0));
       }
-      const std::size_t winner = map_of(model).winner_among(
-          model.answer->labels.labelled(), SignalView::dense(input), workspace);
+      const std::size_t winner = map_of(model).winner_among(model.answer->labels.labelled(),
+                                                            SignalView::dense(input), workspace);
       EXPECT_EQ(named(model, input), winner == neuron ? "cup" : named(before, input)) << kind;
     }
   }
@@ -96,8 +96,8 @@ TEST(Teaching, CountsANameThatWasKnown) {
     const std::size_t votes = [&] {
       SomWorkspace workspace;
       const std::vector<float> input = input_of(all, 2);
-      const std::size_t neuron = map_of(model).winner_among(
-          model.answer->labels.labelled(), SignalView::dense(input), workspace);
+      const std::size_t neuron = map_of(model).winner_among(model.answer->labels.labelled(),
+                                                            SignalView::dense(input), workspace);
       const std::size_t count = model.answer->votes.of(neuron, 0);
       const auto taught = teach(model, all, 2, "object 1");
       EXPECT_TRUE(taught && taught->before == "object 1" && !taught->neuron) << kind;
