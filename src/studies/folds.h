@@ -31,11 +31,12 @@ struct FoldSamples {
                               ///< class, the last ones, instead of parts.
 };
 
-/// The folds of a protocol; every test sample is tested in exactly one. With `test_last`, k_folds and
-/// object_after_object have one fold, which tests these samples only. Throws InvalidArgument if
+/// The folds of a protocol; every test sample is tested in exactly one. With `test_last`, k_folds
+/// and object_after_object have one fold, which tests these samples only. Throws InvalidArgument if
 /// there are too few samples: 1 for train_is_test and test_data, otherwise 2; 2 groups for
 /// leave_group_out; 2 classes for leave_class_out; as many samples as folds, or one that is not
-/// among the last; a test sample for test_data. The known samples of a fold of leave_class_out are those of a part of k_folds.
+/// among the last; a test sample for test_data. The known samples of a fold of leave_class_out are
+/// those of a part of k_folds.
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples);
 
 /// The folds of k_folds among the `chosen` samples only, at most one for each of them; `classes`
