@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostExplorations = 10000;        // of a body
 constexpr double kBetweenExplorations = 1.5;            // s
+constexpr double kLongerResult = 3.0;                   // times the pause after a result
 constexpr auto kSlice = std::chrono::milliseconds(20);  // between two tasks, while it follows
 
 template <typename... Cases>
@@ -170,8 +171,14 @@ std::optional<Pace::Clock::time_point> Player::due() const {
   if (!replay_.is_over()) return pace_.due(replay_.pause());
   if (coming_) return pace_.due(growing_->seconds_to(*coming_));
   if (growing_ || replay_.played() == nullptr) return {};
-  if (plan_.demonstrates()) return pace_.due(result_pause_ * pace_.speed);
+  if (plan_.demonstrates()) return pace_.due(pause_after_result() * pace_.speed);
   return pace_.due(kBetweenExplorations);
+}
+
+// Longer where an unknown thing can be named, and where that shows what was learned.
+double Player::pause_after_result() const {
+  const bool is_named = system_ && teachers_.is_taught(*system_, replay_.played()->index);
+  return is_named || is_unknown_now() ? kLongerResult * result_pause_ : result_pause_;
 }
 
 void Player::advance() {
@@ -491,10 +498,14 @@ void Player::take_name() {
   teach(exploration, *name);
 }
 
+bool Player::is_unknown_now() const {
+  const Reading* reading = teaches() ? replay_.reader().latest() : nullptr;
+  return reading != nullptr && reading->novelty && is_unknown(*reading->novelty);
+}
+
 // An unknown thing is named; the system's answer after that is shown for a while, too.
 bool Player::teach_demonstrated() {
-  const Reading* reading = teaches() ? replay_.reader().latest() : nullptr;
-  if (reading == nullptr || !reading->novelty || !is_unknown(*reading->novelty)) return false;
+  if (!is_unknown_now()) return false;
   const PlayedExploration& played = *replay_.played();
   Exploration named;
   named.labels = names().labels(played.index, played.exploration->labels);

@@ -96,6 +96,8 @@ class Player {
   void teach_given(std::size_t exploration);
   void take_name();
   bool teach_demonstrated();
+  bool is_unknown_now() const;
+  double pause_after_result() const;
 
   void explore();
   void grow(const BodyDescription& body, const Scene& scene);
