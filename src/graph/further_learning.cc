@@ -60,12 +60,6 @@ NeuronVotes votes_of(const SystemAnswer& answer) {
   return votes;
 }
 
-std::string name_for(const SystemAnswer& answer, std::size_t neuron, double distance) {
-  const std::size_t label = *answer.labels[neuron];
-  const bool is_far = answer.novelty && is_unknown(answer.novelty->of(label, distance));
-  return is_far ? std::string(kUnknownAnswer) : answer.classes[label];
-}
-
 Numbers without_name(const NeuronLabels& labels) {
   Numbers neurons;
   for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
@@ -164,22 +158,29 @@ Result<Taught> teach(SystemModel& model, const Recording& recording, std::size_t
   SOMATO_TRY_VOID(check_name(name));
   SOMATO_TRY(const auto map, model.system.find(model.answer->map));
   SOMATO_TRY(const auto inputs, inputs_of(model.system, map, recording, {&exploration, 1}, 1));
+  return teach(model, inputs[0], name);
+}
+
+Result<Taught> teach(SystemModel& model, const SignalView& input, const std::string& name) {
+  require(model.answer.has_value(), "a model needs an answer to learn names");
+  SOMATO_TRY_VOID(check_name(name));
+  SOMATO_TRY(const auto map, model.system.find(model.answer->map));
   modules::MapModule& module = map_to_change(model.system, map);
+  const InputAnswer before = answer_to(model, input);
+  Taught taught{before.name(model.answer->classes), {}};
   SystemAnswer answer = *model.answer;
   answer.votes = votes_of(answer);
   SomWorkspace workspace;
   const auto named = [&] {
-    return module.som().winner_among(answer.votes.labels().labelled(), inputs[0], workspace);
+    return module.som().winner_among(answer.votes.labels().labelled(), input, workspace);
   };
   std::size_t neuron = named();
-  const double distance = module.som().distance(inputs[0], neuron, workspace);
-  Taught taught{name_for(answer, neuron, distance), {}};
   const std::size_t label = class_of(name, answer.classes);
   if (taught.before == name) {
     answer.votes.add(neuron, label);
   } else {
-    if (distance > 0.0) {
-      SOMATO_TRY(neuron, give_neuron(module, inputs[0], answer.votes));
+    if (before.distance > 0.0) {
+      SOMATO_TRY(neuron, give_neuron(module, input, answer.votes));
     }
     outvote(answer.votes, neuron, label);
     // Another neuron with nearly the same weights may answer.

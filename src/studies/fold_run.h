@@ -14,6 +14,7 @@
 #include "studies/forgetting.h"
 #include "studies/novelty_measures.h"
 #include "studies/prepared_study.h"
+#include "studies/teaching_measures.h"
 
 namespace somato {
 
@@ -52,6 +53,7 @@ struct FoldOutcome {
   std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
                                         ///< votes name.
   NoveltyOutcome novelty = {};          ///< Only with leave_class_out.
+  TeachingOutcome teaching = {};        ///< Only with leave_class_out and taught_per_class.
 
   bool operator==(const FoldOutcome&) const = default;
 };

@@ -136,6 +136,38 @@ NoveltyOutcome novelty_of(const SortedJson& json) {
   return novelty;
 }
 
+// The numbers of the tests of teaching in a fixed order, for writing and for reading.
+template <typename Outcome, typename Visit>
+void for_each_count(Outcome& teaching, const Visit& visit) {
+  visit(teaching.taught_tested);
+  visit(teaching.known_tested);
+  visit(teaching.names);
+  visit(teaching.refused);
+  for (auto& stage : teaching.stages) {
+    for (auto* right : {&stage.taught, &stage.known}) {
+      visit(right->answered);
+      visit(right->nearest);
+      visit(right->baseline);
+    }
+    visit(stage.known_changed);
+  }
+}
+
+SortedJson json_of(const TeachingOutcome& teaching) {
+  SortedJson counts = SortedJson::array();
+  for_each_count(teaching, [&](std::size_t count) { counts.push_back(count); });
+  return {{"stages", teaching.stages.size()}, {"counts", std::move(counts)}};
+}
+
+TeachingOutcome teaching_of(const SortedJson& json) {
+  TeachingOutcome teaching;
+  teaching.stages.resize(json.at("stages").get<std::size_t>());
+  const SortedJson& counts = json.at("counts");
+  std::size_t place = 0;
+  for_each_count(teaching, [&](std::size_t& count) { counts.at(place++).get_to(count); });
+  return teaching;
+}
+
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
   SortedJson content{{"protocol", protocol},
                      {"training", training},
@@ -155,6 +187,7 @@ SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOut
                      {"objects", json_of(outcome.objects)},
                      {"named", outcome.named}};
   if (outcome.novelty != NoveltyOutcome{}) content["novelty"] = json_of(outcome.novelty);
+  if (outcome.teaching != TeachingOutcome{}) content["teaching"] = json_of(outcome.teaching);
   return content;
 }
 
@@ -181,6 +214,7 @@ FoldOutcome outcome_of(const SortedJson& line) {
   outcome.objects = objects_of(line.at("objects"));
   line.at("named").get_to(outcome.named);
   if (line.contains("novelty")) outcome.novelty = novelty_of(line.at("novelty"));
+  if (line.contains("teaching")) outcome.teaching = teaching_of(line.at("teaching"));
   return outcome;
 }
 

@@ -49,7 +49,10 @@ class MetricsMaker {
     }
     for (std::size_t i = 0; i < study_.prepared.alterations.size(); ++i) add_altered(i);
     prefix_.clear();
-    if (study_.protocol == Protocol::kLeaveClassOut) add_novelty();
+    if (study_.protocol == Protocol::kLeaveClassOut) {
+      add_novelty();
+      if (study_.study.taught_per_class > 0) add_teaching();
+    }
     if (!recalls) describe_maps();
     add_predictions();
     return std::move(metrics_);
@@ -162,6 +165,15 @@ class MetricsMaker {
                [](Scores known, Scores) { return share_unknown(known.novelty); });
     add_separation("", "_of_distance", &NoveltyScores::distance);
     add_separation("baseline_", "", &NoveltyScores::nearest);
+  }
+
+  void add_teaching() {
+    std::vector<TeachingOutcome> sums(seeds_.size());
+    for (std::size_t s = 0; s < seeds_.size(); ++s) {
+      for (const FoldOutcome* fold : seeds_[s].folds) sums[s].add(fold->teaching);
+    }
+    auto metrics = teaching_metrics(sums);
+    std::move(metrics.begin(), metrics.end(), std::back_inserter(metrics_));
   }
 
   // The share of right classes expected if the named ones are in random order.

@@ -160,11 +160,17 @@ Result<void> check_classes(const PreparedStudy& prepared, const std::string& lab
               "there are no classes to distinguish; use another label");
 }
 
+// The number of explorations of each class, among the first ones.
+Numbers counts_of(const Classes& classes, std::size_t explorations) {
+  Numbers counts(classes.names.size(), 0);
+  for (std::size_t i = 0; i < explorations; ++i) ++counts[classes.of_sample[i]];
+  return counts;
+}
+
 // A class whose explorations are all tested could never be learned.
 Result<void> check_each_is_repeated(const Classes& classes, const std::string& label,
                                     std::size_t learned) {
-  Numbers counts(classes.names.size(), 0);
-  for (std::size_t i = 0; i < learned; ++i) ++counts[classes.of_sample[i]];
+  const Numbers counts = counts_of(classes, learned);
   const auto single = std::find(counts.begin(), counts.end(), std::size_t{1});
   if (single == counts.end()) return {};
   return fail(ErrorKind::kData,
@@ -175,8 +181,7 @@ Result<void> check_each_is_repeated(const Classes& classes, const std::string& l
 
 Result<void> check_each_has_earlier_ones(const Classes& classes, const StudyParameters& study,
                                          std::size_t learned) {
-  Numbers counts(classes.names.size(), 0);
-  for (std::size_t i = 0; i < learned; ++i) ++counts[classes.of_sample[i]];
+  const Numbers counts = counts_of(classes, learned);
   for (std::size_t one = 0; one < counts.size(); ++one) {
     if (counts[one] == 0 || counts[one] > study.test_last) continue;
     return fail(ErrorKind::kData,
@@ -184,6 +189,20 @@ Result<void> check_each_has_earlier_ones(const Classes& classes, const StudyPara
                             "be tested",
                             counts[one], classes.names[one], study.label, study.test_last),
                 {}, "use a smaller 'test_last' in [study], or select others with 'only'");
+  }
+  return {};
+}
+
+Result<void> check_each_has_untaught_ones(const Classes& classes, const StudyParameters& study,
+                                          std::size_t learned) {
+  const Numbers counts = counts_of(classes, learned);
+  for (std::size_t one = 0; one < counts.size(); ++one) {
+    if (counts[one] == 0 || counts[one] > study.taught_per_class) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("{} of the explorations have '{}' as their '{}', and {} would be named, "
+                            "so that none is left for the test",
+                            counts[one], classes.names[one], study.label, study.taught_per_class),
+                {}, "use a smaller 'taught_per_class' in [study], or select others with 'only'");
   }
   return {};
 }
@@ -216,6 +235,9 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
           ErrorKind::kData,
           fmt::format("{} explorations cannot be divided into {} parts", learned, study.folds), {},
           "use a smaller number of 'folds' in [study]");
+    }
+    if (protocol == Protocol::kLeaveClassOut) {
+      SOMATO_TRY_VOID(check_each_has_untaught_ones(prepared.classes(), study, learned));
     }
     if (protocol == Protocol::kObjectAfterObject) {
       SOMATO_TRY_VOID(check_each_is_repeated(prepared.classes(), study.label, learned));

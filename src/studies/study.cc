@@ -59,17 +59,11 @@ StudyOutcome outcome_of(const StudyDescription& description, const PreparedStudy
                         std::optional<Novelty> novelty, PartResults results) {
   StudyOutcome outcome{std::move(results), {std::move(trained.system), {}}, {}, {}};
   const System& system = outcome.model.system;
-  const Som& som = *som_of(system, prepared.map);
   outcome.classes = learned_classes(prepared);
   outcome.winners = std::move(winners);
-  NeuronVotes votes(som.neurons());
-  votes.add_all(outcome.winners, outcome.classes.of_sample);
-  outcome.model.answer = SystemAnswer{system.modules()[prepared.map].name,
-                                      description.study.label,
-                                      outcome.classes.names,
-                                      votes.labels(),
-                                      std::move(votes),
-                                      std::move(novelty)};
+  outcome.model.answer =
+      answer_of(system, prepared.map, description.study.label, outcome.classes.names,
+                outcome.winners, outcome.classes.of_sample, std::move(novelty));
   outcome.results.parameters = study_settings(description, system);
   return outcome;
 }

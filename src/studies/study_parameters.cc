@@ -112,6 +112,8 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
     SOMATO_TRY_VOID(
         check_effect(file, key, "the protocol leave_class_out or unknown = true", unknown));
   }
+  SOMATO_TRY_VOID(check_effect(file, "taught_per_class", "the protocol leave_class_out",
+                               has(Protocol::kLeaveClassOut)));
   return {};
 }
 
@@ -223,6 +225,9 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("calibration_folds", &P::calibration_folds, "", Range::between(2, 1000),
                "Number of parts of the training explorations, each held out of a further training "
                "to find the threshold of unknown ones; not given in the paper.")
+          .add("taught_per_class", &P::taught_per_class, "explorations", Range::between(0, 1e6),
+               "Number of explorations of the class left out that a system is given the name of, "
+               "one after another, under leave_class_out; it is tested on the others after each.")
           .add("seeds", &P::seeds, "", Range::between(1, 1e6),
                "Number of seeds; each trains a separate map. The papers show one map.")
           .add("first_seed", &P::first_seed, "", Range::between(0, 1e15),

@@ -7,6 +7,7 @@
 #include "somato/maps/som_quality.h"
 #include "studies/novelty_run.h"
 #include "studies/object_after_object.h"
+#include "studies/teaching_run.h"
 
 namespace somato {
 namespace {
@@ -85,13 +86,17 @@ Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t see
   if (part_.protocol == Protocol::kObjectAfterObject) {
     return learn_object_after_object(description_, prepared_, folds_[fold], seed, progress);
   }
-  SOMATO_TRY(const auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
+  SOMATO_TRY(auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
   FoldOutcome outcome = test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
   add_distances(trained, outcome);
   if (part_.protocol != Protocol::kLeaveClassOut) return outcome;
   SOMATO_TRY(const auto novelty,
              find_novelty(description_, prepared_, trained, folds_[fold].training, seed, progress));
   outcome.novelty = test_novelty(novelty, trained, prepared_, folds_[fold]);
+  if (description_.study.taught_per_class == 0) return outcome;
+  SOMATO_TRY(outcome.teaching,
+             test_teaching(description_.study, prepared_, folds_[fold], std::move(trained),
+                           outcome.training_winners, novelty, seed));
   return outcome;
 }
 

@@ -68,4 +68,7 @@ struct Taught {
 Result<Taught> teach(SystemModel& model, const Recording& recording, std::size_t exploration,
                      const std::string& name);
 
+/// The same for an input of the output map.
+Result<Taught> teach(SystemModel& model, const SignalView& input, const std::string& name);
+
 }  // namespace somato

@@ -22,11 +22,32 @@ struct SystemAnswer {
   std::optional<Novelty> novelty = {};  ///< When an input is unknown; empty: never.
 };
 
+/// The answer of the map of a trained system whose neurons are named by the samples that they win;
+/// sample i has the class `of_samples[i]` of `classes` and the winner `winners[i]`.
+SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
+                       std::vector<std::string> classes, const std::vector<std::size_t>& winners,
+                       const std::vector<std::size_t>& of_samples,
+                       std::optional<Novelty> novelty = {});
+
 /// A trained system with its output.
 struct SystemModel {
   System system;
   std::optional<SystemAnswer> answer;
 };
+
+/// What a system answers to an input of its output map.
+struct InputAnswer {
+  std::size_t nearest = 0;             ///< The class of the most similar named neuron.
+  double distance = 0.0;               ///< The distance of that neuron.
+  std::optional<double> novelty = {};  ///< If the system has a threshold.
+
+  /// The name of that class, or "unknown" if the input is too far from it.
+  std::string name(const std::vector<std::string>& classes) const;
+};
+
+/// The answer of a model to an input of its output map. Throws InvalidArgument if the model has no
+/// answer, or if none of its neurons has a name.
+InputAnswer answer_to(const SystemModel& model, const SignalView& input);
 
 /// Saves description, layout, and all learned values in one file, atomically (see save_whole);
 /// docs/formats/model-file.md describes it. Throws InvalidArgument if the answer does not fit the

@@ -68,6 +68,7 @@ struct StudyParameters {
   bool unknown = false;
   double false_alarm_rate = 0.05;
   std::size_t calibration_folds = 5;
+  std::size_t taught_per_class = 0;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;
   std::size_t wrong_groupings = 20;

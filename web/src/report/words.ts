@@ -95,7 +95,7 @@ export function metricName(metric: string): string {
   return kMetrics[own] ?? capital(own);
 }
 
-const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right|unknown)/;
+const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right|unknown|changed|refused)/;
 const kCountsOfSamples =
   /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
 
