@@ -188,8 +188,8 @@ SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
   NeuronVotes votes(som_of(system, map)->neurons());
   votes.add_all(winners, of_samples);
   NeuronLabels labels = votes.labels();
-  return {system.modules()[map].name, std::move(label), std::move(classes), std::move(labels),
-          std::move(votes),           std::move(novelty)};
+  return {system.modules()[map].name, std::move(label), std::move(classes),
+          std::move(labels),          std::move(votes), std::move(novelty)};
 }
 
 std::string InputAnswer::name(const std::vector<std::string>& classes) const {

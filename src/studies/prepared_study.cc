@@ -198,11 +198,12 @@ Result<void> check_each_has_untaught_ones(const Classes& classes, const StudyPar
   const Numbers counts = counts_of(classes, learned);
   for (std::size_t one = 0; one < counts.size(); ++one) {
     if (counts[one] == 0 || counts[one] > study.taught_per_class) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("{} of the explorations have '{}' as their '{}', and {} would be named, "
-                            "so that none is left for the test",
-                            counts[one], classes.names[one], study.label, study.taught_per_class),
-                {}, "use a smaller 'taught_per_class' in [study], or select others with 'only'");
+    return fail(
+        ErrorKind::kData,
+        fmt::format("{} of the explorations have '{}' as their '{}', and {} would be named, "
+                    "so that none is left for the test",
+                    counts[one], classes.names[one], study.label, study.taught_per_class),
+        {}, "use a smaller 'taught_per_class' in [study], or select others with 'only'");
   }
   return {};
 }

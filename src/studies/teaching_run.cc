@@ -105,9 +105,8 @@ class TaughtSystem {
 
   RightNames right(const Numbers& explorations, const std::vector<InputAnswer>& given) const {
     const Numbers& classes = prepared_.classes().of_sample;
-    const Numbers nearest =
-        nearest_neighbours(vectors_.samples, vectors_.places_of(learned_),
-                           vectors_.places_of(explorations));
+    const Numbers nearest = nearest_neighbours(vectors_.samples, vectors_.places_of(learned_),
+                                               vectors_.places_of(explorations));
     RightNames counts;
     for (std::size_t i = 0; i < explorations.size(); ++i) {
       const std::size_t right = classes[explorations[i]];

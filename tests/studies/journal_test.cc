@@ -30,7 +30,8 @@ FoldOutcome outcome_number(std::size_t number) {
   outcome.map.edge_distances = {static_cast<double>(number) / 3.0};
   if (number == 1) outcome.novelty = {{{0.1, 1.0 / 3.0}, {2.0}, {}}, {{3.0}, {}, {4.0}}};
   if (number == 1) {
-    outcome.teaching = {{{{1, 2, 3}, {4, 5, 6}, 7}, {{8, 9, 10}, {11, 12, 13}, 14}}, 15, 16, 17, 18};
+    outcome.teaching = {
+        {{{1, 2, 3}, {4, 5, 6}, 7}, {{8, 9, 10}, {11, 12, 13}, 14}}, 15, 16, 17, 18};
   }
   const double third = static_cast<double>(number) / 3.0;
   outcome.predictions = {{third, 1.0, 2.0, {0.1, 3.0, 0.4}, {5.0}, {6.0}, {7.0}, {8.0}, {9.0}},

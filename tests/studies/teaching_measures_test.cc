@@ -9,10 +9,9 @@ namespace {
 
 TeachingOutcome outcome(std::size_t factor) {
   TeachingOutcome one;
-  one.stages = {{{0, 0, 0}, {5 * factor, 6 * factor, 7 * factor}, 0},
-                {{1 * factor, 2 * factor, 3 * factor},
-                 {4 * factor, 5 * factor, 8 * factor},
-                 2 * factor}};
+  one.stages = {
+      {{0, 0, 0}, {5 * factor, 6 * factor, 7 * factor}, 0},
+      {{1 * factor, 2 * factor, 3 * factor}, {4 * factor, 5 * factor, 8 * factor}, 2 * factor}};
   one.taught_tested = 4 * factor;
   one.known_tested = 10 * factor;
   one.names = factor;

@@ -80,7 +80,7 @@ class Oracle {
     return expected;
   }
 
-  // What test_teaching() needs, once.
+  // Can be taken once; test_teaching() needs it.
   TrainedFold take_trained() { return std::move(*trained_); }
   const Novelty& novelty() const { return novelty_; }
   const Numbers& winners() const { return outcome_.training_winners; }
@@ -235,8 +235,7 @@ std::string problem_of(const StudyDescription& description, const Recording& rec
 }
 
 TEST(TeachingRun, NeedsExplorationsThatAreNotNamed) {
-  const std::string problem =
-      problem_of(teaching_study("som"), objects_apart(4, 3, 20.0, 3));
+  const std::string problem = problem_of(teaching_study("som"), objects_apart(4, 3, 20.0, 3));
   EXPECT_NE(problem.find("3 would be named"), std::string::npos) << problem;
   EXPECT_NE(problem.find("taught_per_class"), std::string::npos) << problem;
 }

@@ -35,7 +35,7 @@ struct SystemModel {
   std::optional<SystemAnswer> answer;
 };
 
-/// What a system answers to an input of its output map.
+/// The answer of a system to an input of its output map.
 struct InputAnswer {
   std::size_t nearest = 0;             ///< The class of the most similar named neuron.
   double distance = 0.0;               ///< The distance of that neuron.
