@@ -1,6 +1,7 @@
 #include "maps/growing_map.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "kernels/batch_kernels.h"
@@ -137,6 +138,20 @@ Winners GrowingWeights::nearest_two(std::span<const float> input) const {
     best.meet(squared_distance(rows_.row(neuron), input), neuron);
   }
   return best.winners();
+}
+
+std::pair<std::size_t, std::size_t> GrowingWeights::nearest_pair() const {
+  std::pair<std::size_t, std::size_t> nearest{0, 1};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < neurons(); ++a) {
+    for (std::size_t b = a + 1; b < neurons(); ++b) {
+      const double distance = squared_distance(rows_.row(a), rows_.row(b));
+      if (distance >= least) continue;
+      least = distance;
+      nearest = {a, b};
+    }
+  }
+  return nearest;
 }
 
 Result<std::vector<std::uint64_t>> counts_from(const Archive& archive, const std::string& name,

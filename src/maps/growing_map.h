@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/archive.h"
@@ -128,6 +129,10 @@ class GrowingWeights {
 
   /// The two neurons nearest to `input`; in a tie the first ones.
   Winners nearest_two(std::span<const float> input) const;
+
+  /// The two neurons nearest to each other, the lower number first; in a tie the first ones. There
+  /// must be two.
+  std::pair<std::size_t, std::size_t> nearest_pair() const;
 
   bool operator==(const GrowingWeights&) const = default;
 

@@ -46,6 +46,10 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "others 2002.")
           .add("oldest_edge", &P::oldest_edge, "inputs", Range::between(1, 1e9),
                "Age at which an edge is kept for the last time. Not given in the paper.")
+          .add("replace_when_full", &P::replace_when_full, "", Range::any(),
+               "Whether a map with `most_neurons` neurons removes one of the two that are nearest "
+               "to each other, to insert a neuron for an input that is farther from the winner "
+               "than these are from each other. Not given in the paper.")
           .add_from(&P::growth, GrowthParameters::declarations(),
                     {"softmax", "softmax_exponent", "activity_norm", "seed"});
   return declared;
@@ -102,14 +106,14 @@ Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string
 }
 
 void GrowingWhenRequired::learn(std::span<const float> input) {
-  const Winners nearest = weights_.nearest_two(input);
+  Winners nearest = weights_.nearest_two(input);
   connect(nearest.first, nearest.second);
   const double distance =
       std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
   const bool is_far = exponential(-distance / distance_unit_) < parameters_.activity_threshold;
-  const bool can_grow =
-      habituation_[nearest.first] < parameters_.habituation_threshold && !is_full();
-  if (is_far && can_grow) {
+  const bool may_grow = habituation_[nearest.first] < parameters_.habituation_threshold;
+  if (is_far && may_grow && make_room(distance)) {
+    nearest = weights_.nearest_two(input);  // if one of them was removed
     weights_.move(insert(nearest), input, parameters_.insertion_share);
   } else {
     adapt(nearest.first, input);
@@ -125,6 +129,23 @@ void GrowingWhenRequired::learn(std::span<const float> input) {
 bool GrowingWhenRequired::add_at(std::span<const float> input) {
   if (is_full()) return false;
   weights_.place(insert(weights_.nearest_two(input)), input);
+  return true;
+}
+
+// Returns whether another neuron can be inserted, for an input at that distance from its winner.
+bool GrowingWhenRequired::make_room(double distance) {
+  if (!is_full()) return true;
+  if (!parameters_.replace_when_full || neurons() < 3) return false;
+  const auto [kept, removed] = weights_.nearest_pair();
+  if (GrowingWeights::squared_distance(weights_[kept], weights_[removed]) >= distance * distance) {
+    return false;
+  }
+  for (const auto& [other, age] : ages_[removed]) {
+    if (other == kept || ages_[kept].contains(other)) continue;
+    ages_[kept][other] = age;
+    ages_[other][kept] = age;
+  }
+  remove({removed});
   return true;
 }
 
@@ -177,15 +198,21 @@ void GrowingWhenRequired::remove_isolated() {
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
     if (ages_[neuron].empty()) isolated.push_back(neuron);
   }
-  if (isolated.empty()) return;
-  const auto numbers = numbers_after(neurons(), isolated);
-  weights_.remove(isolated);
+  if (!isolated.empty()) remove(isolated);
+}
+
+// With their edges.
+void GrowingWhenRequired::remove(const std::vector<std::size_t>& removed) {
+  const auto numbers = numbers_after(neurons(), removed);
+  weights_.remove(removed);
   std::vector<std::map<std::size_t, std::size_t>> ages(neurons());
   std::vector<double> habituation(neurons());
   for (std::size_t neuron = 0; neuron < numbers.size(); ++neuron) {
     if (!numbers[neuron]) continue;
     habituation[*numbers[neuron]] = habituation_[neuron];
-    for (const auto& [other, age] : ages_[neuron]) ages[*numbers[neuron]][*numbers[other]] = age;
+    for (const auto& [other, age] : ages_[neuron]) {
+      if (numbers[other]) ages[*numbers[neuron]][*numbers[other]] = age;
+    }
   }
   ages_ = std::move(ages);
   habituation_ = std::move(habituation);

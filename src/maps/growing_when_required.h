@@ -25,6 +25,7 @@ struct GrowingWhenRequiredParameters {
   double neighbour_habituation_time = 14.3;
   double recovery = 1.05;
   std::size_t oldest_edge = 50;
+  bool replace_when_full = false;
 
   static const Declarations<GrowingWhenRequiredParameters>& declarations();
 };
@@ -36,6 +37,12 @@ struct GrowingWhenRequiredParameters {
 /// (x - w_i) for the neurons i connected with s. In both cases all edges of s become older by 1, s
 /// and the neurons connected with it habituate: h += (recovery (1 - h) - 1) / time, from 1 for a
 /// new neuron; and edges older than oldest_edge and neurons without an edge are removed.
+///
+/// With replace_when_full, a map with most_neurons neurons makes room for an inserted one, if the
+/// two neurons that are nearest to each other are nearer than x and w_s: the later one of these two
+/// is removed, and the earlier one takes over its edges. The distances that are represented by one
+/// neuron then increase only as far as the limit requires, as in incremental clustering (Charikar,
+/// Chekuri, Feder and Motwani, STOC 1997). Not in Marsland and others 2002.
 class GrowingWhenRequired : public GrowingMap {
  public:
   /// Starts with two neurons at samples drawn at random.
@@ -62,6 +69,7 @@ class GrowingWhenRequired : public GrowingMap {
 
  private:
   bool is_full() const { return neurons() >= parameters_.growth.most_neurons; }
+  bool make_room(double distance);
   std::size_t insert(const Winners& nearest);
   void adapt(std::size_t winner, std::span<const float> input);
   void habituate(std::size_t neuron, double time);
@@ -69,6 +77,7 @@ class GrowingWhenRequired : public GrowingMap {
   void disconnect(std::size_t a, std::size_t b);
   void age_edges_of(std::size_t neuron);
   void remove_isolated();
+  void remove(const std::vector<std::size_t>& removed);
 
   GrowingWhenRequiredParameters parameters_;
   double distance_unit_;

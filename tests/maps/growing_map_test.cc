@@ -30,6 +30,15 @@ TEST(GrowingWeights, FindTheNearestTwo) {
   EXPECT_EQ(winners.second, 0U);
 }
 
+TEST(GrowingWeights, FindTheNearestPair) {
+  GrowingWeights weights = three_points();
+  EXPECT_EQ(weights.nearest_pair(), (std::pair<std::size_t, std::size_t>(0, 2)));
+  weights.add(Floats{5, 1});
+  EXPECT_EQ(weights.nearest_pair(), (std::pair<std::size_t, std::size_t>(1, 3)));
+  weights.add(Floats{1, 3});  // as near to (0, 2)
+  EXPECT_EQ(weights.nearest_pair(), (std::pair<std::size_t, std::size_t>(1, 3)));
+}
+
 TEST(GrowingWeights, MoveAShareOfTheWay) {
   GrowingWeights weights = three_points();
   weights.move(1, Floats{0, 4}, 0.25);

@@ -19,13 +19,15 @@ class SlowMap {
       : p_(parameters), w_(start), h_(2, 1.0), age_(2, std::vector<int>(2, kNone)) {}
 
   void learn(const Point& x) {
-    const std::size_t s = testing::nearest(w_, x);
-    const std::size_t t = testing::nearest(w_, x, s);
+    std::size_t s = testing::nearest(w_, x);
+    std::size_t t = testing::nearest(w_, x, s);
     set_age(s, t, 0);
     const double unit = std::sqrt(static_cast<double>(x.size()));
     const double activity = std::exp(-testing::distance(w_[s], x) / unit);
     if (activity < p_.activity_threshold && h_[s] < p_.habituation_threshold &&
-        w_.size() < p_.growth.most_neurons) {
+        (w_.size() < p_.growth.most_neurons || replace(testing::distance(w_[s], x)))) {
+      s = testing::nearest(w_, x);
+      t = testing::nearest(w_, x, s);
       w_.push_back(w_[s]);
       testing::move(w_.back(), x, p_.insertion_share);
       h_.push_back(1.0);
@@ -64,11 +66,36 @@ class SlowMap {
     return edges;
   }
   std::size_t removed() const { return removed_; }
+  std::size_t replaced() const { return replaced_; }
 
  private:
   static constexpr int kNone = -1;
 
   void set_age(std::size_t a, std::size_t b, int age) { age_[a][b] = age_[b][a] = age; }
+
+  // All pairs; the later neuron of the nearest one is removed.
+  bool replace(double limit) {
+    if (!p_.replace_when_full) return false;
+    std::size_t kept = 0;
+    std::size_t removed = 1;
+    for (std::size_t a = 0; a < w_.size(); ++a) {
+      for (std::size_t b = a + 1; b < w_.size(); ++b) {
+        if (testing::distance(w_[a], w_[b]) >= testing::distance(w_[kept], w_[removed])) continue;
+        kept = a;
+        removed = b;
+      }
+    }
+    if (testing::distance(w_[kept], w_[removed]) >= limit) return false;
+    for (std::size_t i = 0; i < w_.size(); ++i) {
+      if (i != kept && age_[removed][i] != kNone && age_[kept][i] == kNone) {
+        set_age(kept, i, age_[removed][i]);
+      }
+    }
+    remove(removed);
+    --removed_;
+    ++replaced_;
+    return true;
+  }
 
   void remove(std::size_t i) {
     const auto at = static_cast<std::ptrdiff_t>(i);
@@ -84,6 +111,7 @@ class SlowMap {
   std::vector<double> h_;
   std::vector<std::vector<int>> age_;
   std::size_t removed_ = 0;
+  std::size_t replaced_ = 0;
 };
 
 GrowingWhenRequiredParameters eager() {
@@ -97,11 +125,16 @@ GrowingWhenRequiredParameters eager() {
 TEST(GrowingWhenRequired, IsTheSlowMap) {
   std::size_t grown = 0;
   std::size_t removed = 0;
+  std::size_t replaced = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Samples samples = testing::clustered_samples(60, 1 + seed % 4, seed);
     GrowingWhenRequiredParameters parameters = eager();
     parameters.growth.seed = seed;
     parameters.insertion_share = seed % 2 == 0 ? 0.5 : 1.0;
+    if (seed > 4) {
+      parameters.replace_when_full = true;
+      parameters.growth.most_neurons = 3 + seed;
+    }
     GrowingWhenRequired map(parameters, samples);
     SlowMap slow(parameters, testing::points_of(map.map()));
     Random random(seed);
@@ -117,9 +150,12 @@ TEST(GrowingWhenRequired, IsTheSlowMap) {
     EXPECT_EQ(som.grid().graph()->edges(), slow.edges()) << seed;
     grown += som.neurons();
     removed += slow.removed();
+    replaced += slow.replaced();
+    EXPECT_LE(som.neurons(), parameters.growth.most_neurons);
   }
   EXPECT_GT(grown, 8U * 10U);  // otherwise nothing was compared
   EXPECT_GT(removed, 0U);
+  EXPECT_GT(replaced, 8U);
 }
 
 // Two neurons at 0 and 10; 4 is exp(-4) from 0, below the threshold. A new neuron allows no
