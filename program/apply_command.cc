@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,10 +9,9 @@
 #include "data.h"
 #include "files/json_table.h"
 #include "files/whole_file.h"
-#include "maps/sample_range.h"
 #include "result_output.h"
 #include "somato/files/csv.h"
-#include "somato/graph/evaluation.h"
+#include "somato/graph/answers.h"
 #include "somato/graph/system_model.h"
 #include "study_data.h"
 #include "system_fit.h"
@@ -27,47 +24,20 @@ Result<RecordingFormat> read_format(const Arguments& arguments) {
   return choice_named<RecordingFormat>("format", arguments.text("format"), "--format");
 }
 
-Result<std::size_t> answering_map(const SystemModel& model, const std::string& path) {
-  const auto refuse = [&](const std::string& what) {
-    return fail(ErrorKind::kData, what, path, "save one with 'somato run'");
-  };
-  if (!model.answer) return refuse("the system has no output map");
-  auto map = model.system.find(model.answer->map);
-  if (map && model.system.modules()[*map].output.rate == Rate::kFrame) {
-    return refuse("the output map takes one input per frame; it needs one per exploration");
-  }
-  return map;
-}
-
 // The system's output for an exploration, by the names of the columns.
-Result<Table> answer_of(const SystemModel& model, const Som& som, const SignalView& input,
-                        const Exploration& exploration, std::size_t number) {
-  if (!is_in_range(input)) {
-    return fail(ErrorKind::kData,
-                fmt::format("exploration {} has values too large for the map, which computes "
-                            "distances in single precision",
-                            number),
-                exploration.source, "leave the exploration out");
-  }
-  SomWorkspace workspace;
-  const std::size_t winner = som.winner(input, workspace);
+Table table_of(const SystemModel& model, const Grid& grid, const InputAnswer& given,
+               const Exploration& exploration, std::size_t number) {
   const SystemAnswer& answer = *model.answer;
-  const std::size_t nearest = som.winner_among(answer.labels.labelled(), input, workspace);
-  const std::size_t label = *answer.labels[nearest];
   const std::string& name = answer.label;
-  std::optional<double> novelty;
-  if (answer.novelty) novelty = answer.novelty->of(label, som.distance(input, nearest, workspace));
-  const bool unknown = novelty && is_unknown(*novelty);
-  Table table{
-      {},
-      {entry("exploration", number), entry("source", exploration.source), entry("winner", winner),
-       entry("row", som.grid().row_of(winner)), entry("column", som.grid().column_of(winner)),
-       entry("distance", som.distance(input, winner, workspace)),
-       entry(name, unknown ? std::string(kUnknownAnswer) : answer.classes[label]),
-       entry("given_" + name, find_label(exploration, name).value_or(""))}};
-  if (!novelty) return table;
-  table.entries.push_back(entry("novelty", *novelty));
-  table.entries.push_back(entry("nearest_" + name, answer.classes[label]));
+  Table table{{},
+              {entry("exploration", number), entry("source", exploration.source),
+               entry("winner", given.winner), entry("row", grid.row_of(given.winner)),
+               entry("column", grid.column_of(given.winner)),
+               entry("distance", given.winner_distance), entry(name, given.name(answer.classes)),
+               entry("given_" + name, find_label(exploration, name).value_or(""))}};
+  if (!given.novelty) return table;
+  table.entries.push_back(entry("novelty", *given.novelty));
+  table.entries.push_back(entry("nearest_" + name, answer.classes[given.nearest]));
   return table;
 }
 
@@ -97,26 +67,21 @@ Result<void> apply(const Arguments& arguments) {
   const std::string data = arguments.text("DATA");
   SOMATO_TRY(const auto format, read_format(arguments));
   SOMATO_TRY(const auto model, load_system(arguments.text("SYSTEM")));
-  SOMATO_TRY(const auto map, answering_map(model, arguments.text("SYSTEM")));
+  auto map = answering_map(model);
+  if (!map) map.error().where = arguments.text("SYSTEM");
+  if (!map) return fail(std::move(map.error()));
   SOMATO_TRY(const auto recording, read_study_data(format, data));
   SOMATO_TRY_VOID(check_fit(model.system, recording, data));
-  std::vector<std::size_t> all(recording.explorations.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Activations activations(model.system.modules().size(), all.size());
-  const std::size_t input = model.system.modules()[map].inputs.front();
-  auto seen = evaluate(model.system, recording, all, {input}, threads, activations);
-  if (!seen) return seen;
-  std::vector<Table> answers;
-  answers.reserve(all.size());
-  for (const std::size_t exploration : all) {
-    SOMATO_TRY(auto answer, answer_of(model, *som_of(model.system, map),
-                                      activations.find(input, exploration)->values[0],
-                                      recording.explorations[exploration], exploration + 1));
-    answers.push_back(std::move(answer));
+  SOMATO_TRY(const auto given, answers(model, recording, threads));
+  const Grid grid = grid_of(model.system, *map);
+  std::vector<Table> tables;
+  tables.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    tables.push_back(table_of(model, grid, given[i], recording.explorations[i], i + 1));
   }
   const std::string text = arguments.has("json")
-                               ? to_json(Table{{}, {entry("answers", std::move(answers))}})
-                               : csv_of(answers);
+                               ? to_json(Table{{}, {entry("answers", std::move(tables))}})
+                               : csv_of(tables);
   if (arguments.has("output")) return save_whole(arguments.text("output"), text);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return {};

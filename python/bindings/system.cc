@@ -19,7 +19,9 @@
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
 #include "somato/drawing/map_picture.h"
+#include "somato/graph/answers.h"
 #include "somato/graph/evaluation.h"
+#include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"
 #include "somato/recording/recording.h"
 
@@ -133,6 +135,34 @@ nb::dict description_of_module(const ModuleDescription& module) {
   return described;
 }
 
+// For each exploration: winner, its distance, the name that is answered, the most similar class,
+// and the novelty or None.
+nb::list answers_of(const TrainedSystem& trained, const Recording& recording, std::size_t threads) {
+  value_or_throw(check_layout(trained.system(), layout_of(recording)));
+  Result<std::vector<InputAnswer>> given;
+  {
+    const nb::gil_scoped_release released;
+    given = answers(*trained.model, recording, threads);
+  }
+  nb::list rows;
+  for (const InputAnswer& one : value_or_throw(std::move(given))) {
+    const std::vector<std::string>& classes = trained.model->answer->classes;
+    rows.append(nb::make_tuple(one.winner, one.winner_distance, one.name(classes),
+                               classes[one.nearest], one.novelty));
+  }
+  return rows;
+}
+
+// A copy that knows the name.
+TrainedSystem taught(const TrainedSystem& trained, const Recording& recording,
+                     std::size_t exploration, const std::string& name) {
+  value_or_throw(check_layout(trained.system(), layout_of(recording)));
+  value_or_throw(answering_map(*trained.model));
+  SystemModel model = copy_of(*trained.model);
+  value_or_throw(teach(model, recording, exploration, name));
+  return {std::make_shared<const SystemModel>(std::move(model))};
+}
+
 std::string picture_of(const TrainedSystem& trained) {
   const std::size_t map = trained.map();
   const Som& som = *som_of(trained.system(), map);
@@ -170,6 +200,8 @@ void bind_system(nb::module_& module) {
            [](const TrainedSystem& trained) { return to_toml(trained.system().description()); })
       .def("modules", &trained_modules)
       .def("outputs", &outputs_of, nb::arg("recording"), nb::arg("module"), nb::arg("threads"))
+      .def("answers", &answers_of, nb::arg("recording"), nb::arg("threads"))
+      .def("taught", &taught, nb::arg("recording"), nb::arg("exploration"), nb::arg("name"))
       .def("picture", &picture_of)
       .def(
           "save",

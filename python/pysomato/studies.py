@@ -1,6 +1,7 @@
 """Systems, studies of them, and trained systems for control loops."""
 
 import json
+import math
 import os
 import tempfile
 from pathlib import Path
@@ -87,6 +88,40 @@ class TrainedSystem:
             DataError: The recording does not fit the system, or a module cannot process it.
         """
         return self._inner.outputs(recording._inner, module, number_of_threads(threads, "evaluate"))
+
+    def answers(self, recording: Recording, *, threads=None):
+        """What the system reads from each exploration, as a DataFrame, like ``somato apply``.
+
+        The columns are the winner of its map, the winner's distance, the ``answer``, which is
+        ``"unknown"`` if the exploration is too far from all that the system has learned, the most
+        similar class (``nearest``), and the ``novelty``, above 1 for an unknown exploration; NaN if
+        the system was trained without ``unknown=True``.
+
+        Raises:
+            DataError: The recording does not fit the system, a module cannot process it, or the
+                system has no map that answers.
+        """
+        rows = self._inner.answers(recording._inner, number_of_threads(threads, "answers"))
+        return frame(["winner", "distance", "answer", "nearest", "novelty"],
+                     [(*row[:4], math.nan if row[4] is None else row[4]) for row in rows])
+
+    def teach(self, recording: Recording, exploration: int, name: str) -> "TrainedSystem":
+        """A system that answers ``name`` for this exploration, too (docs/continual.md, Teaching).
+
+        If the system does not answer it already, one neuron without a name, or a new one, receives
+        the input of the exploration; all other neurons remain as they are. This system is not
+        changed.
+
+        Args:
+            exploration: Its number in the recording, from 0; from -1 backwards.
+
+        Raises:
+            IndexError: There is no such exploration.
+            UsageError: The name is empty or "unknown", or all neurons have names.
+            DataError: Those of ``answers``.
+        """
+        number = range(len(recording))[exploration]
+        return TrainedSystem(self._inner.taught(recording._inner, number, name))
 
     def live(self) -> "Live":
         """The system for a control loop: a new one for each call."""

@@ -7,6 +7,7 @@
 
 #include "graph/modules/map_module.h"
 #include "somato/core/check.h"
+#include "somato/graph/answers.h"
 #include "somato/graph/evaluation.h"
 #include "somato/maps/som.h"
 

@@ -192,21 +192,6 @@ SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
           std::move(labels),          std::move(votes), std::move(novelty)};
 }
 
-std::string InputAnswer::name(const std::vector<std::string>& classes) const {
-  return novelty && is_unknown(*novelty) ? std::string(kUnknownAnswer) : classes[nearest];
-}
-
-InputAnswer answer_to(const SystemModel& model, const SignalView& input) {
-  require(model.answer.has_value(), "a model without an answer cannot answer");
-  const SystemAnswer& answer = *model.answer;
-  const Som& som = *som_of(model.system, *model.system.find(answer.map));
-  SomWorkspace workspace;
-  const std::size_t neuron = som.winner_among(answer.labels.labelled(), input, workspace);
-  InputAnswer given{*answer.labels[neuron], som.distance(input, neuron, workspace), {}};
-  if (answer.novelty) given.novelty = answer.novelty->of(given.nearest, given.distance);
-  return given;
-}
-
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer) {
   if (answer) require_fit(system, *answer);

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "somato/graph/answers.h"
+
 namespace somato::live {
 namespace {
 
@@ -50,15 +52,7 @@ SystemReading::SystemReading(std::shared_ptr<const SystemModel> model, std::size
       walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {}
 
 Result<SystemReading> SystemReading::build(std::shared_ptr<const SystemModel> model) {
-  if (!model->answer) {
-    return fail(ErrorKind::kData, "the system has no output map", {},
-                "use one saved by 'somato run'");
-  }
-  SOMATO_TRY(auto map, model->system.find(model->answer->map));
-  if (model->system.modules()[map].output.rate == Rate::kFrame) {
-    return fail(ErrorKind::kData, "the output map receives one input per frame", {},
-                "use a system whose map receives one input per exploration");
-  }
+  SOMATO_TRY(const auto map, answering_map(*model));
   return SystemReading(std::move(model), map);
 }
 

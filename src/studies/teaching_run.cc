@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "somato/core/random.h"
+#include "somato/graph/answers.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
 #include "studies/nearest_neighbour.h"

@@ -15,6 +15,7 @@ namespace {
 
 using testing::bytes_of_saved;
 using testing::kKinds;
+using testing::map_of;
 using testing::model_of_first;
 using testing::recording;
 
@@ -24,10 +25,6 @@ constexpr std::size_t kNew = 15;
 std::vector<float> input_of(const Recording& all, std::size_t exploration) {
   const auto row = testing::frames_of(all, "joints", exploration).row(0);
   return {row.begin(), row.end()};
-}
-
-const Som& map_of(const SystemModel& model) {
-  return *som_of(model.system, 2);
 }
 
 // The obvious search for the nearest named neuron.

@@ -56,6 +56,11 @@ inline SystemModel model_of_first(const std::string& kind) {
   return model;
 }
 
+// The map of such a model.
+inline const Som& map_of(const SystemModel& model) {
+  return *som_of(model.system, 2);
+}
+
 inline SystemModel saved_and_loaded(const SystemModel& model) {
   const TemporaryFolder folder;
   EXPECT_TRUE(save_system(folder.file("model"), model.system, model.answer));

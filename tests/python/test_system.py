@@ -1,5 +1,6 @@
 """Systems: their modules, training and outputs."""
 
+import json
 import sys
 
 import numpy as np
@@ -130,3 +131,50 @@ def test_bars_need_tqdm(system, recording, monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     with pytest.raises(pysomato.UsageError, match="tqdm"):
         study(recording, system, seeds=1, progress=True)
+
+
+def apart(things, explorations, seed=5):
+    """Explorations of things whose joints differ by more than the noise."""
+    random = np.random.default_rng(seed)
+    names = [thing for thing in things for _ in range(explorations)]
+    joints = [10.0 * list(things).index(name) + random.random((4, 6)) for name in names]
+    return Recording.from_arrays({"object": names}, {"joints": joints})
+
+
+def test_answers_are_those_of_the_program(system, tmp_path, somato):
+    grasps = apart(["ball", "cube", "cone"], 8)
+    first = Recording.from_arrays({"object": list(grasps.label("object"))[:16]},
+                                  {"joints": grasps["joints"][:16]})
+    trained = system.fit(first, unknown=True, false_alarm_rate=0.1)
+    answers = trained.answers(grasps, threads=2)
+    assert list(answers["answer"][:16]) == list(answers["nearest"][:16]) == ["ball"] * 8 + ["cube"] * 8
+    assert set(answers["answer"][16:]) == {"unknown"}
+    assert (answers["novelty"][:16] <= 1).all() and (answers["novelty"][16:] > 1).all()
+    trained.save(tmp_path / "wary.somato")
+    grasps.write(tmp_path / "grasps.mcap")
+    lines = somato("apply", tmp_path / "wary.somato", tmp_path / "grasps.mcap", "--json")
+    rows = json.loads(lines)["answers"]
+    assert [row["object"] for row in rows] == list(answers["answer"])
+    assert [row["winner"] for row in rows] == list(answers["winner"])
+    np.testing.assert_allclose([row["novelty"] for row in rows], answers["novelty"], rtol=1e-6)
+    plain = system.fit(first).answers(grasps)
+    assert plain["novelty"].isna().all() and "unknown" not in set(plain["answer"])
+
+
+def test_a_system_is_taught_a_name(system):
+    grasps = apart(["ball", "cube", "cone"], 8)
+    first = Recording.from_arrays({"object": list(grasps.label("object"))[:16]},
+                                  {"joints": grasps["joints"][:16]})
+    trained = system.fit(first, unknown=True, false_alarm_rate=0.1)
+    before = trained.answers(grasps)
+    taught = trained.teach(grasps, -1, "cone")
+    assert trained.answers(grasps).equals(before)  # it is another system
+    after = taught.answers(grasps)
+    assert after["answer"][23] == "cone" and after["novelty"][23] == 0
+    assert set(after["nearest"][16:]) == {"cone"}
+    assert after[:16].equals(before[:16])
+    for name in ("", "unknown"):
+        with pytest.raises(pysomato.UsageError):
+            trained.teach(grasps, 0, name)
+    with pytest.raises(IndexError):
+        trained.teach(grasps, 24, "cone")

@@ -35,20 +35,6 @@ struct SystemModel {
   std::optional<SystemAnswer> answer;
 };
 
-/// The answer of a system to an input of its output map.
-struct InputAnswer {
-  std::size_t nearest = 0;             ///< The class of the most similar named neuron.
-  double distance = 0.0;               ///< The distance of that neuron.
-  std::optional<double> novelty = {};  ///< If the system has a threshold.
-
-  /// The name of that class, or "unknown" if the input is too far from it.
-  std::string name(const std::vector<std::string>& classes) const;
-};
-
-/// The answer of a model to an input of its output map. Throws InvalidArgument if the model has no
-/// answer, or if none of its neurons has a name.
-InputAnswer answer_to(const SystemModel& model, const SignalView& input);
-
 /// Saves description, layout, and all learned values in one file, atomically (see save_whole);
 /// docs/formats/model-file.md describes it. Throws InvalidArgument if the answer does not fit the
 /// system. Every learning module must be trained.
