@@ -3,6 +3,7 @@
 // Studies of systems: protocols, baselines, metrics, reproductions, and their results.
 
 #include "somato/studies/information.h"
+#include "somato/studies/next_grasp.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/results.h"

@@ -1,4 +1,4 @@
-#include "studies/next_grasp.h"
+#include "somato/studies/next_grasp.h"
 
 #include "core/elementary.h"
 #include "somato/core/check.h"

@@ -12,10 +12,10 @@
 #include "somato/core/random.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/som_training.h"
+#include "somato/studies/next_grasp.h"
 #include "studies/exploration_samples.h"
 #include "studies/folds.h"
 #include "studies/grasp_vectors.h"
-#include "studies/next_grasp.h"
 #include "studies/tally.h"
 
 namespace somato {
