@@ -82,6 +82,29 @@ std::string learners_table(const ProtocolResults& system) {
   return text;
 }
 
+// What names that are given change, under leave_class_out: a row for each number of them.
+std::string names_table(const ProtocolResults& system) {
+  std::string text;
+  for (std::size_t names = 0;; ++names) {
+    const auto find = [&](const std::string& name) {
+      return system.find_metric(fmt::format("{}_after_{}", name, names));
+    };
+    const Metric* known = find("known_accuracy");
+    if (known == nullptr) return text;
+    if (names == 0) {
+      text = fmt::format("  {:<20} {:<18} {:<18} {}\n", "names given", "accuracy, new",
+                         "accuracy, known", "known ones changed");
+    }
+    const Metric* taught = find("taught_accuracy");
+    const Metric* changed = find("known_changed");
+    std::string row =
+        fmt::format("  {:<20} {:<18} {:<18} {}", names, taught == nullptr ? "" : summary(*taught),
+                    summary(*known), changed == nullptr ? "" : summary(*changed));
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  }
+}
+
 std::string all_metrics(const ProtocolResults& system) {
   std::string text;
   std::size_t width = 33;
@@ -98,7 +121,8 @@ std::string table_of(const std::string& name, const ProtocolResults& system, Sho
       fmt::format("\n{}: {}{} by {}, {}, {}\n", name, system.protocol, group, system.label,
                   counted(system.samples, "sample"), counted(system.runs.size(), "seed"));
   const bool continual = system.protocol == "object_after_object";
-  const std::string main = continual ? learners_table(system) : main_metrics(system);
+  const std::string main =
+      continual ? learners_table(system) : main_metrics(system) + names_table(system);
   return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main) +
          missing_accuracy(system) + advice(system);
 }
