@@ -82,7 +82,7 @@ std::string learners_table(const ProtocolResults& system) {
   return text;
 }
 
-// What names that are given change, under leave_class_out: a row for each number of them.
+// The effect of given names under leave_class_out: a row for each number of names.
 std::string names_table(const ProtocolResults& system) {
   std::string text;
   for (std::size_t names = 0;; ++names) {
