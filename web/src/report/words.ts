@@ -28,6 +28,17 @@ export function hasOneMap(protocol: ProtocolData): boolean {
   return protocol.protocol === "train_is_test" || protocol.protocol === "test_data";
 }
 
+/** Metrics of the classes left out whose name is given, and of the known ones; the number of names follows. */
+const kNamed: Record<string, string> = {
+  taught_accuracy: "New class answered",
+  taught_accuracy_of_nearest: "New class most similar",
+  baseline_taught_accuracy: "New class, nearest neighbour,",
+  known_accuracy: "Known classes answered",
+  known_accuracy_of_nearest: "Known classes most similar",
+  baseline_known_accuracy: "Known classes, nearest neighbour,",
+  known_changed: "Known classes, other answer",
+};
+
 const kMetrics: Record<string, string> = {
   accuracy: "Accuracy",
   baseline_accuracy: "Nearest-neighbour accuracy",
@@ -92,6 +103,8 @@ export function metricName(metric: string): string {
   const [, own] = splitMetric(metric);
   const mapped = /^mapped_with (.+) (\S+)$/.exec(own);
   if (mapped) return `Samples of ${mapped[1]} among ${mapped[2]}`;
+  const named = /^((?:baseline_)?(?:taught|known)_.+)_after_(\d+)$/.exec(own);
+  if (named) return `${kNamed[named[1] ?? ""] ?? capital(named[1] ?? "")} after ${named[2]} ${named[2] === "1" ? "name" : "names"}`;
   return kMetrics[own] ?? capital(own);
 }
 

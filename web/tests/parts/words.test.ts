@@ -44,6 +44,10 @@ test("a metric of a label has the name of the metric", () => {
   expect(metricName("samples_ambiguous")).toBe("Ambiguous samples");
   expect(metricName("shape.samples_ambiguous")).toBe("Ambiguous samples");
   expect(metricName("classes_separated")).toBe("Classes separated");
+  expect(metricName("taught_accuracy_after_1")).toBe("New class answered after 1 name");
+  expect(metricName("baseline_known_accuracy_after_3")).toBe("Known classes, nearest neighbour, after 3 names");
+  expect(metricName("accuracy_after_3")).toBe("Accuracy after 3");
+  expect(isShare("known_changed_after_2")).toBe(true);
 });
 
 test("a metric of altered explorations has the name and the range of the metric", () => {
