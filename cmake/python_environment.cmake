@@ -1,6 +1,7 @@
 # Makes a Python environment with the packages of the files REQUIREMENTS, installed without their
 # dependencies, in the folder TO; costs nothing when it is there. -DPYTHON=PROGRAM
-# -DREQUIREMENTS=FILE[;FILE...] -DTO=FOLDER
+# -DREQUIREMENTS=FILE[;FILE...] -DTO=FOLDER [-DBASE=FOLDER]
+# BASE is another environment of the same interpreter, whose packages are used instead of installed again.
 set(stamp ${TO}/installed)
 set(options)
 foreach(file IN LISTS REQUIREMENTS)
@@ -20,6 +21,12 @@ if(status EQUAL 0)
   execute_process(COMMAND ${TO}/bin/python -m pip install --quiet --disable-pip-version-check
                           --no-deps ${options}
                   RESULT_VARIABLE status)
+endif()
+if(status EQUAL 0 AND BASE)
+  set(packages "import sysconfig; print(sysconfig.get_path('purelib'), end='')")
+  execute_process(COMMAND ${BASE}/bin/python -c "${packages}" OUTPUT_VARIABLE of_base COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${TO}/bin/python -c "${packages}" OUTPUT_VARIABLE own COMMAND_ERROR_IS_FATAL ANY)
+  file(WRITE ${own}/base.pth "${of_base}\n")
 endif()
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the packages of ${REQUIREMENTS} cannot be installed (${status}); is python3-venv "

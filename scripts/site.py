@@ -29,10 +29,11 @@ def build_package(build):
     run("cmake", "--build", build, "--target", "somato_python")
 
 
-def make_environment(folder):
-    requirements = [TREE / "tests/python/requirements.txt", SITE / "requirements.txt"]
-    run("cmake", f"-DPYTHON={sys.executable}", f"-DREQUIREMENTS={';'.join(map(str, requirements))}",
-        f"-DTO={folder}", "-P", TREE / "cmake/python_environment.cmake")
+def make_environment(folder, build):
+    """An environment with the packages of the site, in addition to those of the build's environment."""
+    base = build / "python/environment"
+    run("cmake", f"-DPYTHON={base / 'bin/python'}", f"-DREQUIREMENTS={SITE / 'requirements.txt'}",
+        f"-DBASE={base}", f"-DTO={folder}", "-P", TREE / "cmake/python_environment.cmake")
 
 
 def read_headers(folder):
@@ -66,7 +67,7 @@ def main():
     if not options.build:
         build_package(build)
     work = options.to.resolve()
-    make_environment(work / "environment")
+    make_environment(work / "environment", build.resolve())
     site = work / "site"
     generate(work / "environment", build.resolve(), read_headers(work / "doxygen"), site)
     problems = check_site.problems_of(site)

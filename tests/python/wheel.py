@@ -1,6 +1,6 @@
 """Builds the wheel of the package from its source distribution and tests it in an environment of its own.
 
-usage: wheel.py --source DIR --work DIR [--pages FILE]
+usage: wheel.py --source DIR --work DIR --base ENVIRONMENT [--pages FILE]
 """
 
 import argparse
@@ -23,11 +23,17 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], check=True, **options)
 
 
-def environment(folder, source):
-    """An environment with the pinned packages; its interpreter."""
-    run(sys.executable, "-m", "venv", folder)
+def packages_of(python):
+    """The folder of the packages of an environment."""
+    return Path(run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))",
+                    stdout=subprocess.PIPE, text=True).stdout.strip())
+
+
+def environment(folder, base):
+    """A new environment that finds the pinned packages in that of the build; its interpreter."""
+    run(base / "bin/python", "-m", "venv", folder)
     python = folder / "bin/python"
-    run(python, "-m", "pip", "install", "--quiet", "--no-deps", "-r", source / REQUIREMENTS)
+    (packages_of(python) / "base.pth").write_text(f"{packages_of(base / 'bin/python')}\n", encoding="utf-8")
     return python
 
 
@@ -125,7 +131,7 @@ def check_pickles(python, wheel, work, source):
     for number, interpreter in enumerate(other_interpreters()):
         folder = work / f"other_{number}"
         run(interpreter, "-m", "venv", folder)
-        run(folder / "bin/python", "-m", "pip", "install", "--quiet", "--only-binary", ":all:", wheel)
+        run(folder / "bin/python", "-m", "pip", "install", "--quiet", "--no-compile", "--only-binary", ":all:", wheel)
         run(folder / "bin/python", script, "--read", work / "som.pickle")
 
 
@@ -133,15 +139,16 @@ def main():
     parser = argparse.ArgumentParser(description="Builds the wheel of the package and tests it.")
     parser.add_argument("--source", type=Path, required=True)
     parser.add_argument("--work", type=Path, required=True)
+    parser.add_argument("--base", type=Path, required=True, help="environment with the pinned packages")
     parser.add_argument("--pages", type=Path, help="pages.cc of another build")
     options = parser.parse_args()
-    source, work = options.source.resolve(), options.work.resolve()
+    source, work, base = options.source.resolve(), options.work.resolve(), options.base.resolve()
     shutil.rmtree(work, ignore_errors=True)
-    python = environment(work / "environment", source)
+    python = environment(work / "environment", base)
     archive = source_distribution(python, source, work / "source")
     wheel = build(archive, work / "wheels", source, options.pages)
     check_content(wheel, source)
-    wheel = repaired(python, wheel, work / "repaired")
+    wheel = repaired(base / "bin/python", wheel, work / "repaired")
     run(python, "-m", "pip", "install", "--quiet", "--no-deps", wheel)
     run(python, "-m", "pip", "check")
     check_program(python, work)
