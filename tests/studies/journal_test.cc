@@ -101,17 +101,17 @@ TEST_F(JournalFile, ContinuesWhereItWas) {
 
 // For any cut, the whole lines before are known, and the journal can be continued.
 TEST_F(JournalFile, MayBeCutAtEveryByte) {
-  const std::string whole = write_some();
+  const std::string whole = write_some(3);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const std::string cut = whole.substr(0, size);
     folder_.with("journal", cut);
     const auto lines = std::count(cut.begin(), cut.end(), '\n');
     const std::size_t known = lines == 0 ? 0 : static_cast<std::size_t>(lines) - 1;
     Journal journal = open();
-    for (std::size_t number = 0; number < 5; ++number) {
+    for (std::size_t number = 0; number < 3; ++number) {
       ASSERT_EQ(journal.find(1, number) != nullptr, number < known) << size;
     }
-    for (std::size_t number = known; number < 5; ++number) {
+    for (std::size_t number = known; number < 3; ++number) {
       ASSERT_TRUE(journal.add(1, number, outcome_number(number)));
     }
     ASSERT_TRUE(bytes_of(path()) == whole) << size;
@@ -119,11 +119,12 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
 }
 
 // Every flipped bit must be detected, since it could change a result. A flipped line end joins two
-// lines to one that does not match its checksum.
+// lines to one that does not match its checksum. Every seventh bit is flipped, so that each byte and each
+// place in a byte occurs.
 TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
   const std::string whole = write_some(3);
   const std::size_t header = whole.find('\n') + 1;
-  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += 7) {
     std::string turned = whole;
     turned[bit / 8] = static_cast<char>(turned[bit / 8] ^ (1 << bit % 8));
     if (bit / 8 < header) {
