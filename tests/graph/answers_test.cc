@@ -64,7 +64,9 @@ TEST(Answers, AreThoseOfAllNeurons) {
 TEST(Answers, WithoutAThresholdNothingIsUnknown) {
   SystemModel model = model_with_threshold(kKinds.front());
   model.answer->novelty.reset();
-  for (const InputAnswer& answer : answers(model, recording()).value()) {
+  const auto given = answers(model, recording());
+  ASSERT_TRUE(given);
+  for (const InputAnswer& answer : *given) {
     EXPECT_FALSE(answer.novelty);
     EXPECT_FALSE(answer.is_unknown());
   }
