@@ -27,7 +27,7 @@ def run_ctest(build, selection, environment):
     junit.unlink(missing_ok=True)
     for report in (build / "test_cases").glob("*.json"):
         report.unlink()
-    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count() + 1),
+    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count()),
                     "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),
                     *selection], env=dict(os.environ, **environment))
     if not junit.is_file():

@@ -46,6 +46,12 @@ class JournalFile : public ::testing::Test {
   std::string path() const { return folder_.file("journal"); }
   Journal open() const { return Journal::open(path(), kStudy).value(); }
 
+  // Replaces the file. File systems write a file that is truncated instead to the disk at once.
+  void write(const std::string& bytes) const {
+    std::filesystem::remove(path());
+    folder_.with("journal", bytes);
+  }
+
   // The first trainings of protocol 1.
   std::string write_some(std::size_t count = 5) const {
     Journal journal = open();
@@ -56,7 +62,7 @@ class JournalFile : public ::testing::Test {
   }
 
   void expect_refused(const std::string& bytes, ErrorKind kind, const std::string& advice) const {
-    folder_.with("journal", bytes);
+    write(bytes);
     const auto journal = Journal::open(path(), kStudy);
     ASSERT_FALSE(journal) << bytes;
     EXPECT_EQ(journal.error().kind, kind) << bytes;
@@ -104,7 +110,7 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
   const std::string whole = write_some(3);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const std::string cut = whole.substr(0, size);
-    folder_.with("journal", cut);
+    write(cut);
     const auto lines = std::count(cut.begin(), cut.end(), '\n');
     const std::size_t known = lines == 0 ? 0 : static_cast<std::size_t>(lines) - 1;
     Journal journal = open();
@@ -119,8 +125,8 @@ TEST_F(JournalFile, MayBeCutAtEveryByte) {
 }
 
 // Every flipped bit must be detected, since it could change a result. A flipped line end joins two
-// lines to one that does not match its checksum. Every seventh bit is flipped, so that each byte and each
-// place in a byte occurs.
+// lines to one that does not match its checksum. Every seventh bit is flipped, so that each byte
+// and each place in a byte occurs.
 TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
   const std::string whole = write_some(3);
   const std::size_t header = whole.find('\n') + 1;
@@ -131,7 +137,7 @@ TEST_F(JournalFile, WithATurnedBitIsKnownUpToItsLine) {
       expect_refused(turned, ErrorKind::kData, "remove it to restart the study");
       continue;
     }
-    folder_.with("journal", turned);
+    write(turned);
     const Journal journal = open();
     const auto sound = static_cast<std::size_t>(
         std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bit / 8), '\n') - 1);
@@ -148,7 +154,7 @@ TEST_F(JournalFile, ContinuesAfterADamagedLine) {
   const std::string whole = write_some(3);
   std::string turned = whole;
   turned[turned.size() / 2] ^= 1;
-  folder_.with("journal", turned);
+  write(turned);
   Journal journal = open();
   for (std::size_t number = 0; number < 3; ++number) {
     if (journal.find(1, number) != nullptr) continue;

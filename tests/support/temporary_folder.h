@@ -25,10 +25,8 @@ class TemporaryFolder {
   std::string path() const { return path_.string(); }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a new file plainly and returns its path. An older one is removed: file systems write a
-  /// file to the disk at once if it is truncated first, and tests damage files thousands of times.
+  /// Writes a file plainly and returns its path.
   std::string with(const std::string& name, const std::string& bytes) const {
-    std::filesystem::remove(path_ / name);
     std::ofstream(path_ / name, std::ios::binary) << bytes;
     return file(name);
   }
