@@ -179,33 +179,36 @@ Result<void> check_each_is_repeated(const Classes& classes, const std::string& l
               {}, "object_after_object needs at least two of each; select others with 'only'");
 }
 
-Result<void> check_each_has_earlier_ones(const Classes& classes, const StudyParameters& study,
-                                         std::size_t learned) {
+// A class must have more than `most` explorations, for the reason that `otherwise` states; `key`
+// can be changed.
+Result<void> check_each_has_more_than(std::size_t most, const Classes& classes,
+                                      const std::string& label, std::size_t learned,
+                                      const std::string& otherwise, const std::string& key) {
   const Numbers counts = counts_of(classes, learned);
   for (std::size_t one = 0; one < counts.size(); ++one) {
-    if (counts[one] == 0 || counts[one] > study.test_last) continue;
+    if (counts[one] == 0 || counts[one] > most) continue;
     return fail(ErrorKind::kData,
-                fmt::format("{} of the explorations have '{}' as their '{}', and the last {} would "
-                            "be tested",
-                            counts[one], classes.names[one], study.label, study.test_last),
-                {}, "use a smaller 'test_last' in [study], or select others with 'only'");
+                fmt::format("{} of the explorations have '{}' as their '{}', and {}", counts[one],
+                            classes.names[one], label, otherwise),
+                {},
+                fmt::format("use a smaller '{}' in [study], or select others with 'only'", key));
   }
   return {};
 }
 
+Result<void> check_each_has_earlier_ones(const Classes& classes, const StudyParameters& study,
+                                         std::size_t learned) {
+  return check_each_has_more_than(study.test_last, classes, study.label, learned,
+                                  fmt::format("the last {} would be tested", study.test_last),
+                                  "test_last");
+}
+
 Result<void> check_each_has_untaught_ones(const Classes& classes, const StudyParameters& study,
                                           std::size_t learned) {
-  const Numbers counts = counts_of(classes, learned);
-  for (std::size_t one = 0; one < counts.size(); ++one) {
-    if (counts[one] == 0 || counts[one] > study.taught_per_class) continue;
-    return fail(
-        ErrorKind::kData,
-        fmt::format("{} of the explorations have '{}' as their '{}', and {} would be named, "
-                    "so that none is left for the test",
-                    counts[one], classes.names[one], study.label, study.taught_per_class),
-        {}, "use a smaller 'taught_per_class' in [study], or select others with 'only'");
-  }
-  return {};
+  return check_each_has_more_than(
+      study.taught_per_class, classes, study.label, learned,
+      fmt::format("{} would be named, so that none is left for the test", study.taught_per_class),
+      "taught_per_class");
 }
 
 Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedStudy& prepared) {

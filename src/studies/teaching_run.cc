@@ -1,8 +1,6 @@
 #include "studies/teaching_run.h"
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
