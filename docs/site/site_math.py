@@ -1,53 +1,47 @@
 """Formulas as MathML, which browsers draw without scripts, and without fonts from elsewhere.
 
-KaTeX converts them in a process of Node.js.
+KaTeX converts all formulas of a page in one run of Node.js, so that no process is left when the page is
+written.
 """
 
-import time
+import json
+import subprocess
+from importlib.util import find_spec
+from pathlib import Path
 
 from docutils import nodes
 from sphinx.util import logging
-from sphinxcontrib import katex
 
 logger = logging.getLogger(__name__)
 
-PATIENCE = 60.0  # seconds for starting KaTeX, and for a formula
-ATTEMPTS = 20  # to connect
-OPTIONS = {"output": "mathml", "throwOnError": True}
-
-katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = PATIENCE
+SCRIPT = Path(__file__).with_name("formulas.js")
+PATIENCE = 120  # seconds for the formulas of a page
 
 
-def start_katex():
-    """Starts the process if it does not run.
-
-    The package connects as soon as the file of the socket exists, some time before the process accepts
-    connections.
-    """
-    for _ in range(ATTEMPTS):
-        try:
-            katex.KaTeXServer.get()
-            return
-        except ConnectionRefusedError:
-            time.sleep(0.1)
-    raise OSError(f"KaTeX has refused {ATTEMPTS} connections; does 'node' run?")
+def mathml(formulas):
+    """What KaTeX writes for each formula {"latex": ..., "isBlock": ...}: {"html": ...} or {"error": ...}."""
+    katex = Path(find_spec("sphinxcontrib.katex").origin).with_name("katex.min.js")
+    done = subprocess.run(["node", SCRIPT, katex], input=json.dumps(formulas), timeout=PATIENCE, check=True,
+                          stdout=subprocess.PIPE, text=True)
+    return json.loads(done.stdout)
 
 
-def mathml(node):
-    start_katex()
-    is_block = isinstance(node, nodes.math_block)
-    try:
-        converted = katex.render_latex(node.astext(), OPTIONS | {"displayMode": is_block})
-    except katex.KaTeXError as error:
-        logger.warning("KaTeX refuses the formula '%s': %s", node.astext(), error, location=node)
+def element_of(node, converted):
+    if "error" in converted:
+        logger.warning("KaTeX refuses the formula '%s': %s", node.astext(), converted["error"], location=node)
         return ""
-    return f'<div class="formula">{converted}</div>' if is_block else converted
+    if isinstance(node, nodes.math_block):
+        return f'<div class="formula">{converted["html"]}</div>'
+    return converted["html"]
 
 
 def convert(app, doctree, document):
-    for kind in (nodes.math, nodes.math_block):
-        for node in list(doctree.findall(kind)):
-            node.replace_self(nodes.raw("", mathml(node), format="html"))
+    found = [node for kind in (nodes.math, nodes.math_block) for node in doctree.findall(kind)]
+    if not found:
+        return
+    formulas = [{"latex": node.astext(), "isBlock": isinstance(node, nodes.math_block)} for node in found]
+    for node, converted in zip(found, mathml(formulas), strict=True):
+        node.replace_self(nodes.raw("", element_of(node, converted), format="html"))
 
 
 def setup(app):
