@@ -1,6 +1,6 @@
 # Makes a Python environment with the packages of the files REQUIREMENTS, installed without their
 # dependencies, in the folder TO; costs nothing when it is there. -DPYTHON=PROGRAM
-# -DREQUIREMENTS=FILE[;FILE...] -DTO=FOLDER [-DBASE=FOLDER]
+# [-DREQUIREMENTS=FILE[;FILE...]] -DTO=FOLDER [-DBASE=FOLDER]
 # BASE is another environment of the same interpreter, whose packages are used instead of installed again.
 set(stamp ${TO}/installed)
 set(options)
@@ -12,12 +12,12 @@ endforeach()
 if(EXISTS ${stamp})
   file(READ ${stamp} installed)
 endif()
-if("${wanted}" STREQUAL "${installed}")
+if(EXISTS ${stamp} AND "${wanted}" STREQUAL "${installed}")
   return()
 endif()
 file(REMOVE_RECURSE ${TO})
 execute_process(COMMAND ${PYTHON} -m venv ${TO} RESULT_VARIABLE status)
-if(status EQUAL 0)
+if(status EQUAL 0 AND REQUIREMENTS)
   execute_process(COMMAND ${TO}/bin/python -m pip install --quiet --disable-pip-version-check
                           --no-deps ${options}
                   RESULT_VARIABLE status)

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/values_at.h"
 #include "files/name_glob.h"
 #include "files/text.h"
 #include "somato/core/value.h"
@@ -189,11 +190,8 @@ Result<Columns> pick(const std::vector<std::string>& features, const TableColumn
 }  // namespace
 
 std::vector<std::string> TableColumns::feature_names() const {
-  std::vector<std::string> chosen;
-  if (names.empty()) return chosen;
-  chosen.reserve(features.size());
-  for (const std::size_t column : features) chosen.push_back(names[column]);
-  return chosen;
+  if (names.empty()) return {};
+  return values_at(names, features);
 }
 
 std::vector<std::size_t> TableColumns::left_out() const {

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/values_at.h"
+
 namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-
-Numbers chosen(const Numbers& values, const Numbers& places) {
-  Numbers some;
-  some.reserve(places.size());
-  for (const std::size_t place : places) some.push_back(values[place]);
-  return some;
-}
 
 Numbers winners_at(const Som& som, const Samples& inputs, const Numbers& places) {
   SomWorkspace workspace;
@@ -31,7 +26,7 @@ LabelledMap::LabelledMap(const Som& som, const ExplorationValues& inputs, const 
                          std::size_t classes, const Numbers& training)
     : som_(som),
       inputs_(inputs),
-      class_of_(chosen(class_of, training)),
+      class_of_(values_at(class_of, training)),
       classes_(classes),
       places_(inputs_.places_of(training)),
       winners_(winners_at(som_, inputs_.samples, places_)),

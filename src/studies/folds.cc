@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/values_at.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 
@@ -83,14 +84,6 @@ std::vector<Fold> class_folds(const FoldSamples& samples) {
   return classes;
 }
 
-std::vector<std::size_t> at(const std::vector<std::size_t>& values,
-                            const std::vector<std::size_t>& places) {
-  std::vector<std::size_t> chosen;
-  chosen.reserve(places.size());
-  for (const std::size_t place : places) chosen.push_back(values[place]);
-  return chosen;
-}
-
 }  // namespace
 
 std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
@@ -130,11 +123,12 @@ std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,
                               const std::vector<std::size_t>& classes, std::size_t parts,
                               std::uint64_t seed) {
   FoldSamples samples{chosen.size()};
-  samples.classes = at(classes, chosen);
+  samples.classes = values_at(classes, chosen);
   samples.folds = std::min(parts, chosen.size());
   samples.seed = seed;
   std::vector<Fold> divided = folds(Protocol::kFolds, samples);
-  for (Fold& fold : divided) fold = {at(chosen, fold.training), at(chosen, fold.test)};
+  for (Fold& fold : divided)
+    fold = {values_at(chosen, fold.training), values_at(chosen, fold.test)};
   return divided;
 }
 

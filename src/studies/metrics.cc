@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/values_at.h"
 #include "maps/areas.h"
 #include "somato/maps/labels.h"
 #include "studies/map_reading.h"
@@ -16,13 +17,6 @@ namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-
-Numbers at(const Numbers& values, const Numbers& places) {
-  Numbers chosen;
-  chosen.reserve(places.size());
-  for (const std::size_t place : places) chosen.push_back(values[place]);
-  return chosen;
-}
 
 std::size_t count_equal(const Numbers& a, const Numbers& b) {
   std::size_t equal = 0;
@@ -80,7 +74,7 @@ class MetricsMaker {
   // A class can be named where a fold learned from it.
   bool can_be_named(const Classes& classes) const {
     return std::any_of(study_.folds.begin(), study_.folds.end(), [&](const Fold& fold) {
-      const Numbers learned = at(classes.of_sample, fold.training);
+      const Numbers learned = values_at(classes.of_sample, fold.training);
       const std::set<std::size_t> known(learned.begin(), learned.end());
       return std::any_of(fold.test.begin(), fold.test.end(), [&](std::size_t sample) {
         return known.contains(classes.of_sample[sample]);
@@ -94,7 +88,7 @@ class MetricsMaker {
       std::size_t right = 0;
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
         right += count_equal(named(study_.folds[f], *seed.folds[f]),
-                             at(classes.of_sample, study_.folds[f].test));
+                             values_at(classes.of_sample, study_.folds[f].test));
       }
       return static_cast<double>(right) / static_cast<double>(tested_);
     });
@@ -109,11 +103,11 @@ class MetricsMaker {
     if (study_.prepared.recall) add_accuracy_by_chance(classes, tested);
     const std::size_t best = metrics_.size();
     add_share_right("baseline_accuracy_raw", classes, [&](const Fold&, const FoldOutcome& outcome) {
-      return at(classes.of_sample, tested(outcome).nearest.raw);
+      return values_at(classes.of_sample, tested(outcome).nearest.raw);
     });
     add_share_right("baseline_accuracy_standardized", classes,
                     [&](const Fold&, const FoldOutcome& outcome) {
-                      return at(classes.of_sample, tested(outcome).nearest.standardized);
+                      return values_at(classes.of_sample, tested(outcome).nearest.standardized);
                     });
     // The one that is better on average over the seeds: in favour of the baseline.
     const Metric& raw = metrics_[best];
@@ -188,7 +182,7 @@ class MetricsMaker {
              predictions(classes, fold, *seed.folds[f], tested(*seed.folds[f]).named_by)) {
           named[one] += 1.0;
         }
-        for (const std::size_t one : at(classes.of_sample, fold.test)) right[one] += 1.0;
+        for (const std::size_t one : values_at(classes.of_sample, fold.test)) right[one] += 1.0;
       }
       const auto all = static_cast<double>(tested_);
       return std::inner_product(named.begin(), named.end(), right.begin(), 0.0) / (all * all);
@@ -267,9 +261,9 @@ class MetricsMaker {
       for (std::size_t f = 0; f < seed.folds.size(); ++f) {
         const FoldWinners all = fold_winners(seed, f);
         const AreaMeasure measure = make(seed.folds[f]->map.grid, all.winners);
-        of_right += measure(at(label.classes.of_sample, all.samples));
+        of_right += measure(values_at(label.classes.of_sample, all.samples));
         for (std::size_t g = 0; g < groupings.size(); ++g) {
-          of_wrong[g] += measure(at(groupings[g], all.samples));
+          of_wrong[g] += measure(values_at(groupings[g], all.samples));
         }
       }
       const auto folds = static_cast<double>(seed.folds.size());
@@ -332,7 +326,7 @@ std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
   const auto last =
       std::max_element(outcome.training_winners.begin(), outcome.training_winners.end());
   const NeuronLabels labels = NeuronLabels::by_majority(
-      outcome.training_winners, at(classes.of_sample, fold.training), *last + 1);
+      outcome.training_winners, values_at(classes.of_sample, fold.training), *last + 1);
   Numbers named;
   named.reserve(named_by.size());
   for (const std::size_t neuron : named_by) named.push_back(*labels[neuron]);

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/values_at.h"
 #include "somato/core/random.h"
 #include "somato/graph/answers.h"
 #include "somato/graph/further_learning.h"
@@ -143,14 +144,9 @@ Result<TeachingOutcome> test_teaching(const StudyParameters& study, const Prepar
                                       const Fold& fold, TrainedFold trained, const Numbers& winners,
                                       const Novelty& novelty, std::uint64_t seed) {
   const std::size_t left_out = prepared.classes().of_sample[fold.test.front()];
-  Numbers classes;
-  classes.reserve(fold.training.size());
-  for (const std::size_t one : fold.training) {
-    classes.push_back(prepared.classes().of_sample[one]);
-  }
-  SystemAnswer answer =
-      answer_of(trained.system, prepared.map, study.label, prepared.classes().names, winners,
-                classes, without_class(novelty, left_out));
+  SystemAnswer answer = answer_of(
+      trained.system, prepared.map, study.label, prepared.classes().names, winners,
+      values_at(prepared.classes().of_sample, fold.training), without_class(novelty, left_out));
   TaughtSystem system(prepared, fold, divide(fold.test, study.taught_per_class, seed),
                       std::move(trained), std::move(answer));
   SOMATO_TRY_VOID(system.teach());

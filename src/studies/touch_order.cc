@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/threads.h"
+#include "core/values_at.h"
 #include "maps/batch_training.h"
 #include "somato/codes/standardization.h"
 #include "somato/core/random.h"
@@ -24,13 +25,6 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 
 const std::vector<std::string> kOrders{"chosen", "fixed", "random"};
-
-Numbers at(const Numbers& values, const Numbers& places) {
-  Numbers chosen;
-  chosen.reserve(places.size());
-  for (const std::size_t place : places) chosen.push_back(values[place]);
-  return chosen;
-}
 
 // The data that all trainings share.
 struct Problem {
@@ -52,8 +46,9 @@ Result<Numbers> readings(const Problem& problem, std::size_t grasp, const Fold& 
   parameters.seed = seed;
   const Samples inputs = standardization.apply(training);
   SOMATO_TRY(const auto som, train_som(parameters, inputs));
-  const NeuronLabels labels = NeuronLabels::by_majority(
-      winners_of(som, inputs, 1), at(problem.classes.of_sample, fold.training), som.neurons());
+  const NeuronLabels labels =
+      NeuronLabels::by_majority(winners_of(som, inputs, 1),
+                                values_at(problem.classes.of_sample, fold.training), som.neurons());
   const Samples tested = standardization.apply(vectors.subset(fold.test));
   SomWorkspace workspace;
   Numbers names;

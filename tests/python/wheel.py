@@ -23,18 +23,11 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], check=True, **options)
 
 
-def packages_of(python):
-    """The folder of the packages of an environment."""
-    return Path(run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))",
-                    stdout=subprocess.PIPE, text=True).stdout.strip())
-
-
-def environment(folder, base):
+def environment(folder, base, source):
     """A new environment that finds the pinned packages in that of the build; its interpreter."""
-    run(base / "bin/python", "-m", "venv", folder)
-    python = folder / "bin/python"
-    (packages_of(python) / "base.pth").write_text(f"{packages_of(base / 'bin/python')}\n", encoding="utf-8")
-    return python
+    run("cmake", f"-DPYTHON={base / 'bin/python'}", f"-DBASE={base}", f"-DTO={folder}",
+        "-P", source / "cmake/python_environment.cmake")
+    return folder / "bin/python"
 
 
 def source_distribution(python, source, folder):
@@ -144,7 +137,7 @@ def main():
     options = parser.parse_args()
     source, work, base = options.source.resolve(), options.work.resolve(), options.base.resolve()
     shutil.rmtree(work, ignore_errors=True)
-    python = environment(work / "environment", base)
+    python = environment(work / "environment", base, source)
     archive = source_distribution(python, source, work / "source")
     wheel = build(archive, work / "wheels", source, options.pages)
     check_content(wheel, source)
