@@ -39,9 +39,8 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       hub_(hub),
       queue_(queue),
       replay_(hub, pace_, source_.readings),
-      system_(source_.system),
+      chosen_(source_, replay_),
       kept_(source_.recording, source_.sink),
-      teachers_(source_),
       audience_(settings.wait_for_viewer, may_rest(source_, settings)),
       plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
@@ -53,7 +52,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
 
 void Player::begin() {
   guarded([this] {
-    use_system();
+    chosen_.use();
     wants_exploring_ = source_.explorer && audience_.has_begun();
     if (!source_.explorer) {
       pace_.playing = audience_.has_begun();
@@ -127,7 +126,7 @@ Result<void> Player::handle(const ViewCommand& command) {
                                [&](const PlacementCommand& one) { return place(one.placement); },
                                [&](const ExploreCommand&) { return begin_exploring(); },
                                [&](const NameCommand& one) { return name(one.label); },
-                               [&](const SystemCommand& one) { return choose_system(one.name); },
+                               [&](const SystemCommand& one) { return chosen_.choose(one.name); },
                                [&](const DismissCommand&) -> Result<void> {
                                  problem_.clear();
                                  return {};
@@ -177,8 +176,8 @@ std::optional<Pace::Clock::time_point> Player::due() const {
 
 // Longer where an unknown thing can be named, and where that shows what was learned.
 double Player::pause_after_result() const {
-  const bool is_named = system_ && teachers_.is_taught(*system_, replay_.played()->index);
-  return is_named || is_unknown_now() ? kLongerResult * result_pause_ : result_pause_;
+  const bool is_named = chosen_.is_taught(replay_.played()->index);
+  return is_named || chosen_.answers_unknown() ? kLongerResult * result_pause_ : result_pause_;
 }
 
 void Player::advance() {
@@ -206,8 +205,7 @@ void Player::play_next_of_demonstration() {
   if (wants_exploring_) return;
   if (was_last) {
     plan_.complete_round();
-    teachers_.forget();
-    use_system();
+    chosen_.forget();
   }
   begin_exploration(was_last ? 0 : next);
   replay_.show(0);
@@ -307,31 +305,6 @@ Result<void> Player::begin_exploring() {
   return {};
 }
 
-Result<void> Player::choose_system(const std::string& name) {
-  const auto found = std::find_if(source_.systems.begin(), source_.systems.end(),
-                                  [&](const ViewSystem& one) { return one.name == name; });
-  if (found == source_.systems.end()) return not_now("unknown system");
-  system_ = static_cast<std::size_t>(found - source_.systems.begin());
-  use_system();
-  return {};
-}
-
-void Player::take_trained(const std::string& name,
-                          const std::shared_ptr<const SystemModel>& model) {
-  for (ViewSystem& one : source_.systems) {
-    if (one.name != name) continue;
-    one.trained = model;
-    teachers_.drop(static_cast<std::size_t>(&one - source_.systems.data()));
-  }
-  if (system() != nullptr && system()->name == name) use_system();
-}
-
-void Player::use_system() {
-  const Recording& recording = source_.recording;
-  replay_.choose(system(), recording.explorations.empty() ? std::optional<RecordingLayout>()
-                                                          : layout_of(recording));
-}
-
 void Player::show_training(bool training) {
   training_ = training;
   publish_state();
@@ -360,10 +333,10 @@ std::string Player::state_text() const {
   state.speed = std::min(pace_.speed, 100.0);  // the fastest that a page can choose
   state.thing = plan_.thing();
   state.placement = plan_.placement();
-  state.system = system_;
+  state.system = chosen_.number();
   state.system_problem = replay_.reader().problem();
-  state.teaches = teaches();
-  if (system_) state.taught = teachers_.names(*system_);
+  state.teaches = chosen_.teaches();
+  state.taught = chosen_.taught_names();
   state.training = training_;
   state.demonstrated = plan_.rounds();
   state.clients = hub_.viewers();
@@ -461,56 +434,42 @@ Result<void> Player::name(const Label& given) {
   if (replay_.played() == nullptr) return not_now("there is no exploration to name");
   const PlayedExploration& played = *replay_.played();
   SOMATO_TRY_VOID(kept_.name(played.index, given));
-  if (played.has_ended && given.name == answered_label()) teach_given(played.index);
+  if (played.has_ended && given.name == chosen_.answered_label()) teach_given(played.index);
   return {};
 }
 
-// The reading of each exploration is one answer.
-bool Player::teaches() const {
-  return system_ && teachers_.can_teach(*system_) && replay_.reader().model() != nullptr;
-}
-
-std::string Player::answered_label() const {
-  return teaches() ? system()->trained->answer->label : "";
-}
-
 void Player::teach(std::size_t exploration, const std::string& name) {
-  const TaughtName& taught = teachers_.teach(*system_, exploration, name);
-  use_system();
-  replay_.tap().say_taught(taught);
+  replay_.tap().say_taught(chosen_.teach(exploration, name));
   publish_state();
 }
 
 void Player::teach_given(std::size_t exploration) {
-  if (!teaches()) return;
-  if (const auto name = names().given(exploration, answered_label())) teach(exploration, *name);
+  const auto label = chosen_.answered_label();
+  if (!label) return;
+  if (const auto name = names().given(exploration, *label)) teach(exploration, *name);
 }
 
 // Given by the receiver of the readings.
 void Player::take_name() {
   const auto name = replay_.tap().take_name();
-  if (!name || !teaches() || replay_.played() == nullptr) return;
+  const auto label = chosen_.answered_label();
+  if (!name || !label || replay_.played() == nullptr) return;
   const std::size_t exploration = replay_.played()->index;
-  if (const auto named = kept_.name(exploration, {answered_label(), *name}); !named) {
+  if (const auto named = kept_.name(exploration, {*label, *name}); !named) {
     problem_ = sentence_of(named.error());
     return;
   }
   teach(exploration, *name);
 }
 
-bool Player::is_unknown_now() const {
-  const Reading* reading = teaches() ? replay_.reader().latest() : nullptr;
-  return reading != nullptr && reading->novelty && is_unknown(*reading->novelty);
-}
-
 // An unknown thing is named; the system's answer after that is shown for a while, too.
 bool Player::teach_demonstrated() {
-  if (!is_unknown_now()) return false;
+  if (!chosen_.answers_unknown()) return false;
   const PlayedExploration& played = *replay_.played();
   Exploration named;
   named.labels = names().labels(played.index, played.exploration->labels);
-  const auto name = find_label(named, answered_label());
-  if (!name || teachers_.is_taught(*system_, played.index)) return false;
+  const auto name = find_label(named, *chosen_.answered_label());
+  if (!name || chosen_.is_taught(played.index)) return false;
   teach(played.index, *name);
   return true;
 }

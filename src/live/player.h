@@ -11,6 +11,7 @@
 
 #include "live/audience.h"
 #include "live/body_thread.h"
+#include "live/chosen_system.h"
 #include "live/event_hub.h"
 #include "live/exploration_plan.h"
 #include "live/growing_exploration.h"
@@ -19,7 +20,6 @@
 #include "live/replay.h"
 #include "live/strips.h"
 #include "live/task_queue.h"
-#include "live/teachers.h"
 #include "live/view_command.h"
 #include "live/view_source.h"
 
@@ -49,14 +49,16 @@ class Player {
   const GivenNames& names() const { return kept_.names(); }
 
   /// The system that is chosen, or nullptr.
-  const ViewSystem* system() const { return system_ ? &source_.systems[*system_] : nullptr; }
+  const ViewSystem* system() const { return chosen_.system(); }
 
   /// The strips over time of the exploration that is played, or nothing.
   std::optional<Strips> strips() const;
 
-  /// A system that was trained, without the names that it had been taught; it is used when it is
-  /// the one that is chosen.
-  void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model);
+  /// See ChosenSystem.
+  void take_trained(const std::string& name, const std::shared_ptr<const SystemModel>& model) {
+    chosen_.take_trained(name, model);
+  }
+
   void show_training(bool training);
   void show_problem(std::string problem);
   void publish_state();
@@ -87,16 +89,11 @@ class Player {
   Result<void> choose_thing(const std::string& name);
   Result<void> place(const Placement& placement);
   Result<void> begin_exploring();
-  Result<void> choose_system(const std::string& name);
-  void use_system();
 
-  bool teaches() const;
-  std::string answered_label() const;
   void teach(std::size_t exploration, const std::string& name);
   void teach_given(std::size_t exploration);
   void take_name();
   bool teach_demonstrated();
-  bool is_unknown_now() const;
   double pause_after_result() const;
 
   void explore();
@@ -115,9 +112,8 @@ class Player {
   TaskQueue& queue_;
   Pace pace_;
   Replay replay_;
-  std::optional<std::size_t> system_;
+  ChosenSystem chosen_;
   KeptExplorations kept_;
-  Teachers teachers_;
   Audience audience_;
   std::string problem_;
   std::string shown_system_problem_;
