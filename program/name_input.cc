@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "live/given_names.h"
+#include "files/text.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -54,14 +54,14 @@ std::optional<std::string> NameInput::read_name() {
     if (!has_ended_ && byte != '\n') line.push_back(byte);
   }
   std::string name = trimmed(line);
-  if (name.empty() || live::is_name(name)) {
+  if (name.empty() || is_name(name)) {
     return name.empty() ? std::nullopt : std::optional(std::move(name));
   }
   fmt::print(
       stderr,
       "somato: standard input: a name is not used, because it has control characters or more "
-      "than {} bytes; give a short name in one line\n",
-      live::kLongestName);
+      "than {} bytes, or is not UTF-8; give a short name in one line\n",
+      kLongestName);
   return {};
 }
 

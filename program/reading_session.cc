@@ -47,7 +47,14 @@ std::optional<std::string> ReadingSession::name_of(const live::SaidReading& said
 }
 
 Result<void> ReadingSession::note_taught(const live::TaughtName& name) {
-  if (name.problem.empty()) ++taught_;
+  if (name.problem.empty()) {
+    ++taught_;
+  } else {
+    std::fputs(fmt::format("somato: exploration {}: the name '{}' was not learned: {}\n",
+                           name.exploration + 1, printable(name.name), printable(name.problem))
+                   .c_str(),
+               stderr);
+  }
   return output_.write(taught_line(name));
 }
 

@@ -26,9 +26,9 @@ std::string advice(const ProtocolResults& system) {
   const double below = baseline->mean() - accuracy->mean();
   if (below <= kMuch) return {};
   return fmt::format(
-      "  The map is {:.0f} points below the nearest known sample. More neurons (rows, columns), "
-      "more\n"
-      "  iterations or a standardization may help: docs/below-the-baseline.md.\n",
+      "  The map is {:.0f} points below the nearest known sample. More neurons, more iterations or "
+      "a\n"
+      "  standardization may help: docs/below-the-baseline.md.\n",
       100 * below);
 }
 
@@ -82,6 +82,17 @@ std::string learners_table(const ProtocolResults& system) {
   return text;
 }
 
+// Names that no neuron was left for.
+std::string refused_names(const ProtocolResults& system) {
+  const Metric* refused = system.find_metric("names_refused");
+  if (refused == nullptr || refused->mean() == 0.0) return {};
+  return fmt::format(
+      "  {:.1f} % of the names were refused, because all neurons of the map had names; use a "
+      "larger "
+      "map.\n",
+      100.0 * refused->mean());
+}
+
 // The effect of given names under leave_class_out: a row for each number of names.
 std::string names_table(const ProtocolResults& system) {
   std::string text;
@@ -90,7 +101,7 @@ std::string names_table(const ProtocolResults& system) {
       return system.find_metric(fmt::format("{}_after_{}", name, names));
     };
     const Metric* known = find("known_accuracy");
-    if (known == nullptr) return text;
+    if (known == nullptr) return text + refused_names(system);
     if (names == 0) {
       text = fmt::format("  {:<20} {:<18} {:<18} {}\n", "names given", "accuracy, new",
                          "accuracy, known", "known ones changed");

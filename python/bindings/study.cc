@@ -51,8 +51,10 @@ StudyDescription read_description(const std::string& name) {
   return plan.parts.front().description;
 }
 
-// The study with other values of parameters of its table [study].
+// The study with other values of parameters of its table [study]. What only protocols of its file
+// read has no effect on others.
 StudyDescription with_settings(StudyDescription description, const nb::dict& settings) {
+  std::vector<std::string> given;
   for (const Table::Entry& entry : table_of(settings, "study").entries) {
     const auto parameter = StudyParameters::declarations().find(entry.name);
     if (!parameter) {
@@ -60,12 +62,15 @@ StudyDescription with_settings(StudyDescription description, const nb::dict& set
           unknown_name("parameter", entry.name, "study", StudyParameters::declarations().names())};
     }
     value_or_throw(parameter->assign(description.study, std::get<Value>(entry.content)));
+    given.push_back(entry.name);
   }
+  reset_unread(description.study, given);
   // Read again, because its parts are checked together.
-  return value_or_throw(
-      parse_toml(to_toml(description), description.where).and_then([](const Table& table) {
-        return read_study(table);
-      }));
+  auto read = parse_toml(to_toml(description), description.where).and_then([](const Table& table) {
+    return read_study(table);
+  });
+  if (!read) read.error().where = "study";  // not a line of the file
+  return value_or_throw(std::move(read));
 }
 
 /// The outcome of a study, for Python.

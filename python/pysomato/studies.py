@@ -52,7 +52,8 @@ class System:
             **settings) -> "TrainedSystem":
         """The system, trained on all explorations; their labels name the neurons of its map.
 
-        It is the system that ``study`` returns for this seed. ``threads``, ``progress``, ``settings``
+        It is the system that ``study`` returns for this seed. Parameters that only the protocols of
+        the file read have no effect. ``threads``, ``progress``, ``settings``
         and errors are those of ``study``.
         """
         return study(recording, self, threads=threads, progress=progress, protocols=["train_is_test"],
@@ -115,11 +116,17 @@ class TrainedSystem:
         Args:
             exploration: Its number in the recording, from 0; from -1 backwards.
 
+            name: At most 255 bytes of UTF-8 without control characters.
+
         Raises:
             IndexError: There is no such exploration.
-            UsageError: The name is empty or "unknown", or all neurons have names.
+            TypeError: The name is not a ``str``.
+            UsageError: The name is empty, "unknown" or too long, or has control characters; or all
+                neurons have names.
             DataError: Those of ``answers``.
         """
+        if not isinstance(name, str):
+            raise TypeError(f"name must be a str, not {type(name).__name__}")
         number = range(len(recording))[exploration]
         return TrainedSystem(self._inner.taught(recording._inner, number, name))
 

@@ -55,7 +55,7 @@ std::size_t first_invalid_utf8(std::string_view text) {
 }
 
 bool is_name(std::string_view text) {
-  return !text.empty() && text.size() <= 255 && is_utf8(text) &&
+  return !text.empty() && text.size() <= kLongestName && is_utf8(text) &&
          std::none_of(text.begin(), text.end(), is_control);
 }
 

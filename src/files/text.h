@@ -19,6 +19,8 @@ inline bool is_utf8(std::string_view text) {
 /// The byte order mark of some UTF-8 files.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+inline constexpr std::size_t kLongestName = 255;  ///< Bytes of a valid name.
+
 /// Whether `text` is a valid name: UTF-8, 1 to 255 bytes, no control characters.
 bool is_name(std::string_view text);
 

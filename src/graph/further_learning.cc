@@ -1,10 +1,13 @@
 #include "somato/graph/further_learning.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "files/text.h"
 #include "graph/modules/map_module.h"
 #include "somato/core/check.h"
 #include "somato/graph/answers.h"
@@ -97,11 +100,18 @@ void outvote(NeuronVotes& votes, std::size_t neuron, std::size_t label) {
 }
 
 Result<void> check_name(const std::string& name) {
-  if (!name.empty() && name != kUnknownAnswer) return {};
-  return fail(ErrorKind::kUsage,
-              name.empty() ? "a name is empty"
-                           : "'unknown' is the answer for what a system has not learned",
-              {}, "give another name");
+  const auto refuse = [](const std::string& what) {
+    return fail(ErrorKind::kUsage, what, {}, "give another name");
+  };
+  if (trimmed(name).empty()) return refuse("a name is empty");
+  if (!is_name(name)) {
+    return refuse(fmt::format("{} is not 1 to {} bytes of text without control characters",
+                              shown(name), kLongestName));
+  }
+  if (name == kUnknownAnswer) {
+    return refuse("'unknown' is the answer for what a system has not learned");
+  }
+  return {};
 }
 
 modules::MapModule& map_to_change(System& system, std::size_t map) {

@@ -14,13 +14,6 @@ Label& find_or_add(std::vector<Label>& labels, const std::string& name) {
 
 }  // namespace
 
-bool is_name(std::string_view text) {
-  const bool has_control = std::any_of(text.begin(), text.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-  });
-  return !text.empty() && text.size() <= kLongestName && !has_control;
-}
-
 void GivenNames::give(std::size_t exploration, const Label& label) {
   given_[exploration][label.name] = label.value;
 }

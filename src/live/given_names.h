@@ -11,12 +11,6 @@
 
 namespace somato::live {
 
-/// The longest name or value of a label that can be given, in bytes.
-inline constexpr std::size_t kLongestName = 256;
-
-/// Whether a text can be given as a name: not empty, not too long and without control characters.
-bool is_name(std::string_view text);
-
 /// Labels that viewers gave to explorations, such as the name of what was touched. They stand
 /// beside the recording, which other threads may read.
 class GivenNames {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "live/given_names.h"
+#include "files/text.h"
 
 namespace somato::live {
 namespace {

@@ -18,6 +18,13 @@ tl::unexpected<Error> no_distances() {
               "'unknown' needs explorations that differ from each other");
 }
 
+tl::unexpected<Error> no_repeated_class() {
+  return fail(ErrorKind::kData,
+              "no class has two explorations whose distance shows how much a class spreads", {},
+              "'unknown' needs classes of at least two explorations in each part of the training; "
+              "use more explorations, or more 'calibration_folds'");
+}
+
 }  // namespace
 
 void Novelty::add_classes(std::size_t count) {
@@ -31,34 +38,45 @@ Result<std::vector<double>> class_scales(const std::vector<std::size_t>& classes
                                          const std::vector<double>& distances, std::size_t count) {
   require(!classes.empty() && classes.size() == distances.size(),
           "scales of classes need a distance for each sample");
-  const double mean = std::accumulate(distances.begin(), distances.end(), 0.0) /
-                      static_cast<double>(distances.size());
-  if (!(mean > 0.0)) return no_distances();
-  std::vector<double> sums(count, mean);
-  std::vector<double> samples(count, 1.0);
+  std::vector<double> sums(count, 0.0);
+  std::vector<double> samples(count, 0.0);
   for (std::size_t i = 0; i < classes.size(); ++i) {
     require(classes[i] < count, "a sample has an unknown class");
     sums[classes[i]] += distances[i];
     samples[classes[i]] += 1.0;
   }
-  for (std::size_t label = 0; label < count; ++label) sums[label] /= samples[label];
+  double sum = 0.0;
+  double repeated = 0.0;
+  for (std::size_t label = 0; label < count; ++label) {
+    if (samples[label] < 2.0) sums[label] = samples[label] = 0.0;
+    sum += sums[label];
+    repeated += samples[label];
+  }
+  if (repeated == 0.0) return no_repeated_class();
+  if (!(sum > 0.0)) return no_distances();
+  for (std::size_t label = 0; label < count; ++label) {
+    sums[label] = (sums[label] + sum / repeated) / (samples[label] + 1.0);
+  }
   return sums;
 }
 
-Result<double> conformal_threshold(std::vector<double> scores, double rate) {
+Result<void> check_scores(std::size_t count, double rate) {
   require(rate > 0.0 && rate < 1.0, "a false-alarm rate is above 0 and below 1");
+  const double wanted = std::max(2.0, std::ceil(1.0 / rate - kRounding) - 1.0);
+  if (static_cast<double>(count) >= wanted) return {};
+  return fail(
+      ErrorKind::kData,
+      fmt::format("a threshold with a false-alarm rate of {} cannot be found from {} training "
+                  "exploration{}",
+                  rate, count, count == 1 ? "" : "s"),
+      {}, fmt::format("use at least {:.0f} explorations, or a higher false_alarm_rate", wanted));
+}
+
+Result<double> conformal_threshold(std::vector<double> scores, double rate) {
   const std::size_t count = scores.size();
+  SOMATO_TRY_VOID(check_scores(count, rate));
   const auto above =
       static_cast<std::size_t>(std::floor(rate * static_cast<double>(count + 1) + kRounding));
-  if (above == 0) {
-    return fail(ErrorKind::kData,
-                fmt::format("{} training explorations do not define a threshold with a false-alarm "
-                            "rate of {}",
-                            count, rate),
-                {},
-                fmt::format("use at least {:.0f} explorations, or a higher false_alarm_rate",
-                            std::ceil(1.0 / rate - kRounding) - 1.0));
-  }
   const auto place = scores.begin() + static_cast<std::ptrdiff_t>(count - above);
   std::nth_element(scores.begin(), place, scores.end());
   if (!(*place > 0.0)) return no_distances();

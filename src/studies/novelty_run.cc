@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "somato/graph/system_model.h"
@@ -27,6 +29,16 @@ std::vector<double> nearest_distances(const TrainedFold& trained, const Fold& fo
   return distances;
 }
 
+// The test explorations whose classes have training explorations: others are unknown themselves.
+Numbers of_learned_classes(const Fold& part, const Numbers& class_of) {
+  std::set<std::size_t> learned;
+  for (const std::size_t one : part.training) learned.insert(class_of[one]);
+  Numbers tested;
+  std::copy_if(part.test.begin(), part.test.end(), std::back_inserter(tested),
+               [&](std::size_t one) { return learned.contains(class_of[one]); });
+  return tested;
+}
+
 }  // namespace
 
 LabelledMap labelled_map(const TrainedFold& trained, const PreparedStudy& prepared,
@@ -38,13 +50,15 @@ LabelledMap labelled_map(const TrainedFold& trained, const PreparedStudy& prepar
 Result<Novelty> find_novelty(const StudyDescription& description, const PreparedStudy& prepared,
                              const TrainedFold& trained, const std::vector<std::size_t>& training,
                              std::uint64_t seed, const Progress& progress) {
-  std::vector<double> scores;
   const StudyParameters& study = description.study;
+  SOMATO_TRY_VOID(check_scores(training.size(), study.false_alarm_rate));
+  std::vector<double> scores;
   for (const Fold& part : folds_among(training, prepared.classes().of_sample,
                                       study.calibration_folds, study.first_seed)) {
     SOMATO_TRY(const auto without, train_fold(description, prepared, part, seed, progress));
+    const Numbers learned = of_learned_classes(part, prepared.classes().of_sample);
     SOMATO_TRY(const auto held_out,
-               labelled_map(without, prepared, part.training).held_out_scores(part.test));
+               labelled_map(without, prepared, part.training).held_out_scores(learned));
     scores.insert(scores.end(), held_out.begin(), held_out.end());
   }
   return labelled_map(trained, prepared, training)

@@ -4,8 +4,10 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "core/values_at.h"
 #include "somato/core/random.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
@@ -303,7 +305,10 @@ Result<FoldOutcome> learn_object_after_object(const StudyDescription& descriptio
                                               const PreparedStudy& prepared, const Fold& fold,
                                               std::uint64_t seed, const Progress& progress) {
   const Classes& classes = prepared.classes();
-  const Numbers order = order_of_objects(classes.names.size(), seed);
+  const std::set<std::size_t> learned(prepared.samples.classes.begin(),
+                                      prepared.samples.classes.end());
+  const Numbers order =
+      values_at(Numbers(learned.begin(), learned.end()), order_of_objects(learned.size(), seed));
   SOMATO_TRY(auto trained, train_fold(description, prepared,
                                       fold_of_first(classes, fold, order.front()), seed, progress));
   const Samples& inputs = trained.inputs.samples;

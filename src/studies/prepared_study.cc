@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "somato/graph/system_model.h"
+#include "somato/maps/novelty.h"
 #include "studies/exploration_samples.h"
+#include "studies/folds.h"
 #include "studies/most_similar.h"
 #include "studies/numbered_individuals.h"
 #include "studies/senses.h"
@@ -167,16 +169,21 @@ Numbers counts_of(const Classes& classes, std::size_t explorations) {
   return counts;
 }
 
+bool leaves_classes_out(const StudyParameters& study) {
+  return std::find(study.protocols.begin(), study.protocols.end(), Protocol::kLeaveClassOut) !=
+         study.protocols.end();
+}
+
 // A class whose explorations are all tested could never be learned.
-Result<void> check_each_is_repeated(const Classes& classes, const std::string& label,
-                                    std::size_t learned) {
+Result<void> check_each_is_repeated(Protocol protocol, const Classes& classes,
+                                    const std::string& label, std::size_t learned) {
   const Numbers counts = counts_of(classes, learned);
   const auto single = std::find(counts.begin(), counts.end(), std::size_t{1});
   if (single == counts.end()) return {};
   return fail(ErrorKind::kData,
               fmt::format("only one exploration has '{}' as its '{}'",
                           classes.names[static_cast<std::size_t>(single - counts.begin())], label),
-              {}, "object_after_object needs at least two of each; select others with 'only'");
+              {}, choice_name(protocol) + " needs at least two of each; select others with 'only'");
 }
 
 // A class must have more than `most` explorations, for the reason that `otherwise` states; `key`
@@ -211,6 +218,27 @@ Result<void> check_each_has_untaught_ones(const Classes& classes, const StudyPar
       "taught_per_class");
 }
 
+// Each system with a threshold for unknown explorations needs enough training explorations.
+Result<void> check_thresholds(const StudyParameters& study, const FoldSamples& samples) {
+  if (study.unknown) SOMATO_TRY_VOID(check_scores(samples.samples, study.false_alarm_rate));
+  if (!leaves_classes_out(study)) return {};
+  for (const Fold& fold : folds(Protocol::kLeaveClassOut, samples)) {
+    SOMATO_TRY_VOID(check_scores(fold.training.size(), study.false_alarm_rate));
+  }
+  return {};
+}
+
+// "unknown" is an answer.
+Result<void> check_names(const StudyParameters& study, const std::vector<std::string>& names) {
+  if (!study.unknown && !leaves_classes_out(study)) return {};
+  if (std::find(names.begin(), names.end(), kUnknownAnswer) == names.end()) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("some explorations have '{}' as their '{}', which is the answer for what "
+                          "a system has not learned",
+                          kUnknownAnswer, study.label),
+              {}, "give them another name, or select others with 'only'");
+}
+
 Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedStudy& prepared) {
   const std::size_t all = prepared.recording.explorations.size();
   prepared.samples.samples = learned;
@@ -243,11 +271,12 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
     if (protocol == Protocol::kLeaveClassOut) {
       SOMATO_TRY_VOID(check_each_has_untaught_ones(prepared.classes(), study, learned));
     }
-    if (protocol == Protocol::kObjectAfterObject) {
-      SOMATO_TRY_VOID(check_each_is_repeated(prepared.classes(), study.label, learned));
+    if (protocol == Protocol::kObjectAfterObject || protocol == Protocol::kLeaveClassOut) {
+      SOMATO_TRY_VOID(check_each_is_repeated(protocol, prepared.classes(), study.label, learned));
     }
   }
-  return {};
+  SOMATO_TRY_VOID(check_names(study, prepared.classes().names));
+  return check_thresholds(study, prepared.samples);
 }
 
 bool answers(const System& system, std::size_t module) {

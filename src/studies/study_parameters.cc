@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/contains.h"
+#include "somato/core/check.h"
+
 namespace somato {
 namespace {
 
@@ -38,23 +41,56 @@ std::string place_of(const Table& file, const std::string& key) {
   return entry ? entry->where : table->where;
 }
 
+bool has(const StudyParameters& study, Protocol protocol) {
+  return contains(study.protocols, protocol);
+}
+
 // A key that only something else reads, such as a protocol.
-Result<void> check_effect(const Table& file, const std::string& key, const std::string& reader,
-                          bool is_read) {
+struct KeyReader {
+  std::string key;
+  std::string reader;
+  bool reads;
+};
+
+std::vector<KeyReader> key_readers(const StudyParameters& study) {
+  const bool continual = has(study, Protocol::kObjectAfterObject);
+  const bool leaves_classes = has(study, Protocol::kLeaveClassOut);
+  const bool divides = has(study, Protocol::kFolds) || leaves_classes || continual;
+  const bool unknown = study.unknown || leaves_classes;
+  // An empty list of groups is how a variation takes them away.
+  std::vector<KeyReader> readers{
+      {"groups", "the protocol leave_group_out",
+       study.groups.empty() || has(study, Protocol::kLeaveGroupOut)},
+      {"taught_per_class", "the protocol leave_class_out", leaves_classes}};
+  for (const char* key : {"folds", "test_last"}) {
+    readers.push_back(
+        {key, "the protocol k_folds, leave_class_out or object_after_object", divides});
+  }
+  for (const char* key :
+       {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
+    readers.push_back({key, "the protocol object_after_object", continual});
+  }
+  for (const char* key : {"false_alarm_rate", "calibration_folds"}) {
+    readers.push_back({key, "the protocol leave_class_out or unknown = true", unknown});
+  }
+  return readers;
+}
+
+Result<void> check_effects(const StudyParameters& study, const Table& file) {
   const Table* table = study_table(file);
-  if (is_read || !table || !table->find(key)) return {};
-  return fail(ErrorKind::kUsage, "'" + key + "' has no effect without " + reader,
-              place_of(file, key), "leave it out, or add it");
+  if (!table) return {};
+  for (const KeyReader& one : key_readers(study)) {
+    if (one.reads || !table->find(one.key)) continue;
+    return fail(ErrorKind::kUsage, "'" + one.key + "' has no effect without " + one.reader,
+                place_of(file, one.key), "leave it out, or add it");
+  }
+  return {};
 }
 
 Result<void> check_complete(const StudyParameters& study, const Table& file) {
   const auto refuse = [&](const std::string& key, const std::string& what,
                           const std::string& advice) {
     return fail(ErrorKind::kUsage, what, place_of(file, key), advice);
-  };
-  const auto has = [&](Protocol protocol) {
-    return std::find(study.protocols.begin(), study.protocols.end(), protocol) !=
-           study.protocols.end();
   };
   if (study.name.empty()) {
     return refuse("name", "the study has no name", "add name = \"...\" to [study]");
@@ -66,11 +102,11 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
   if (has_duplicates(study.protocols)) {
     return refuse("protocols", "a protocol is listed twice", "list each protocol once");
   }
-  if (has(Protocol::kTestData)) {
+  if (has(study, Protocol::kTestData)) {
     return refuse("protocols", "'test_data' cannot be selected as a protocol",
                   "run the study with --test-data instead");
   }
-  if (has(Protocol::kLeaveGroupOut) && study.groups.empty()) {
+  if (has(study, Protocol::kLeaveGroupOut) && study.groups.empty()) {
     return refuse("protocols", "leave_group_out needs labels that define the groups",
                   "add groups = [\"...\"] to [study]");
   }
@@ -90,31 +126,11 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
                   "write two names separated by a space: the class that is mapped, and the class "
                   "that it is mapped with");
   }
-  // An empty list is how a variation takes the groups away.
-  const bool continual = has(Protocol::kObjectAfterObject);
-  if (continual && !study.recall.empty()) {
+  if (has(study, Protocol::kObjectAfterObject) && !study.recall.empty()) {
     return refuse("recall", "object_after_object names explorations by the winner, not by a recall",
                   "remove the recall, or the protocol");
   }
-  SOMATO_TRY_VOID(check_effect(file, "groups", "the protocol leave_group_out",
-                               study.groups.empty() || has(Protocol::kLeaveGroupOut)));
-  for (const char* key : {"folds", "test_last"}) {
-    SOMATO_TRY_VOID(
-        check_effect(file, key, "the protocol k_folds, leave_class_out or object_after_object",
-                     has(Protocol::kFolds) || has(Protocol::kLeaveClassOut) || continual));
-  }
-  for (const char* key :
-       {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
-    SOMATO_TRY_VOID(check_effect(file, key, "the protocol object_after_object", continual));
-  }
-  const bool unknown = study.unknown || has(Protocol::kLeaveClassOut);
-  for (const char* key : {"false_alarm_rate", "calibration_folds"}) {
-    SOMATO_TRY_VOID(
-        check_effect(file, key, "the protocol leave_class_out or unknown = true", unknown));
-  }
-  SOMATO_TRY_VOID(check_effect(file, "taught_per_class", "the protocol leave_class_out",
-                               has(Protocol::kLeaveClassOut)));
-  return {};
+  return check_effects(study, file);
 }
 
 // Without defaults, since a key that no protocol reads is refused.
@@ -263,6 +279,16 @@ Result<StudyDescription> read_study(const Table& file) {
   if (description.system.name.empty()) description.system.name = description.study.name;
   SOMATO_TRY_VOID(check_complete(description.study, file));
   return description;
+}
+
+void reset_unread(StudyParameters& study, const std::vector<std::string>& given) {
+  const StudyParameters defaults;
+  for (const KeyReader& one : key_readers(study)) {
+    if (one.reads || contains(given, one.key)) continue;
+    const auto parameter = StudyParameters::declarations().find(one.key);
+    require(parameter && parameter->assign(study, parameter->read(defaults)).has_value(),
+            "a default is a valid value");
+  }
 }
 
 std::string to_toml(const StudyDescription& description) {

@@ -151,7 +151,9 @@ TEST(Teaching, LeavesTheModelAsItIsWhenItFails) {
   all.explorations.push_back(testing::exploration_of("short", {1.0F}));
   for (const std::string& kind : kKinds) {
     SystemModel model = model_of_first(kind);
-    for (const std::string name : {"", "unknown"}) {
+    for (const std::string& name :
+         {std::string(), std::string("unknown"), std::string("  "), std::string("two\nlines"),
+          std::string(256, 'a'), std::string("nul\0", 4), std::string("\xFF")}) {
       const auto refused = teach(model, all, kNew, name);
       ASSERT_FALSE(refused) << kind;
       EXPECT_EQ(refused.error().kind, ErrorKind::kUsage) << kind;

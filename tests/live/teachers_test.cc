@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "live/sessions.h"
 #include "live/view_session.h"
@@ -81,6 +85,40 @@ TEST(TeachersThread, LearnTheNameOfAnExplorationInProgressWhenItEnds) {
   EXPECT_EQ(frame_of(session)["reading"]["answer"], "cup");
   session.stop();
   EXPECT_EQ(session.system()->answer->classes.back(), "cup");
+}
+
+// The first exploration has ended as soon as it is shown.
+TEST(TeachersThread, LearnTheNameOfAFirstExplorationOfOneFrame) {
+  ViewSource source = with_system(testing::hand_source(3), true);
+  for (Exploration& exploration : source.recording.explorations) {
+    for (Channel& channel : exploration.channels) {
+      const auto first = channel.frames.row(0);
+      channel.frames = Matrix<float>(1, first.size(), {first.begin(), first.end()});
+      channel.times.clear();
+    }
+  }
+  std::vector<std::pair<std::size_t, std::string>> taught;
+  std::atomic<bool> done{false};
+  source.readings.on_begin = [](const Exploration&) { return Result<void>(); };
+  source.readings.on_moment = [](const live::SaidReading&) { return Result<void>(); };
+  source.readings.on_end = [](const live::SaidReading&, const Exploration&) {
+    return Result<void>();
+  };
+  source.readings.name_of = [](const live::SaidReading& said) {
+    return std::optional("thing " + std::to_string(said.exploration));
+  };
+  source.readings.on_taught = [&](const live::TaughtName& name) {
+    taught.emplace_back(name.exploration, name.name);
+    return Result<void>();
+  };
+  source.readings.on_done = [&](const Result<void>&) { done = true; };
+  ViewSession session(std::move(source), {false, 100.0, 0.0});
+  session.start();
+  ASSERT_TRUE(eventually([&] { return done.load(); }));
+  session.stop();
+  const std::vector<std::pair<std::size_t, std::string>> all{
+      {0, "thing 0"}, {1, "thing 1"}, {2, "thing 2"}};
+  EXPECT_EQ(taught, all);
 }
 
 TEST(TeachersThread, DoNotTeachWhereTheSourceForbidsIt) {

@@ -55,8 +55,8 @@ TEST(ViewCommand, SaysWhatIsWrong) {
               "'value' must be a text without line breaks and not empty");
   }
   EXPECT_EQ(refusal(R"({"command":"play","speed":1})"), "the command has an unknown field");
-  EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(257, 'a') + "\"}"),
-            "'name' must be a text of at most 256 bytes");
+  EXPECT_EQ(refusal(R"({"command":"thing","name":")" + std::string(256, 'a') + "\"}"),
+            "'name' must be a text of at most 255 bytes");
 }
 
 TEST(ViewCommand, AThingTurnsOnceAroundAtMost) {

@@ -12,18 +12,27 @@ namespace {
 
 using Values = std::vector<double>;
 
-// The mean is 3: class 0 has (1 + 3 + 3) / 3, class 1 (5 + 3) / 2, class 2 the mean only.
+// The mean is 3: class 0 has (1 + 3 + 3) / 3, class 1 (3 + 5 + 3) / 3, class 2 the mean only.
 TEST(Novelty, ScalesAreMeansWithOneMoreSample) {
-  const auto scales = class_scales({0, 1, 0}, {1.0, 5.0, 3.0}, 3);
+  const auto scales = class_scales({0, 1, 0, 1}, {1.0, 3.0, 3.0, 5.0}, 3);
   ASSERT_TRUE(scales);
-  EXPECT_EQ(*scales, (Values{7.0 / 3.0, 4.0, 3.0}));
+  EXPECT_EQ(*scales, (Values{7.0 / 3.0, 11.0 / 3.0, 3.0}));
+}
+
+// The distance of a class with one sample is that from other classes. The mean of the others is 2.
+TEST(Novelty, ScalesLeaveOutTheOnlySampleOfAClass) {
+  EXPECT_EQ(class_scales({0, 1, 0}, {1.0, 50.0, 3.0}, 3).value(), (Values{2.0, 2.0, 2.0}));
+  const auto singles = class_scales({0, 1}, {1.0, 2.0}, 2);
+  ASSERT_FALSE(singles);
+  EXPECT_EQ(singles.error().kind, ErrorKind::kData);
+  EXPECT_NE(singles.error().what.find("no class has two"), std::string::npos);
 }
 
 TEST(Novelty, ScalesNeedADistance) {
-  EXPECT_EQ(class_scales({0, 1}, {0.0, 0.0}, 2).error().kind, ErrorKind::kData);
+  EXPECT_EQ(class_scales({0, 0}, {0.0, 0.0}, 2).error().kind, ErrorKind::kData);
   EXPECT_THROW((void)class_scales({}, {}, 1), InvalidArgument);
   EXPECT_THROW((void)class_scales({0}, {1.0, 2.0}, 1), InvalidArgument);
-  EXPECT_THROW((void)class_scales({1}, {1.0}, 1), InvalidArgument);
+  EXPECT_THROW((void)class_scales({0, 1}, {1.0, 1.0}, 1), InvalidArgument);
 }
 
 TEST(Novelty, IsOneAtTheThreshold) {
@@ -57,6 +66,8 @@ TEST(Novelty, ThresholdNeedsEnoughScores) {
   ASSERT_FALSE(few);
   EXPECT_EQ(few.error().kind, ErrorKind::kData);
   EXPECT_NE(few.error().advice.find("at least 19 explorations"), std::string::npos);
+  EXPECT_FALSE(check_scores(1, 0.5));
+  EXPECT_TRUE(check_scores(2, 0.5));
   EXPECT_EQ(conformal_threshold(Values(30, 0.0), 0.05).error().kind, ErrorKind::kData);
   EXPECT_THROW((void)conformal_threshold({1.0}, 0.0), InvalidArgument);
   EXPECT_THROW((void)conformal_threshold({1.0}, 1.0), InvalidArgument);

@@ -322,6 +322,7 @@ TEST_F(Live, LearnsNamesFromStandardInput) {
   EXPECT_TRUE(taught[0]["neuron"].is_number_integer());
   EXPECT_EQ(taught[1]["exploration"], 4);
   EXPECT_TRUE(taught[1].contains("problem")) << "the name unknown";
+  EXPECT_NE(done.err.find("exploration 4: the name 'unknown' was not learned"), std::string::npos);
   EXPECT_EQ(taught[2]["taught"], "mug");
   EXPECT_EQ(finals_in(done.out).size(), count);
   const json answers =

@@ -161,6 +161,23 @@ def test_answers_are_those_of_the_program(system, tmp_path, somato):
     assert plain["novelty"].isna().all() and "unknown" not in set(plain["answer"])
 
 
+def test_what_other_protocols_read_does_not_hinder_a_fit(tmp_path, system):
+    path = tmp_path / "continual.toml"
+    path.write_text(system.toml.replace("[study]", """[study]
+protocols = ["object_after_object", "leave_class_out"]
+folds = 4
+replay_per_object = 2
+taught_per_class = 1
+false_alarm_rate = 0.2"""))
+    continual = System(path)
+    grasps = apart(["ball", "cube", "cone"], 8)
+    assert continual.fit(grasps).answers(grasps)["novelty"].isna().all()
+    assert continual.fit(grasps, unknown=True).answers(grasps)["novelty"].notna().all()
+    study(grasps, continual, protocols=["k_folds"], seeds=1)
+    with pytest.raises(pysomato.UsageError, match="study: 'folds' has no effect"):
+        continual.fit(grasps, folds=3)
+
+
 def test_a_system_is_taught_a_name(system):
     grasps = apart(["ball", "cube", "cone"], 8)
     first = Recording.from_arrays({"object": list(grasps.label("object"))[:16]},
@@ -173,8 +190,10 @@ def test_a_system_is_taught_a_name(system):
     assert after["answer"][23] == "cone" and after["novelty"][23] == 0
     assert set(after["nearest"][16:]) == {"cone"}
     assert after[:16].equals(before[:16])
-    for name in ("", "unknown"):
+    for name in ("", "unknown", "  ", "two\nlines", "nul\0", "a" * 256):
         with pytest.raises(pysomato.UsageError):
             trained.teach(grasps, 0, name)
+    with pytest.raises(TypeError, match="must be a str, not int"):
+        trained.teach(grasps, 0, 3)
     with pytest.raises(IndexError):
         trained.teach(grasps, 24, "cone")

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
 
+#include "somato/graph/answers.h"
 #include "somato/graph/system_model.h"
 #include "support/made_recording.h"
 #include "support/made_study.h"
@@ -140,6 +142,39 @@ TEST(NoveltyRun, OnlyASystemThatShouldHasAThreshold) {
   const StudyOutcome outcome = outcome_of(wary_study(), recording);
   ASSERT_TRUE(outcome.model.answer->novelty);
   EXPECT_EQ(outcome.model.answer->novelty->scales.size(), 3U);
+  EXPECT_EQ(outcome.model.answer->novelty->samples, 24U);
+}
+
+// Where one of an object's two explorations is held out, the other one has no distance within the
+// object, and that from other objects must not be taken for it.
+TEST(NoveltyRun, KnowsFurtherExplorationsOfObjectsThatWereExploredTwice) {
+  const std::string settings = "protocols = ['train_is_test']\nunknown = true\n";
+  const StudyOutcome outcome =
+      outcome_of(unknown_study(settings), testing::objects_apart(20, 2, 10.0, 3));
+  for (const double scale : outcome.model.answer->novelty->scales) EXPECT_LT(scale, 30.0);
+  const auto fresh = answers(outcome.model, testing::objects_apart(20, 2, 10.0, 4)).value();
+  const auto unknown = std::count_if(fresh.begin(), fresh.end(),
+                                     [](const InputAnswer& one) { return one.is_unknown(); });
+  EXPECT_LE(unknown, 8);
+}
+
+// Two halves, each with one exploration of each object.
+TEST(NoveltyRun, NeedsTwoExplorationsOfAClassInEachPart) {
+  const StudyDescription halves =
+      unknown_study("protocols = ['train_is_test']\nunknown = true\ncalibration_folds = 2\n");
+  const auto refused = run_study(halves, testing::objects_apart(20, 2, 10.0, 3));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(to_string(refused.error()).find("calibration_folds"), std::string::npos);
+}
+
+// The only exploration of an object is unknown itself when it is held out.
+TEST(NoveltyRun, ThresholdDoesNotDependOnTheOnlyExplorationOfAnObject) {
+  Recording recording = grasps(3, 8, 5);
+  Exploration far = recording.explorations[0];
+  far.labels[0].value = "far";
+  for (float& value : far.channels[0].frames.values()) value += 1e4F;
+  recording.explorations.push_back(std::move(far));
+  const StudyOutcome outcome = outcome_of(wary_study(), recording);
   EXPECT_EQ(outcome.model.answer->novelty->samples, 24U);
 }
 

@@ -221,6 +221,21 @@ TEST(ObjectAfterObject, RefusesAnObjectThatIsExploredOnce) {
   EXPECT_NE(to_string(refused.error()).find("'pear'"), std::string::npos);
 }
 
+// Objects that only the test recording has are not learned.
+TEST(ObjectAfterObject, IsTheSameWithTestDataOfOtherObjects) {
+  const Recording test = objects_apart(5, 2, 300.0, 8);
+  const auto objects_of = [&](const Recording* other) {
+    StudyOptions options;
+    options.test_data = other;
+    const StudyOutcome outcome =
+        outcome_of(objects_study("growing_when_required"), overlapping_objects(), options);
+    const ProtocolResults& results = system_of(outcome, kProtocol);
+    return std::pair(testing::values_of(results, "accuracy"),
+                     testing::values_of(results, "forgetting"));
+  };
+  EXPECT_EQ(objects_of(&test), objects_of(nullptr));
+}
+
 TEST(ObjectAfterObject, RefusesSettingsThatItDoesNotRead) {
   const auto refused = [](const std::string& settings) {
     const auto read = read_study(

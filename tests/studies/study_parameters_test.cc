@@ -254,6 +254,25 @@ TEST(StudyParameters, AStudyAsTomlReadsBackAsTheSame) {
   }
 }
 
+TEST(StudyParameters, WhatNoProtocolReadsCanBeReset) {
+  StudyParameters study;
+  study.protocols = {Protocol::kTrainIsTest};
+  study.folds = 7;
+  study.taught_per_class = 3;
+  study.false_alarm_rate = 0.2;
+  study.calibration_folds = 4;
+  study.seeds = 9;
+  reset_unread(study, {"taught_per_class"});
+  EXPECT_EQ(study.folds, StudyParameters().folds);
+  EXPECT_EQ(study.false_alarm_rate, StudyParameters().false_alarm_rate);
+  EXPECT_EQ(study.taught_per_class, 3U);
+  EXPECT_EQ(study.seeds, 9U);
+  study.unknown = true;
+  study.false_alarm_rate = 0.2;
+  reset_unread(study, {});
+  EXPECT_EQ(study.false_alarm_rate, 0.2);
+}
+
 TEST(StudyParameters, EveryDeclaredKeyCanBeSet) {
   expect_every_key_settable<StudyParameters>();
   expect_every_key_settable<RecordingParameters>();

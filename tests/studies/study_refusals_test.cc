@@ -63,6 +63,27 @@ void expect_refused(const StudyDescription& description, const Recording& record
   EXPECT_NE(outcome.error().what.find(what), std::string::npos) << to_string(outcome.error());
 }
 
+// Before anything is trained.
+TEST(Study, RefusesRecordingsWithoutAThresholdForUnknownOnes) {
+  StudyDescription study = small_study();
+  study.study.protocols = {Protocol::kLeaveClassOut};
+  study.study.folds = 2;
+  Recording named = objects_apart(3, 12, 1.0, 1);
+  Recording two = objects_apart(2, 30, 1.0, 1);
+  two.explorations.resize(32);
+  expect_refused(study, two, ErrorKind::kData, "from 1 training exploration");
+  Recording single = named;
+  single.explorations.push_back(testing::exploration_of("pear", {1, 2, 3}));
+  expect_refused(study, single, ErrorKind::kData, "only one exploration has 'pear'");
+  for (std::size_t i = 0; i < 12; ++i) named.explorations[i].labels[0].value = "unknown";
+  expect_refused(study, named, ErrorKind::kData, "'unknown' as their 'object'");
+  study.study.protocols = {Protocol::kTrainIsTest};
+  outcome_of(study, named);
+  study.study.unknown = true;
+  expect_refused(study, named, ErrorKind::kData, "'unknown' as their 'object'");
+  expect_refused(study, objects_apart(3, 6, 1.0, 1), ErrorKind::kData, "from 18 training");
+}
+
 TEST(Study, RefusesInvalidLabels) {
   const Recording good = objects_apart(2, 2, 1.0, 1);
   expect_refused(small_study(), {}, ErrorKind::kData, "no explorations");

@@ -40,16 +40,21 @@ inline bool is_unknown(double novelty) {
 
 /// The scale of each of `count` classes: the mean of the distances of its samples and of the mean
 /// over all samples, which counts as one more sample and keeps the scale of a class with few
-/// samples above 0. `classes[i]` and `distances[i]` belong to sample i. Errors (kData): all
-/// distances are 0. Throws InvalidArgument without samples, for unequal numbers or a class that is
-/// not below `count`.
+/// samples above 0. The only sample of a class is left out: its distance from other classes does
+/// not show how much the class spreads. `classes[i]` and `distances[i]` belong to sample i. Errors
+/// (kData): no class has two samples, or all distances are 0. Throws InvalidArgument without
+/// samples, for unequal numbers or a class that is not below `count`.
 Result<std::vector<double>> class_scales(const std::vector<std::size_t>& classes,
                                          const std::vector<double>& distances, std::size_t count);
+
+/// Whether so many scores define a threshold (see conformal_threshold()), or the error (kData).
+Result<void> check_scores(std::size_t count, double rate);
 
 /// The threshold that a further score from the same distribution exceeds with a probability of at
 /// most `rate`, above 0 and below 1: of n scores the one with rank n + 1 - floor(rate (n + 1)), as
 /// in conformal prediction (Vovk, Gammerman and Shafer 2005, Algorithmic Learning in a Random
-/// World, section 2.2). Errors (kData): fewer than 1 / rate - 1 scores, or a threshold of 0.
+/// World, section 2.2). Errors (kData): fewer than 1 / rate - 1 scores or
+/// fewer than two, or a threshold of 0.
 Result<double> conformal_threshold(std::vector<double> scores, double rate);
 
 }  // namespace somato

@@ -99,6 +99,10 @@ struct StudyDescription {
 /// settings.
 Result<StudyDescription> read_study(const Table& file);
 
+/// Gives the parameters that none of the study's protocols reads their defaults, except those named
+/// `given`: after the protocols of a study were changed, those of its file may have no effect.
+void reset_unread(StudyParameters& study, const std::vector<std::string>& given);
+
 /// The study as TOML that is read back to the same study: tables [study], [recording] and
 /// [altered.NAME] without defaults, then its system.
 std::string to_toml(const StudyDescription& description);

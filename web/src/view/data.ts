@@ -397,7 +397,7 @@ export interface NameCommand {
   command: "name";
   /** The name of the label, such as "object". */
   label: string;
-  /** Its value; at most 256 bytes, without line breaks, not empty. */
+  /** Its value; at most 255 bytes, without line breaks, not empty. */
   value: string;
 }
 
