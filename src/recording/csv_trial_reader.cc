@@ -192,7 +192,8 @@ class TrialReader {
     if (!is_name(field.text)) {
       return fail(
           ErrorKind::kData,
-          fmt::format("the label '{}' is not 1 to 255 bytes of text: {}", name, shown(field.text)),
+          fmt::format("the label '{}' is not 1 to 255 bytes of text without control characters: {}",
+                      name, shown(field.text)),
           records_.place(field), "correct it");
     }
     value = field.text;
