@@ -90,7 +90,7 @@ void Player::turn() {
   closed_ =
       queue_.wait(replay_.is_behind() ? Pace::Clock::now() : due()) == TaskQueue::Woken::kClosed;
   if (closed_) return;
-  // take_name();  // before another exploration begins
+  take_name();  // before another exploration begins
   if (replay_.is_behind()) {
     replay_.follow(kSlice);
   } else if (const auto next = due(); next && *next <= Pace::Clock::now()) {

@@ -322,8 +322,9 @@ bool print_everywhere_the_same(const std::string& name, const Make& make) {
 bool print_trained_maps() {
   const Samples samples = noise(30, 70);
   bool same = true;
+  // Not a line of the output: processors differ in what they have.
   for (const InstructionSet set : available_instruction_sets()) {
-    std::printf("compared: %s\n", name_of(set).c_str());
+    std::fprintf(stderr, "compared: %s\n", name_of(set).c_str());
   }
   for (const SomParameters& parameters : kinds_of_training()) {
     same &= print_everywhere_the_same(name_of(parameters), [&](std::size_t threads) {
