@@ -305,10 +305,10 @@ Result<FoldOutcome> learn_object_after_object(const StudyDescription& descriptio
                                               const PreparedStudy& prepared, const Fold& fold,
                                               std::uint64_t seed, const Progress& progress) {
   const Classes& classes = prepared.classes();
-  const std::set<std::size_t> learned(prepared.samples.classes.begin(),
+  const std::set<std::size_t> objects(prepared.samples.classes.begin(),
                                       prepared.samples.classes.end());
   const Numbers order =
-      values_at(Numbers(learned.begin(), learned.end()), order_of_objects(learned.size(), seed));
+      values_at(Numbers(objects.begin(), objects.end()), order_of_objects(objects.size(), seed));
   SOMATO_TRY(auto trained, train_fold(description, prepared,
                                       fold_of_first(classes, fold, order.front()), seed, progress));
   const Samples& inputs = trained.inputs.samples;
