@@ -159,10 +159,14 @@ void Player::begin_seen() {
 }
 
 void Player::begin_exploration(std::size_t index) {
+  begin_exploration(index, std::make_shared<Timeline>(source_.recording.explorations[index]));
+}
+
+void Player::begin_exploration(std::size_t index, std::shared_ptr<const Timeline> timeline) {
   const Exploration& chosen = source_.recording.explorations[index];
   std::shared_ptr<ScenePlayer> scene = kept_.scene(index);
   if (!scene && source_.scenes) scene = source_.scenes(chosen);
-  replay_.begin({index, &chosen, std::make_shared<Timeline>(chosen), std::move(scene)});
+  replay_.begin({index, &chosen, std::move(timeline), std::move(scene)});
 }
 
 // When the next moment, step of the body or exploration is to be shown; never while all rests.
@@ -262,10 +266,11 @@ Result<void> Player::seek(const SeekCommand& seek) {
   if (!is_played && seek.exploration >= explorations.size()) {
     return not_now(fmt::format("the recording has {} explorations", explorations.size()));
   }
-  const std::size_t moments =
-      is_played ? replay_.moments() : Timeline(explorations[seek.exploration]).moments();
+  std::shared_ptr<const Timeline> timeline =
+      is_played ? nullptr : std::make_shared<Timeline>(explorations[seek.exploration]);
+  const std::size_t moments = is_played ? replay_.moments() : timeline->moments();
   if (seek.frame >= moments) return not_now(fmt::format("the exploration has {} frames", moments));
-  if (!is_played) begin_exploration(seek.exploration);
+  if (!is_played) begin_exploration(seek.exploration, std::move(timeline));
   moments_left_ = 0;
   pace_.begin();
   replay_.show(seek.frame);

@@ -75,6 +75,7 @@ class Player {
   void turn();
   void guarded(const std::function<void()>& work);
   void begin_exploration(std::size_t index);
+  void begin_exploration(std::size_t index, std::shared_ptr<const Timeline> timeline);
   void advance();
   bool is_complete() const;
   void rest();
