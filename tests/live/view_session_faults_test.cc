@@ -82,7 +82,7 @@ ViewSystem slow_system(const Recording& recording) {
   const std::string text =
       testing::channels({"joints"}) +
       testing::module("first", "som",
-                      "input = 'joints'\nrows = 100\ncolumns = 100\niterations = 9") +
+                      "input = 'joints'\nrows = 150\ncolumns = 150\niterations = 9") +
       testing::module("memory", "accumulate", "input = 'first'") +
       testing::module("map", "som", "input = 'memory'\nrows = 2\ncolumns = 2\niterations = 9");
   ViewSystem system = testing::view_system(text, "slow");
@@ -90,26 +90,26 @@ ViewSystem slow_system(const Recording& recording) {
   return system;
 }
 
-// A million frames: to follow them all takes longer than anybody waits for an answer.
+// 400,000 frames: to follow them all takes longer than anybody waits for an answer.
 TEST(SessionFaultsThread, AnswersWhileItFollowsALongExploration) {
   ViewSource source = testing::hand_source();
   source.systems.push_back(slow_system(source.recording));
   source.system = 0;
   for (Channel& channel : source.recording.explorations[0].channels) {
-    channel.frames = Matrix<float>(1000000, channel.frames.columns());
+    channel.frames = Matrix<float>(400000, channel.frames.columns());
     channel.rate = 10.0;
   }
   ViewSession session(std::move(source), {true, 1.0, 0.0});
   session.start();
-  command(session, R"({"command":"seek","exploration":0,"frame":999999})");
+  command(session, R"({"command":"seek","exploration":0,"frame":399999})");
   command(session, R"({"command":"step","frames":-2})");
-  EXPECT_EQ(state_of(session)["frame"], 999998);
+  EXPECT_EQ(state_of(session)["frame"], 399998);
   EXPECT_EQ(frame_of(session)["frame"], 0);
   // The last that was wanted is shown, and what was wanted before never.
   command(session, R"({"command":"seek","exploration":1,"frame":1})");
   ASSERT_TRUE(eventually([&] { return frame_of(session)["exploration"] == 1; }));
   EXPECT_TRUE(frame_of(session)["reading"].is_object());
-  command(session, R"({"command":"seek","exploration":0,"frame":999999})");
+  command(session, R"({"command":"seek","exploration":0,"frame":399999})");
 }
 
 TEST(SessionFaultsThread, PlaysOnWhileCommandsKeepComing) {
