@@ -88,8 +88,8 @@ std::string refused_names(const ProtocolResults& system) {
   if (refused == nullptr || refused->mean() == 0.0) return {};
   return fmt::format(
       "  {:.1f} % of the names were refused, because all neurons of the map had names; use a "
-      "larger "
-      "map.\n",
+      "larger\n"
+      "  map.\n",
       100.0 * refused->mean());
 }
 

@@ -53,8 +53,8 @@ class System:
         """The system, trained on all explorations; their labels name the neurons of its map.
 
         It is the system that ``study`` returns for this seed. Parameters that only the protocols of
-        the file read have no effect. ``threads``, ``progress``, ``settings``
-        and errors are those of ``study``.
+        the file read have no effect. ``threads``, ``progress``,
+        ``settings`` and errors are those of ``study``.
         """
         return study(recording, self, threads=threads, progress=progress, protocols=["train_is_test"],
                      seeds=1, first_seed=seed, **settings).system
@@ -115,7 +115,6 @@ class TrainedSystem:
 
         Args:
             exploration: Its number in the recording, from 0; from -1 backwards.
-
             name: At most 255 bytes of UTF-8 without control characters.
 
         Raises:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "somato/maps/novelty.h"
+
 namespace somato::live {
 
 std::vector<HeldOutPart> held_out_parts(const std::vector<std::size_t>& class_of, std::size_t parts,
@@ -13,8 +15,7 @@ std::vector<HeldOutPart> held_out_parts(const std::vector<std::size_t>& class_of
   for (const std::size_t one : class_of) part_of.push_back(counts[one]++ % parts);
   const bool has_single =
       std::any_of(counts.begin(), counts.end(), [](const auto& one) { return one.second < 2; });
-  const double needed = 1.0 / false_alarm_rate - 1.0;  // see conformal_threshold()
-  if (has_single || static_cast<double>(class_of.size()) + 1e-6 < needed) return {};
+  if (has_single || !check_scores(class_of.size(), false_alarm_rate)) return {};
   std::vector<HeldOutPart> divided(parts);
   for (std::size_t i = 0; i < class_of.size(); ++i) {
     for (std::size_t part = 0; part < parts; ++part) {
