@@ -38,8 +38,8 @@ ViewSource demonstrated() {
 TEST(DemonstrationThread, ExploresEachThingOnceAndThenRepeatsUntilAViewerExplores) {
   ViewSession session(demonstrated(), testing::at_once());
   session.start();
-  EXPECT_EQ(state_of(session)["demonstrated"], 0);
-  ASSERT_TRUE(eventually([&] { return state_of(session)["demonstrated"] == 2; }));
+  // A round lasts some milliseconds, so that its number can pass unseen.
+  ASSERT_TRUE(eventually([&] { return state_of(session)["demonstrated"] >= 2; }));
   json state = state_of(session);
   ASSERT_EQ(state["explorations"].size(), 2U);
   EXPECT_EQ(state["explorations"][0]["labels"]["object"], "ball");

@@ -74,7 +74,7 @@ TEST(TeachersThread, LearnTheNameOfAnExplorationThatHasEnded) {
 }
 
 TEST(TeachersThread, LearnTheNameOfAnExplorationInProgressWhenItEnds) {
-  ViewSession session(with_system(testing::body_source(), true), {false, 1.0, 0.0});
+  ViewSession session(with_system(testing::body_source(200), true), {false, 1.0, 0.0});
   session.start();
   ASSERT_TRUE(eventually([&] { return state_of(session)["live"] == true; }));
   command(session, R"({"command":"name","label":"object","value":"cup"})");
