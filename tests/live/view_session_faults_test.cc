@@ -90,26 +90,26 @@ ViewSystem slow_system(const Recording& recording) {
   return system;
 }
 
-// 400,000 frames: to follow them all takes longer than anybody waits for an answer.
+// 200,000 frames: to follow them all takes longer than anybody waits for an answer.
 TEST(SessionFaultsThread, AnswersWhileItFollowsALongExploration) {
   ViewSource source = testing::hand_source();
   source.systems.push_back(slow_system(source.recording));
   source.system = 0;
   for (Channel& channel : source.recording.explorations[0].channels) {
-    channel.frames = Matrix<float>(400000, channel.frames.columns());
+    channel.frames = Matrix<float>(200000, channel.frames.columns());
     channel.rate = 10.0;
   }
   ViewSession session(std::move(source), {true, 1.0, 0.0});
   session.start();
-  command(session, R"({"command":"seek","exploration":0,"frame":399999})");
+  command(session, R"({"command":"seek","exploration":0,"frame":199999})");
   command(session, R"({"command":"step","frames":-2})");
-  EXPECT_EQ(state_of(session)["frame"], 399998);
+  EXPECT_EQ(state_of(session)["frame"], 199998);
   EXPECT_EQ(frame_of(session)["frame"], 0);
   // The last that was wanted is shown, and what was wanted before never.
   command(session, R"({"command":"seek","exploration":1,"frame":1})");
   ASSERT_TRUE(eventually([&] { return frame_of(session)["exploration"] == 1; }));
   EXPECT_TRUE(frame_of(session)["reading"].is_object());
-  command(session, R"({"command":"seek","exploration":0,"frame":399999})");
+  command(session, R"({"command":"seek","exploration":0,"frame":199999})");
 }
 
 TEST(SessionFaultsThread, PlaysOnWhileCommandsKeepComing) {
