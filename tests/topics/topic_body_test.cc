@@ -87,6 +87,7 @@ TEST_F(TopicBodyThread, AClockThatGoesBackIsAnError) {
 }
 
 TEST_F(TopicBodyThread, ASilentTopicIsAnErrorWithItsName) {
+  while (client->topics().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   const auto body = start(0.4);
   ASSERT_FALSE(body);
   EXPECT_EQ(body.error().kind, ErrorKind::kSystem);
