@@ -169,11 +169,6 @@ Numbers counts_of(const Classes& classes, std::size_t explorations) {
   return counts;
 }
 
-bool leaves_classes_out(const StudyParameters& study) {
-  return std::find(study.protocols.begin(), study.protocols.end(), Protocol::kLeaveClassOut) !=
-         study.protocols.end();
-}
-
 // A class whose explorations are all tested could never be learned.
 Result<void> check_each_is_repeated(Protocol protocol, const Classes& classes,
                                     const std::string& label, std::size_t learned) {
@@ -221,7 +216,7 @@ Result<void> check_each_has_untaught_ones(const Classes& classes, const StudyPar
 // Each system with a threshold for unknown explorations needs enough training explorations.
 Result<void> check_thresholds(const StudyParameters& study, const FoldSamples& samples) {
   if (study.unknown) SOMATO_TRY_VOID(check_scores(samples.samples, study.false_alarm_rate));
-  if (!leaves_classes_out(study)) return {};
+  if (!study.has(Protocol::kLeaveClassOut)) return {};
   for (const Fold& fold : folds(Protocol::kLeaveClassOut, samples)) {
     SOMATO_TRY_VOID(check_scores(fold.training.size(), study.false_alarm_rate));
   }
@@ -230,7 +225,7 @@ Result<void> check_thresholds(const StudyParameters& study, const FoldSamples& s
 
 // "unknown" is an answer.
 Result<void> check_names(const StudyParameters& study, const std::vector<std::string>& names) {
-  if (!study.unknown && !leaves_classes_out(study)) return {};
+  if (!study.unknown && !study.has(Protocol::kLeaveClassOut)) return {};
   if (std::find(names.begin(), names.end(), kUnknownAnswer) == names.end()) return {};
   return fail(ErrorKind::kData,
               fmt::format("some explorations have '{}' as their '{}', which is the answer for what "

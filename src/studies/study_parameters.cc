@@ -41,10 +41,6 @@ std::string place_of(const Table& file, const std::string& key) {
   return entry ? entry->where : table->where;
 }
 
-bool has(const StudyParameters& study, Protocol protocol) {
-  return contains(study.protocols, protocol);
-}
-
 // A key that only something else reads, such as a protocol.
 struct KeyReader {
   std::string key;
@@ -53,14 +49,14 @@ struct KeyReader {
 };
 
 std::vector<KeyReader> key_readers(const StudyParameters& study) {
-  const bool continual = has(study, Protocol::kObjectAfterObject);
-  const bool leaves_classes = has(study, Protocol::kLeaveClassOut);
-  const bool divides = has(study, Protocol::kFolds) || leaves_classes || continual;
+  const bool continual = study.has(Protocol::kObjectAfterObject);
+  const bool leaves_classes = study.has(Protocol::kLeaveClassOut);
+  const bool divides = study.has(Protocol::kFolds) || leaves_classes || continual;
   const bool unknown = study.unknown || leaves_classes;
   // An empty list of groups is how a variation takes them away.
   std::vector<KeyReader> readers{
       {"groups", "the protocol leave_group_out",
-       study.groups.empty() || has(study, Protocol::kLeaveGroupOut)},
+       study.groups.empty() || study.has(Protocol::kLeaveGroupOut)},
       {"taught_per_class", "the protocol leave_class_out", leaves_classes}};
   for (const char* key : {"folds", "test_last"}) {
     readers.push_back(
@@ -102,11 +98,11 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
   if (has_duplicates(study.protocols)) {
     return refuse("protocols", "a protocol is listed twice", "list each protocol once");
   }
-  if (has(study, Protocol::kTestData)) {
+  if (study.has(Protocol::kTestData)) {
     return refuse("protocols", "'test_data' cannot be selected as a protocol",
                   "run the study with --test-data instead");
   }
-  if (has(study, Protocol::kLeaveGroupOut) && study.groups.empty()) {
+  if (study.has(Protocol::kLeaveGroupOut) && study.groups.empty()) {
     return refuse("protocols", "leave_group_out needs labels that define the groups",
                   "add groups = [\"...\"] to [study]");
   }
@@ -126,7 +122,7 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
                   "write two names separated by a space: the class that is mapped, and the class "
                   "that it is mapped with");
   }
-  if (has(study, Protocol::kObjectAfterObject) && !study.recall.empty()) {
+  if (study.has(Protocol::kObjectAfterObject) && !study.recall.empty()) {
     return refuse("recall", "object_after_object names explorations by the winner, not by a recall",
                   "remove the recall, or the protocol");
   }
@@ -166,6 +162,8 @@ const std::vector<std::pair<ReplayChoice, std::string>>& Choices<ReplayChoice>::
       {ReplayChoice::kMostDistant, "most_distant"}};
   return choices;
 }
+
+bool StudyParameters::has(Protocol protocol) const { return contains(protocols, protocol); }
 
 const Declarations<StudyParameters>& StudyParameters::declarations() {
   using P = StudyParameters;

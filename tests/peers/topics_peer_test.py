@@ -32,9 +32,10 @@ def payload(number):
 class Robot:
     """A server of the Foxglove SDK that counts its messages upwards from 0."""
 
-    def __init__(self, topic="/touch", port=0, damaged=None):
-        """`damaged` is the number of a message that is cut."""
+    def __init__(self, topic="/touch", port=0, damaged=None, clock=0):
+        """`damaged` is the number of a message that is cut, `clock` the time of the first in seconds."""
         self.damaged = damaged
+        self.clock = clock
         self.server = self.serve(port)
         schema = foxglove.Schema(name="test_msgs/msg/Touch", encoding="ros2msg",
                                  data=b"float32[] forces\n")
@@ -71,7 +72,7 @@ class Robot:
             message = payload(float(number))
             if number == self.damaged:
                 message = message[:100]
-            self.channel.log(message, log_time=int(number * 1e9 / RATE))
+            self.channel.log(message, log_time=int(self.clock * 1e9 + number * 1e9 / RATE))
             number += 1
             time.sleep(max(0.0, begun + number / RATE - time.monotonic()))
 
@@ -138,7 +139,8 @@ class Topics(unittest.TestCase):
         self.assertEqual(values, [values[0] + i for i in range(int(2 * RATE) + 1)])
 
     def test_a_robot_that_starts_again_is_explored_again(self):
-        robots = [Robot()]
+        # The clock goes back, however long the new connection takes.
+        robots = [Robot(clock=1000)]
         port = robots[0].server.port
 
         def start_again():

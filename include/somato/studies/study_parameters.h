@@ -73,6 +73,9 @@ struct StudyParameters {
   std::uint64_t first_seed = 1;
   std::size_t wrong_groupings = 20;
 
+  /// Whether the study has this protocol.
+  bool has(Protocol protocol) const;
+
   static const Declarations<StudyParameters>& declarations();
 };
 
