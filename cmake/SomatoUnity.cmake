@@ -1,6 +1,6 @@
 # Several sources of a folder are compiled together: reading headers and instantiating templates takes longer
 # than the rest of a typical file. Names in the anonymous namespaces of a folder must therefore differ.
-set(SOMATO_SOURCES_AT_ONCE 8 CACHE STRING "Number of sources that are compiled at once")
+set(SOMATO_SOURCES_AT_ONCE 16 CACHE STRING "Number of sources that are compiled at once")
 
 # somato_compile_together(TARGET): sources with options of their own are compiled one by one.
 function(somato_compile_together target)

@@ -181,7 +181,7 @@ void StripPanelLayout::draw(SvgWriter& svg, double top) const {
 std::string draw_strips(const std::string& title, const std::string& caption,
                         const std::vector<StripPanel>& panels) {
   require(!panels.empty(), "a picture needs panels");
-  constexpr double kPanelGap = 22.0;
+  constexpr double kStripGap = 22.0;
   const TextBlock heading(title, 18.0, true);
   const TextBlock legend(caption, 11.5, false);
   std::vector<StripPanelLayout> layouts;
@@ -189,7 +189,7 @@ std::string draw_strips(const std::string& title, const std::string& caption,
   for (const StripPanel& panel : panels) {
     for (const Strip& strip : panel.strips) check(strip);
     layouts.emplace_back(panel);
-    height += kPanelGap + layouts.back().height();
+    height += kStripGap + layouts.back().height();
   }
   SvgWriter svg(2 * kStripMargin + kStripsWidth, height + kStripMargin, title);
   svg.open_group("heading", {kStripMargin, kStripMargin});
@@ -198,8 +198,8 @@ std::string draw_strips(const std::string& title, const std::string& caption,
   svg.close_group();
   double top = kStripMargin + heading.height() + legend.height();
   for (const StripPanelLayout& layout : layouts) {
-    layout.draw(svg, top + kPanelGap);
-    top += kPanelGap + layout.height();
+    layout.draw(svg, top + kStripGap);
+    top += kStripGap + layout.height();
   }
   return std::move(svg).finish();
 }

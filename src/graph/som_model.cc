@@ -139,7 +139,7 @@ Archive archive_of(const SomModel& model) {
   return archive;
 }
 
-Result<SomModel> model_in(const Archive& archive, const std::string& where) {
+Result<SomModel> som_model_in(const Archive& archive, const std::string& where) {
   SOMATO_TRY_VOID(check_kind(archive, kSomKind, where));
   SOMATO_TRY_VOID(check_parts(archive, kKnownParts, where));
   SOMATO_TRY(auto som, som_from(archive, kSomPrefix, where));
@@ -171,7 +171,7 @@ std::string encode_som_model(const SomModel& model) {
 
 Result<SomModel> decode_som_model(std::string_view bytes, const std::string& where) {
   SOMATO_TRY(const auto archive, decode_archive(bytes, where));
-  return model_in(archive, where);
+  return som_model_in(archive, where);
 }
 
 Result<void> save_som_model(const std::string& path, const SomModel& model) {
@@ -180,7 +180,7 @@ Result<void> save_som_model(const std::string& path, const SomModel& model) {
 
 Result<SomModel> load_som_model(const std::string& path) {
   SOMATO_TRY(const auto archive, load_archive(path));
-  return model_in(archive, path);
+  return som_model_in(archive, path);
 }
 
 }  // namespace somato

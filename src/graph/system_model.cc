@@ -154,7 +154,7 @@ Result<System> build(const Archive& archive, const std::string& where) {
   return system;
 }
 
-Result<SystemModel> model_in(const Archive& archive, const std::string& where) {
+Result<SystemModel> system_model_in(const Archive& archive, const std::string& where) {
   SOMATO_TRY(auto system, build(archive, where));
   for (const SystemModule& module : system.modules()) {
     Learner* learner = module.module->learner();
@@ -199,13 +199,13 @@ Result<void> save_system(const std::string& path, const System& system,
 }
 
 SystemModel copy_of(const SystemModel& model) {
-  return model_in(archive_of(model.system, model.answer), "copy").value();
+  return system_model_in(archive_of(model.system, model.answer), "copy").value();
 }
 
 Result<SystemModel> load_system(const std::string& path) {
   SOMATO_TRY(const auto archive, load_archive(path));
   SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
-  SOMATO_TRY(auto model, model_in(archive, path));
+  SOMATO_TRY(auto model, system_model_in(archive, path));
   // Saving again must give the same parts, neither more nor fewer.
   if (archive_of(model.system, model.answer) == archive) return model;
   return damaged_model("the parts do not fit together", path);

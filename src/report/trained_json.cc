@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNumbers = 20000;
+constexpr std::size_t kMostWeights = 20000;
 
 Json planes_json(const ChannelPlanes& planes) {
   return {
@@ -79,7 +79,7 @@ void add_answer(const SystemModel& model, std::size_t neurons, Json& json) {
 // A stride over the neurons that includes all columns.
 std::size_t step_for(std::size_t neurons, std::size_t elements, std::size_t columns) {
   std::size_t step =
-      std::max<std::size_t>(1, (neurons * elements + kMostNumbers - 1) / kMostNumbers);
+      std::max<std::size_t>(1, (neurons * elements + kMostWeights - 1) / kMostWeights);
   while (step > 1 && std::gcd(step, columns) != 1) ++step;
   return step;
 }
@@ -121,14 +121,14 @@ Json receptive_fields_json(const System& system, std::vector<std::string>& missi
       continue;
     }
     for (std::size_t i = 0; i < map->parameters().input_sizes.size(); ++i) {
-      if (map->parameters().input_sizes[i] <= kMostNumbers) {
+      if (map->parameters().input_sizes[i] <= kMostWeights) {
         json.push_back(field_json(system, module, *map, i));
         continue;
       }
       missing.push_back(
           fmt::format("Receptive fields of '{}' are left out, because an input has {} elements; "
                       "the maximum is {}.",
-                      name, map->parameters().input_sizes[i], kMostNumbers));
+                      name, map->parameters().input_sizes[i], kMostWeights));
     }
   }
   return json;

@@ -163,7 +163,9 @@ const std::vector<std::pair<ReplayChoice, std::string>>& Choices<ReplayChoice>::
   return choices;
 }
 
-bool StudyParameters::has(Protocol protocol) const { return contains(protocols, protocol); }
+bool StudyParameters::has(Protocol protocol) const {
+  return contains(protocols, protocol);
+}
 
 const Declarations<StudyParameters>& StudyParameters::declarations() {
   using P = StudyParameters;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "graph/model_of_first.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
-#include "support/made_recording.h"
 #include "support/systems.h"
 #include "support/temporary_folder.h"
 
@@ -15,19 +15,17 @@ namespace {
 
 using testing::build;
 using testing::module;
+using testing::recording;
 using testing::trained;
 using testing::try_build;
 
-const std::vector<std::string> kKinds{"growing_when_required", "growing_cells", "growing_grid"};
+const std::vector<std::string> kGrowingKinds{"growing_when_required", "growing_cells",
+                                             "growing_grid"};
 
 std::string growing(const std::string& kind, const std::string& settings = "") {
   return "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n" +
          module("closed", "last", "input = \"joints\"\n") +
          module("map", kind, "input = \"closed\"\nmost_neurons = 12\n" + settings);
-}
-
-Recording recording() {
-  return testing::objects_apart(3, 6, 8.0, 1);
 }
 
 System trained_system(const std::string& kind, std::uint64_t seed = 3) {
@@ -40,7 +38,7 @@ const Som& map_of(const System& system) {
 }
 
 TEST(GrowingModule, GivesAnActivityOfConstantSize) {
-  for (const std::string& kind : kKinds) {
+  for (const std::string& kind : kGrowingKinds) {
     const System system = trained_system(kind);
     EXPECT_EQ(system.modules()[2].output.shape, (std::vector<std::size_t>{1, 12})) << kind;
     const Som& som = map_of(system);
@@ -59,7 +57,7 @@ TEST(GrowingModule, GivesAnActivityOfConstantSize) {
 
 // Objects 300 apart, with noise of 8.
 TEST(GrowingModule, SeparatesDistantObjects) {
-  for (const std::string& kind : kKinds) {
+  for (const std::string& kind : kGrowingKinds) {
     const System system = trained_system(kind);
     const Recording all = recording();
     std::vector<std::size_t> winners;
@@ -77,7 +75,7 @@ TEST(GrowingModule, SeparatesDistantObjects) {
 
 TEST(GrowingModule, IsTheSameAfterItWasSaved) {
   const TemporaryFolder folder;
-  for (const std::string& kind : kKinds) {
+  for (const std::string& kind : kGrowingKinds) {
     const System system = trained_system(kind);
     const std::string path = folder.file(kind);
     ASSERT_TRUE(save_system(path, system, {}));
@@ -90,7 +88,7 @@ TEST(GrowingModule, IsTheSameAfterItWasSaved) {
 }
 
 TEST(GrowingModule, DependsOnTheSeed) {
-  for (const std::string& kind : kKinds) {
+  for (const std::string& kind : kGrowingKinds) {
     const System system = trained_system(kind, 3);
     EXPECT_EQ(map_of(trained_system(kind, 3)).weights(), map_of(system).weights()) << kind;
     EXPECT_FALSE(map_of(trained_system(kind, 4)).weights() == map_of(system).weights()) << kind;

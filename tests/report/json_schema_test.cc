@@ -11,7 +11,6 @@
 namespace somato {
 namespace {
 
-using nlohmann::json;
 using testing::fits_schema;
 using testing::JsonSchemas;
 using testing::text_fits_schema;
@@ -19,13 +18,13 @@ using Problems = std::vector<std::string>;
 
 // One file, a.json.
 JsonSchemas schemas_of(const std::string& schema) {
-  std::map<std::string, json> files;
-  files["a.json"] = json::parse(schema);
+  std::map<std::string, nlohmann::json> files;
+  files["a.json"] = nlohmann::json::parse(schema);
   return JsonSchemas(std::move(files));
 }
 
 Problems problems_of(const std::string& schema, const std::string& value) {
-  return schemas_of(schema).problems(json::parse(value), "a.json");
+  return schemas_of(schema).problems(nlohmann::json::parse(value), "a.json");
 }
 
 // A value that is valid, one that is not, and what is said of it.
@@ -95,13 +94,14 @@ TEST(JsonSchema, ARenamedFieldIsMissingAndUnknown) {
 }
 
 TEST(JsonSchema, RefersToOtherFilesAndBack) {
-  std::map<std::string, json> files;
-  files["a.json"] = json::parse(R"({"$defs": {"Own": {"$ref": "b.json#/$defs/Other"}}})");
-  files["b.json"] = json::parse(R"({"$defs": {"Other": {"items": {"$ref": "#/$defs/Item"}},
+  std::map<std::string, nlohmann::json> files;
+  files["a.json"] = nlohmann::json::parse(R"({"$defs": {"Own": {"$ref": "b.json#/$defs/Other"}}})");
+  files["b.json"] =
+      nlohmann::json::parse(R"({"$defs": {"Other": {"items": {"$ref": "#/$defs/Item"}},
                                               "Item": {"type": "string"}}})");
   const JsonSchemas schemas(std::move(files));
-  EXPECT_EQ(schemas.problems(json::parse("[\"a\"]"), "a.json#/$defs/Own"), Problems{});
-  EXPECT_EQ(schemas.problems(json::parse("[1]"), "a.json#/$defs/Own"),
+  EXPECT_EQ(schemas.problems(nlohmann::json::parse("[\"a\"]"), "a.json#/$defs/Own"), Problems{});
+  EXPECT_EQ(schemas.problems(nlohmann::json::parse("[1]"), "a.json#/$defs/Own"),
             Problems{"/0 is number, not string"});
   EXPECT_THROW(schemas.problems(nullptr, "a.json#/$defs/Item"), std::invalid_argument);
   EXPECT_THROW(schemas.problems(nullptr, "c.json"), std::invalid_argument);
@@ -144,7 +144,8 @@ TEST(JsonSchema, RefusesAnObjectThatAdmitsAnything) {
 }
 
 TEST(JsonSchema, OfThePagesIsThatOfTheirFolder) {
-  const json grid{{"rows", 2}, {"columns", 3}, {"lattice", "hexagonal"}, {"topology", "torus"}};
+  const nlohmann::json grid{
+      {"rows", 2}, {"columns", 3}, {"lattice", "hexagonal"}, {"topology", "torus"}};
   EXPECT_TRUE(fits_schema(grid, "parts.json#/$defs/GridData"));
   EXPECT_FALSE(fits_schema(grid, "parts.json#/$defs/Labels"));
   EXPECT_TRUE(text_fits_schema(grid.dump(), "parts.json#/$defs/GridData"));

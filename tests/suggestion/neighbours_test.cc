@@ -63,16 +63,16 @@ TEST(Neighbours, ImbalanceIsTwoByTheCountForEqualNeighbours) {
 // The mean of N uniform ranks from 1 to N - 1 is N / 2, with a standard deviation of about
 // sqrt(N / 12), so that the imbalance is 1 with one of 1 / sqrt(3 N).
 TEST(Neighbours, ImbalanceIsOneByChance) {
-  constexpr std::size_t kCount = 300;
+  constexpr std::size_t kRows = 300;
   Random random(5);
-  Matrix<float> a(kCount, 3);
-  Matrix<float> b(kCount, 3);
+  Matrix<float> a(kRows, 3);
+  Matrix<float> b(kRows, 3);
   for (float& value : a.values()) value = static_cast<float>(random.normal());
   for (float& value : b.values()) value = static_cast<float>(random.normal());
-  Matrix<float> ranks(kCount, kCount);
+  Matrix<float> ranks(kRows, kRows);
   add_ranks(squared_distances(Samples(b), 1), 1, ranks);
   const auto nearest = nearest_others(squared_distances(Samples(a), 1));
-  EXPECT_NEAR(information_imbalance(nearest, ranks), 1.0, 4.0 / std::sqrt(3.0 * kCount));
+  EXPECT_NEAR(information_imbalance(nearest, ranks), 1.0, 4.0 / std::sqrt(3.0 * kRows));
 }
 
 }  // namespace
