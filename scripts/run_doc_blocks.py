@@ -20,6 +20,7 @@ import argparse
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -109,13 +110,13 @@ def pattern_of(shown):
     return "".join(lines)
 
 
-def run_command(command, folder, environment):
-    done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          timeout=TIMEOUT, check=False)
-    if done.returncode != 0:
-        raise Failure(f"exit code {done.returncode} of:\n{command[-1]}\n{done.stdout}")
-    return done.stdout
+def signal_group(group, number):
+    """Whether there are processes of the group, which then receive the signal."""
+    try:
+        os.killpg(group, number)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def shell(text):
@@ -130,6 +131,7 @@ class Runner:
         self.folder = folder
         self.environment = dict(os.environ, LC_ALL="C.UTF-8")
         self.interpreter = None  # of the Python blocks, from the first one on
+        self.background = []  # groups of processes that commands have left
         self.prepare()
 
     def prepare(self):
@@ -151,11 +153,27 @@ class Runner:
         elif block.kind == "python":
             self.run_python(block)
         else:
-            run_command(shell(block.text), self.folder, self.environment)
+            self.run_command(shell(block.text))
+
+    def run_command(self, command):
+        """What the command prints; its processes in the background run until the end of the document."""
+        with subprocess.Popen(command, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              start_new_session=True) as process:
+            try:
+                printed, _ = process.communicate(timeout=TIMEOUT)
+            except BaseException:
+                signal_group(process.pid, signal.SIGKILL)
+                raise
+        if signal_group(process.pid, 0):
+            self.background.append(process.pid)
+        if process.returncode != 0:
+            raise Failure(f"exit code {process.returncode} of:\n{command[-1]}\n{printed}")
+        return printed
 
     def run_console(self, block):
         for command, shown in commands_of(block.text):
-            printed = run_command(shell(command), self.folder, self.environment)
+            printed = self.run_command(shell(command))
             if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
                 raise Failure(f"$ {command}\nprints:\n{printed}instead of:\n" + "\n".join(shown))
 
@@ -170,11 +188,10 @@ class Runner:
         source = self.folder / "build/block.cc"
         source.write_text(block.text, encoding="utf-8")
         program = self.folder / "build/block"
-        run_command([self.options.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I",
-                     str(self.options.source / "include"), str(source), "-o", str(program),
-                     *self.options.link, *self.search_paths(), "-pthread"],
-                    self.folder, self.environment)
-        run_command([str(program)], self.folder, self.environment)
+        self.run_command([self.options.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I",
+                          str(self.options.source / "include"), str(source), "-o", str(program),
+                          *self.options.link, *self.search_paths(), "-pthread"])
+        self.run_command([str(program)])
 
     def run_python(self, block):
         """Runs the block in the document's interpreter, where names of earlier blocks are defined."""
@@ -196,6 +213,8 @@ class Runner:
         return self
 
     def __exit__(self, *_):
+        for group in self.background:
+            signal_group(group, signal.SIGKILL)
         if self.interpreter is not None:
             self.interpreter.communicate()
 

@@ -1,7 +1,9 @@
 import contextlib
 import io
 import sys
+import time
 import unittest
+from pathlib import Path
 
 from support import TreeTest
 
@@ -10,6 +12,19 @@ import run_doc_blocks
 
 def fenced(kind, text):
     return f"```{kind}\n{text}```\n"
+
+
+def is_running(process):
+    """Whether the process exists and has not ended; the system may keep it as a zombie."""
+    for _ in range(500):
+        try:
+            status = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+        except FileNotFoundError:
+            return False
+        if status.rpartition(")")[2].split()[0] == "Z":
+            return False
+        time.sleep(0.01)
+    return True
 
 
 class DocBlocks(TreeTest):
@@ -58,6 +73,16 @@ class DocBlocks(TreeTest):
     def test_fails_when_a_command_fails(self):
         self.assert_fails(fenced("sh", "false\ntrue\n"), "FAILED  README.md:1: exit code 1")
         self.assert_fails(fenced("sh", "false | cat\n"), "FAILED")
+
+    def test_ends_what_a_failed_document_has_left(self):
+        text = fenced("sh", "sleep 100 > log 2>&1 &\necho $! > pid\n") + fenced("sh", "kill -0 \"$(cat pid)\"\n")
+        self.assert_passes(text)
+        self.assertFalse(is_running(self.left()))
+        self.assert_fails(text + fenced("sh", "false\n") + fenced("sh", "kill \"$(cat pid)\"\n"), "FAILED")
+        self.assertFalse(is_running(self.left()))
+
+    def left(self):
+        return (self.tree / "scratch/README.md/pid").read_text(encoding="utf-8").strip()
 
     def test_compares_what_a_console_block_shows(self):
         self.assert_passes(fenced("console", "$ echo hello\nhello\n$ true\n"))
