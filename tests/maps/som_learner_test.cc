@@ -16,6 +16,7 @@
 #include "somato/maps/som_training.h"
 #include "support/instruction_sets.h"
 #include "support/random_maps.h"
+#include "support/sanitized.h"
 #include "support/som_comparison.h"
 
 namespace somato {
@@ -155,7 +156,7 @@ class Oracle {
 TEST(SomLearner, OneStepIsTheReferencesOnTenThousandProblems) {
   Random random(51);
   int compared = 0;
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < testing::fewer_if_sanitized(10000); ++i) {
     const std::size_t size = 1 + random.below(20);
     const Samples samples = testing::random_samples(40, size, random.below(2) == 0, random);
     SomParameters p = testing::random_resolved(random, 40, size);
@@ -179,7 +180,7 @@ TEST(SomLearner, OneStepIsTheReferencesOnTenThousandProblems) {
     }
     ++compared;
   }
-  EXPECT_GT(compared, 8000);
+  EXPECT_GT(compared, testing::fewer_if_sanitized(8000));
 }
 
 // Law: an update never makes a weight less similar to its sample.

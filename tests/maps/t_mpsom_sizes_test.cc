@@ -7,6 +7,7 @@
 #include "maps/t_mpsom_reference.h"
 #include "somato/maps/t_mpsom.h"
 #include "support/instruction_sets.h"
+#include "support/sanitized.h"
 #include "support/t_mpsom_problems.h"
 
 namespace somato {
@@ -115,7 +116,7 @@ TEST(TMpsomSizes, LongTrainingStaysAccurate) {
     TMpsom map(p);
     TMpsomReference reference(p);
     TMpsom::Workspace workspace(map);
-    constexpr int kSteps = 2000;
+    constexpr int kSteps = testing::fewer_if_sanitized(2000);
     for (int step = 0; step < kSteps; ++step) {
       const std::vector<Signal>& frame = frames[random.below(frames.size())];
       const double alpha = 0.3 * (1.0 - double(step) / kSteps);

@@ -1,19 +1,16 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 
 #include "program/program_test.h"
 #include "somato/recording/recording_file.h"
+#include "support/sanitized.h"
 
 namespace somato {
 namespace {
 
 constexpr std::uintmax_t kEightGigabytes = std::uintmax_t{8} << 30;
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SOMATO_MEMORY_IS_NOT_OURS
-#endif
-#endif
 
 class RecordingFiles : public ProgramTest {
  protected:
@@ -36,7 +33,7 @@ class RecordingFiles : public ProgramTest {
   // Runs a command that may not take more than 64 MB, whatever the file.
   ProgramRun run_small(const Words& arguments) const {
     const ProgramRun done = run(arguments);
-#ifndef SOMATO_MEMORY_IS_NOT_OURS
+#ifndef SOMATO_TESTS_SANITIZED
     EXPECT_LT(done.most_memory, 64'000'000U);
 #endif
     return done;
@@ -145,19 +142,22 @@ TEST_F(RecordingFiles, LongRecordingsTakeLittleMemory) {
   auto writer = RecordingWriter::create(path("a.mcap"), parameters).value();
   ExplorationStart start;
   start.channels.push_back({"touch", "", {}, {}, 0.0, true});
-  for (int i = 0; i < 300; ++i) {
+  constexpr int kEmpty = testing::fewer_if_sanitized(300);
+  for (int i = 0; i < kEmpty; ++i) {
     start.labels = {{"noise", std::string(60'000, 'x') + std::to_string(i)}};
     ASSERT_TRUE(writer.begin_exploration(start));
     ASSERT_TRUE(writer.end_exploration());
   }
   ASSERT_TRUE(writer.begin_exploration(start));
   const std::vector<float> values(250'000, 1.0F);
-  for (int i = 0; i < 100; ++i) ASSERT_TRUE(writer.frame(0, values, 0.01 * i));
+  for (int i = 0; i < testing::fewer_if_sanitized(100); ++i) {
+    ASSERT_TRUE(writer.frame(0, values, 0.01 * i));
+  }
   ASSERT_TRUE(writer.end_exploration());
   ASSERT_TRUE(writer.close());
   const ProgramRun done = run_small({"inspect", "a.mcap"});
   EXPECT_EQ(done.exit_code, 0);
-  EXPECT_NE(done.out.find("explorations: 301\n"), std::string::npos);
+  EXPECT_NE(done.out.find(fmt::format("explorations: {}\n", kEmpty + 1)), std::string::npos);
   EXPECT_NE(done.out.find(" others"), std::string::npos);
   EXPECT_EQ(run_small({"recover", "a.mcap", "-o", "b.mcap"}).exit_code, 0);
 }

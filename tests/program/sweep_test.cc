@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "program/reproducing.h"
+#include "support/sanitized.h"
 
 namespace somato {
 namespace {
@@ -87,7 +88,7 @@ TEST_F(Sweep, FindsWhatReproduceFinds) {
 }
 
 TEST_F(Sweep, PartsInAnyOrderOneKilledAreTheSameBytesAsOneRun) {
-  write_system("8000");
+  write_system(std::to_string(testing::fewer_if_sanitized(8000)));
   write_sweep();
   output_of(sweep("one"));
   ProgramWorld killed;
@@ -222,7 +223,7 @@ TEST_F(Sweep, RecordingsMayBeGiven) {
 }
 
 TEST_F(Sweep, InterruptedResumesWithTheSameBytes) {
-  write_system("4000");
+  write_system(std::to_string(testing::fewer_if_sanitized(4000)));
   write_sweep();
   ProgramWorld world;
   world.terminal = true;

@@ -49,11 +49,12 @@ TEST_F(Terminal, APipeStaysQuiet) {
 
 TEST_F(Terminal, AnInterruptStopsTrainingAndKeepsTheOldFile) {
   train();
+  const std::string rows = std::to_string(testing::fewer_if_sanitized(1000));
   const std::vector<Words> trainings{
       {"--iterations", "1000000000"},
       {"--iterations", "1000000000", "--arithmetic", "inner_products"},
       {"--training", "batch", "--epochs", "1000000000"},
-      {"--iterations", "1000000000", "--rows", "1000", "--columns", "1000"}};
+      {"--iterations", "1000000000", "--rows", rows, "--columns", "1000"}};
   for (const Words& flags : trainings) {
     SCOPED_TRACE(::testing::PrintToString(flags));
     Words arguments{"som", "train", "data.csv", "-o", "good.map"};
