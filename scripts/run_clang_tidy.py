@@ -2,9 +2,10 @@
 """Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
 A file that passed is not checked again until it, a project header that it includes, its compile
-command or the rules change. Each source is read separately and without precompiled headers, so that a
-missing include is reported. --changed: only files that differ from the parent branch, and for a header
-the first source that includes it.
+command or the rules change. Sources that are compiled together are checked together, because reading
+headers takes most of the time. --changed: only files that differ from the parent branch, and for a header
+the first source that includes it. Each of them is read separately and without precompiled headers, so
+that a missing include and an unused using declaration are reported.
 
 usage: run_clang_tidy.py [--fix] [--changed]
 """
@@ -21,20 +22,21 @@ import compile_commands
 from check_includes import includes
 
 TREE = Path(__file__).resolve().parent.parent
-BUILD = TREE / "build/lint"
-STAMPS = BUILD / "passed"
+SEPARATE = TREE / "build/lint"
+# The static analyzer walks included sources only if the path of the including file contains this name.
+TOGETHER = SEPARATE / "UnifiedSource"
 CHECKED = ("src", "program", "fuzz")
 TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
 
-def entries():
-    """The compile commands of the files to check, by file."""
-    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DSOMATO_SOURCES_AT_ONCE=1",
+def entries(build):
+    """The files to check with their compile commands, in the folder `build`."""
+    options = ["-DSOMATO_SOURCES_AT_ONCE=1"] if build == SEPARATE else []
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(build), *options,
                     "-DSOMATO_BUILD_PYTHON=OFF", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"],
                    cwd=TREE, stdout=subprocess.DEVNULL, check=True)
-    found = {file: command for file, (command, _) in compile_commands.by_file(BUILD).items()}
-    return {file: command for file, command in found.items()
-            if file.is_relative_to(TREE) and file.relative_to(TREE).parts[0] in CHECKED}
+    return {compiled: command for source, (command, compiled) in compile_commands.by_file(build).items()
+            if source.is_relative_to(TREE) and source.relative_to(TREE).parts[0] in CHECKED}
 
 
 def git(*words):
@@ -86,14 +88,16 @@ def key_of(file, command):
     return digest.hexdigest()
 
 
-def check(file, command, fix):
+def check(build, file, command, fix):
     """Whether `file` passes."""
-    stamp = STAMPS / ("_".join(file.relative_to(TREE).parts) + ".ok")
+    stamp = build / "passed" / ("_".join(file.relative_to(TREE).parts) + ".ok")
     key = key_of(file, command)
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
         return True
     options = ["--fix", "--fix-errors"] if fix else []
-    done = subprocess.run([TIDY, "-p", str(BUILD), "--quiet", *options, str(file)],
+    if build == TOGETHER:
+        options.append("--checks=-bugprone-suspicious-include")
+    done = subprocess.run([TIDY, "-p", str(build), "--quiet", *options, str(file)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="", end="", file=sys.stderr)
@@ -108,11 +112,12 @@ def main():
     parser.add_argument("--changed", action="store_true")
     given = parser.parse_args()
     fix = given.fix
-    STAMPS.mkdir(parents=True, exist_ok=True)
-    files = only_changed(entries()) if given.changed else entries()
+    build = SEPARATE if given.changed else TOGETHER
+    files = only_changed(entries(build)) if given.changed else entries(build)
+    (build / "passed").mkdir(exist_ok=True)
     # Two at once would write the same header's fixes twice.
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
-        passed = list(pool.map(lambda item: check(*item, fix), sorted(files.items())))
+        passed = list(pool.map(lambda item: check(build, *item, fix), sorted(files.items())))
     return 0 if all(passed) else 1
 
 
