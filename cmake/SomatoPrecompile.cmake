@@ -1,5 +1,5 @@
 # The headers that nearly every source includes, compiled once: reading them costs more than the rest
-# of a typical file. Sources still include what they use: clang-tidy reads each of them without.
+# of a typical file. Sources still include what they use: './dev lint' reads each changed one without.
 set(SOMATO_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map>
     <memory> <optional> <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>
     <fmt/ranges.h> <tl/expected.hpp>)

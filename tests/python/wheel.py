@@ -47,11 +47,14 @@ def source_distribution(python, source, folder):
 def build(archive, folder, source, pages):
     """The wheel, built as pip builds it, with the pinned versions of nanobind and its helpers.
 
-    It takes the pages of the build, and is optimized less than the wheel of users, because the stage
-    gcc compiles the library and the program with their flags.
+    It takes the pages of the build, and is optimized like the tests, because the stage gcc compiles the
+    library and the program with the flags of users.
     """
-    defined = {"CMAKE_CXX_FLAGS_RELEASE": "-O1 -DNDEBUG"} | ({"SOMATO_PAGES_FILE": pages} if pages else {})
-    settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in defined.items()]
+    defined = {"CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -DNDEBUG", "SOMATO_BUILD_FOR_TESTS": "ON"}
+    if pages:
+        defined["SOMATO_PAGES_FILE"] = pages
+    settings = ["--config-settings=cmake.build-type=RelWithDebInfo",
+                *[f"--config-settings=cmake.define.{name}={value}" for name, value in defined.items()]]
     run(sys.executable, "-m", "pip", "wheel", archive, "--no-deps", "--wheel-dir", folder, *settings,
         env=dict(os.environ, PIP_CONSTRAINT=str(source / REQUIREMENTS)))
     (wheel,) = folder.glob("*.whl")
