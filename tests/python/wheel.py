@@ -47,10 +47,11 @@ def source_distribution(python, source, folder):
 def build(archive, folder, source, pages):
     """The wheel, built as pip builds it, with the pinned versions of nanobind and its helpers.
 
-    It takes the pages of the build, and is optimized like the tests, because the stage gcc compiles the
-    library and the program with the flags of users.
+    It takes the pages of the build, and is optimized like the tests. It is where g++ compiles the program,
+    so that its warnings are errors.
     """
-    defined = {"CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -DNDEBUG", "SOMATO_BUILD_FOR_TESTS": "ON"}
+    defined = {"CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -DNDEBUG", "SOMATO_BUILD_FOR_TESTS": "ON",
+               "SOMATO_WARNINGS_AS_ERRORS": "ON"}
     if pages:
         defined["SOMATO_PAGES_FILE"] = pages
     settings = ["--config-settings=cmake.build-type=RelWithDebInfo",
