@@ -44,8 +44,8 @@ def command(*words):
     return lambda: passes(*words)
 
 
-def tests(preset, *selection, processes=os.cpu_count()):
-    return lambda: test_cases.run(TREE / "build" / preset, selection, processes)
+def tests(preset, *selection):
+    return lambda: test_cases.run(TREE / "build" / preset, selection)
 
 
 # With g++, the tests of the rooms whose results are numbers, and what is not in the wheel, for which g++
@@ -67,8 +67,7 @@ STAGES = [
           "types of the pages that differ from their schema, errors in shell scripts"),
     Stage("dev: build", command("./dev", "build", "dev"),
           "clang warnings, all treated as errors", 748, "dev"),
-    # One process more than cores, because tests of pages and bodies wait for a third of their time.
-    Stage("dev: tests", tests("dev", "-LE", "^long$", processes=os.cpu_count() + 1),
+    Stage("dev: tests", tests("dev", "-LE", "^long$"),
           "wrong results, messages and pages; failing commands in the documentation", 511, "dev"),
     Stage("long tests", tests("dev", "-L", "^long$"),
           "an unusable installed package or Python wheel; g++ warnings of the program; a broken link or page of the "

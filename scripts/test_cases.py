@@ -21,15 +21,15 @@ def cases_of(build, name):
              "failures" in case) for suite in suites for case in suite["testsuite"]]
 
 
-def run_ctest(build, selection, processes=os.cpu_count(), environment=None):
+def run_ctest(build, selection, environment):
     """Returns the tests that ran as (name, seconds, failed)."""
     junit = build / JUNIT
     junit.unlink(missing_ok=True)
     for report in (build / "test_cases").glob("*.json"):
         report.unlink()
-    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(processes),
+    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count()),
                     "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),
-                    *selection], env=dict(os.environ, **(environment or {})))
+                    *selection], env=dict(os.environ, **environment))
     if not junit.is_file():
         return None
     return [(case.get("name"), float(case.get("time")), case.get("status") != "run")
@@ -74,9 +74,9 @@ def summarize(build, tests):
     return not whole and not by_room
 
 
-def run(build, selection, processes=os.cpu_count()):
+def run(build, selection):
     """Runs the tests of ctest's `selection`; returns whether there are tests and all pass."""
-    return summarize(build, run_ctest(build, selection, processes))
+    return summarize(build, run_ctest(build, selection, {}))
 
 
 def run_failed(build):
@@ -91,4 +91,4 @@ def run_failed(build):
     cases = [case for of_room in by_room.values() for case in of_room]
     crashed = any(re.fullmatch(r"\w+\.\d+", name) for name in whole)
     environment = {"GTEST_FILTER": ":".join(cases)} if cases and not crashed else {}
-    return summarize(build, run_ctest(build, ["-R", f"^({'|'.join(names)})$"], environment=environment))
+    return summarize(build, run_ctest(build, ["-R", f"^({'|'.join(names)})$"], environment))
