@@ -13,7 +13,7 @@
 - `<!-- test: made FILE -->` before a picture names the file of that folder with the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
-                         [--python FILE]
+                         [--python FILE] [--only DOCUMENT | --without DOCUMENT]
 """
 
 import argparse
@@ -259,6 +259,15 @@ def check_pictures(document, folder):
     return failures
 
 
+def documents_of(options):
+    named = options.only or options.without
+    documents = [options.source / "README.md", *sorted((options.source / "docs").rglob("*.md"))]
+    if named and options.source / named not in documents:
+        sys.exit(f"{named} is no document of {options.source}")
+    return [document for document in documents
+            if not named or (document == options.source / named) == bool(options.only)]
+
+
 def main(arguments=None):
     parser = argparse.ArgumentParser(description="Runs the fenced blocks of the documentation.")
     parser.add_argument("--source", type=Path, required=True)
@@ -267,10 +276,12 @@ def main(arguments=None):
     parser.add_argument("--compiler", default="c++")
     parser.add_argument("--link", action="append", default=[])
     parser.add_argument("--python", help="without it, blocks in Python do not run")
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument("--only", help="the only document to run, relative to --source")
+    chosen.add_argument("--without", help="the only document not to run")
     options = parser.parse_args(arguments)
     options.source = options.source.resolve()
-    documents = [options.source / "README.md", *sorted((options.source / "docs").rglob("*.md"))]
-    failures = sum(run_document(options, document) for document in documents)
+    failures = sum(run_document(options, document) for document in documents_of(options))
     return 1 if failures else 0
 
 

@@ -59,6 +59,18 @@ class DocBlocks(TreeTest):
         self.assert_fails(fenced("sh", "echo '<svg></svg>' > new.svg\n") + made, "map.svg differs from")
         self.assert_fails(fenced("sh", "true\n") + made, "map.svg differs from")
 
+    def test_runs_one_document_or_all_others(self):
+        self.write("source/docs/slow.md", fenced("sh", "true\n"))
+        readme = fenced("sh", "true\n")
+        printed = self.assert_passes(readme, "--only", "docs/slow.md")
+        self.assertIn("docs/slow.md:1", printed)
+        self.assertNotIn("README.md", printed)
+        printed = self.assert_passes(readme, "--without", "docs/slow.md")
+        self.assertIn("README.md:1", printed)
+        self.assertNotIn("docs/slow.md", printed)
+        with self.assertRaises(SystemExit):
+            self.run_document(readme, "--only", "docs/slaw.md")
+
     def test_python_blocks_are_one_program(self):
         text = fenced("python", "x = 1\n") + fenced("python", "open('x', 'w').write(str(x))\n")
         text += fenced("sh", "grep 1 x\n")
