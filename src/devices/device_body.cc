@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFirstFrame = 2.0;   // s; boards that restart when a port opens need a second
 constexpr double kSwitchOn = 0.2;     // s between two servos, so that the supply does not collapse
-constexpr double kLateSamples = 3.0;  // s for which samples may be late
+constexpr double kLateSamples = 0.5;  // s for which samples may be late
 constexpr double kPause = 3.0;        // periods after which the host has paused
 constexpr double kBacklog = 0.25;     // s of samples that may wait
 
