@@ -19,7 +19,7 @@ from pathlib import Path
 
 import compile_commands
 import passed_marks
-from check_includes import includes
+from changed_files import changed_files, included_by
 
 TREE = Path(__file__).resolve().parent.parent
 SEPARATE = TREE / "build/lint"
@@ -38,19 +38,6 @@ def entries(build):
                    cwd=TREE, stdout=subprocess.DEVNULL, check=True)
     return {compiled: command for source, (command, compiled) in compile_commands.by_file(build).items()
             if source.is_relative_to(TREE) and source.relative_to(TREE).parts[0] in CHECKED}
-
-
-def git(*words):
-    return subprocess.run(["git", *words], cwd=TREE, capture_output=True, text=True).stdout
-
-
-def changed_files():
-    """Files that differ from the merge base with the parent branch, including new files."""
-    origin = next((name for name in ("origin/HEAD", "origin/main")
-                   if git("rev-parse", "--verify", "--quiet", name)), "HEAD")
-    base = git("merge-base", "HEAD", origin).strip() or "HEAD"
-    names = git("diff", "--name-only", base) + git("ls-files", "--others", "--exclude-standard")
-    return {TREE / name for name in names.split()}
 
 
 def only_changed(files):
@@ -74,10 +61,8 @@ def reached(path, known):
     if path in known:
         return
     known.add(path)
-    for _, bracket, header in includes(path):
-        for base in (TREE / "include", TREE / "src", path.parent):
-            if bracket == '"' and (base / header).is_file():
-                reached((base / header).resolve(), known)
+    for header in included_by(path):
+        reached(header, known)
 
 
 def key_of(file, command, options):

@@ -4,6 +4,7 @@
 usage: ./dev test              the stages required for every change
        ./dev test --all        all stages; a stage that has passed for the same tree is not repeated
        ./dev test ROOM...      the tests of these rooms only
+       ./dev test --changed    the checks, and the tests that the changes since the parent branch can reach
        ./dev test --failed     the tests that failed when tests were last run
        ./dev test --rooms      the rooms that have tests
        ./dev test --budget     like ./dev test; fails if a stage or a test takes 30 % more processor time than in
@@ -25,6 +26,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import budget
+import changed_run
+import changed_tests
 import fixed_job
 import stage_table
 import test_cases
@@ -266,11 +269,25 @@ def run_failed():
     return passed
 
 
+def run_changed():
+    names = changed_run.changed_names()
+    chosen = changed_tests.select(TREE, names)
+    if chosen.unbounded:
+        print(f"{', '.join(chosen.unbounded)} can reach every test: the whole ./dev test runs")
+        return run_stages(thorough=False)
+    print(f"{len(names)} files differ from the parent branch")
+    if not passes("scripts/lint.sh") or not configure():
+        return False
+    passed = changed_run.run(chosen)
+    report_tests()
+    return passed
+
+
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1])
     parser.add_argument("rooms", nargs="*", metavar="ROOM")
     only = parser.add_mutually_exclusive_group()
-    for flag in ("all", "failed", "rooms", "table", "budget", "update-budget"):
+    for flag in ("all", "changed", "failed", "rooms", "table", "budget", "update-budget"):
         only.add_argument(f"--{flag}", action="store_const", const=flag, dest="only")
     given = parser.parse_args()
     if given.rooms and given.only not in (None, "all"):
