@@ -72,6 +72,8 @@ if [[ " $* " == *" test "* || $# == 0 ]]; then
   ./fetch_clang_tidy.sh &
   fetching+=($!)
 fi
+status=0
 for process in "${fetching[@]}"; do
-  wait "$process"
+  wait "$process" || status=1
 done
+exit "$status"

@@ -154,9 +154,13 @@ class Reuse:
         return self.built + marks + cache_hits() - self.hits
 
 
+# The set-up depends on what the machine lacks, and the checks on how many files a branch has changed.
+WITHOUT_BUDGET = ("set-up", "checks")
+
+
 def entries_of(stage, seconds):
-    """Processor seconds by entry of the budget. Set-up has none: it depends on what the machine lacks."""
-    if stage.name == "set-up":
+    """Processor seconds by entry of the budget."""
+    if stage.name in WITHOUT_BUDGET:
         return {}
     of_tests = stage.name.endswith("tests")
     folder = TREE / "build" / stage.preset / test_cases.TIMES

@@ -116,6 +116,25 @@ class Measured(TreeTest):
 class Stages(TreeTest):
     """A run of made-up stages."""
 
+    def test_tests_have_entries_and_the_set_up_has_none(self):
+        self.write("build/dev/test_times/maps.0", "0m0.0s 0m0.0s\n0m5.000s 0m0.000s\n")
+        stage = dev_test.Stage("dev: tests", None, "", preset="dev")
+        with mock.patch.object(dev_test, "TREE", self.tree):
+            self.assertEqual(dev_test.entries_of(stage, 9), {"dev: tests": 9, "dev: maps": 5})
+            for name, entries in (("dev: build", {"dev: build": 9}), ("set-up", {}), ("checks", {})):
+                self.assertEqual(dev_test.entries_of(dev_test.Stage(name, None, "", preset="dev"), 9), entries)
+
+    def test_what_a_stage_reuses(self):
+        build = dev_test.Stage("dev: build", None, "", preset="dev")
+        with mock.patch.object(dev_test, "TREE", self.tree), \
+                mock.patch.object(dev_test, "cache_hits", side_effect=[5, 12, 12, 12, 12, 12]):
+            self.assertEqual(dev_test.Reuse(build).count(), 7)
+            reuse = dev_test.Reuse(build)
+            self.write("build/lint/reused_marks", "3")
+            self.assertEqual(reuse.count(), 3)
+            self.write("build/dev/build.ninja")
+            self.assertEqual(dev_test.Reuse(build).count(), 1)
+
     def run_with(self, seconds, guarded):
         stage = dev_test.Stage("dev: tests", lambda: True, "", preset="dev")
         with mock.patch.multiple(dev_test, STAGES=[stage], TREE=self.tree, tree_hash=lambda: "hash",
