@@ -288,7 +288,7 @@ def run_changed():
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1])
+    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1].replace("%", "%%"))
     parser.add_argument("rooms", nargs="*", metavar="ROOM")
     only = parser.add_mutually_exclusive_group()
     for flag in ("all", "changed", "failed", "rooms", "table", "budget", "update-budget"):

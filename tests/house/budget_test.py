@@ -124,6 +124,11 @@ class Stages(TreeTest):
             for name, entries in (("dev: build", {"dev: build": 9}), ("set-up", {}), ("checks", {})):
                 self.assertEqual(dev_test.entries_of(dev_test.Stage(name, None, "", preset="dev"), 9), entries)
 
+    def test_the_help_can_be_printed(self):
+        with mock.patch("sys.argv", ["./dev test", "--help"]), self.assertRaises(SystemExit) as ended:
+            printed_by(dev_test.parse_arguments)
+        self.assertEqual(ended.exception.code, 0)
+
     def test_what_a_stage_reuses(self):
         build = dev_test.Stage("dev: build", None, "", preset="dev")
         with mock.patch.object(dev_test, "TREE", self.tree), \
