@@ -5,6 +5,7 @@ find_program(SOMATO_CCACHE ccache)
 if(SOMATO_COMPILER_CACHE AND SOMATO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/cached_compiler.sh ${SOMATO_CCACHE}
       ${PROJECT_SOURCE_DIR})
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # the cache needs it with g++
 endif()
 
 # Paths in messages, and of debuggers, are relative to the checkout.

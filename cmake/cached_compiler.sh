@@ -31,7 +31,7 @@ if is_header "$@"; then
     "$1" --version
     echo "$*"
     headers_in "$(value_after -MF "$@")" | xargs sha256sum
-  } | sed "s|$checkout||g" | sha256sum >"$(value_after -o "$@").sum"
+  } | sed "s|$PWD||g; s|$checkout||g" | sha256sum >"$(value_after -o "$@").sum"
   exit 0
 fi
 
