@@ -15,6 +15,11 @@ namespace somato::wire {
 namespace {
 
 constexpr std::size_t kLongestLine = 256;
+constexpr int kPatienceMs = 60'000;  // far longer than an emulator takes
+
+tl::unexpected<Error> no_answer(const char* what, const std::string& port) {
+  return fail(ErrorKind::kSystem, what, port, "start it again with 'somato emulate'");
+}
 
 std::vector<std::uint8_t> line_of(const std::string& text) {
   std::vector<std::uint8_t> line(text.begin(), text.end());
@@ -73,10 +78,11 @@ Result<std::string> LineClock::answer() {
   for (;;) {
     if (auto line = take_line(text)) return *std::move(line);
     pollfd polled{emulator_.number(), POLLIN, 0};
-    if (::poll(&polled, 1, -1) <= 0) continue;
+    const int ready = ::poll(&polled, 1, kPatienceMs);
+    if (ready == 0) return no_answer("the emulator does not answer", port_);
+    if (ready < 0) continue;
     if ((polled.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) {
-      return fail(ErrorKind::kSystem, "the emulator has ended", port_,
-                  "start it again with 'somato emulate'");
+      return no_answer("the emulator has ended", port_);
     }
     SOMATO_TRY_VOID(append_available(emulator_, port_, text));
   }
