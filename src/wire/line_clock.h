@@ -17,13 +17,13 @@ namespace somato::wire {
 class LineClock {
  public:
   /// Opens the emulator's port, and asks for the time. Errors: those of open_serial_port();
-  /// kSystem: the emulator has ended.
+  /// kSystem: the emulator has ended, or does not answer within a minute.
   static Result<LineClock> open(const std::string& port);
 
   double now() const { return now_; }
 
-  /// Lets time pass until `until`, or less if bytes arrive on a line. Errors (kSystem): the
-  /// emulator has ended; time then passes without it.
+  /// Lets time pass until `until`, or less if bytes arrive on a line. Errors: as open(); time then
+  /// passes without the emulator.
   Result<void> wait(double until);
 
  private:
