@@ -50,18 +50,18 @@ Result<LineClock> LineClock::open(const std::string& port) {
   constexpr std::size_t kAnyBaud = 115200;
   SOMATO_TRY(auto emulator, open_serial_port(port, kAnyBaud));
   LineClock clock(std::move(emulator), port);
-  SOMATO_TRY_VOID(clock.ask(0.0));
+  SOMATO_TRY_VOID(clock.request(0.0));
   return clock;
 }
 
 Result<void> LineClock::wait(double until) {
-  auto asked = ask(until);
-  if (!asked) now_ = std::max(now_, until);
-  return asked;
+  auto requested = request(until);
+  if (!requested) now_ = std::max(now_, until);
+  return requested;
 }
 
 // An answer to another request is one to a host that has ended.
-Result<void> LineClock::ask(double until) {
+Result<void> LineClock::request(double until) {
   const std::string request = fmt::format("{}", until);
   SOMATO_TRY_VOID(write_available(emulator_.number(), line_of(request), port_));
   for (;;) {

@@ -30,7 +30,7 @@ class LineClock {
   LineClock(Descriptor emulator, std::string port)
       : emulator_(std::move(emulator)), port_(std::move(port)) {}
 
-  Result<void> ask(double until);
+  Result<void> request(double until);
   Result<std::string> answer();
 
   Descriptor emulator_;
