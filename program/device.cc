@@ -115,7 +115,8 @@ Result<std::unique_ptr<wire::Lines>> open_lines(const DeviceFile& file) {
   for (const devices::LineSettings& line : devices::lines_of(file)) {
     ports.push_back({line.port, line.baud, line.rate});
   }
-  SOMATO_TRY(auto lines, wire::SerialLines::open(std::move(ports), file.settings.clock));
+  SOMATO_TRY(auto lines, wire::SerialLines::open(std::move(ports), file.settings.clock,
+                                                 file.settings.clock_port));
   return std::unique_ptr<wire::Lines>(std::move(lines));
 }
 

@@ -33,7 +33,7 @@ struct EmulationRequest {
   DeviceFile file;
   ObjectTable things;
   std::uint64_t seed = 1;
-  double clock = 1.0;
+  std::optional<double> clock;  // Empty: that of the host.
   std::string first;
 };
 
@@ -59,13 +59,15 @@ Result<std::string> device_text(const Arguments& arguments, ExploringBody body) 
               "use lucs2, lucs3, texture or hardness");
 }
 
-Result<double> read_clock(const Arguments& arguments) {
+Result<std::optional<double>> read_clock(const Arguments& arguments) {
   if (!arguments.has("clock")) return 1.0;
+  if (arguments.text("clock") == "host") return std::optional<double>();
   devices::DeviceSettings settings;
   const auto clock = devices::DeviceSettings::declarations().find("clock");
   auto read = clock->assign(settings, value_from_text(clock->info, arguments.text("clock")));
   if (read) return settings.clock;
   read.error().where = "--clock";
+  read.error().advice = "give a number from 0.01 to 1000, or 'host'";
   return fail(std::move(read.error()));
 }
 
@@ -106,19 +108,30 @@ PtyEmulator::MakeBody make_bodies(const EmulationRequest& request) {
   };
 }
 
+std::string with_clock(std::string text, const EmulationRequest& request,
+                       const PtyEmulator& emulator) {
+  if (!request.clock) {
+    return devices::with_key(text, "", "clock_port", fmt::format("\"{}\"", emulator.clock_port()));
+  }
+  text = devices::with_key(text, "", "clock", fmt::format("{:g}", *request.clock));
+  if (!request.file.settings.clock_port.empty()) {
+    text = devices::with_key(text, "", "clock_port", R"("")");
+  }
+  // Two programs on a busy machine are late now and then, more than wires are.
+  constexpr double kPatience = 0.5;  // s
+  const double periods = std::ceil(kPatience * *request.clock / request.file.settings.period);
+  const auto missed = std::max(static_cast<double>(request.file.safety.missed), periods);
+  return devices::with_key(text, "safety", "missed", fmt::format("{:.0f}", missed));
+}
+
 // The device file with the ports of the emulator.
 std::string with_ports(const EmulationRequest& request, const PtyEmulator& emulator) {
   const auto quoted = [](const std::string& text) { return fmt::format("\"{}\"", text); };
   const devices::DeviceLines lines(request.file);
   std::string text = request.text;
   text = devices::with_key(text, "", "placing", quoted(emulator.placing_port()));
-  text = devices::with_key(text, "", "clock", fmt::format("{:g}", request.clock));
+  text = with_clock(std::move(text), request, emulator);
   const auto& ports = emulator.ports();
-  // Two programs on a busy machine are late now and then, more than wires are.
-  constexpr double kPatience = 0.5;  // s
-  const double periods = std::ceil(kPatience * request.clock / request.file.settings.period);
-  const auto missed = std::max(static_cast<double>(request.file.safety.missed), periods);
-  text = devices::with_key(text, "safety", "missed", fmt::format("{:.0f}", missed));
   if (lines.servos) text = devices::with_key(text, "servos", "port", quoted(ports[*lines.servos]));
   if (lines.frames) text = devices::with_key(text, "frames", "port", quoted(ports[*lines.frames]));
   if (lines.microphone) {
@@ -166,7 +179,12 @@ Command emulate_command() {
            "TOML file with the objects and materials that can be placed. Default: the body's "
            "own table"),
        {"--seed", "Seed of placement and noise. Default: 1"},
-       {"--clock", "Seconds of the emulation per second. Default: 1"},
+       {"--clock",
+        "Seconds of the emulation per second, or 'host': time passes only while a program waits "
+        "for "
+        "the device, as fast as possible, and nothing depends on the speed of the machine. "
+        "Default: "
+        "1"},
        output_flag("-o,--output", "Device file that is written, with the ports of the emulator",
                    true)},
       {},

@@ -128,6 +128,7 @@ struct DeviceSettings {
   double duration = 5.0;
   std::string placing;
   double clock = 1.0;
+  std::string clock_port;
 
   static const Declarations<DeviceSettings>& declarations();
 };

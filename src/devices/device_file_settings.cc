@@ -67,7 +67,11 @@ const Declarations<DeviceSettings>& DeviceSettings::declarations() {
               "Port at which an emulator places the objects, as 'somato emulate' writes it. Empty: "
               "a person does.")
           .add("clock", &P::clock, "", Range::between(0.01, 1000.0),
-               "Seconds of the device per second; 1 except for an emulator.");
+               "Seconds of the device per second; 1 except for an emulator.")
+          .add(
+              "clock_port", &P::clock_port, "", Range::any(),
+              "Port of an emulator whose time passes only while its host waits, as 'somato emulate "
+              "--clock host' writes it; 'clock' then has no effect. Empty: real time.");
   return declared;
 }
 

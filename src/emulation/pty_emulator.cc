@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +14,8 @@ namespace {
 
 constexpr int kPollMs = 1;
 constexpr double kLongestStep = 0.02;        // s of the emulation
+constexpr double kLongestAnswer = 0.1;       // s that a host waits without a look at other events
+constexpr double kMillisecond = 0.001;       // s
 constexpr double kLastMoment = 0.1;          // s for what hosts have sent before the end
 constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
 
@@ -34,10 +35,11 @@ void write_waiting(const wire::PseudoTerminal& terminal, std::vector<std::uint8_
 
 }  // namespace
 
-PtyEmulator::PtyEmulator(devices::DeviceFile file, double clock, MakeBody make_body)
+PtyEmulator::PtyEmulator(devices::DeviceFile file, std::optional<double> clock, MakeBody make_body)
     : file_(std::move(file)), clock_(clock), make_body_(std::move(make_body)) {}
 
-Result<std::unique_ptr<PtyEmulator>> PtyEmulator::create(devices::DeviceFile file, double clock,
+Result<std::unique_ptr<PtyEmulator>> PtyEmulator::create(devices::DeviceFile file,
+                                                         std::optional<double> clock,
                                                          const std::string& first,
                                                          MakeBody make_body) {
   std::unique_ptr<PtyEmulator> emulator(
@@ -56,24 +58,47 @@ Result<void> PtyEmulator::open_ports() {
   }
   waiting_.resize(terminals_.size());
   SOMATO_TRY(placing_, wire::open_pseudo_terminal());
+  if (clock_) return {};
+  SOMATO_TRY(host_clock_, wire::LineClockPort::open());
   return {};
 }
 
 // A simulation that is slower than the clock slows its time down: it never jumps.
-void PtyEmulator::pass_time() {
+double PtyEmulator::passed() {
   const auto now = std::chrono::steady_clock::now();
-  const double passed = clock_ * std::chrono::duration<double>(now - last_).count();
+  const double passed = *clock_ * std::chrono::duration<double>(now - last_).count();
   last_ = now;
-  now_ += std::min(passed, kLongestStep);
+  return std::min(passed, kLongestStep);
 }
 
-void PtyEmulator::pass_on() {
+Result<void> PtyEmulator::advance(double now) {
+  now_ = now;
+  return body_->advance(now_);
+}
+
+void PtyEmulator::take_from_host() {
   std::array<std::uint8_t, 4096> bytes{};
   const std::vector<EmulatedWire*> wires = body_->wires();
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    const auto received =
-        wire::read_available(terminals_[i].device.number(), bytes, terminals_[i].port);
-    if (received) wires[i]->send(std::span(bytes).first(*received), now_);
+    const auto read = [&] {
+      return wire::read_available(terminals_[i].device.number(), bytes, terminals_[i].port);
+    };
+    for (auto count = read(); count && *count > 0; count = read()) {
+      wires[i]->send(std::span(bytes).first(*count), now_);
+    }
+  }
+}
+
+bool PtyEmulator::has_arrived() const {
+  const std::vector<EmulatedWire*> wires = body_->wires();
+  return std::any_of(wires.begin(), wires.end(),
+                     [](const EmulatedWire* wire) { return wire->has_arrived(); });
+}
+
+void PtyEmulator::give_to_host() {
+  std::array<std::uint8_t, 4096> bytes{};
+  const std::vector<EmulatedWire*> wires = body_->wires();
+  for (std::size_t i = 0; i < wires.size(); ++i) {
     while (const std::size_t count = wires[i]->receive(bytes)) {
       waiting_[i].insert(waiting_[i].end(), bytes.begin(),
                          bytes.begin() + static_cast<std::ptrdiff_t>(count));
@@ -110,6 +135,7 @@ void PtyEmulator::handle_placing() {
 // ready.
 void PtyEmulator::wait() const {
   std::vector<pollfd> ports{{placing_.device.number(), POLLIN, 0}};
+  if (host_clock_) ports.push_back({host_clock_->descriptor(), POLLIN, 0});
   for (const wire::PseudoTerminal& terminal : terminals_) {
     ports.push_back({terminal.device.number(), POLLIN, 0});
   }
@@ -120,18 +146,44 @@ void PtyEmulator::wait() const {
   poll(ports.data(), ports.size(), kPollMs);
 }
 
+Result<void> PtyEmulator::follow_clock() {
+  SOMATO_TRY_VOID(advance(now_ + passed()));
+  take_from_host();
+  give_to_host();
+  return {};
+}
+
+// The host waits for the answer: neither side acts before the other.
+Result<void> PtyEmulator::follow_host() {
+  const auto until = host_clock_->requested();
+  if (!until) return {};
+  take_from_host();
+  const double end = std::min(*until, now_ + kLongestAnswer);
+  while (now_ < end && !has_arrived()) {
+    SOMATO_TRY_VOID(advance(std::min(end, now_ + kMillisecond)));
+  }
+  give_to_host();
+  host_clock_->answer(now_);
+  return {};
+}
+
+Result<void> PtyEmulator::finish() {
+  take_from_host();
+  for (const double end = now_ + kLastMoment; now_ < end;) {
+    SOMATO_TRY_VOID(advance(now_ + kMillisecond));
+  }
+  give_to_host();
+  return {};
+}
+
 Result<void> PtyEmulator::run(const std::function<bool()>& should_continue) {
   last_ = std::chrono::steady_clock::now();
-  std::optional<double> end;
-  while (!end || now_ < *end) {
-    if (!end && !should_continue()) end = now_ + kLastMoment;
+  while (should_continue()) {
     handle_placing();
-    pass_time();
-    SOMATO_TRY_VOID(body_->advance(now_));
-    pass_on();
+    SOMATO_TRY_VOID(clock_ ? follow_clock() : follow_host());
     wait();
   }
-  return {};
+  return finish();
 }
 
 }  // namespace somato::emulation

@@ -3,16 +3,18 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "emulation/emulated_body.h"
+#include "wire/line_clock.h"
 #include "wire/serial_port.h"
 
 namespace somato::emulation {
 
-/// An emulated body behind pseudo-terminals, in real time or a multiple of it: for hosts in other
-/// processes. Used by one thread.
+/// An emulated body behind pseudo-terminals, for hosts in other processes: in real time, a multiple
+/// of it, or the time of the host. Used by one thread.
 class PtyEmulator {
  public:
   /// Makes a body before the thing with that name, for a trial (from 0).
@@ -20,14 +22,17 @@ class PtyEmulator {
       std::function<Result<std::unique_ptr<Body>>(const std::string& thing, std::size_t trial)>;
 
   /// Begins with the thing `first`. `file` describes the lines; its ports are replaced by
-  /// pseudo-terminals, and `clock` is the number of emulated seconds per second. Errors: those of
-  /// `make_body`; kSystem.
-  static Result<std::unique_ptr<PtyEmulator>> create(devices::DeviceFile file, double clock,
+  /// pseudo-terminals, and `clock` is the number of emulated seconds per second; without it time
+  /// passes only while the host waits, as fast as possible. Errors: those of `make_body`; kSystem.
+  static Result<std::unique_ptr<PtyEmulator>> create(devices::DeviceFile file,
+                                                     std::optional<double> clock,
                                                      const std::string& first, MakeBody make_body);
 
-  /// The ports of the lines, in the order of devices::lines_of(), and that of the placing.
+  /// The ports of the lines, in the order of devices::lines_of(), that of the placing, and that of
+  /// the host's clock (empty: there is none).
   const std::vector<std::string>& ports() const { return ports_; }
   const std::string& placing_port() const { return placing_.port; }
+  std::string clock_port() const { return host_clock_ ? host_clock_->port() : std::string(); }
 
   EmulatedBody& body() { return *body_; }
 
@@ -37,22 +42,29 @@ class PtyEmulator {
   Result<void> run(const std::function<bool()>& should_continue);
 
  private:
-  PtyEmulator(devices::DeviceFile file, double clock, MakeBody make_body);
+  PtyEmulator(devices::DeviceFile file, std::optional<double> clock, MakeBody make_body);
 
   Result<void> open_ports();
-  void pass_on();
+  void take_from_host();
+  void give_to_host();
+  bool has_arrived() const;
   void handle_placing();
   std::string place(const std::string& line);
-  void pass_time();
+  double passed();
+  Result<void> advance(double now);
+  Result<void> follow_clock();
+  Result<void> follow_host();
+  Result<void> finish();
   void wait() const;
 
   devices::DeviceFile file_;
-  double clock_;
+  std::optional<double> clock_;
   MakeBody make_body_;
   std::unique_ptr<EmulatedBody> body_;
   std::vector<wire::PseudoTerminal> terminals_;
   std::vector<std::vector<std::uint8_t>> waiting_;  // For each port, what it did not accept yet.
   wire::PseudoTerminal placing_;
+  std::optional<wire::LineClockPort> host_clock_;
   std::string placing_text_;
   std::vector<std::string> ports_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();

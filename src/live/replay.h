@@ -38,7 +38,8 @@ class Replay {
 
   bool is_behind() const { return wanted_.has_value(); }
 
-  /// Follows the exploration to the moment that is to be shown, but no longer than `patience`.
+  /// Follows the exploration to the moment that is to be shown, but works no longer than
+  /// `patience`: it does not count while the processor does other things.
   void follow(std::chrono::milliseconds patience);
 
   /// Leaves it at the moment that is shown.

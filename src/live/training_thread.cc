@@ -48,9 +48,22 @@ Result<std::shared_ptr<const SystemModel>> TrainingThread::train(const ViewSyste
   }
 }
 
+void TrainingThread::request_stop() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stopping_ = true;
+  }
+  stop_requested_.notify_all();
+}
+
 void TrainingThread::stop() {
-  stopping_ = true;
+  request_stop();
   if (thread_.joinable()) thread_.join();
+}
+
+void TrainingThread::pause() {
+  std::unique_lock lock(mutex_);
+  stop_requested_.wait_for(lock, pause_, [this] { return stopping_.load(); });
 }
 
 // A snapshot of the map is shown with a pause; the progress of other modules is reported ten times
@@ -61,7 +74,7 @@ bool TrainingThread::show(const std::string& system, const TrainingSnapshot& loo
   if (!look.winners.empty() || now - shown_at_ >= kSeldom) {
     shown_at_ = now;
     hub_.publish(EventKind::kTraining, json_text(training_json(system, look)));
-    if (!look.winners.empty()) std::this_thread::sleep_for(pause_);
+    if (!look.winners.empty()) pause();
   }
   return !stopping_;
 }

@@ -2,9 +2,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -31,8 +33,8 @@ class TrainingThread {
   void start(ViewSystem system, std::shared_ptr<const Recording> recording, std::uint64_t seed,
              Done done);
 
-  /// Requests a stop, which takes effect soon.
-  void request_stop() { stopping_ = true; }
+  /// Requests a stop, which takes effect soon: it ends the pause after a snapshot.
+  void request_stop();
 
   /// Stops and waits.
   void stop();
@@ -40,11 +42,14 @@ class TrainingThread {
  private:
   Result<std::shared_ptr<const SystemModel>> train(const ViewSystem& system,
                                                    const Recording& recording, std::uint64_t seed);
+  void pause();
   bool show(const std::string& system, const TrainingSnapshot& look);
 
   EventHub& hub_;
   std::chrono::duration<double> pause_;
   std::atomic<bool> stopping_ = false;
+  std::mutex mutex_;
+  std::condition_variable stop_requested_;
   std::chrono::steady_clock::time_point shown_at_;
   std::thread thread_;
 };

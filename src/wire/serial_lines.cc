@@ -22,16 +22,21 @@ tl::unexpected<Error> hung_up(const std::string& port) {
 
 }  // namespace
 
-Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports, double clock) {
+Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports, double clock,
+                                                       const std::string& clock_port) {
   require(ports.size() <= kMostLines, "SerialLines: too many ports");
   std::unique_ptr<SerialLines> lines(new SerialLines(std::move(ports), clock));
   for (std::size_t i = 0; i < lines->ports_.size(); ++i) {
     SOMATO_TRY_VOID(lines->reopen(i));
   }
+  if (!clock_port.empty()) {
+    SOMATO_TRY(lines->emulator_clock_, LineClock::open(clock_port));
+  }
   return lines;
 }
 
 double SerialLines::now() const {
+  if (emulator_clock_) return emulator_clock_->now();
   return clock_ * std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
@@ -44,7 +49,13 @@ Result<std::size_t> SerialLines::write(std::size_t line, std::span<const std::ui
   return write_available(open_.at(line).number(), bytes, ports_[line].path);
 }
 
+// All ports of an emulator that has ended have hung up.
 void SerialLines::wait(double until) {
+  if (!emulator_clock_) return wait_at_ports(until);
+  if (!emulator_clock_->wait(until)) std::fill(hung_up_.begin(), hung_up_.end(), 1);
+}
+
+void SerialLines::wait_at_ports(double until) {
   std::array<pollfd, kMostLines> polled{};
   for (std::size_t i = 0; i < open_.size(); ++i) polled[i] = {open_[i].number(), POLLIN, 0};
   const double left = std::max(0.0, until - now()) / clock_;

@@ -2,16 +2,19 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "wire/line_clock.h"
 #include "wire/lines.h"
 #include "wire/serial_port.h"
 
 namespace somato::wire {
 
-/// Serial ports and sound sources, driven by the steady clock of the system.
+/// Serial ports and sound sources, driven by the steady clock of the system or by the clock of
+/// their emulator.
 class SerialLines : public Lines {
  public:
   struct Port {
@@ -21,11 +24,13 @@ class SerialLines : public Lines {
   };
 
   /// Opens all ports. `clock` is the number of seconds of now() per second, 1 except for emulated
-  /// devices. Errors: those of open_serial_port() and open_sound().
-  static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports, double clock = 1.0);
+  /// devices. With `clock_port` time is that of an emulator; see LineClock. Errors: those of
+  /// open_serial_port(), open_sound() and LineClock::open().
+  static Result<std::unique_ptr<SerialLines>> open(std::vector<Port> ports, double clock = 1.0,
+                                                   const std::string& clock_port = {});
 
   double now() const override;
-  double clock() const override { return clock_; }
+  double clock() const override { return emulator_clock_ ? 1.0 : clock_; }
   Result<std::size_t> read(std::size_t line, std::span<std::uint8_t> bytes) override;
   Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override;
   void wait(double until) override;
@@ -39,8 +44,11 @@ class SerialLines : public Lines {
   SerialLines(std::vector<Port> ports, double clock)
       : ports_(std::move(ports)), clock_(clock), open_(ports_.size()), hung_up_(ports_.size(), 0) {}
 
+  void wait_at_ports(double until);
+
   std::vector<Port> ports_;
   double clock_;
+  std::optional<LineClock> emulator_clock_;
   std::vector<Descriptor> open_;
   std::vector<char> hung_up_;  // Noticed while waiting: reading would only give nothing.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

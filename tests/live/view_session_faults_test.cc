@@ -164,7 +164,7 @@ TEST(SessionFaultsThread, TrainsOneSystemAtATime) {
   ViewSource source = testing::hand_source(6);
   source.systems.push_back(testing::view_system(testing::crossed_system(), "crossed"));
   source.system = 0;
-  ViewSession session(std::move(source), {true, 1.0, 0.03});
+  ViewSession session(std::move(source), {true, 1.0, 3600.0});
   session.start();
   command(session, R"({"command":"train"})");
   EXPECT_FALSE(session.command(R"({"command":"train"})"));

@@ -124,7 +124,7 @@ TEST_F(SessionThread, WaitsForTheFirstViewer) {
 }
 
 TEST_F(SessionThread, RestsWithoutViewersAndGoesOnWithTheNext) {
-  ViewSession session(testing::hand_source(), {true, 1.0, 0.0});
+  ViewSession session(testing::hand_source(), {true, 0.01, 0.0});  // too slow to come to its end
   session.start();
   const auto is_playing = [&] { return json::parse(session.state().value())["playing"] == true; };
   for (int visit = 0; visit < 2; ++visit) {
@@ -195,7 +195,7 @@ TEST_F(SessionThread, DoesNotTrainWhatWasGivenAsItHasLearned) {
 }
 
 TEST_F(SessionThread, StopsTrainingOnRequest) {
-  ViewSession session(source_with_systems(), {true, 1.0, 30.0 / 1000.0});
+  ViewSession session(source_with_systems(), {true, 1.0, 3600.0});  // s, after each snapshot
   session.start();
   command(session, R"({"command":"train"})");
   EXPECT_EQ(state_of(session)["training"], true);

@@ -30,7 +30,10 @@ def payload(number):
 
 
 class Robot:
-    """A server of the Foxglove SDK that counts its messages upwards from 0."""
+    """A server of the Foxglove SDK that counts its messages upwards from 0, from the first subscription.
+
+    Its time is that of its messages, which a slow machine sends more slowly.
+    """
 
     def __init__(self, topic="/touch", port=0, damaged=None, clock=0):
         """`damaged` is the number of a message that is cut, `clock` the time of the first in seconds."""
@@ -41,6 +44,7 @@ class Robot:
                                  data=b"float32[] forces\n")
         self.context = foxglove.Context()
         self.channel = foxglove.Channel(topic, schema=schema, message_encoding="cdr")
+        self.sent = 0
         self.stopping = threading.Event()
         self.thread = threading.Thread(target=self.publish)
         self.thread.start()
@@ -66,15 +70,19 @@ class Robot:
         return f"ws://127.0.0.1:{self.server.port}"
 
     def publish(self):
-        begun = time.monotonic()
-        number = 0
+        while not self.channel.has_sinks() and not self.stopping.is_set():
+            time.sleep(1 / RATE)
         while not self.stopping.is_set():
-            message = payload(float(number))
-            if number == self.damaged:
+            message = payload(float(self.sent))
+            if self.sent == self.damaged:
                 message = message[:100]
-            self.channel.log(message, log_time=int(self.clock * 1e9 + number * 1e9 / RATE))
-            number += 1
-            time.sleep(max(0.0, begun + number / RATE - time.monotonic()))
+            self.channel.log(message, log_time=int(self.clock * 1e9 + self.sent * 1e9 / RATE))
+            self.sent += 1
+            time.sleep(1 / RATE)
+
+    def wait_until_sent(self, count):
+        while self.sent < count:
+            time.sleep(1 / RATE)
 
     def stop(self):
         self.stopping.set()
@@ -129,9 +137,9 @@ class Topics(unittest.TestCase):
             [PROGRAM, "explore", "--topics", robot.address, "--channels", "touch:N=/touch:forces",
              "--explorations", "1", "--duration", "2", "-o", self.recording],
             stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.7)
+        robot.wait_until_sent(700)
         running.send_signal(signal.SIGSTOP)
-        time.sleep(0.7)
+        robot.wait_until_sent(1400)
         running.send_signal(signal.SIGCONT)
         _, errors = running.communicate(timeout=120)
         self.assertEqual(running.returncode, 0, errors)
@@ -144,15 +152,16 @@ class Topics(unittest.TestCase):
         port = robots[0].server.port
 
         def start_again():
+            robots[0].wait_until_sent(700)
             robots.pop().stop()
             robots.append(Robot(port=port))
 
-        timer = threading.Timer(0.7, start_again)
-        timer.start()
+        restart = threading.Thread(target=start_again)
+        restart.start()
         done = somato("explore", "--topics", f"ws://127.0.0.1:{port}", "--channels",
                       "touch:N=/touch:forces", "--explorations", "3", "--duration", "1", "-o",
                       self.recording)
-        timer.join()
+        restart.join()
         robots[0].stop()
         values, _ = frames(self.recording)
         explorations, rest = divmod(len(values), int(RATE) + 1)
@@ -177,10 +186,15 @@ class Topics(unittest.TestCase):
 
     def test_a_robot_that_stops_ends_the_exploration(self):
         robot = Robot()
-        timer = threading.Timer(1.0, robot.stop)
-        timer.start()
+
+        def stop():
+            robot.wait_until_sent(1000)
+            robot.stop()
+
+        end = threading.Thread(target=stop)
+        end.start()
         done = self.explore(robot.address, "--duration", "60")
-        timer.join()
+        end.join()
         self.assertEqual(done.returncode, 1)
         self.assertIn("the connection is lost", done.stderr)
 

@@ -13,6 +13,7 @@ namespace somato {
 namespace {
 
 const Words kBuses{"ssc32", "dynamixel", "sts", "scs"};
+const std::string kEndless = "100000";  // explorations, of which some are interrupted
 
 class Device : public EmulationTest {
  protected:
@@ -128,6 +129,43 @@ TEST_F(Device, TheTextureProbeIsTrainedOnAndRecognizes) {
   });
 }
 
+// Two emulations of the same seed are the same on every machine.
+TEST_F(Device, ExploresTheSameInTheTimeOfTheHost) {
+  Recording first;
+  for (int i = 0; i < 2; ++i) {
+    with_probe("dynamixel", [&] { output_of(explore("2")); });
+    ASSERT_EQ(recorded().explorations.size(), 4U);
+    if (i == 0) first = recorded();
+  }
+  EXPECT_EQ(first.explorations, recorded().explorations);
+}
+
+TEST_F(Device, EmulatesTheTimeThatIsAskedFor) {
+  const auto written = [&](const Words& clock) {
+    ProgramWorld world;
+    world.interrupt_at = "Press Ctrl-C to end";
+    Words words{"emulate", "--body", "hardness", "-o", "d.toml"};
+    words.insert(words.end(), clock.begin(), clock.end());
+    EXPECT_EQ(run(words, world).exit_code, 0);
+    return read("d.toml");
+  };
+  const std::string real = written({});
+  EXPECT_NE(real.find("\nclock = 1\n"), std::string::npos) << real;
+  EXPECT_NE(real.find("\nmissed = 25\n"), std::string::npos) << real;  // 0.5 s of 20 ms each
+  const std::string fast = written({"--clock", "10"});
+  EXPECT_NE(fast.find("\nclock = 10\n"), std::string::npos) << fast;
+  EXPECT_NE(fast.find("\nmissed = 250\n"), std::string::npos) << fast;
+  EXPECT_EQ(fast.find("clock_port"), std::string::npos) << fast;
+  const std::string of_host = written({"--clock", "host"});
+  EXPECT_NE(of_host.find("\nclock_port = \"/dev/pts/"), std::string::npos) << of_host;
+  EXPECT_EQ(of_host.find("missed = 25"), std::string::npos) << of_host;
+  // The file of another emulation says nothing about this one.
+  const std::string again = written({"--device", "d.toml", "--clock", "2"});
+  EXPECT_NE(again.find("\nclock_port = \"\"\n"), std::string::npos) << again;
+  expect_refused(2, {{{"emulate", "--body", "hardness", "--clock", "guest", "-o", "d.toml"},
+                      {"--clock", "'host'"}}});
+}
+
 TEST_F(Device, ExploresOnOtherBuses) {
   for (const std::string bus : {"dynamixel", "sts", "scs"}) {
     const ProgramRun emulated = with_probe(bus, [&] {
@@ -161,7 +199,7 @@ TEST_F(Device, StopsWhenItsLinesHangUpAndKeepsWhatWasExplored) {
             world.interrupt_at = " left";  // after the first exploration
             world.interrupt_with = 0;
             world.before_interrupt = [&](const std::string&) { has_explored.set_value(); };
-            done = run(explore("100"), world);
+            done = run(explore(kEndless), world);
           });
           explored.wait();
         },
@@ -179,7 +217,7 @@ TEST_F(Device, IsSwitchedOffBySignals) {
       world.terminal = true;
       world.interrupt_at = " left";
       world.interrupt_with = signal;
-      done = run(explore("100"), world);
+      done = run(explore(kEndless), world);
     });
     if (signal == SIGINT) {
       EXPECT_EQ(done.exit_code, 130) << done.err;
@@ -199,7 +237,7 @@ TEST_F(Device, IsSwitchedOffByTheStopKey) {
     ProgramRun done;
     const ProgramRun emulated = with_probe("ssc32", [&] {
       std::string words = program();
-      for (const std::string& word : explore("100")) words += " " + word;
+      for (const std::string& word : explore(kEndless)) words += " " + word;
       done = run_other({"sh", "-c",
                         "while printf '" + key + "'; do sleep 0.2; done | script -qec '" + words +
                             "' /dev/null"});

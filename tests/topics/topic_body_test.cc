@@ -36,7 +36,7 @@ struct TopicBodyThread : ::testing::Test {
       server.send_number(1, 0, 5.0F);
       server.send_number(0, 0, 6.0F);
     });
-    auto body = start(10.0);
+    auto body = start(60.0);
     sender.join();
     EXPECT_TRUE(body) << to_string(body.error());
     if (!body) return nullptr;

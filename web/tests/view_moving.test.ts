@@ -89,17 +89,17 @@ it("shows what a transparent hand hides", async () => {
   const picture = await settled();
   await button.click();
   expect(await button.getAttribute("aria-pressed")).toBe("true");
-  const seen = await settled();
-  expect(seen.equals(picture)).toBe(false);
+  await soon(async () => (await settled()).equals(picture)).toBe(false);
   await button.click();
   await soon(async () => (await settled()).equals(picture)).toBe(true);
 
-  /** The picture once nothing is drawn any more. */
+  /** The picture once nothing is drawn in so many frames of the browser, however slow they are. */
   async function settled(): Promise<Buffer> {
     let before = -1;
     while (before !== (await drawn())) {
       before = await drawn();
-      await view.page.waitForTimeout(400);
+      for (let frame = 0; frame < 25; frame += 1)
+        await view.page.evaluate(() => new Promise((shown) => requestAnimationFrame(shown)));
     }
     return scene.screenshot();
   }

@@ -60,4 +60,4 @@ export class ViewedPage {
 }
 
 /** Expected before long: how soon depends on the machine. */
-export const soon = <T>(read: () => T) => expect.poll(read, { timeout: 15_000 });
+export const soon = <T>(read: () => T) => expect.poll(read, { timeout: 60_000 });
