@@ -10,10 +10,13 @@
   and build/release/somato; `somato` is on the path.
 - `<!-- test: skip REASON -->` before a block skips it; REASONS defines the permitted blocks. Data of
   others are a `--data FOLDER` or a quoted variable, such as "$FCPS".
+- `<!-- test: OLD is NEW -->` before a block runs it with NEW instead of OLD, which differ only by smaller SIZES,
+  such as `--seeds`; what it prints is not compared then. With --full, only documents with such blocks run, and
+  these blocks as they are.
 - `<!-- test: made FILE -->` before a picture names the file of that folder with the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
-                         [--python FILE] [--only DOCUMENT | --without DOCUMENT]
+                         [--python FILE] [--only DOCUMENT | --without DOCUMENT] [--share I/N] [--full]
 """
 
 import argparse
@@ -24,7 +27,7 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 # Permitted reasons for skipping a block, and the required form of each of its lines.
@@ -33,10 +36,13 @@ REASONS = {
     "needs docker": r"(#.*|docker .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }
+# Numbers of repetitions, which a test may lower.
+SIZES = re.compile(r"\s*(?:--)?\b(explorations|folds|seeds|pairs|recordings)(?:\s*=\s*|\s+)(\d+)")
 TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(
-    r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
+    r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?(?P<changes>(?:<!-- test: [^\n]* is [^\n]* -->\n+)*)"
     r"```(?P<kind>sh|bash|console|cpp|python)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+CHANGE = re.compile(r"<!-- test: (.*) is (.*) -->")
 MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$",
                   re.MULTILINE)
 
@@ -61,13 +67,15 @@ class Block:
     kind: str
     text: str
     skip_reason: str | None
+    changes: tuple = ()  # pairs of what is replaced and what replaces it
 
 
 def blocks_of(text, name):
     found = []
     for match in FENCE.finditer(text):
         line = text.count("\n", 0, match.start("text"))
-        found.append(Block(f"{name}:{line}", match["kind"], match["text"], match["reason"]))
+        found.append(Block(f"{name}:{line}", match["kind"], match["text"], match["reason"],
+                           tuple(CHANGE.findall(match["changes"]))))
     return found
 
 
@@ -82,6 +90,26 @@ def check_skip(block):
         if not re.fullmatch(pattern, line):
             raise Failure(f"'{line}' cannot be skipped with the reason: {block.skip_reason}")
     return True
+
+
+def shortened(block):
+    """The block with fewer repetitions; raises Failure if more than their number would change."""
+    text = block.text
+    for old, new in block.changes:
+        if old not in text:
+            raise Failure(f"'{old}' is not in the block; correct or remove the line before it")
+        if not is_shorter(old, new):
+            raise Failure(f"'{new}' differs from '{old}' by more than fewer repetitions")
+        text = text.replace(old, new)
+    return replace(block, text=text)
+
+
+def is_shorter(old, new):
+    """Whether the texts differ only by sizes, of which `new` has all that `old` has, and none is greater."""
+    sizes, fewer = (dict(SIZES.findall(text)) for text in (old, new))
+    same_words = SIZES.sub("", old).split() == SIZES.sub("", new).split()
+    return same_words and sizes != fewer and all(
+        name in fewer and int(fewer[name]) <= int(number) for name, number in sizes.items())
 
 
 def commands_of(text):
@@ -174,7 +202,7 @@ class Runner:
     def run_console(self, block):
         for command, shown in commands_of(block.text):
             printed = self.run_command(shell(command))
-            if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
+            if any(shown) and not block.changes and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
                 raise Failure(f"$ {command}\nprints:\n{printed}instead of:\n" + "\n".join(shown))
 
     def search_paths(self):
@@ -197,7 +225,7 @@ class Runner:
         """Runs the block in the document's interpreter, where names of earlier blocks are defined."""
         if self.interpreter is None:
             self.interpreter = subprocess.Popen(
-                [self.options.python, "-B", "-u", "-c", INTERPRETER], cwd=self.folder,
+                [self.options.python, "-u", "-c", INTERPRETER], cwd=self.folder,
                 env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True)
         self.interpreter.stdin.write(repr(block.text) + "\n")
@@ -226,7 +254,8 @@ def passes(runner, block):
         if check_skip(block):
             print(f"skipped {block.where}: {block.skip_reason}", flush=True)
             return True
-        runner.run(block)
+        shorter = shortened(block)
+        runner.run(replace(block, changes=()) if runner.options.full else shorter)
     except (Failure, subprocess.TimeoutExpired) as failure:
         print(f"FAILED  {block.where}: {failure}", flush=True)
         return False
@@ -236,16 +265,23 @@ def passes(runner, block):
 
 def run_document(options, document):
     """Returns the number of failures."""
-    name = document.relative_to(options.source).as_posix()
-    blocks = blocks_of(document.read_text(encoding="utf-8"), name)
-    if not options.python:
-        blocks = [block for block in blocks if block.kind != "python"]
+    blocks = blocks_in(options, document)
     if not blocks:
         return 0
-    with Runner(options, options.scratch / name.replace("/", "_")) as runner:
+    with Runner(options, options.scratch / name_of(options, document).replace("/", "_")) as runner:
         if not all(passes(runner, block) for block in blocks):
             return 1  # what follows in this document may stand on it
     return check_pictures(document, runner.folder)
+
+
+def name_of(options, document):
+    return document.relative_to(options.source).as_posix()
+
+
+def blocks_in(options, document):
+    """The blocks of a document that run with the options."""
+    blocks = blocks_of(document.read_text(encoding="utf-8"), name_of(options, document))
+    return [block for block in blocks if options.python or block.kind != "python"]
 
 
 def check_pictures(document, folder):
@@ -264,8 +300,24 @@ def documents_of(options):
     documents = [options.source / "README.md", *sorted((options.source / "docs").rglob("*.md"))]
     if named and options.source / named not in documents:
         sys.exit(f"{named} is no document of {options.source}")
-    return [document for document in documents
-            if not named or (document == options.source / named) == bool(options.only)]
+    chosen = [document for document in documents
+              if (not named or (document == options.source / named) == bool(options.only))
+              and (not options.full or any(block.changes for block in blocks_in(options, document)))]
+    return share_of(options, chosen)
+
+
+def share_of(options, documents):
+    """Every N-th document, by the number of blocks, so that the shares last about equally long."""
+    number, of = options.share
+    return sorted(documents, key=lambda document: -len(blocks_in(options, document)))[number - 1::of]
+
+
+def share(text):
+    """The numbers I and N of 'I/N'."""
+    match = re.fullmatch(r"([1-9]\d*)/([1-9]\d*)", text)
+    if not match or int(match[1]) > int(match[2]):
+        raise argparse.ArgumentTypeError(f"'{text}' is no share, such as 1/2")
+    return int(match[1]), int(match[2])
 
 
 def main(arguments=None):
@@ -279,6 +331,8 @@ def main(arguments=None):
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--only", help="the only document to run, relative to --source")
     chosen.add_argument("--without", help="the only document not to run")
+    parser.add_argument("--full", action="store_true", help="run all repetitions of the documents whose tests have fewer")
+    parser.add_argument("--share", type=share, default=(1, 1), help="run only the I-th of N shares of the documents")
     options = parser.parse_args(arguments)
     options.source = options.source.resolve()
     failures = sum(run_document(options, document) for document in documents_of(options))

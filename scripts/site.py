@@ -54,7 +54,7 @@ OUTPUT_DIRECTORY = "{folder}"
 def generate(environment, build, doxygen, folder):
     run(environment / "bin/python", "-m", "sphinx", "--fresh-env", "--fail-on-warning", "--keep-going", "--quiet",
         "--jobs", "auto", "--conf-dir", SITE, "--doctree-dir", folder.parent / "doctrees", TREE, folder,
-        SOMATO_DOXYGEN=doxygen, PYTHONPATH=build / "python", PYTHONDONTWRITEBYTECODE=1)
+        SOMATO_DOXYGEN=doxygen, PYTHONPATH=build / "python", PYTHONPYCACHEPREFIX=build / "python/bytecode")
 
 
 def main():

@@ -40,9 +40,14 @@ TEST_F(Convert, TablesAndBagsAreImportedAgain) {
 }
 
 TEST_F(Convert, HandsAreShownInFoxglove) {
-  output_of({"explore", "--body", "lucs2", "--explorations", "1", "-o", "hand.mcap"});
+  write(
+      "tubes.toml",
+      "[object]\ntube = { shape = 'cylinder', diameter = 62, height = 121, material = 'wood' }\n");
+  write("short.toml", "[plan]\ngrasps = 2\n");
+  output_of({"explore", "--body", "lucs2", "--objects", "tubes.toml", "--settings", "short.toml",
+             "--explorations", "2", "-o", "hand.mcap"});
   EXPECT_EQ(output_of({"convert", "hand.mcap", "-o", "hand_foxglove"}),
-            "hand_foxglove: 6 explorations\n");
+            "hand_foxglove: 2 explorations\n");
   EXPECT_NE(read("hand_foxglove/foxglove_layout.json").find("\"/taxels\""), std::string::npos);
   const std::string topics = output_of({"inspect", "hand_foxglove"});
   EXPECT_NE(topics.find("\"/tf\": tf2_msgs/msg/TFMessage"), std::string::npos) << topics;

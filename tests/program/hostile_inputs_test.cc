@@ -164,9 +164,9 @@ TEST_F(HostileExploring, TimesWithoutEndAreRefused) {
 
 TEST_F(HostileExploring, AnExplorationTakesNoMoreThanItsTime) {
   write("s.toml", "[texture_probe]\nstroke = 180.0\nlever_speed = 0.01\n[stroke]\nto = 180.0\n");
-  const ProgramRun done = run(explore("texture", {"--longest", "20"}));
+  const ProgramRun done = run(explore("texture", {"--longest", "4"}));
   EXPECT_EQ(done.exit_code, 1);
-  EXPECT_NE(done.err.find("more than 20 s of the body's time"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("more than 4 s of the body's time"), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(path("x.mcap")));
 }
 

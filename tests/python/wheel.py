@@ -150,7 +150,7 @@ def main():
     run(python, "-m", "pip", "check")
     check_program(python, work)
     check_pickles(python, wheel, work, source)
-    run(python, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", source / "tests/python", cwd=work,
+    run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", source / "tests/python", cwd=work,
         env=dict(os.environ, SOMATO_LONG_TESTS="1"))
 
 
