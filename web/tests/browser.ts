@@ -10,11 +10,29 @@ import { chromium, type Browser, type Page } from "playwright-core";
 const kHere = fileURLToPath(new URL(".", import.meta.url));
 const kBuilt = process.env["SOMATO_WEB_OUT"] ?? join(kHere, "..", "dist");
 
-export async function launchBrowser(): Promise<Browser> {
+/** One that draws in three dimensions, by SwiftShader without a graphics processor; Chromium paints the page itself. */
+export function sceneBrowser(): Promise<Browser> {
+  return started("--enable-unsafe-swiftshader");
+}
+
+/** One that draws nothing in three dimensions; it permits a page to capture its tab without a question. */
+export function flatBrowser(): Promise<Browser> {
+  return started("--disable-gpu", "--disable-3d-apis", "--auto-accept-this-tab-capture");
+}
+
+const kStarted = new Map<string, Promise<Browser>>();
+
+/** The files of tests that run in one process share their modules, and thus each browser, which ends with the process. */
+function started(...args: string[]): Promise<Browser> {
+  const key = args.join(" ");
+  const browser = kStarted.get(key) ?? launch(args);
+  kStarted.set(key, browser);
+  return browser;
+}
+
+function launch(args: string[]): Promise<Browser> {
   const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
-  // Without a graphics processor, Chromium paints the page itself; only three dimensions are drawn by SwiftShader.
-  const args = ["--no-sandbox", "--enable-unsafe-swiftshader"];
-  return chromium.launch({ executablePath, args });
+  return chromium.launch({ executablePath, args: ["--no-sandbox", ...args] });
 }
 
 /** The text of a page that `npm run build` made, such as "report.html". */
@@ -60,7 +78,9 @@ export async function accessibilityViolations(page: Page, rules: string[] = []):
       id: string;
       nodes: { target: string[]; failureSummary?: string }[];
     }
-    const { violations } = await axe.run(only.length > 0 ? { runOnly: only } : {});
+    // What is in order is not described: that takes most of the time.
+    const options = { resultTypes: ["violations"] };
+    const { violations } = await axe.run(only.length > 0 ? { ...options, runOnly: only } : options);
     return violations.map(
       ({ id, nodes }) =>
         `${id}: ${nodes

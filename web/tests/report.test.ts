@@ -27,7 +27,6 @@ describe("what it shows", () => {
     expect(await claims.first().textContent()).toContain(`${Math.round(data.claims[0]!.share * 100)} %`);
     expect(problems).toEqual([]);
     await page.screenshot({ path: screenshotPath("report-overview") });
-    await page.close();
   });
 
   test("shows the verdicts, and comparisons of our own apart", async () => {
@@ -49,7 +48,6 @@ describe("what it shows", () => {
     expect(await page.locator("#claims .share").first().getAttribute("class")).toBe("share neutral");
     expect(await page.locator(".tiles").getAttribute("aria-label")).toBe("Of 1 claim of the papers");
     expect(await page.locator(".tile").allTextContents()).toContain(`1${chance}`);
-    await page.close();
   });
 
   test("shows for a neuron how many samples of which class it won", async () => {
@@ -61,7 +59,6 @@ describe("what it shows", () => {
     const expected = `row ${Math.floor(winner / 15) + 1}, column ${(winner % 15) + 1}: ${own.filter((name) => name === own[0]).length} × ${own[0]}`;
     expect(await readoutAt(figure, winner)).toContain(expected);
     expect(await figure.locator(".map-marks .marker").count()).toBe(run.winners.length);
-    await page.close();
   });
 
   test("saves winners, U-matrix and planes as the numbers that it was given", async () => {
@@ -77,7 +74,6 @@ describe("what it shows", () => {
     const planes = await savedRows(figureOf(section, "Component plane of an element of touch"));
     expect(planes[0]!.slice(3)).toEqual(hand.trained!.planes[0]!.channel.elements);
     expect(planes[1]!.slice(3).map(Number)).toEqual(hand.trained!.planes[0]!.values[0]);
-    await page.close();
   });
 
   test("shows outcomes and confusions of the results", async () => {
@@ -94,7 +90,6 @@ describe("what it shows", () => {
       run.labels.filter((one, i) => one === "boccia" && run.predictions[i] === one),
     );
     expect(Number(confusions[1]![1])).toBe(right.length);
-    await page.close();
   });
 
   test("draws hexagonal maps, things, receptive fields, moments and curves", async () => {
@@ -114,7 +109,6 @@ describe("what it shows", () => {
     const curve = await savedRows(page.locator("#curves figure"));
     expect(curve.length - 1).toBe(data.curves[0]!.lines.flatMap((line) => line.points).length);
     expect(problems).toEqual([]);
-    await page.close();
   });
 });
 
@@ -136,7 +130,6 @@ describe("what is chosen", () => {
     expect((await savedRows(winners)).slice(1).map((row) => Number(row[1]) - 1)).toEqual(held.winners);
     expect(await winners.locator(".area-border").count()).toBe(0);
     expect(await winners.textContent()).toContain("by shape");
-    await page.close();
   });
 
   test("goes from seed to seed by arrow keys", async () => {
@@ -148,7 +141,6 @@ describe("what is chosen", () => {
     const third = hand.protocols[0]!.runs[2]!;
     const rows = await savedRows(figureOf(section, "Winners"));
     expect(rows.slice(1).map((row) => Number(row[1]) - 1)).toEqual(third.winners);
-    await page.close();
   });
 
   test("a neuron shows its hand, an element its plane", async () => {
@@ -168,7 +160,6 @@ describe("what is chosen", () => {
     expect(await map.getByRole("combobox", { name: "Element" }).inputValue()).toBe("12");
     await section.getByRole("combobox", { name: "Channel" }).selectOption({ label: "joints" });
     expect(await figureOf(section, "Weights of one neuron on the hand").locator("[data-cell]").count()).toBe(6);
-    await page.close();
   });
 
   test("a system of a question opens from its table", async () => {
@@ -178,7 +169,6 @@ describe("what is chosen", () => {
     await page.locator(".question tbody a").click();
     await expect.poll(() => fold.locator("[data-cell]").count()).toBeGreaterThan(120);
     expect(await fold.evaluate((one: HTMLDetailsElement) => one.open)).toBe(true);
-    await page.close();
   });
 
   test("a module shows its settings", async () => {
@@ -188,6 +178,5 @@ describe("what is chosen", () => {
     const details = await section.locator(".module-details").textContent();
     expect(details).toContain("arbor_sigma");
     expect(details).toContain("not given in the paper");
-    await page.close();
   });
 });

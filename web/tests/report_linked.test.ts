@@ -49,7 +49,6 @@ describe("maps of a system", () => {
     await notice.getByRole("button").click();
     expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
     expect(await section.locator(".other-map").count()).toBe(0);
-    await page.close();
   });
 
   test("mark the selected neuron, whose samples play", async () => {
@@ -76,7 +75,6 @@ describe("maps of a system", () => {
     const values = (await savedRows(figureOf(section, "Touch at a moment"))).slice(1).map((row) => Number(row[1]));
     const rows = [nearest - 1, nearest, nearest + 1].map((i) => touch.series[i]);
     expect(rows).toContainEqual(values);
-    await page.close();
   });
 
   test("state values under the pointer, with the names of the elements", async () => {
@@ -86,7 +84,6 @@ describe("maps of a system", () => {
     await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
     expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
     expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
-    await page.close();
   });
 });
 
@@ -101,7 +98,6 @@ test("a U-matrix that was not stored for a seed is that of the saved system, and
   expect(await figure.locator(".marker").count()).toBe(0);
   const rows = (await savedRows(figure)).slice(1).map((row) => Number(row[3]));
   expect(rows).toEqual(hand.trained!.u_matrix);
-  await page.close();
 });
 
 describe("a map that grows", () => {
@@ -144,7 +140,6 @@ describe("a map that grows", () => {
     expect(rows.slice(1).map((row) => Number(row[1]))).toEqual(second!.map!.u_matrix);
     await section.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 1 });
     expect(await figureOf(section, "Winners").locator(".message").textContent()).toContain("cannot be drawn together");
-    await page.close();
   });
 });
 
@@ -166,7 +161,6 @@ describe("two systems", () => {
     await sides.nth(1).getByRole("combobox", { name: "System" }).selectOption({ label: "hardness" });
     expect(await rings("Winners", ".marked", sides.nth(1)).count()).toBe(0); // other samples
     expect(await accessibilityViolations(page)).toEqual([]);
-    await page.close();
   });
 });
 
@@ -189,7 +183,6 @@ describe("an address", () => {
       figureOf(again, "Confusion matrix of the selected run").evaluate((one) => one.getBoundingClientRect().top);
     await expect.poll(top).toBeLessThan(800);
     await other.close();
-    await page.close();
   });
 
   test("that leads nowhere changes nothing", async () => {
@@ -200,6 +193,5 @@ describe("an address", () => {
     const slider = lost.locator(`#${kId}`).getByRole("slider", { name: "Seed" });
     await expect.poll(() => slider.inputValue()).toBe("0");
     expect(problems).toEqual([]);
-    await lost.close();
   });
 });

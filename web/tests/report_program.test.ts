@@ -7,10 +7,10 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import type { Browser, Locator, Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import { accessibilityViolations, launchBrowser, screenshotPath } from "./browser";
+import { accessibilityViolations, flatBrowser, screenshotPath } from "./browser";
 
 const kSystem = `
 [study]
@@ -50,7 +50,6 @@ interface Results {
   }[];
 }
 
-let browser: Browser;
 let page: Page;
 let results: Results;
 const problems: string[] = [];
@@ -68,8 +67,7 @@ beforeAll(async () => {
   somato(folder, "run", "pressed.toml", "--data", "pressed.mcap", "--seeds", "3", "--out", "out");
   somato(folder, "report", "out/results.json", "--data", "pressed.mcap", "-o", "report.html");
   results = JSON.parse(readFileSync(join(folder, "out", "results.json"), "utf8")) as Results;
-  browser = await launchBrowser();
-  page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+  page = await (await flatBrowser()).newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
   await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#pressed`);
@@ -79,7 +77,7 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-  await browser?.close();
+  await page?.close();
 });
 
 /** The section of the system; the page shows its maps side by side, too. */

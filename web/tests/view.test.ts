@@ -186,7 +186,7 @@ describe("for everyone", () => {
 
   it("fits narrow screens without scrolling sideways", async () => {
     for (const width of [1024, 600]) {
-      if (width !== 1024) await Promise.all([view.page.close(), view.server.stop()]);
+      if (width !== 1024) await view.leave();
       await view.open(undefined, { width });
       const [wide, tall] = await view.page.evaluate(() => [
         document.documentElement.scrollWidth,

@@ -2,26 +2,14 @@
 
 import { fileURLToPath } from "node:url";
 
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 
 import { screenshotPath } from "./browser";
 
-export { accessibilityViolations, launchBrowser } from "./browser";
+export { accessibilityViolations, flatBrowser, sceneBrowser } from "./browser";
 
 /** Where `npm run build` has put the pages. */
 export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
-
-/** One that draws nothing in three dimensions. */
-export function launchFlatBrowser(args: string[] = []): Promise<Browser> {
-  const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
-  const flat = ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"];
-  return chromium.launch({ executablePath, args: [...flat, ...args] });
-}
-
-/** The same; it permits a page to capture its tab without a question. */
-export function launchCapturingBrowser(): Promise<Browser> {
-  return launchFlatBrowser(["--auto-accept-this-tab-capture"]);
-}
 
 export async function screenshot(page: Page, name: string): Promise<void> {
   await page.screenshot({ path: screenshotPath(name) });

@@ -7,7 +7,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it, vi } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
@@ -17,7 +17,7 @@ import {
   complaints,
   firstFrame,
   frameShown,
-  launchBrowser,
+  sceneBrowser,
   screenshot,
   words,
 } from "./view_browser";
@@ -36,7 +36,6 @@ const systems = join(source, "systems");
 
 vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
 
-let browser: Browser;
 let page: Page;
 let problems: string[];
 let view: ChildProcess;
@@ -54,8 +53,7 @@ beforeAll(async () => {
     stdio: ["ignore", "pipe", "inherit"],
   });
   const address = await startAddress(view);
-  browser = await launchBrowser();
-  page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page = await (await sceneBrowser()).newPage({ viewport: { width: 1280, height: 800 } });
   problems = complaints(page);
   await page.goto(address);
   await firstFrame(page);
@@ -64,7 +62,7 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-  await browser?.close();
+  await page?.close();
   view?.kill();
   rmSync(folder, { recursive: true });
   expect(problems ?? []).toEqual([]);

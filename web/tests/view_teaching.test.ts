@@ -4,10 +4,10 @@ import { beforeEach, describe, expect, it } from "vitest";
 
 import type { State, Taught } from "../src/view/data";
 import { fakeFrame, fakeState, kFrames, unknownFrame } from "./fake_frames";
-import { accessibilityViolations, frameShown, launchFlatBrowser, screenshot, words } from "./view_browser";
+import { accessibilityViolations, frameShown, flatBrowser, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
-const view = new ViewedPage(launchFlatBrowser);
+const view = new ViewedPage(flatBrowser);
 const kTaught: Taught = { exploration: 1, name: "cup", before: "unknown", neuron: 17, problem: null };
 const kTeaching: State = { ...fakeState(), teaches: true };
 const question = () => view.page.getByRole("form", { name: "Name for the system to learn" });
