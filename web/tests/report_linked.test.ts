@@ -2,7 +2,7 @@
 // by side, the exploration behind a marker, and addresses that lead to all of it.
 
 import type { Locator, Page } from "playwright-core";
-import { beforeEach, describe, expect, test } from "vitest";
+import { beforeAll, describe, expect, test } from "vitest";
 
 import { between, kSequence } from "../src/parts/colour_maps";
 import { accessibilityViolations, screenshotPath } from "./browser";
@@ -26,29 +26,16 @@ async function open(): Promise<void> {
 const rings = (title: string, kind: string, within = section) =>
   figureOf(within, title).locator(`.map-ring${kind}`);
 
-describe("maps of a system", () => {
-  beforeEach(open);
+describe("maps of a system, one after the other", () => {
+  beforeAll(open);
 
-  test("follow seed and label, or state that they are of another map", async () => {
-    const distances = await savedRows(figureOf(section, "U-matrix"));
-    const won = (winner: number) => run.labels.filter((_, i) => run.winners[i] === winner);
-    for (const winner of new Set(run.winners)) expect(won(winner)).toContain(distances[winner + 1]![4]);
-    await section.getByRole("radio", { name: "shape" }).check();
-    const shapes = await savedRows(figureOf(section, "U-matrix"));
-    expect(new Set(shapes.slice(1).map((row) => row[4]))).toEqual(new Set(["", "sphere", "cylinder", "block"]));
-    await section.getByRole("slider", { name: "Seed" }).fill("4");
-    const hits = (await savedRows(figureOf(section, "Hits"))).slice(1).map((row) => Number(row[3]));
-    hits.forEach((count, neuron) => expect(count).toBe(fifth.winners.filter((winner) => winner === neuron).length));
-    const other = await savedRows(figureOf(section, "U-matrix"));
-    expect(other.slice(1).map((row) => Number(row[3]))).toEqual(fifth.map!.u_matrix);
-    expect(fifth.map!.u_matrix).not.toEqual(run.map!.u_matrix);
-    expect(await figureOf(section, "U-matrix").locator(".what").textContent()).toContain("seed 5");
-    // The weights of one system are stored.
-    const notice = section.locator(".other-map");
-    expect(await notice.textContent()).toContain("seed 1: another map than that of the selected winners");
-    await notice.getByRole("button").click();
-    expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
-    expect(await section.locator(".other-map").count()).toBe(0);
+  test("state values under the pointer, with the names of the elements", async () => {
+    const figure = figureOf(section, "Touch over time");
+    await figure.scrollIntoViewIfNeeded();
+    const box = (await figure.locator("image").boundingBox())!;
+    await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
+    expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
+    expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
   });
 
   test("mark the selected neuron, whose samples play", async () => {
@@ -77,13 +64,26 @@ describe("maps of a system", () => {
     expect(rows).toContainEqual(values);
   });
 
-  test("state values under the pointer, with the names of the elements", async () => {
-    const figure = figureOf(section, "Touch over time");
-    await figure.scrollIntoViewIfNeeded();
-    const box = (await figure.locator("image").boundingBox())!;
-    await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
-    expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
-    expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
+  test("follow seed and label, or state that they are of another map", async () => {
+    const distances = await savedRows(figureOf(section, "U-matrix"));
+    const won = (winner: number) => run.labels.filter((_, i) => run.winners[i] === winner);
+    for (const winner of new Set(run.winners)) expect(won(winner)).toContain(distances[winner + 1]![4]);
+    await section.getByRole("radio", { name: "shape" }).check();
+    const shapes = await savedRows(figureOf(section, "U-matrix"));
+    expect(new Set(shapes.slice(1).map((row) => row[4]))).toEqual(new Set(["", "sphere", "cylinder", "block"]));
+    await section.getByRole("slider", { name: "Seed" }).fill("4");
+    const hits = (await savedRows(figureOf(section, "Hits"))).slice(1).map((row) => Number(row[3]));
+    hits.forEach((count, neuron) => expect(count).toBe(fifth.winners.filter((winner) => winner === neuron).length));
+    const other = await savedRows(figureOf(section, "U-matrix"));
+    expect(other.slice(1).map((row) => Number(row[3]))).toEqual(fifth.map!.u_matrix);
+    expect(fifth.map!.u_matrix).not.toEqual(run.map!.u_matrix);
+    expect(await figureOf(section, "U-matrix").locator(".what").textContent()).toContain("seed 5");
+    // The weights of one system are stored.
+    const notice = section.locator(".other-map");
+    expect(await notice.textContent()).toContain("seed 1: another map than that of the selected winners");
+    await notice.getByRole("button").click();
+    expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
+    expect(await section.locator(".other-map").count()).toBe(0);
   });
 });
 

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 
 import { fakeFrame, fakeState } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
-import { firstFrame, frameShown, flatBrowser, screenshot, words } from "./view_browser";
+import { firstFrame, flatBrowser, frameShown, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
 const view = new ViewedPage(flatBrowser);

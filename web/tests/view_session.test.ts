@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
 import { bodyState } from "./fake_frames";
-import { frameShown, flatBrowser } from "./view_browser";
+import { flatBrowser, frameShown } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
 const view = new ViewedPage(flatBrowser);
