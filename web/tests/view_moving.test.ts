@@ -94,12 +94,20 @@ it("shows what a transparent hand hides", async () => {
   await button.click();
   await soon(async () => (await settled()).equals(picture)).toBe(true);
 
+  /** After the page's own timer of a resting picture, and what it then draws. */
+  function rested(): Promise<unknown> {
+    return view.page.evaluate(
+      () =>
+        new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400)),
+    );
+  }
+
   /** The picture once nothing is drawn any more. */
   async function settled(): Promise<Buffer> {
     let before = -1;
     while (before !== (await drawn())) {
       before = await drawn();
-      await view.page.waitForTimeout(400);
+      await rested();
     }
     return scene.screenshot();
   }
