@@ -149,7 +149,7 @@ describe("the commands that it sends", () => {
     expect(await reachedByTab()).toEqual(await view.page.locator(kControls).count());
   });
 
-  it("shows where the focus is", { timeout: 180_000 }, async () => {
+  it("shows where the focus is", async () => {
     await view.open();
     const unseen: (string | null)[] = [];
     await reachedByTab(async () => void unseen.push(await hasVisibleFocus()));

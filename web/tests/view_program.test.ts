@@ -2,16 +2,17 @@
 // study found. SOMATO_PROGRAM is the program, SOMATO_MCAP_SCRIPTS where tests/mcap has put the
 // official reader of MCAP files.
 
-import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { type ChildProcess, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it, vi } from "vitest";
+import { afterAll, beforeAll, expect, it } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
 import { digits } from "../src/parts/numbers";
+import { output, somato } from "./program";
 import {
   bandColour,
   complaints,
@@ -34,8 +35,6 @@ const recording = join(folder, "hand2.mcap");
 const source = process.env["SOMATO_SOURCE"] ?? new URL("../..", import.meta.url).pathname;
 const systems = join(source, "systems");
 
-vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
-
 let page: Page;
 let problems: string[];
 let view: ChildProcess;
@@ -45,9 +44,10 @@ let predictions: string[];
 beforeAll(async () => {
   expect(program, "SOMATO_PROGRAM names the program").not.toBe("");
   expect(scripts, "SOMATO_MCAP_SCRIPTS names where the MCAP reader is").not.toBe("");
-  somato("explore", "--body", "lucs2", "--explorations", "2", "-o", recording);
-  somato("run", join(systems, "tensor_chain.toml"), "--data", recording, "--out", folder, "--seeds", "1");
-  messages = recorded();
+  await somato(["explore", "--body", "lucs2", "--explorations", "2", "-o", recording]);
+  const study = join(systems, "tensor_chain.toml");
+  await somato(["run", study, "--data", recording, "--out", folder, "--seeds", "1"]);
+  messages = await recorded();
   predictions = predicted();
   view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], {
     stdio: ["ignore", "pipe", "inherit"],
@@ -68,15 +68,8 @@ afterAll(async () => {
   expect(problems ?? []).toEqual([]);
 });
 
-function somato(...flags: string[]): void {
-  execFileSync(program, flags, { stdio: ["ignore", "ignore", "inherit"] });
-}
-
-function recorded(): Message[] {
-  const text = execFileSync(process.execPath, [join(scripts, "read.mjs"), recording], {
-    maxBuffer: 1 << 30,
-    encoding: "utf8",
-  });
+async function recorded(): Promise<Message[]> {
+  const text = await output(process.execPath, [join(scripts, "read.mjs"), recording]);
   return (JSON.parse(text) as { stream: Message[] }).stream;
 }
 

@@ -1,7 +1,7 @@
 // The view page before a server that speaks its protocol, as each test of it has it.
 
 import type { Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, vi } from "vitest";
+import { afterAll, afterEach, beforeAll, expect } from "vitest";
 
 import type { State } from "../src/view/data";
 import { FakeServer } from "./fake_server";
@@ -24,7 +24,6 @@ export class ViewedPage {
    * in three dimensions takes most of a test's time: tests that do not look at the scene use a browser without.
    */
   constructor(private readonly browser = sceneBrowser) {
-    vi.setConfig({ testTimeout: 180_000, hookTimeout: 180_000 });
     beforeAll(() => this.renew());
     afterAll(() => this.page.close());
     afterEach(() => this.leave());
