@@ -6,7 +6,7 @@ import type { Browser, Download, Locator, Page } from "playwright-core";
 import { afterAll, beforeAll } from "vitest";
 
 import type { ReportData } from "../src/report/unpacked";
-import { asScriptText, launchBrowser, writeReport } from "./browser";
+import { asScriptText, flatBrowser, writeReport } from "./browser";
 
 /** The report as a file has it: every exploration once, to which systems refer by number. */
 export function fileText(data: ReportData): string {
@@ -18,33 +18,51 @@ export function fileText(data: ReportData): string {
   return asScriptText({ ...data, systems, moments });
 }
 
+interface Look {
+  colorScheme?: "dark" | "light";
+  reducedMotion?: "reduce";
+  width?: number;
+  height?: number;
+}
+
 interface Opened {
   page: Page;
   problems: string[];
 }
 
-/** A browser for a file of tests, and reports in it. */
+const kUsual = { colorScheme: "light", reducedMotion: "no-preference" } as const;
+
+/** A page for a file of tests, and one report after the other in it. */
 export class ReportBrowser {
   browser!: Browser;
+  private page!: Page;
+  private problems: string[] = [];
 
   constructor() {
     beforeAll(async () => {
-      this.browser = await launchBrowser();
+      this.browser = await flatBrowser();
+      this.page = await this.browser.newPage({ acceptDownloads: true });
+      this.page.setDefaultTimeout(60_000);
+      this.watch();
     });
-    afterAll(() => this.browser.close());
+    afterAll(() => this.page.close());
   }
 
-  async open(of: ReportData | string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<Opened> {
-    const viewport = { width: 1280, height: 800 };
-    const page = await this.browser.newPage({ viewport, acceptDownloads: true, ...options });
-    page.setDefaultTimeout(20_000);
-    const problems: string[] = [];
-    page.on("pageerror", (error) => problems.push(error.message));
-    page.on("console", (message) => {
-      if (message.type() === "error") problems.push(message.text());
+  async open(of: ReportData | string, look: Look = {}): Promise<Opened> {
+    const { width = 1280, height = 800, ...media } = look;
+    await this.page.setViewportSize({ width, height });
+    await this.page.emulateMedia({ ...kUsual, ...media, media: "screen" });
+    await this.page.mouse.move(0, 0);
+    this.problems = [];
+    await this.page.goto(writeReport(typeof of === "string" ? of : fileText(of)));
+    return { page: this.page, problems: this.problems };
+  }
+
+  private watch(): void {
+    this.page.on("pageerror", (error) => this.problems.push(error.message));
+    this.page.on("console", (message) => {
+      if (message.type() === "error") this.problems.push(message.text());
     });
-    await page.goto(writeReport(typeof of === "string" ? of : fileText(of)));
-    return { page, problems };
   }
 }
 

@@ -20,7 +20,6 @@ describe("what goes wrong", () => {
     expect(await page.getByRole("alert").textContent()).toContain(words);
     expect(problems).toEqual([]);
     expect(await accessibilityViolations(page)).toEqual([]);
-    await page.close();
   });
 
   test("a report without systems says so", async () => {
@@ -33,13 +32,11 @@ describe("what goes wrong", () => {
     });
     expect(await page.locator("#overview").textContent()).toContain("No results were given");
     expect(problems).toEqual([]);
-    await page.close();
   });
 
   test("says what is missing and how to get it", async () => {
     const { page } = await report.open(data);
     expect(await (await goTo(page, "bare")).textContent()).toContain("keep system.somato beside results.json");
-    await page.close();
   });
 
   test("a system with half its fields is shown as far as it goes", async () => {
@@ -52,7 +49,6 @@ describe("what goes wrong", () => {
     expect(await page.locator("section.system h2").first().textContent()).toBe("half");
     await goTo(page, "half");
     expect(problems).toEqual([]);
-    await page.close();
   });
 
   test("hostile names are text, and numbers that are none are not drawn", async () => {
@@ -66,7 +62,6 @@ describe("what goes wrong", () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
     expect(problems).toEqual([]);
     await page.screenshot({ path: screenshotPath("report-hostile"), fullPage: true });
-    await page.close();
   });
 
   test("thirty systems of 900 neurons and 500 runs open at once", async () => {
@@ -76,6 +71,5 @@ describe("what goes wrong", () => {
     await goTo(page, "system_30");
     expect(await page.locator("#system_30 [data-cell]").count()).toBeGreaterThan(900);
     expect(problems).toEqual([]);
-    await page.close();
   });
 });

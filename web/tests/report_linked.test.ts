@@ -2,7 +2,7 @@
 // by side, the exploration behind a marker, and addresses that lead to all of it.
 
 import type { Locator, Page } from "playwright-core";
-import { beforeEach, describe, expect, test } from "vitest";
+import { beforeAll, describe, expect, test } from "vitest";
 
 import { between, kSequence } from "../src/parts/colour_maps";
 import { accessibilityViolations, screenshotPath } from "./browser";
@@ -26,30 +26,16 @@ async function open(): Promise<void> {
 const rings = (title: string, kind: string, within = section) =>
   figureOf(within, title).locator(`.map-ring${kind}`);
 
-describe("maps of a system", () => {
-  beforeEach(open);
+describe("maps of a system, one after the other", () => {
+  beforeAll(open);
 
-  test("follow seed and label, or state that they are of another map", async () => {
-    const distances = await savedRows(figureOf(section, "U-matrix"));
-    const won = (winner: number) => run.labels.filter((_, i) => run.winners[i] === winner);
-    for (const winner of new Set(run.winners)) expect(won(winner)).toContain(distances[winner + 1]![4]);
-    await section.getByRole("radio", { name: "shape" }).check();
-    const shapes = await savedRows(figureOf(section, "U-matrix"));
-    expect(new Set(shapes.slice(1).map((row) => row[4]))).toEqual(new Set(["", "sphere", "cylinder", "block"]));
-    await section.getByRole("slider", { name: "Seed" }).fill("4");
-    const hits = (await savedRows(figureOf(section, "Hits"))).slice(1).map((row) => Number(row[3]));
-    hits.forEach((count, neuron) => expect(count).toBe(fifth.winners.filter((winner) => winner === neuron).length));
-    const other = await savedRows(figureOf(section, "U-matrix"));
-    expect(other.slice(1).map((row) => Number(row[3]))).toEqual(fifth.map!.u_matrix);
-    expect(fifth.map!.u_matrix).not.toEqual(run.map!.u_matrix);
-    expect(await figureOf(section, "U-matrix").locator(".what").textContent()).toContain("seed 5");
-    // The weights of one system are stored.
-    const notice = section.locator(".other-map");
-    expect(await notice.textContent()).toContain("seed 1: another map than that of the selected winners");
-    await notice.getByRole("button").click();
-    expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
-    expect(await section.locator(".other-map").count()).toBe(0);
-    await page.close();
+  test("state values under the pointer, with the names of the elements", async () => {
+    const figure = figureOf(section, "Touch over time");
+    await figure.scrollIntoViewIfNeeded();
+    const box = (await figure.locator("image").boundingBox())!;
+    await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
+    expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
+    expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
   });
 
   test("mark the selected neuron, whose samples play", async () => {
@@ -76,17 +62,28 @@ describe("maps of a system", () => {
     const values = (await savedRows(figureOf(section, "Touch at a moment"))).slice(1).map((row) => Number(row[1]));
     const rows = [nearest - 1, nearest, nearest + 1].map((i) => touch.series[i]);
     expect(rows).toContainEqual(values);
-    await page.close();
   });
 
-  test("state values under the pointer, with the names of the elements", async () => {
-    const figure = figureOf(section, "Touch over time");
-    await figure.scrollIntoViewIfNeeded();
-    const box = (await figure.locator("image").boundingBox())!;
-    await page.mouse.move(box.x + box.width * 0.99, box.y + box.height * (7.5 / 45));
-    expect(await figure.locator(".readout").textContent()).toMatch(/^finger1_distal_1, 5\.9 s: [\d.]+ N$/);
-    expect(await figure.locator("svg text", { hasText: /^finger2$/ }).count()).toBe(1);
-    await page.close();
+  test("follow seed and label, or state that they are of another map", async () => {
+    const distances = await savedRows(figureOf(section, "U-matrix"));
+    const won = (winner: number) => run.labels.filter((_, i) => run.winners[i] === winner);
+    for (const winner of new Set(run.winners)) expect(won(winner)).toContain(distances[winner + 1]![4]);
+    await section.getByRole("radio", { name: "shape" }).check();
+    const shapes = await savedRows(figureOf(section, "U-matrix"));
+    expect(new Set(shapes.slice(1).map((row) => row[4]))).toEqual(new Set(["", "sphere", "cylinder", "block"]));
+    await section.getByRole("slider", { name: "Seed" }).fill("4");
+    const hits = (await savedRows(figureOf(section, "Hits"))).slice(1).map((row) => Number(row[3]));
+    hits.forEach((count, neuron) => expect(count).toBe(fifth.winners.filter((winner) => winner === neuron).length));
+    const other = await savedRows(figureOf(section, "U-matrix"));
+    expect(other.slice(1).map((row) => Number(row[3]))).toEqual(fifth.map!.u_matrix);
+    expect(fifth.map!.u_matrix).not.toEqual(run.map!.u_matrix);
+    expect(await figureOf(section, "U-matrix").locator(".what").textContent()).toContain("seed 5");
+    // The weights of one system are stored.
+    const notice = section.locator(".other-map");
+    expect(await notice.textContent()).toContain("seed 1: another map than that of the selected winners");
+    await notice.getByRole("button").click();
+    expect(await section.getByRole("slider", { name: "Seed" }).inputValue()).toBe("0");
+    expect(await section.locator(".other-map").count()).toBe(0);
   });
 });
 
@@ -101,7 +98,6 @@ test("a U-matrix that was not stored for a seed is that of the saved system, and
   expect(await figure.locator(".marker").count()).toBe(0);
   const rows = (await savedRows(figure)).slice(1).map((row) => Number(row[3]));
   expect(rows).toEqual(hand.trained!.u_matrix);
-  await page.close();
 });
 
 describe("a map that grows", () => {
@@ -144,7 +140,6 @@ describe("a map that grows", () => {
     expect(rows.slice(1).map((row) => Number(row[1]))).toEqual(second!.map!.u_matrix);
     await section.getByRole("combobox", { name: "Protocol" }).selectOption({ index: 1 });
     expect(await figureOf(section, "Winners").locator(".message").textContent()).toContain("cannot be drawn together");
-    await page.close();
   });
 });
 
@@ -166,7 +161,6 @@ describe("two systems", () => {
     await sides.nth(1).getByRole("combobox", { name: "System" }).selectOption({ label: "hardness" });
     expect(await rings("Winners", ".marked", sides.nth(1)).count()).toBe(0); // other samples
     expect(await accessibilityViolations(page)).toEqual([]);
-    await page.close();
   });
 });
 
@@ -189,7 +183,6 @@ describe("an address", () => {
       figureOf(again, "Confusion matrix of the selected run").evaluate((one) => one.getBoundingClientRect().top);
     await expect.poll(top).toBeLessThan(800);
     await other.close();
-    await page.close();
   });
 
   test("that leads nowhere changes nothing", async () => {
@@ -200,6 +193,5 @@ describe("an address", () => {
     const slider = lost.locator(`#${kId}`).getByRole("slider", { name: "Seed" });
     await expect.poll(() => slider.inputValue()).toBe("0");
     expect(problems).toEqual([]);
-    await lost.close();
   });
 });

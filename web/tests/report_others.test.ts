@@ -5,7 +5,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import type { ReportData } from "../src/report/unpacked";
-import { launchBrowser, writeReport } from "./browser";
+import { flatBrowser, writeReport } from "./browser";
 import { fileText, goTo } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 
@@ -59,14 +59,14 @@ function ofOthers(): ReportData {
 }
 
 beforeAll(async () => {
-  browser = await launchBrowser();
+  browser = await flatBrowser();
   page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
   await page.goto(writeReport(fileText(ofOthers())));
   await goTo(page, "t_mpsom_multiplied");
 });
 
 afterAll(async () => {
-  await browser.close();
+  await page.close();
 });
 
 interface Box {

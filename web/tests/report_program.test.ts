@@ -1,16 +1,16 @@
 // The output of `somato report`, in a browser: the page has the numbers of results.json. A probe
 // explores, a system of a few lines is trained and reported; nothing but the program is needed.
 
-import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import type { Browser, Locator, Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import { accessibilityViolations, launchBrowser, screenshotPath } from "./browser";
+import { accessibilityViolations, flatBrowser, screenshotPath } from "./browser";
+import { somato } from "./program";
 
 const kSystem = `
 [study]
@@ -50,26 +50,18 @@ interface Results {
   }[];
 }
 
-let browser: Browser;
 let page: Page;
 let results: Results;
 const problems: string[] = [];
 
-function somato(folder: string, ...words: string[]): void {
-  const program = process.env["SOMATO_PROGRAM"];
-  if (program === undefined) throw new Error("SOMATO_PROGRAM does not say where the program is");
-  execFileSync(program, words, { cwd: folder, stdio: "pipe" });
-}
-
 beforeAll(async () => {
   const folder = mkdtempSync(join(tmpdir(), "somato-program-"));
   writeFileSync(join(folder, "pressed.toml"), kSystem);
-  somato(folder, "explore", "--body", "hardness", "--explorations", "3", "-o", "pressed.mcap");
-  somato(folder, "run", "pressed.toml", "--data", "pressed.mcap", "--seeds", "3", "--out", "out");
-  somato(folder, "report", "out/results.json", "--data", "pressed.mcap", "-o", "report.html");
+  await somato(["explore", "--body", "hardness", "--explorations", "3", "-o", "pressed.mcap"], { cwd: folder });
+  await somato(["run", "pressed.toml", "--data", "pressed.mcap", "--seeds", "3", "--out", "out"], { cwd: folder });
+  await somato(["report", "out/results.json", "--data", "pressed.mcap", "-o", "report.html"], { cwd: folder });
   results = JSON.parse(readFileSync(join(folder, "out", "results.json"), "utf8")) as Results;
-  browser = await launchBrowser();
-  page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+  page = await (await flatBrowser()).newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => (message.type() === "error" ? problems.push(message.text()) : undefined));
   await page.goto(`${pathToFileURL(join(folder, "report.html")).href}#pressed`);
@@ -79,7 +71,7 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-  await browser?.close();
+  await page?.close();
 });
 
 /** The section of the system; the page shows its maps side by side, too. */

@@ -2,25 +2,18 @@
 
 import { fileURLToPath } from "node:url";
 
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 
-import { screenshotPath } from "./browser";
+import { kColourRules, kSizeRules, screenshotPath } from "./browser";
 
-export { accessibilityViolations, launchBrowser } from "./browser";
+export { accessibilityViolations, flatBrowser, sceneBrowser } from "./browser";
 
 /** Where `npm run build` has put the pages. */
 export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
 
-/** One that draws nothing in three dimensions. */
-export function launchFlatBrowser(args: string[] = []): Promise<Browser> {
-  const executablePath = process.env["SOMATO_CHROMIUM"] ?? "/usr/bin/chromium";
-  const flat = ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"];
-  return chromium.launch({ executablePath, args: [...flat, ...args] });
-}
-
-/** The same; it permits a page to capture its tab without a question. */
-export function launchCapturingBrowser(): Promise<Browser> {
-  return launchFlatBrowser(["--auto-accept-this-tab-capture"]);
+/** The dark and wide page differs from the light one, which all rules check, in colours and sizes. */
+export function rulesFor(colorScheme: "dark" | "light", width: number): string[] {
+  return colorScheme === "dark" && width > 1000 ? [...kColourRules, ...kSizeRules] : [];
 }
 
 export async function screenshot(page: Page, name: string): Promise<void> {

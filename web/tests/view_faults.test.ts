@@ -4,10 +4,10 @@ import { describe, expect, it } from "vitest";
 
 import { fakeFrame, fakeState } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
-import { firstFrame, frameShown, launchFlatBrowser, screenshot, words } from "./view_browser";
+import { firstFrame, flatBrowser, frameShown, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
-const view = new ViewedPage(launchFlatBrowser);
+const view = new ViewedPage(flatBrowser);
 
 describe("when things go wrong", () => {
   it("says that the connection is lost, and continues when it is back", async () => {
@@ -39,7 +39,7 @@ describe("when things go wrong", () => {
   it("does not take silence for a connection", async () => {
     await view.serve();
     view.server.silent = true;
-    await view.visit({ viewport: { width: 1280, height: 800 } });
+    await view.renew();
     await view.page.clock.install();
     await view.page.goto(view.server.address);
     await firstFrame(view.page);
@@ -47,6 +47,7 @@ describe("when things go wrong", () => {
     await view.page.locator(".link-banner", { hasText: "connection is lost" }).waitFor();
     await view.page.clock.fastForward(4000);
     await soon(() => words(view.page, ".status-link")).toBe("connected");
+    await view.renew(); // with the browser's own clock
   });
 
   it("says when its token is not the program's", async () => {

@@ -93,13 +93,20 @@ it("shows what a transparent hand hides", async () => {
   await button.click();
   await soon(async () => (await settled()).equals(picture)).toBe(true);
 
-  /** The picture once nothing is drawn in so many frames of the browser, however slow they are. */
+  /** After the page's own timer of a resting picture, and what it then draws. */
+  function rested(): Promise<unknown> {
+    return view.page.evaluate(
+      () =>
+        new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400)),
+    );
+  }
+
+  /** The picture once nothing is drawn any more. */
   async function settled(): Promise<Buffer> {
     let before = -1;
     while (before !== (await drawn())) {
       before = await drawn();
-      for (let frame = 0; frame < 25; frame += 1)
-        await view.page.evaluate(() => new Promise((shown) => requestAnimationFrame(shown)));
+      await rested();
     }
     return scene.screenshot();
   }

@@ -2,22 +2,23 @@
 // study found. SOMATO_PROGRAM is the program, SOMATO_MCAP_SCRIPTS where tests/mcap has put the
 // official reader of MCAP files.
 
-import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { type ChildProcess, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it, vi } from "vitest";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
 
 import { parsed, sequenceColour } from "../src/parts/colour_maps";
 import { digits } from "../src/parts/numbers";
+import { output, somato } from "./program";
 import {
   bandColour,
   complaints,
   firstFrame,
   frameShown,
-  launchBrowser,
+  sceneBrowser,
   screenshot,
   words,
 } from "./view_browser";
@@ -34,9 +35,6 @@ const recording = join(folder, "hand2.mcap");
 const source = process.env["SOMATO_SOURCE"] ?? new URL("../..", import.meta.url).pathname;
 const systems = join(source, "systems");
 
-vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
-
-let browser: Browser;
 let page: Page;
 let problems: string[];
 let view: ChildProcess;
@@ -46,16 +44,16 @@ let predictions: string[];
 beforeAll(async () => {
   expect(program, "SOMATO_PROGRAM names the program").not.toBe("");
   expect(scripts, "SOMATO_MCAP_SCRIPTS names where the MCAP reader is").not.toBe("");
-  somato("explore", "--body", "lucs2", "--explorations", "2", "-o", recording);
-  somato("run", join(systems, "tensor_chain.toml"), "--data", recording, "--out", folder, "--seeds", "1");
-  messages = recorded();
+  await somato(["explore", "--body", "lucs2", "--explorations", "2", "-o", recording]);
+  const study = join(systems, "tensor_chain.toml");
+  await somato(["run", study, "--data", recording, "--out", folder, "--seeds", "1"]);
+  messages = await recorded();
   predictions = predicted();
   view = spawn(program, ["view", recording, "--model", join(folder, "system.somato")], {
     stdio: ["ignore", "pipe", "inherit"],
   });
   const address = await startAddress(view);
-  browser = await launchBrowser();
-  page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page = await (await sceneBrowser()).newPage({ viewport: { width: 1280, height: 800 } });
   problems = complaints(page);
   await page.goto(address);
   await firstFrame(page);
@@ -64,21 +62,14 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-  await browser?.close();
+  await page?.close();
   view?.kill();
   rmSync(folder, { recursive: true });
   expect(problems ?? []).toEqual([]);
 });
 
-function somato(...flags: string[]): void {
-  execFileSync(program, flags, { stdio: ["ignore", "ignore", "inherit"] });
-}
-
-function recorded(): Message[] {
-  const text = execFileSync(process.execPath, [join(scripts, "read.mjs"), recording], {
-    maxBuffer: 1 << 30,
-    encoding: "utf8",
-  });
+async function recorded(): Promise<Message[]> {
+  const text = await output(process.execPath, [join(scripts, "read.mjs"), recording]);
   return (JSON.parse(text) as { stream: Message[] }).stream;
 }
 

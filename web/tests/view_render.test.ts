@@ -1,30 +1,22 @@
 // Pictures and films that `somato view --render` saves without a window: what they show is the page.
 
-import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import { afterAll, beforeAll, expect, it, vi } from "vitest";
+import { afterAll, beforeAll, expect, it } from "vitest";
 
-const program = process.env["SOMATO_PROGRAM"] ?? "";
+import { output, somato } from "./program";
+
 const folder = mkdtempSync(join(tmpdir(), "somato-render-"));
 const recording = join(folder, "pressed.mcap");
 
-vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
-
-beforeAll(() => {
-  run("explore", "--body", "hardness", "--explorations", "1", "-o", recording);
-});
+beforeAll(() => somato(["explore", "--body", "hardness", "--explorations", "1", "-o", recording]));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-function run(...words: string[]): string {
-  return execFileSync(program, words, { encoding: "utf8" });
-}
-
-it("saves a picture of the view", () => {
+it("saves a picture of the view", async () => {
   const path = join(folder, "view.png");
-  expect(run("view", recording, "--render", path)).toContain("view.png: frame 1");
+  expect(await somato(["view", recording, "--render", path])).toContain("view.png: frame 1");
   const bytes = readFileSync(path);
   expect(bytes.subarray(1, 4).toString()).toBe("PNG");
   expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([1600, 900]);
@@ -32,10 +24,10 @@ it("saves a picture of the view", () => {
 });
 
 // The one moment of this recording is shown for a second. The head of the page is white, its panels are not black.
-it("saves a film of the view", () => {
+it("saves a film of the view", async () => {
   const [film, raw] = [join(folder, "view.webm"), join(folder, "view.i420")];
-  expect(run("view", recording, "--exploration", "2", "--render", film)).toContain("20 pictures at 20 a second");
-  execFileSync("vpxdec", ["--i420", "-o", raw, film], { stdio: "ignore" });
+  expect(await somato(["view", recording, "--exploration", "2", "--render", film])).toContain("20 pictures at 20 a second");
+  await output("vpxdec", ["--i420", "-o", raw, film]);
   const frame = (1600 * 900 * 3) / 2;
   const pixels = readFileSync(raw);
   expect(pixels.length).toBe(20 * frame);
@@ -47,11 +39,9 @@ it("saves a film of the view", () => {
   }
 });
 
-it("leaves no film behind if the encoder is missing", () => {
+it("leaves no film behind if the encoder is missing", async () => {
   const film = join(folder, "none.webm");
   const only = { PATH: "/nowhere" };
-  expect(() => execFileSync(program, ["view", recording, "--render", film], { env: only, stdio: "pipe" })).toThrow(
-    /chromium/,
-  );
+  await expect(somato(["view", recording, "--render", film], { env: only })).rejects.toThrow(/chromium/);
   expect(existsSync(film)).toBe(false);
 });

@@ -5,10 +5,10 @@ import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
 import { bodyState } from "./fake_frames";
-import { frameShown, launchCapturingBrowser } from "./view_browser";
+import { flatBrowser, frameShown } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";
 
-const view = new ViewedPage(launchCapturingBrowser);
+const view = new ViewedPage(flatBrowser);
 
 it("names what is touched by a click", async () => {
   await view.open();

@@ -1,11 +1,13 @@
 // The view page before a server that speaks its protocol, as each test of it has it.
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, vi } from "vitest";
+import type { Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, expect } from "vitest";
 
 import type { State } from "../src/view/data";
 import { FakeServer } from "./fake_server";
-import { complaints, firstFrame, kPages, launchBrowser } from "./view_browser";
+import { complaints, firstFrame, kPages, sceneBrowser } from "./view_browser";
+
+const kViewport = { width: 1280, height: 800 };
 
 interface Look {
   colorScheme?: "dark" | "light";
@@ -13,32 +15,33 @@ interface Look {
 }
 
 export class ViewedPage {
-  browser!: Browser;
   server!: FakeServer;
   page!: Page;
   private problems: string[] = [];
 
   /**
-   * A browser for a file of tests; a test fails when its page complains. Drawing in three dimensions takes
-   * most of a test's time: tests that do not look at the scene launch a browser without.
+   * A page for a file of tests, which go from server to server in it; a test fails when the page complains. Drawing
+   * in three dimensions takes most of a test's time: tests that do not look at the scene use a browser without.
    */
-  constructor(launch = launchBrowser) {
-    vi.setConfig({ testTimeout: 60_000, hookTimeout: 60_000 });
-    beforeAll(async () => {
-      this.browser = await launch();
-    });
-    afterAll(() => this.browser.close());
-    afterEach(async () => {
-      await this.page.close();
-      await this.server.stop();
-      expect(this.problems).toEqual([]);
-    });
+  constructor(private readonly browser = sceneBrowser) {
+    beforeAll(() => this.renew());
+    afterAll(() => this.page.close());
+    afterEach(() => this.leave());
+  }
+
+  /** Another page, which has not gone anywhere. */
+  async renew(): Promise<void> {
+    await (this.page as Page | undefined)?.close();
+    const browser = await this.browser();
+    this.page = await browser.newPage({ viewport: kViewport, reducedMotion: "reduce" });
+    this.problems = complaints(this.page);
   }
 
   async open(state?: State, look: Look = {}): Promise<void> {
     await this.serve(state);
-    const { colorScheme = "light", width = 1280 } = look;
-    await this.visit({ viewport: { width, height: 800 }, colorScheme, reducedMotion: "reduce" });
+    const { colorScheme = "light", width = kViewport.width } = look;
+    await this.page.setViewportSize({ ...kViewport, width });
+    await this.page.emulateMedia({ colorScheme });
     await this.page.goto(this.server.address);
     if (this.server.state.explorations.length > 0) await firstFrame(this.page);
   }
@@ -48,10 +51,11 @@ export class ViewedPage {
     await this.server.start();
   }
 
-  /** A new page that has not gone anywhere. */
-  async visit(options: Parameters<Browser["newPage"]>[0], browser = this.browser): Promise<void> {
-    this.page = await browser.newPage(options);
-    this.problems = complaints(this.page);
+  async leave(): Promise<void> {
+    await this.page.goto("about:blank");
+    await this.page.mouse.move(0, 0);
+    await this.server.stop();
+    expect(this.problems.splice(0)).toEqual([]);
   }
 
   async received(command: object): Promise<void> {
