@@ -145,7 +145,7 @@ ServoGuard::~ServoGuard() {
 }
 
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
-                                                  const std::string& output) {
+                                                  const std::string& output, PermittedBy permitted) {
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
   SOMATO_TRY(auto things, explored_things(arguments, file));
   SOMATO_TRY(auto exploring, read_settings(arguments));
@@ -154,6 +154,7 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
     return place(file, thing, trial);
   };
+  if (permitted == PermittedBy::kTerminal) surroundings.permit = permit_by_person;
   std::vector<Object> objects;
   for (const ExploredThing& thing : things) {
     if (thing.object) objects.push_back(*thing.object);

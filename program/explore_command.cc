@@ -61,14 +61,32 @@ Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) 
   return table;
 }
 
+using ExploreAll =
+    std::function<Result<ExploringOutcome>(const ExploreOptions&, const ExplorationSink&)>;
+
 struct Request {
   std::unique_ptr<GraspPictures> pictures;  // or nullptr
-  std::unique_ptr<Explorer> explorer;
-  ExploringPlan plan;
+  std::shared_ptr<const Explorer> explorer;
+  ExploreAll explore;
+  std::size_t planned = 0;  // explorations
   std::string output;
   std::string image_folder;
   std::size_t longest = 600;  // s of the body's time
 };
+
+// Explorations of a real body follow each other; only simulated ones are made at the same time.
+ExploreAll in_turn(std::shared_ptr<Explorer> explorer, std::size_t each) {
+  return [explorer = std::move(explorer), each](const auto& options, const auto& sink) {
+    return explore_all(*explorer, {each}, options, sink, terminal_progress("exploring"));
+  };
+}
+
+ExploreAll in_threads(std::shared_ptr<const SimulatedExplorer> explorer, std::size_t each,
+                      std::size_t threads) {
+  return [explorer = std::move(explorer), each, threads](const auto& options, const auto& sink) {
+    return explore_all(*explorer, {each}, threads, options, sink, terminal_progress("exploring"));
+  };
+}
 
 // Flags of simulated bodies that a device or topics would ignore.
 Result<void> check_real_flags(const Arguments& arguments, const std::string& source) {
@@ -83,22 +101,25 @@ Result<void> check_real_flags(const Arguments& arguments, const std::string& sou
   return fail(ErrorKind::kUsage, "has no effect with " + source, given.front(), "omit it");
 }
 
-// A device or the topics of a robot, whose explorations follow each other.
+// A device or the topics of a robot.
 Result<Request> real_request(const Arguments& arguments, const std::string& source,
                              const std::function<Result<std::unique_ptr<Explorer>>()>& make) {
   SOMATO_TRY_VOID(check_real_flags(arguments, source));
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
-  SOMATO_TRY(auto explorer, make());
-  const std::size_t count = explorer->things().size();
-  return Request{
-      nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
-      {},      longest.value_or(600)};
+  SOMATO_TRY(std::shared_ptr<Explorer> explorer, make());
+  const std::size_t each = explorations.value_or(5);
+  Request request{nullptr, explorer, in_turn(explorer, each), explorer->things().size() * each};
+  request.output = arguments.text("output");
+  request.longest = longest.value_or(600);
+  return request;
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
   return real_request(arguments, "--device",
-                      [&] { return device_explorer(arguments, arguments.text("output")); });
+                      [&] {
+    return device_explorer(arguments, arguments.text("output"), PermittedBy::kTerminal);
+  });
 }
 
 Result<Request> read_topic_request(const Arguments& arguments) {
@@ -125,12 +146,16 @@ Result<Request> read_request(const Arguments& arguments) {
   SOMATO_TRY(auto threads, read_threads(arguments));
   const std::string image_folder = arguments.text("images");
   auto pictures = image_folder.empty() ? nullptr : std::make_unique<GraspPictures>(image_folder);
-  SOMATO_TRY(auto explorer,
+  SOMATO_TRY(std::shared_ptr<const SimulatedExplorer> explorer,
              simulated_explorer(body, things, parameters, seed.value_or(1), pictures.get()));
-  const std::size_t count = explorer->things().size();
-  return Request{
-      std::move(pictures),      std::move(explorer), {count, explorations.value_or(5), threads},
-      arguments.text("output"), image_folder,        longest.value_or(600)};
+  const std::size_t each = explorations.value_or(5);
+  return Request{std::move(pictures),
+                 explorer,
+                 in_threads(explorer, each, threads),
+                 explorer->things().size() * each,
+                 arguments.text("output"),
+                 image_folder,
+                 longest.value_or(600)};
 }
 
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.
@@ -166,7 +191,7 @@ void report_failures(const Request& request, const ExploringOutcome& outcome) {
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const FailedExploration& failure = outcome.failures[i];
-    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.item].name,
+    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.thing].name,
                         failure.trial + 1, to_string(failure.error));
   }
   if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
@@ -185,11 +210,13 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
     return fail(std::move(error));
   }
   if (outcome.failures.empty()) return {};
-  const std::size_t planned = request.plan.items * request.plan.explorations_each;
+  const std::size_t planned = request.planned;
   const std::size_t failed = outcome.failures.size();
   const std::size_t left = planned - failed - outcome.recorded;
+  // After a fault a device ends: not everything was tried.
+  const bool has_ended = outcome.failures.back().error.kind == ErrorKind::kUnavailable;
   return fail(
-      ErrorKind::kIncomplete,
+      has_ended ? ErrorKind::kUnavailable : ErrorKind::kIncomplete,
       fmt::format("{} of {} explorations failed and are not recorded{}", failed, planned,
                   left > 0 ? fmt::format("; the other {} were not begun", left) : std::string()),
       request.output);
@@ -203,10 +230,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   };
   const ExploreOptions options{
       .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
-  const auto explore = [&](std::size_t thing, std::size_t trial) {
-    return request.explorer->explore(thing, trial, options);
-  };
-  auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
+  auto outcome = request.explore(options, sink);
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
   if (!outcome && !interrupted) return fail(std::move(outcome.error()));
   const std::size_t recorded = spread.count();
@@ -218,7 +242,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   if (recorded == 0) return fail(std::move(outcome.error()));
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
-                            counted(request.plan.items, "thing"), spread.text()));
+                            counted(request.explorer->things().size(), "thing"), spread.text()));
   if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

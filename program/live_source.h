@@ -17,6 +17,6 @@ Result<ViewSource> live_source(const Arguments& arguments);
 /// the next one; with --object only that thing. Errors (kUsage): no such thing; too many
 /// explorations for a session.
 Result<ViewSource> explorer_source(const Arguments& arguments,
-                                   std::unique_ptr<const Explorer> explorer);
+                                   std::unique_ptr<Explorer> explorer);
 
 }  // namespace somato::program

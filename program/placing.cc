@@ -20,7 +20,7 @@ Result<void> wait_for_enter() {
     if (poll(&input, 1, kPollMs) <= 0) continue;
     char byte = 0;
     if (::read(STDIN_FILENO, &byte, 1) <= 0) {
-      return fail(ErrorKind::kInterrupted, "the input ended before the object was placed");
+      return fail(ErrorKind::kInterrupted, "the input ended before Enter was pressed");
     }
     if (byte == '\n') return {};
   }
@@ -31,6 +31,21 @@ Result<void> wait_for_enter() {
 Result<void> place_by_person(const ExploredThing& thing, std::size_t trial) {
   fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,
              trial + 1);
+  return wait_for_enter();
+}
+
+Result<void> permit_by_person(const Error& fault) {
+  if (isatty(STDIN_FILENO) != 1) {
+    return fail(ErrorKind::kUnavailable,
+                "a fault has stopped the device, and there is no terminal at which a person lets "
+                "it move again",
+                {}, "remove the cause of the fault, and run the command again");
+  }
+  fmt::print(stderr,
+             "somato: {}
+The device has stopped. Remove the cause, take your hands away, and press "
+             "Enter to explore on, or Ctrl-C to end.\n",
+             to_string(fault));
   return wait_for_enter();
 }
 

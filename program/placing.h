@@ -11,4 +11,8 @@ namespace somato::program {
 /// program is to stop, or the input has ended.
 Result<void> place_by_person(const ExploredThing& thing, std::size_t trial);
 
+/// Reports the fault that has stopped a device, and waits for the key Enter before it moves again.
+/// Errors: those of place_by_person(); kUnavailable: the input is not a terminal.
+Result<void> permit_by_person(const Error& fault);
+
 }  // namespace somato::program

@@ -44,7 +44,7 @@ Result<void> check_effect(ExploringBody body, const Table& given) {
   return {};
 }
 
-Result<std::unique_ptr<Explorer>> simulated_explorer(ExploringBody body, const ObjectTable& things,
+Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body, const ObjectTable& things,
                                                      const ExploringParameters& parameters,
                                                      std::uint64_t seed, GraspPictures* pictures) {
   const std::string source =
