@@ -10,6 +10,7 @@
 #include "devices/device_io.h"
 #include "devices/safe_motion.h"
 #include "devices/sensor_reader.h"
+#include "devices/servo_watch.h"
 #include "somato/core/check.h"
 
 namespace somato::devices {
@@ -38,6 +39,7 @@ class DeviceBody::Impl {
         io_(file_, lines),
         motion_(file_.servos),
         reader_(file_),
+        watch_(file_),
         history_(names_of(file_)) {}
 
   const BodyDescription& description() const { return description_; }
@@ -64,6 +66,7 @@ class DeviceBody::Impl {
     next_tick_ = start_;
     moved_ = start_;
     samples_taken_ = 0;
+    watch_.begin();
     if (io_.samples() != nullptr) io_.samples()->keep(0);
     state_.time = 0.0;
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
@@ -75,6 +78,10 @@ class DeviceBody::Impl {
   template <typename Condition>
   Result<void> pass(double seconds, const Condition& should_continue) {
     require(is_on_, "the device was stopped; start it again");
+    if (auto held_up = check_pause(may_have_paused_); !held_up) {
+      return stop(std::move(held_up.error()));
+    }
+    may_have_paused_ = false;
     skip_pause(0.0);
     const double end = state_.time + seconds;
     const std::size_t due = samples_due(end);
@@ -92,6 +99,8 @@ class DeviceBody::Impl {
     take_samples(due);
     return {};
   }
+
+  void expect_pause() { may_have_paused_ = true; }
 
   void relax() noexcept {
     if (std::exchange(is_on_, false)) io_.relax();
@@ -111,6 +120,18 @@ class DeviceBody::Impl {
 
   // Seconds of the body.
   double time() const { return io_.now() - start_; }
+
+  // A program that was held up while servos moved, such as one that was stopped and continued, knows
+  // nothing of what has happened meanwhile.
+  Result<void> check_pause(bool is_expected) const {
+    const double pause = io_.now() - moved_;
+    if (is_expected || pause <= file_.safety.pause * file_.settings.clock) return {};
+    return fail(ErrorKind::kSystem,
+                fmt::format("the program was held up for {:.1f} s while the servos were on", pause),
+                file_.settings.name,
+                "do not stop it while it moves servos, and use a computer that is less busy; 'pause' "
+                "of [safety] is what is permitted");
+  }
 
   // A host that paused, as a view does between two steps, has neither moved the servos nor
   // requested their states: only `passed` seconds of the body's time have passed.
@@ -179,6 +200,7 @@ class DeviceBody::Impl {
       io_.wait(until > now ? std::min(next_tick_, until) : next_tick_);
       return io_.receive();
     }
+    SOMATO_TRY_VOID(check_pause(false));
     skip_pause(file_.settings.period);
     SOMATO_TRY_VOID(io_.receive());
     SOMATO_TRY_VOID(check(now));
@@ -199,6 +221,9 @@ class DeviceBody::Impl {
   Result<void> check(double now) {
     SOMATO_TRY_VOID(io_.check_fresh(now));
     SOMATO_TRY_VOID(io_.check_errors());
+    if (io_.measures_positions()) {
+      SOMATO_TRY_VOID(watch_.check(motion_.positions(), io_.reports()));
+    }
     if (!file_.safety.limit) return {};
     const double most = reader_.greatest(file_.safety.sensor, io_, motion_.positions());
     if (most <= *file_.safety.limit) return {};
@@ -236,10 +261,11 @@ class DeviceBody::Impl {
     io_.samples()->keep(static_cast<std::size_t>(kBacklog * file_.microphone->rate));
   }
 
-  // Holds for the declared time unless it was interrupted, then switches off.
+  // Holds for the declared time, then switches off; at once if it was interrupted, and if a servo
+  // does not obey, which could not hold.
   tl::unexpected<Error> stop(Error error) {
     motion_.hold();
-    const bool hold = error.kind != ErrorKind::kInterrupted;
+    const bool hold = error.kind != ErrorKind::kInterrupted && watch_.obeys();
     const double until = io_.now() + (hold ? file_.safety.hold : 0.0);
     const double period = file_.settings.period;
     // A line that hung up may be another one than that of the servos.
@@ -257,6 +283,7 @@ class DeviceBody::Impl {
   DeviceIo io_;
   SafeMotion motion_;
   SensorReader reader_;
+  ServoWatch watch_;
   StateLog history_;
   BodyState state_;
   double start_ = 0.0;
@@ -264,6 +291,7 @@ class DeviceBody::Impl {
   double moved_ = 0.0;  // Until when the servos have been moved.
   std::size_t samples_taken_ = 0;
   bool is_on_ = false;
+  bool may_have_paused_ = false;  // the observer may have waited since the last step
 };
 
 DeviceBody::DeviceBody(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -292,6 +320,10 @@ const StateLog& DeviceBody::history() const {
 
 Result<void> DeviceBody::begin() {
   return impl_->begin();
+}
+
+void DeviceBody::expect_pause() {
+  impl_->expect_pause();
 }
 
 bool DeviceBody::is_on() const {

@@ -25,6 +25,18 @@ Exploration as_exploration(const Body& body, const Exploration& named) {
   return present;
 }
 
+// An observer may let the body wait.
+ExploreOptions with_pauses(DeviceBody& body, const ExploreOptions& options) {
+  ExploreOptions waiting = options;
+  if (!options.observer.on_step) return waiting;
+  waiting.observer.on_step = [&body, &options](const ExplorationStep& step) {
+    auto observed = options.observer.on_step(step);
+    body.expect_pause();
+    return observed;
+  };
+  return waiting;
+}
+
 }  // namespace
 
 DeviceExplorer::DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things,
@@ -111,8 +123,11 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Explorati
   const auto poses = [&] {
     return player ? player->poses(as_exploration(body, named), 0) : std::vector<ScenePose>();
   };
-  auto explored =
-      prepare_body(body, options, scene, poses).and_then([&] { return explore_with(body); });
+  const ExploreOptions waiting = with_pauses(body, options);
+  auto explored = prepare_body(body, waiting, scene, poses).and_then([&] {
+    body.expect_pause();
+    return explore_with(body);
+  });
   // Only the way back is left, unless the device stopped. It can be stopped as well, and then the
   // exploration before it counts.
   body.keep_to({.should_continue = options.limits.should_continue});

@@ -58,6 +58,7 @@ inline constexpr std::uint16_t kVelocity = 112;          // 4, Profile Velocity
 inline constexpr std::uint16_t kGoalPosition = 116;      // 4
 inline constexpr std::uint16_t kPresentCurrent = 126;    // 2; velocity (4) and position (4) follow
 inline constexpr std::uint16_t kPresentPosition = 132;   // 4
+inline constexpr std::uint16_t kPresentTemperature = 146;  // 1, degrees Celsius
 inline constexpr std::uint8_t kOverload = 0x20;          // bit of kHardwareError and kShutdown
 inline constexpr std::uint8_t kTimeBasedProfile = 0x04;  // bits of kDriveMode
 inline constexpr std::uint8_t kTorqueOnByGoal = 0x08;
