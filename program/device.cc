@@ -161,6 +161,7 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   }
   surroundings.scenes = recorded_scenes(std::move(objects));
   surroundings.on_switch = guard;
+  surroundings.continued = count_continuations();
   surroundings.watch = watch_stop_key;
   surroundings.keep_log = [output](const devices::StateLog& log) { return keep_log(output, log); };
   return devices::DeviceExplorer::create(file, std::move(things), std::move(exploring),

@@ -9,9 +9,7 @@
 #include "terminal.h"
 
 namespace somato::program {
-namespace {
 
-// Waits for a line from a person.
 Result<void> wait_for_enter() {
   constexpr int kPollMs = 100;
   for (;;) {
@@ -25,8 +23,6 @@ Result<void> wait_for_enter() {
     if (byte == '\n') return {};
   }
 }
-
-}  // namespace
 
 Result<void> place_by_person(const ExploredThing& thing, std::size_t trial) {
   fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,

@@ -22,6 +22,8 @@ constexpr double kLateSamples = 0.5;  // s for which samples may be late
 constexpr double kPause = 3.0;        // periods after which the host has paused
 constexpr double kBacklog = 0.25;     // s of samples that may wait
 
+using BeforeJump = std::function<Result<void>(const ServoSettings& servo)>;
+
 std::vector<std::string> names_of(const DeviceFile& file) {
   std::vector<std::string> names;
   names.reserve(file.servos.size());
@@ -50,12 +52,13 @@ class DeviceBody::Impl {
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
-  Result<void> start() {
+  Result<void> start(const BeforeJump& before_jump) {
     SOMATO_TRY_VOID(io_.start());
     is_on_ = true;
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
     reader_.prepare(state_.readings);
+    SOMATO_TRY_VOID(permit_jump(before_jump));
     return begin().and_then([&] { return switch_on(); }).and_then([&] { return begin(); });
   }
 
@@ -181,6 +184,14 @@ class DeviceBody::Impl {
     return {};
   }
 
+  Result<void> permit_jump(const BeforeJump& before_jump) const {
+    if (!before_jump) return {};
+    for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+      if (std::isnan(io_.reports()[i].position)) return before_jump(file_.servos[i]);
+    }
+    return {};
+  }
+
   // Servos of unknown position jump, one after the other.
   Result<void> switch_on() {
     const auto always = [] { return Result<void>(); };
@@ -300,9 +311,11 @@ DeviceBody::~DeviceBody() {
   relax();
 }
 
-Result<std::unique_ptr<DeviceBody>> DeviceBody::start(const DeviceFile& file, wire::Lines& lines) {
+Result<std::unique_ptr<DeviceBody>> DeviceBody::start(
+    const DeviceFile& file, wire::Lines& lines,
+    const std::function<Result<void>(const ServoSettings& servo)>& before_jump) {
   std::unique_ptr<DeviceBody> body(new DeviceBody(std::make_unique<Impl>(file, lines)));
-  SOMATO_TRY_VOID(body->impl_->start());
+  SOMATO_TRY_VOID(body->impl_->start(before_jump));
   return body;
 }
 

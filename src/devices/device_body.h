@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,8 +31,10 @@ class DeviceBody : public Body {
   /// the body. A servo whose position is unknown (SSC-32 after power-up) jumps to its resting
   /// position, one servo after the other. Errors (kSystem): a board that does not answer or sends
   /// nothing; (kData): a servo outside of its limits or with an error; a line too slow for the
-  /// period.
-  static Result<std::unique_ptr<DeviceBody>> start(const DeviceFile& file, wire::Lines& lines);
+  /// period; those of `before_jump`, which is called before the first servo jumps.
+  static Result<std::unique_ptr<DeviceBody>> start(
+      const DeviceFile& file, wire::Lines& lines,
+      const std::function<Result<void>(const ServoSettings& servo)>& before_jump = {});
 
   DeviceBody(const DeviceBody&) = delete;
   DeviceBody(DeviceBody&&) = delete;

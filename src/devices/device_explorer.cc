@@ -25,13 +25,15 @@ Exploration as_exploration(const Body& body, const Exploration& named) {
   return present;
 }
 
-// An observer may let the body wait.
-ExploreOptions with_pauses(DeviceBody& body, const ExploreOptions& options) {
+// An observer may let the body wait, as long as the program runs.
+ExploreOptions with_pauses(DeviceBody& body, const ExploreOptions& options,
+                           const std::function<std::size_t()>& continued) {
   ExploreOptions waiting = options;
   if (!options.observer.on_step) return waiting;
-  waiting.observer.on_step = [&body, &options](const ExplorationStep& step) {
+  waiting.observer.on_step = [&body, &options, &continued](const ExplorationStep& step) {
+    const std::size_t before = continued ? continued() : 0;
     auto observed = options.observer.on_step(step);
-    body.expect_pause();
+    if (!continued || continued() == before) body.expect_pause();
     return observed;
   };
   return waiting;
@@ -123,7 +125,7 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Explorati
   const auto poses = [&] {
     return player ? player->poses(as_exploration(body, named), 0) : std::vector<ScenePose>();
   };
-  const ExploreOptions waiting = with_pauses(body, options);
+  const ExploreOptions waiting = with_pauses(body, options, surroundings_.continued);
   auto explored = prepare_body(body, waiting, scene, poses).and_then([&] {
     body.expect_pause();
     return explore_with(body);
@@ -155,8 +157,9 @@ Error DeviceExplorer::stopped(Error error) {
 Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t trial,
                                                   const ExploreOptions& options) {
   SOMATO_TRY_VOID(permit());
-  SOMATO_TRY(DeviceBody* const started, body());
+  // Servos that start may jump: hands are away then.
   SOMATO_TRY_VOID(place(thing, trial));
+  SOMATO_TRY(DeviceBody* const started, body());
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   const Exploration named{labels_of_thing(things()[thing], trial), {}, {}};
   auto explored = explore_on(*started, named, options);

@@ -36,6 +36,9 @@ struct DeviceSurroundings {
   /// that a signal handler can send them. They are valid until the next call, which has none.
   std::function<void(wire::Lines& lines, std::span<const std::uint8_t> relax_bytes)> on_switch;
 
+  /// How often the program was continued after it had been stopped; may be empty.
+  std::function<std::size_t()> continued;
+
   /// Called before each exploration; what it returns is kept until the exploration ends.
   std::function<std::shared_ptr<void>()> watch;
 
@@ -51,8 +54,8 @@ struct DeviceSurroundings {
   SceneFinder scenes;
 };
 
-/// Explores with a device; used by one thread. The first exploration starts the device. Each has
-/// its thing placed, explores, and returns to the resting position, where the servos hold until the
+/// Explores with a device; used by one thread. Each exploration has its thing placed; the first then
+/// starts the device. It explores, and returns to the resting position, where the servos hold until the
 /// next one. After a fault the servos are off, and the device is stopped until a person lets it move
 /// again; the next exploration then starts it. It fails (kUnavailable) if that is not permitted or
 /// not possible, or if nothing can be placed any more.
