@@ -109,10 +109,13 @@ Result<Request> real_request(const Arguments& arguments, const std::string& sour
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
   SOMATO_TRY(std::shared_ptr<Explorer> explorer, make());
   const std::size_t each = explorations.value_or(5);
-  Request request{nullptr, explorer, in_turn(explorer, each), explorer->things().size() * each};
-  request.output = arguments.text("output");
-  request.longest = longest.value_or(600);
-  return request;
+  return Request{nullptr,
+                 explorer,
+                 in_turn(explorer, each),
+                 explorer->things().size() * each,
+                 arguments.text("output"),
+                 {},
+                 longest.value_or(600)};
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -37,9 +38,9 @@ Result<void> permit_by_person(const Error& fault) {
                 "it move again",
                 {}, "remove the cause of the fault, and run the command again");
   }
+  tcflush(STDIN_FILENO, TCIFLUSH);  // What was typed before the fault permits nothing.
   fmt::print(stderr,
-             "somato: {}
-The device has stopped. Remove the cause, take your hands away, and press "
+             "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
              "Enter to explore on, or Ctrl-C to end.\n",
              to_string(fault));
   return wait_for_enter();

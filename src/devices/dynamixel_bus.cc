@@ -132,7 +132,7 @@ DynamixelBus::DynamixelBus(std::vector<DynamixelServo> servos) : ServoBus(servos
 }
 
 std::size_t DynamixelBus::bytes_per_tick() const {
-  const std::size_t answer = 11 + kDynamixelLongStateSize + 6;  // with six stuffing bytes
+  const std::size_t answer = 11 + kDynamixelLongStateSize + 7;  // with seven stuffing bytes
   return tick_.size() + ids_.size() * answer;
 }
 
