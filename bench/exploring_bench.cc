@@ -79,8 +79,8 @@ void explorations(benchmark::State& state, ExploringBody body) {
   const auto threads = static_cast<std::size_t>(state.range(0));
   std::size_t explored = 0;
   for (auto _ : state) {
-    const auto outcome = explore_all(*explorer, {2}, threads, {},
-                                     [](Exploration&&) { return Result<void>(); });
+    const auto outcome =
+        explore_all(*explorer, {2}, threads, {}, [](Exploration&&) { return Result<void>(); });
     explored += outcome.value().recorded;
   }
   state.counters["explorations"] =

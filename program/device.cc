@@ -145,7 +145,8 @@ ServoGuard::~ServoGuard() {
 }
 
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
-                                                  const std::string& output, PermittedBy permitted) {
+                                                  const std::string& output,
+                                                  PermittedBy permitted) {
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
   SOMATO_TRY(auto things, explored_things(arguments, file));
   SOMATO_TRY(auto exploring, read_settings(arguments));

@@ -54,9 +54,10 @@ Result<std::optional<std::string>> next_line(DeviceBody& body) {
 // Nothing moves before a person says so: a controller that does not know where the servo is lets it
 // jump.
 Result<void> permit_jump(const ServoSettings& servo) {
-  fmt::print("The position of the servo \"{}\" is unknown: when you press Enter, it jumps to {:g} "
-             "{}. Take your hands away.\n",
-             servo.name, servo.resting(), servo.unit);
+  fmt::print(
+      "The position of the servo \"{}\" is unknown: when you press Enter, it jumps to {:g} "
+      "{}. Take your hands away.\n",
+      servo.name, servo.resting(), servo.unit);
   std::fflush(stdout);
   return wait_for_enter();
 }

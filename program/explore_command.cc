@@ -119,8 +119,7 @@ Result<Request> real_request(const Arguments& arguments, const std::string& sour
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
-  return real_request(arguments, "--device",
-                      [&] {
+  return real_request(arguments, "--device", [&] {
     return device_explorer(arguments, arguments.text("output"), PermittedBy::kTerminal);
   });
 }
@@ -194,8 +193,9 @@ void report_failures(const Request& request, const ExploringOutcome& outcome) {
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const FailedExploration& failure = outcome.failures[i];
-    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.thing].name,
-                        failure.trial + 1, to_string(failure.error));
+    text +=
+        fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.thing].name,
+                    failure.trial + 1, to_string(failure.error));
   }
   if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
   std::fputs(text.c_str(), stderr);

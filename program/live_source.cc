@@ -91,8 +91,7 @@ Result<ViewSource> replayed_source(const Arguments& arguments) {
 
 }  // namespace
 
-Result<ViewSource> explorer_source(const Arguments& arguments,
-                                   std::unique_ptr<Explorer> explorer) {
+Result<ViewSource> explorer_source(const Arguments& arguments, std::unique_ptr<Explorer> explorer) {
   ViewSource source;
   SOMATO_TRY(source.plan, planned(arguments, *explorer));
   source.thing = source.plan.front().thing;

@@ -39,10 +39,11 @@ Result<void> permit_by_person(const Error& fault) {
                 {}, "remove the cause of the fault, and run the command again");
   }
   tcflush(STDIN_FILENO, TCIFLUSH);  // What was typed before the fault permits nothing.
-  fmt::print(stderr,
-             "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
-             "Enter to explore on, or Ctrl-C to end.\n",
-             to_string(fault));
+  fmt::print(
+      stderr,
+      "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
+      "Enter to explore on, or Ctrl-C to end.\n",
+      to_string(fault));
   return wait_for_enter();
 }
 

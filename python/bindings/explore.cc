@@ -43,15 +43,16 @@ ObjectTable things_of(ExploringBody body, const std::optional<std::string>& obje
 }
 
 std::unique_ptr<SimulatedExplorer> explorer_of(const std::string& name,
-                                      const std::optional<std::string>& objects,
-                                      const std::optional<std::string>& settings,
-                                      const nb::dict& simulation, std::uint64_t seed) {
+                                               const std::optional<std::string>& objects,
+                                               const std::optional<std::string>& settings,
+                                               const nb::dict& simulation, std::uint64_t seed) {
   const auto body = value_or_throw(choice_named<ExploringBody>("body", name, "explore(body)"));
   return value_or_throw(simulated_explorer(body, things_of(body, objects),
                                            parameters_of(body, settings, simulation), seed));
 }
 
-std::vector<std::string> failures_of(const SimulatedExplorer& explorer, const ExploringOutcome& outcome) {
+std::vector<std::string> failures_of(const SimulatedExplorer& explorer,
+                                     const ExploringOutcome& outcome) {
   std::vector<std::string> failures;
   failures.reserve(outcome.failures.size());
   for (const FailedExploration& failed : outcome.failures) {
@@ -102,7 +103,8 @@ std::pair<Recording, std::vector<std::string>> explore(const SimulatedExplorer& 
 }  // namespace
 
 void bind_explore(nb::module_& module) {
-  nb::class_<SimulatedExplorer>(module, "Explorer", "A simulated body with the things that it explores.")
+  nb::class_<SimulatedExplorer>(module, "Explorer",
+                                "A simulated body with the things that it explores.")
       .def_static("build", &explorer_of, nb::arg("body"), nb::arg("objects").none(),
                   nb::arg("settings").none(), nb::arg("simulation"), nb::arg("seed"))
       .def("explore", &explore, nb::arg("explorations"), nb::arg("longest"), nb::arg("threads"),

@@ -128,9 +128,9 @@ class Queue {
 };
 
 // Several threads may call `explore` if there are several.
-template <typename Explore>
+template <typename Work>
 Result<ExploringOutcome> explore_places(const Places& places, std::size_t threads,
-                                        const Explore& explore, const ExplorationSink& sink,
+                                        const Work& explore, const ExplorationSink& sink,
                                         const Progress& progress) {
   require(static_cast<bool>(sink), "explore_all: a sink is required");
   Queue queue(places, threads, sink, progress);
@@ -154,6 +154,13 @@ Result<ExploringOutcome> explore_all(Explorer& explorer, const ExploringPlan& pl
   const auto explore = [&](std::size_t thing, std::size_t trial) {
     return explorer.explore(thing, trial, options);
   };
+  return explore_in_turn(explorer, plan, explore, sink, progress);
+}
+
+Result<ExploringOutcome> explore_in_turn(const Explorer& explorer, const ExploringPlan& plan,
+                                         const Explore& explore, const ExplorationSink& sink,
+                                         const Progress& progress) {
+  require(static_cast<bool>(explore), "explore_in_turn: a function that explores is required");
   return explore_places(Places(explorer, plan), 1, explore, sink, progress);
 }
 

@@ -124,16 +124,17 @@ class DeviceBody::Impl {
   // Seconds of the body.
   double time() const { return io_.now() - start_; }
 
-  // A program that was held up while servos moved, such as one that was stopped and continued, knows
-  // nothing of what has happened meanwhile.
+  // A program that was held up while servos moved, such as one that was stopped and continued,
+  // knows nothing of what has happened meanwhile.
   Result<void> check_pause(bool is_expected) const {
     const double pause = io_.now() - moved_;
     if (is_expected || pause <= file_.safety.pause * file_.settings.clock) return {};
-    return fail(ErrorKind::kSystem,
-                fmt::format("the program was held up for {:.1f} s while the servos were on", pause),
-                file_.settings.name,
-                "do not stop it while it moves servos, and use a computer that is less busy; 'pause' "
-                "of [safety] is what is permitted");
+    return fail(
+        ErrorKind::kSystem,
+        fmt::format("the program was held up for {:.1f} s while the servos were on", pause),
+        file_.settings.name,
+        "do not stop it while it moves servos, and use a computer that is less busy; 'pause' "
+        "of [safety] is what is permitted");
   }
 
   // A host that paused, as a view does between two steps, has neither moved the servos nor

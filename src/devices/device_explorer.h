@@ -54,11 +54,11 @@ struct DeviceSurroundings {
   SceneFinder scenes;
 };
 
-/// Explores with a device; used by one thread. Each exploration has its thing placed; the first then
-/// starts the device. It explores, and returns to the resting position, where the servos hold until the
-/// next one. After a fault the servos are off, and the device is stopped until a person lets it move
-/// again; the next exploration then starts it. It fails (kUnavailable) if that is not permitted or
-/// not possible, or if nothing can be placed any more.
+/// Explores with a device; used by one thread. Each exploration has its thing placed; the first
+/// then starts the device. It explores, and returns to the resting position, where the servos hold
+/// until the next one. After a fault the servos are off, and the device is stopped until a person
+/// lets it move again; the next exploration then starts it. It fails (kUnavailable) if that is not
+/// permitted or not possible, or if nothing can be placed any more.
 class DeviceExplorer : public Explorer {
  public:
   /// `source` names the device in recordings. Errors (kUsage): no things.

@@ -138,8 +138,8 @@ bool DeviceIo::is_silent(std::size_t servo, double now) const {
   const auto is_late = [&](double time) { return now - std::max(time, begun_) > patience; };
   const std::span<const ServoReport> all = reports();
   if (!bus_->reads_one_by_one()) return is_late(all[servo].time);
-  const bool none_answers = std::all_of(
-      all.begin(), all.end(), [&](const ServoReport& one) { return is_late(one.time); });
+  const bool none_answers = std::all_of(all.begin(), all.end(),
+                                        [&](const ServoReport& one) { return is_late(one.time); });
   constexpr std::size_t kAsked = 2;  // a single answer may be lost
   return none_answers || (is_late(all[servo].time) && all[servo].unanswered > kAsked);
 }
@@ -148,11 +148,11 @@ Result<void> DeviceIo::check_servos_fresh(double now) const {
   if (!bus_ || !bus_->reports_states()) return {};
   for (std::size_t i = 0; i < file_.servos.size(); ++i) {
     if (!is_silent(i, now)) continue;
-    return fail(ErrorKind::kSystem,
-                fmt::format("the servo '{}' gave no answer for {:.0f} periods",
-                            file_.servos[i].name,
-                            std::max(patience_of(file_), bus_->recovery()) / file_.settings.period),
-                file_.servo_line->port, "check the cable, the power and the id of the servo");
+    return fail(
+        ErrorKind::kSystem,
+        fmt::format("the servo '{}' gave no answer for {:.0f} periods", file_.servos[i].name,
+                    std::max(patience_of(file_), bus_->recovery()) / file_.settings.period),
+        file_.servo_line->port, "check the cable, the power and the id of the servo");
   }
   return {};
 }

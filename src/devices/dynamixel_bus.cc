@@ -44,8 +44,8 @@ constexpr std::size_t kDynamixelStateSize = 10;  // current, velocity and positi
 constexpr std::size_t kDynamixelLongStateSize =
     dynamixel_x::kPresentTemperature + 1 - dynamixel_x::kPresentCurrent;
 constexpr double kDynamixelTemperatures = 0.2;  // s between two of them
-constexpr std::size_t kDynamixelGoalSize = 8;    // profile velocity and goal position
-constexpr double kDynamixelAnswerTime = 0.05;    // s; an adapter may collect bytes for 16 ms
+constexpr std::size_t kDynamixelGoalSize = 8;   // profile velocity and goal position
+constexpr double kDynamixelAnswerTime = 0.05;   // s; an adapter may collect bytes for 16 ms
 constexpr std::size_t kDynamixelAttempts = 3;
 constexpr double kDynamixelExtendedRange = 1'048'575.0;  // steps; the range with several turns
 

@@ -14,11 +14,11 @@ namespace somato::devices {
 
 /// The last report of a servo about itself. A value that the bus cannot measure is NaN.
 struct ServoReport {
-  double position = std::numeric_limits<double>::quiet_NaN();  ///< In units of the bus.
-  double current = std::numeric_limits<double>::quiet_NaN();   ///< mA, signed.
+  double position = std::numeric_limits<double>::quiet_NaN();     ///< In units of the bus.
+  double current = std::numeric_limits<double>::quiet_NaN();      ///< mA, signed.
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< Degrees Celsius.
   std::size_t unanswered = 0;  ///< Successive requests for its own state without an answer.
-  std::uint8_t error = 0;  ///< Hardware error bits of the protocol; 0: none.
+  std::uint8_t error = 0;      ///< Hardware error bits of the protocol; 0: none.
   double time =
       -std::numeric_limits<double>::infinity();  ///< The time of its arrival, by the lines' clock.
 };

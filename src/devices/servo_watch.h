@@ -12,8 +12,8 @@
 namespace somato::devices {
 
 /// Compares what servos report with what they are commanded, at each of their reports. A single
-/// damaged report is outvoted by its neighbours, and time without reports does not count. Nothing allocates after construction, unless there is an
-/// error.
+/// damaged report is outvoted by its neighbours, and time without reports does not count. Nothing
+/// allocates after construction, unless there is an error.
 class ServoWatch {
  public:
   /// `file` must outlive it.
@@ -38,13 +38,13 @@ class ServoWatch {
   struct Servo {
     std::array<double, kReports> last{};  // the last reports, in its unit
     std::size_t count = 0;
-    std::size_t hot = 0;      // successive reports that are too hot
-    double time = 0.0;        // of the last report
-    double measured = 0.0;    // their median
-    double commanded = 0.0;   // at the report before
-    double direction = 0.0;   // of the last command
-    double begun_at = 0.0;    // where it was when it was sent in this direction
-    double away = 0.0;        // how far it has moved away from where it is commanded
+    std::size_t hot = 0;     // successive reports that are too hot
+    double time = 0.0;       // of the last report
+    double measured = 0.0;   // their median
+    double commanded = 0.0;  // at the report before
+    double direction = 0.0;  // of the last command
+    double begun_at = 0.0;   // where it was when it was sent in this direction
+    double away = 0.0;       // how far it has moved away from where it is commanded
     double still_at = 0.0;
     double still_for = 0.0;   // s
     double behind_for = 0.0;  // s

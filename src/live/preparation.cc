@@ -34,12 +34,13 @@ Result<Recording> explore(const PriorExplorations& explorations, std::size_t rou
   ExploreOptions options;
   options.limits.should_continue = should_continue;
   SOMATO_TRY(auto outcome, explore_all(
-      *explorations.explorer, {1, round, explorations.things}, available_threads(), options,
-      [&](Exploration&& exploration) -> Result<void> {
-        recording.explorations.push_back(std::move(exploration));
-        return {};
-      },
-      [&](std::uint64_t, std::uint64_t) { return should_continue(); }));
+                               *explorations.explorer, {1, round, explorations.things},
+                               available_threads(), options,
+                               [&](Exploration&& exploration) -> Result<void> {
+                                 recording.explorations.push_back(std::move(exploration));
+                                 return {};
+                               },
+                               [&](std::uint64_t, std::uint64_t) { return should_continue(); }));
   if (!recording.explorations.empty() || outcome.failures.empty()) return recording;
   return fail(std::move(outcome.failures.front().error));
 }

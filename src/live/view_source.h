@@ -49,7 +49,7 @@ struct ViewSource {
   /// The name of the recording of each of these explorations, if there are several.
   std::vector<std::string> origins = {};
   std::unique_ptr<Explorer> explorer = {};  ///< With the body; or nullptr.
-  std::size_t thing = 0;                          ///< That the body explores first.
+  std::size_t thing = 0;                    ///< That the body explores first.
   /// The explorations of the body, one after the other, each object placed at random; it then
   /// explores nothing else. Empty: one thing, and what commands say.
   std::vector<PlannedExploration> plan = {};

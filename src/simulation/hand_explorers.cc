@@ -98,7 +98,7 @@ Result<void> check_poses(SimulatedHand& hand, const std::vector<GraspPose>& pose
 }  // namespace
 
 Result<std::unique_ptr<SimulatedExplorer>> hand_explorer(Hand hand, const ObjectTable& things,
-                                                ExplorerSetup setup) {
+                                                         ExplorerSetup setup) {
   std::vector<GraspPose> poses;  // Hand III stays where it is
   if (hand == Hand::kLucs2) {
     SOMATO_TRY(auto planned, grasp_poses(setup.parameters.plan));

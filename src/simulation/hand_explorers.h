@@ -12,6 +12,6 @@ namespace somato::detail {
 /// Errors: those of HandScene::build(); kUsage for a table without objects, and if the open Hand II
 /// collides with an object at one of the poses.
 Result<std::unique_ptr<SimulatedExplorer>> hand_explorer(Hand hand, const ObjectTable& things,
-                                                ExplorerSetup setup);
+                                                         ExplorerSetup setup);
 
 }  // namespace somato::detail

@@ -87,7 +87,9 @@ std::vector<ExploredThing> materials_of(const ObjectTable& table) {
 class ProbeExplorer : public SimulatedExplorer {
  public:
   ProbeExplorer(Probe probe, std::vector<ExploredThing> things, ExplorerSetup setup)
-      : SimulatedExplorer(std::move(things), setup.source), probe_(probe), setup_(std::move(setup)) {}
+      : SimulatedExplorer(std::move(things), setup.source),
+        probe_(probe),
+        setup_(std::move(setup)) {}
 
  protected:
   Result<Exploration> simulate(std::size_t thing, std::size_t trial,
@@ -115,7 +117,9 @@ Result<void> check_probes(const std::vector<ExploredThing>& things,
 class AllSensesExplorer : public SimulatedExplorer {
  public:
   AllSensesExplorer(std::unique_ptr<SimulatedExplorer> hand, ExplorerSetup setup)
-      : SimulatedExplorer(hand->things(), setup.source), hand_(std::move(hand)), setup_(std::move(setup)) {}
+      : SimulatedExplorer(hand->things(), setup.source),
+        hand_(std::move(hand)),
+        setup_(std::move(setup)) {}
 
  protected:
   Result<Exploration> simulate(std::size_t thing, std::size_t trial,
@@ -135,7 +139,7 @@ class AllSensesExplorer : public SimulatedExplorer {
 }  // namespace
 
 Result<std::unique_ptr<SimulatedExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
-                                                 ExplorerSetup setup) {
+                                                          ExplorerSetup setup) {
   std::vector<ExploredThing> materials = materials_of(things);
   if (materials.empty()) {
     return fail(ErrorKind::kUsage, "no materials for a probe", {},
@@ -146,7 +150,7 @@ Result<std::unique_ptr<SimulatedExplorer>> probe_explorer(Probe probe, const Obj
 }
 
 Result<std::unique_ptr<SimulatedExplorer>> all_senses_explorer(const ObjectTable& things,
-                                                      ExplorerSetup setup) {
+                                                               ExplorerSetup setup) {
   setup.parameters.simulation.taxels = true;
   SOMATO_TRY(auto hand, hand_explorer(Hand::kLucs3, things, setup));
   SOMATO_TRY_VOID(check_probes(materials_of({things.objects, {}}), setup.parameters));

@@ -28,8 +28,6 @@ std::string name_of(const Exploration& exploration) {
   return exploration.labels.front().value;
 }
 
-using Explore = std::function<Result<Exploration>(std::size_t item, std::size_t trial)>;
-
 // Explores by a function.
 class FunctionExplorer : public SimulatedExplorer {
  public:
@@ -72,7 +70,8 @@ struct Keeper {
 // Those of items x each in order, up to `count`.
 Names in_order(std::size_t count, std::size_t each) {
   Names names;
-  for (std::size_t i = 0; i < count; ++i) names.push_back(name_of(exploration_named(i / each, i % each)));
+  for (std::size_t i = 0; i < count; ++i)
+    names.push_back(name_of(exploration_named(i / each, i % each)));
   return names;
 }
 
@@ -307,9 +306,9 @@ TEST(ExploreAllThreads, AnExceptionWakesThoseWhoWait) {
 TEST(ExploreAll, NoSinkAndUnknownThingsAreMistakesOfTheCaller) {
   Keeper keeper;
   EXPECT_THROW((void)explore_all({1, 1, 1}, uneven, {}), InvalidArgument);
-  EXPECT_THROW((void)somato::explore_all(FunctionExplorer(2, uneven), {1, 0, {{2}}}, 1, {},
-                                         keeper.sink()),
-               InvalidArgument);
+  EXPECT_THROW(
+      (void)somato::explore_all(FunctionExplorer(2, uneven), {1, 0, {{2}}}, 1, {}, keeper.sink()),
+      InvalidArgument);
 }
 
 TEST(ExploreAll, ExploresTheThingsAndTrialsOfThePlan) {
@@ -344,6 +343,18 @@ TEST(ExploreAllThreads, ABodyThatMayBeRealIsExploredByTheCallingThread) {
   EXPECT_EQ(keeper.names, in_order(12, 2));
   EXPECT_EQ(explorer.explored, 12U);
   EXPECT_EQ(explorer.threads, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ExploreAll, AFunctionMayExploreInTurn) {
+  OneThreadExplorer explorer;
+  Keeper keeper;
+  ASSERT_TRUE(explore_in_turn(
+      explorer, {1, 3, {{4, 2}}},
+      [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial); },
+      keeper.sink()));
+  EXPECT_EQ(keeper.names, (Names{"4.3", "2.3"}));
+  EXPECT_EQ(explorer.threads, std::set<std::thread::id>{std::this_thread::get_id()});
+  EXPECT_THROW((void)explore_in_turn(explorer, {}, {}, keeper.sink()), InvalidArgument);
 }
 
 // No call explores such a body in other threads, nor one that is constant: the types refuse it.

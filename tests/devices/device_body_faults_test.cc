@@ -72,11 +72,11 @@ std::string bus_name(const ::testing::TestParamInfo<BusKind>& info) {
 
 class DeviceFaults : public ::testing::TestWithParam<BusKind> {
  protected:
-  // Seconds until silence is a fault: three periods; a bus that reads one servo after the other
-  // asks each in that time, and an SSC-32 is given time to resynchronize.
+  // Seconds until silence is a fault: three periods; a lost answer of an SCS servo is awaited
+  // twice, and an SSC-32 is given time to resynchronize.
   static double patience() {
     if (GetParam() == BusKind::kSsc32) return 0.2;
-    return GetParam() == BusKind::kScs ? 0.12 : 0.06;
+    return GetParam() == BusKind::kScs ? 0.1 : 0.06;
   }
 
   FaultyFingers fingers_{device_file(GetParam())};

@@ -1,5 +1,5 @@
-// Servos that do not do what they are commanded, on each bus: when the body stops, what it says, and
-// what the servos do until then.
+// Servos that do not do what they are commanded, on each bus: when the body stops, what it says,
+// and what the servos do until then.
 
 #include <gtest/gtest.h>
 

@@ -46,8 +46,7 @@ class DeviceExplorerTest : public ::testing::Test {
 
   // The sensors fall silent in the middle of an exploration.
   void fail_once(Explorer& explorer) {
-    fingers_.at(fingers_.device.lines.now() + 1.0,
-                [&] { fingers_.sensor_line().silent = true; });
+    fingers_.at(fingers_.device.lines.now() + 1.0, [&] { fingers_.sensor_line().silent = true; });
     const auto failed = explorer.explore(0, 0);
     fingers_.sensor_line().silent = false;
     ASSERT_FALSE(failed);

@@ -84,7 +84,8 @@ TEST(ServoWatch, AServoThatFollowsLateIsNoFault) {
     Watched watched(explore);
     EXPECT_EQ(watched.fault(10.0,
                             [](double time) {
-                              return Moment{to_and_fro(time), to_and_fro(std::max(0.0, time - 0.1))};
+                              return Moment{to_and_fro(time),
+                                            to_and_fro(std::max(0.0, time - 0.1))};
                             }),
               0.0)
         << watched.said;
@@ -95,9 +96,8 @@ TEST(ServoWatch, AServoThatFollowsLateIsNoFault) {
 TEST(ServoWatch, AServoThatNeverMovesIsStuck) {
   for (const auto explore : {ExploringMethod::kClosing, ExploringMethod::kGrasping}) {
     Watched watched(explore);
-    const double at = watched.fault(5.0, [](double time) {
-      return Moment{std::min(90.0, 90.0 * time), 1.0};
-    });
+    const double at =
+        watched.fault(5.0, [](double time) { return Moment{std::min(90.0, 90.0 * time), 1.0}; });
     EXPECT_NEAR(at, 11.0 / 90.0 + 0.5, 2.0 * kPeriod);
     EXPECT_NE(watched.said.find("the servo 'thumb' does not move: it has been at 1.0 deg for 0.5"),
               std::string::npos)
@@ -121,8 +121,8 @@ TEST(ServoWatch, AnObjectMayStopAHandThatCloses) {
 TEST(ServoWatch, AFingerThatDoesNotOpenAgainIsStuck) {
   Watched watched(ExploringMethod::kClosing);
   const double at = watched.fault(10.0, [](double time) {
-    const double commanded = time < 4.0 ? std::min(90.0, 90.0 * time)
-                                        : std::max(0.0, 90.0 - 90.0 * (time - 4.0));
+    const double commanded =
+        time < 4.0 ? std::min(90.0, 90.0 * time) : std::max(0.0, 90.0 - 90.0 * (time - 4.0));
     return Moment{commanded, std::min(40.0, 90.0 * time)};
   });
   EXPECT_NEAR(at, 4.0 + 60.0 / 90.0 + 0.5, 2.0 * kPeriod);
@@ -132,9 +132,8 @@ TEST(ServoWatch, AFingerThatDoesNotOpenAgainIsStuck) {
 // period more.
 TEST(ServoWatch, AServoThatDriftsAwayIsStoppedWithin50MillisecondsOfItsDeviation) {
   Watched watched(ExploringMethod::kClosing);
-  const double at = watched.fault(5.0, [](double time) {
-    return Moment{20.0, 20.0 + 176.0 * std::max(0.0, time - 1.0)};
-  });
+  const double at = watched.fault(
+      5.0, [](double time) { return Moment{20.0, 20.0 + 176.0 * std::max(0.0, time - 1.0)}; });
   EXPECT_GT(at, 1.0 + 10.0 / 176.0);
   EXPECT_LE(at, 1.0 + 10.0 / 176.0 + 0.05);
   EXPECT_NE(watched.said.find("the servo 'thumb' moves away from its command"), std::string::npos)
@@ -172,10 +171,9 @@ TEST(ServoWatch, AHotServoIsAFaultWhenThreeReportsSaySo) {
               1e-9);
   EXPECT_NE(watched.said.find("130 degrees Celsius, above 70"), std::string::npos) << watched.said;
   EXPECT_TRUE(watched.obeys());
-  EXPECT_EQ(Watched(ExploringMethod::kClosing).fault(1.0, [](double) {
-    return Moment{0.0, 0.0, kNaN};
-  }),
-            0.0);
+  EXPECT_EQ(
+      Watched(ExploringMethod::kClosing).fault(1.0, [](double) { return Moment{0.0, 0.0, kNaN}; }),
+      0.0);
 }
 
 // A report in ten is wrong in all that it says.

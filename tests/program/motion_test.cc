@@ -1,4 +1,5 @@
-// Each way into the program, with a device: nothing is sent to its servos before a person's command.
+// Each way into the program, with a device: nothing is sent to its servos before a person's
+// command.
 
 #include "program/program_test.h"
 #include "support/http_client.h"
@@ -118,9 +119,10 @@ class Motion : public ProgramTest {
               port_.path() +
               "\"\n[servo.finger]\nchannel = 1\nzero = 2048\nscale = 11.4\nleast = 0\nmost = 90\n"
               "[sensor.joints]\nunit = \"deg\"\nfrom = \"servos\"\nservos = [\"finger\"]\n");
-    write("balls.toml",
-          "[object]\nball = { shape = \"sphere\", diameter = 72, material = \"plastic\" }\n"
-          "cube = { shape = \"block\", width = 50, depth = 50, height = 50, material = \"wood\" }\n");
+    write(
+        "balls.toml",
+        "[object]\nball = { shape = \"sphere\", diameter = 72, material = \"plastic\" }\n"
+        "cube = { shape = \"block\", width = 50, depth = 50, height = 50, material = \"wood\" }\n");
   }
 
   static Words with_hand(Words words) {
@@ -219,10 +221,11 @@ TEST_F(Motion, ADeviceOfAKnownBodyTrainsNothingInTheBackground) {
   text.replace(text.find("/dev/ttyUSB0"), 12, port_.path());
   text.replace(text.find("/dev/ttyACM0"), 12, frames.path());
   write("probe.toml", text);
-  const auto done = run({"view", "--device", "probe.toml"}, viewing(kViewIsOpen, [&](auto& address) {
-                          use_without_start(address);
-                          EXPECT_NE(address.state().find("\"training\":false"), std::string::npos);
-                        }));
+  const auto done =
+      run({"view", "--device", "probe.toml"}, viewing(kViewIsOpen, [&](auto& address) {
+            use_without_start(address);
+            EXPECT_NE(address.state().find("\"training\":false"), std::string::npos);
+          }));
   if (has_no_pages(done)) GTEST_SKIP() << "the program was built without npm";
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(port_.bytes(), 0U);

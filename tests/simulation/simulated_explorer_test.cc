@@ -32,8 +32,8 @@ ExploringParameters short_plan() {
 }
 
 std::unique_ptr<SimulatedExplorer> built(ExploringBody body, const ObjectTable& things,
-                                const ExploringParameters& parameters = short_plan(),
-                                std::uint64_t seed = 1) {
+                                         const ExploringParameters& parameters = short_plan(),
+                                         std::uint64_t seed = 1) {
   auto explorer = simulated_explorer(body, things, parameters, seed);
   EXPECT_TRUE(explorer) << to_string(explorer.error());
   return std::move(*explorer);
@@ -206,9 +206,8 @@ TEST(SimulatedExplorer, ThreadsGiveTheSameRecording) {
   const auto explorer = built(ExploringBody::kLucs2, two_objects());
   const auto recorded = [&](std::size_t threads) {
     std::vector<Exploration> explorations;
-    const auto outcome = explore_all(
-        *explorer, {2}, threads, {},
-        [&](Exploration&& exploration) -> Result<void> {
+    const auto outcome =
+        explore_all(*explorer, {2}, threads, {}, [&](Exploration&& exploration) -> Result<void> {
           explorations.push_back(std::move(exploration));
           return {};
         });

@@ -61,7 +61,8 @@ inline devices::DeviceFile faulty_device(
   std::string text = *devices::with_bus(kFaultyDevice, "d.toml", bus);
   if (format == devices::FrameFormat::kAnyskin) {
     text = devices::with_key(text, "frames", "elements", "3");
-    text = devices::with_key(text, "sensor.touch", "elements", R"(["thumb_1", "index_1", "index_2"])");
+    text =
+        devices::with_key(text, "sensor.touch", "elements", R"(["thumb_1", "index_1", "index_2"])");
   }
   text = devices::with_key(text, "frames", "format", fmt::format("\"{}\"", choice_name(format)));
   return *devices::parse_device_file(text, "d.toml");

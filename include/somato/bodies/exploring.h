@@ -47,6 +47,14 @@ Result<ExploringOutcome> explore_all(Explorer& explorer, const ExploringPlan& pl
                                      const ExploreOptions& options, const ExplorationSink& sink,
                                      const Progress& progress = {});
 
+/// Explores a thing in a trial, for example with an observer of its own.
+using Explore = std::function<Result<Exploration>(std::size_t thing, std::size_t trial)>;
+
+/// The same, where `explore` explores: also one after the other, in the calling thread.
+Result<ExploringOutcome> explore_in_turn(const Explorer& explorer, const ExploringPlan& plan,
+                                         const Explore& explore, const ExplorationSink& sink,
+                                         const Progress& progress = {});
+
 /// Explores in `threads` threads at once, with the same outcome for any number of them: the
 /// explorations are passed to `sink` in order, and at most twice the number of threads are ahead of
 /// it. `options` are used by all of them.
