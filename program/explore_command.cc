@@ -61,31 +61,28 @@ Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) 
   return table;
 }
 
-using ExploreAll =
-    std::function<Result<ExploringOutcome>(const ExploreOptions&, const ExplorationSink&)>;
-
 struct Request {
-  std::unique_ptr<GraspPictures> pictures;  // or nullptr
-  std::shared_ptr<const Explorer> explorer;
-  ExploreAll explore;
-  std::size_t planned = 0;  // explorations
+  std::unique_ptr<GraspPictures> pictures;             // or nullptr
+  std::unique_ptr<Explorer> real;                      // One of these two.
+  std::unique_ptr<const SimulatedExplorer> simulated;  // Ends before its pictures.
+  std::size_t each = 5;
+  std::size_t threads = 1;
   std::string output;
   std::string image_folder;
   std::size_t longest = 600;  // s of the body's time
+
+  const std::vector<ExploredThing>& things() const {
+    return real ? real->things() : simulated->things();
+  }
 };
 
 // Explorations of a real body follow each other; only simulated ones are made at the same time.
-ExploreAll in_turn(std::shared_ptr<Explorer> explorer, std::size_t each) {
-  return [explorer = std::move(explorer), each](const auto& options, const auto& sink) {
-    return explore_all(*explorer, {each}, options, sink, terminal_progress("exploring"));
-  };
-}
-
-ExploreAll in_threads(std::shared_ptr<const SimulatedExplorer> explorer, std::size_t each,
-                      std::size_t threads) {
-  return [explorer = std::move(explorer), each, threads](const auto& options, const auto& sink) {
-    return explore_all(*explorer, {each}, threads, options, sink, terminal_progress("exploring"));
-  };
+Result<ExploringOutcome> explore_things(const Request& request, const ExplorationSink& sink) {
+  const ExploreOptions options{
+      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
+  const Progress progress = terminal_progress("exploring");
+  if (request.real) return explore_all(*request.real, {request.each}, options, sink, progress);
+  return explore_all(*request.simulated, {request.each}, request.threads, options, sink, progress);
 }
 
 // Flags of simulated bodies that a device or topics would ignore.
@@ -107,15 +104,12 @@ Result<Request> real_request(const Arguments& arguments, const std::string& sour
   SOMATO_TRY_VOID(check_real_flags(arguments, source));
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
-  SOMATO_TRY(std::shared_ptr<Explorer> explorer, make());
-  const std::size_t each = explorations.value_or(5);
-  return Request{nullptr,
-                 explorer,
-                 in_turn(explorer, each),
-                 explorer->things().size() * each,
-                 arguments.text("output"),
-                 {},
-                 longest.value_or(600)};
+  Request request;
+  SOMATO_TRY(request.real, make());
+  request.each = explorations.value_or(5);
+  request.output = arguments.text("output");
+  request.longest = longest.value_or(600);
+  return request;
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
@@ -146,18 +140,18 @@ Result<Request> read_request(const Arguments& arguments) {
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
   SOMATO_TRY(auto threads, read_threads(arguments));
-  const std::string image_folder = arguments.text("images");
-  auto pictures = image_folder.empty() ? nullptr : std::make_unique<GraspPictures>(image_folder);
-  SOMATO_TRY(std::shared_ptr<const SimulatedExplorer> explorer,
-             simulated_explorer(body, things, parameters, seed.value_or(1), pictures.get()));
-  const std::size_t each = explorations.value_or(5);
-  return Request{std::move(pictures),
-                 explorer,
-                 in_threads(explorer, each, threads),
-                 explorer->things().size() * each,
-                 arguments.text("output"),
-                 image_folder,
-                 longest.value_or(600)};
+  Request request;
+  request.image_folder = arguments.text("images");
+  if (!request.image_folder.empty()) {
+    request.pictures = std::make_unique<GraspPictures>(request.image_folder);
+  }
+  SOMATO_TRY(request.simulated, simulated_explorer(body, things, parameters, seed.value_or(1),
+                                                   request.pictures.get()));
+  request.each = explorations.value_or(5);
+  request.threads = threads;
+  request.output = arguments.text("output");
+  request.longest = longest.value_or(600);
+  return request;
 }
 
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.
@@ -193,9 +187,8 @@ void report_failures(const Request& request, const ExploringOutcome& outcome) {
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const FailedExploration& failure = outcome.failures[i];
-    text +=
-        fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.thing].name,
-                    failure.trial + 1, to_string(failure.error));
+    text += fmt::format("somato: {}, trial {}: {}\n", request.things()[failure.thing].name,
+                        failure.trial + 1, to_string(failure.error));
   }
   if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
   std::fputs(text.c_str(), stderr);
@@ -213,7 +206,7 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
     return fail(std::move(error));
   }
   if (outcome.failures.empty()) return {};
-  const std::size_t planned = request.planned;
+  const std::size_t planned = request.things().size() * request.each;
   const std::size_t failed = outcome.failures.size();
   const std::size_t left = planned - failed - outcome.recorded;
   // After a fault a device ends: not everything was tried.
@@ -231,9 +224,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
     spread.add(exploration);
     return file.add(std::move(exploration));
   };
-  const ExploreOptions options{
-      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
-  auto outcome = request.explore(options, sink);
+  auto outcome = explore_things(request, sink);
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
   if (!outcome && !interrupted) return fail(std::move(outcome.error()));
   const std::size_t recorded = spread.count();
@@ -245,7 +236,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   if (recorded == 0) return fail(std::move(outcome.error()));
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
-                            counted(request.explorer->things().size(), "thing"), spread.text()));
+                            counted(request.things().size(), "thing"), spread.text()));
   if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

@@ -38,7 +38,7 @@ Result<void> permit_by_person(const Error& fault) {
                 "it move again",
                 {}, "remove the cause of the fault, and run the command again");
   }
-  tcflush(STDIN_FILENO, TCIFLUSH);  // What was typed before the fault permits nothing.
+  tcflush(STDIN_FILENO, TCIFLUSH);  // Enter before the fault permits nothing.
   fmt::print(
       stderr,
       "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "

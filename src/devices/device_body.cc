@@ -92,6 +92,7 @@ class DeviceBody::Impl {
       auto ticked = should_continue().and_then([&] { return tick(end); });
       if (!ticked) return stop(std::move(ticked.error()));
     }
+    if (auto held_up = check_pause(false); !held_up) return stop(std::move(held_up.error()));
     if (samples_missing(due)) return stop(no_samples());
     // The servos moved on while late samples were awaited: the body's time passes as much later.
     start_ = std::max(start_, moved_ - end);

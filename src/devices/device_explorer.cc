@@ -130,15 +130,17 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Explorati
     body.expect_pause();
     return explore_with(body);
   });
-  // Only the way back is left, unless the device stopped. It can be stopped as well, and then the
-  // exploration before it counts.
+  // Only the way back is left, unless the device stopped. It can be interrupted as well, and then
+  // the exploration before it counts.
   body.keep_to({.should_continue = options.limits.should_continue});
   body.observe({});
+  if (!explored && explored.error().kind == ErrorKind::kInterrupted) body.relax();
   if (!body.is_on()) return explored;
   auto returned = body.go_to_rest();
   if (!returned && returned.error().kind != ErrorKind::kInterrupted) {
     return fail(std::move(returned.error()));
   }
+  if (!returned) body.relax();
   return explored;
 }
 

@@ -131,7 +131,7 @@ void DeviceIo::relax() noexcept {
   }
 }
 
-// Where servos are asked one after the other, one that answers is as fresh as the last round; the
+// Where one servo after the other is read, one that answers is as fresh as the last round; the
 // bus itself answers all the time.
 bool DeviceIo::is_silent(std::size_t servo, double now) const {
   const double patience = std::max(patience_of(file_), bus_->recovery());
@@ -140,8 +140,8 @@ bool DeviceIo::is_silent(std::size_t servo, double now) const {
   if (!bus_->reads_one_by_one()) return is_late(all[servo].time);
   const bool none_answers = std::all_of(all.begin(), all.end(),
                                         [&](const ServoReport& one) { return is_late(one.time); });
-  constexpr std::size_t kAsked = 2;  // a single answer may be lost
-  return none_answers || (is_late(all[servo].time) && all[servo].unanswered > kAsked);
+  constexpr std::size_t kLost = 2;  // a single answer may be lost
+  return none_answers || (is_late(all[servo].time) && all[servo].unanswered > kLost);
 }
 
 Result<void> DeviceIo::check_servos_fresh(double now) const {

@@ -136,7 +136,7 @@ Result<void> ServoWatch::check_drift(std::size_t servo, double before) {
                   "[safety] is what is permitted");
 }
 
-// What blocks a servo on its way may be the object; one that has never moved is stuck.
+// The object may block a servo on its way; one that has never moved is stuck.
 Result<void> ServoWatch::check_movement(std::size_t servo) const {
   const Servo& seen = servos_[servo];
   const double still = std::min(seen.still_for, seen.behind_for);

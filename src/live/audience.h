@@ -5,7 +5,7 @@
 
 namespace somato::live {
 
-/// What begins to play, or to move.
+/// The event with which something begins to play or to move.
 enum class Beginning { kAtOnce, kWithFirstViewer, kByCommand };
 
 /// The viewers of what plays: it may begin with the first one, and rest while there are none.
@@ -24,7 +24,7 @@ class Audience {
   /// Whether only begin() lets it begin.
   bool awaits_command() const { return by_command_ && !has_begun_; }
 
-  /// What a command began awaits another one, for example after a fault.
+  /// Has what a command began await another one, for example after a fault.
   void await_command() { has_begun_ = has_begun_ && !by_command_; }
 
   /// Whether it rests because there are no viewers.

@@ -82,24 +82,25 @@ TEST_F(DeviceExplorerTest, NothingMovesAfterAFaultUntilAPersonSaysSo) {
 }
 
 TEST_F(DeviceExplorerTest, APersonMayPermitItWhenTheNextExplorationBegins) {
-  std::vector<std::string> asked;
+  std::vector<std::string> faults;
   bool permits = false;
   DeviceSurroundings asking = surroundings();
   asking.permit = [&](const Error& fault) -> Result<void> {
-    asked.push_back(fault.what);
+    faults.push_back(fault.what);
     if (permits) return {};
-    return fail(ErrorKind::kUnavailable, "nobody is there");
+    return fail(ErrorKind::kUnavailable, "no person is there");
   };
   const auto explorer = this->explorer(std::move(asking));
   fail_once(*explorer);
-  EXPECT_EQ(explorer->explore(0, 1).error().what, "nobody is there");
+  EXPECT_EQ(explorer->explore(0, 1).error().what, "no person is there");
   permits = true;
   EXPECT_TRUE(explorer->explore(0, 1));
   EXPECT_TRUE(explorer->explore(0, 2));
-  EXPECT_EQ(asked, (std::vector<std::string>(2, "no valid sensor frame arrived for 3 periods")));
+  EXPECT_EQ(faults, (std::vector<std::string>(2, "no valid sensor frame arrived for 3 periods")));
 }
 
-// What was interrupted is no fault: the command that interrupted it may be followed by another.
+// An exploration that was interrupted is no fault: the command that interrupted it may be followed
+// by another.
 TEST_F(DeviceExplorerTest, AnInterruptionIsNoFault) {
   const auto explorer = this->explorer(surroundings());
   ExploreOptions options;

@@ -1,4 +1,4 @@
-// Who lets a real body move, and when: only a viewer's press of Start, whatever else happens in the
+// A real body moves after a viewer's press of Start only, whatever else happens in the
 // view.
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using testing::state_of;
 
 constexpr const char* kStart = R"({"command":"explore"})";
 
-// What a body did, which outlives it.
+// The movements of a body, which outlive it.
 struct Moves {
   std::atomic<std::size_t> begun = 0;
   std::atomic<std::size_t> resumed = 0;
@@ -85,7 +85,7 @@ class MotionThread : public ::testing::Test {
   // As fast as it can be shown, to a viewer.
   static ViewSettings viewed() { return {true, 100.0, 0.0, 0.0}; }
 
-  // What was to begin before has begun: the session does one thing after the other.
+  // All that was to begin before has begun: the session does one thing after the other.
   static void settle(ViewSession& session) {
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(session.state());
   }

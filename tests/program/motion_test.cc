@@ -64,7 +64,7 @@ class CountingPort {
     while (!ends_) {
       pollfd input{host_, POLLIN, 0};
       poll(&input, 1, 5);
-      if ((input.revents & POLLIN) == 0) continue;  // nobody has opened it, or nothing has come
+      if ((input.revents & POLLIN) == 0) continue;  // it is not open, or nothing has come
       const ssize_t count = ::read(host_, received.data(), received.size());
       if (count > 0) bytes_ += static_cast<std::size_t>(count);
     }
@@ -199,7 +199,7 @@ class Motion : public ProgramTest {
 constexpr const char* kViewIsOpen = "Press Ctrl-C to close the view.";
 constexpr const char* kLiveIsOpen = "Press Ctrl-C to end.";
 
-TEST_F(Motion, AViewThatNobodyOpensMovesNothing) {
+TEST_F(Motion, AViewWithoutAPageMovesNothing) {
   const auto done = run(with_hand({"view"}), viewing(kViewIsOpen, [](const Address&) {}));
   if (has_no_pages(done)) GTEST_SKIP() << "the program was built without npm";
   EXPECT_EQ(done.exit_code, 0) << done.err;

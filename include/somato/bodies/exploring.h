@@ -12,7 +12,7 @@
 
 namespace somato {
 
-/// What is explored: each thing for all its trials before the next.
+/// The things and trials that are explored: each thing for all its trials before the next.
 struct ExploringPlan {
   std::size_t explorations_each = 5;
   std::size_t first_trial = 0;
