@@ -3,6 +3,7 @@
 
 #include "program/program_test.h"
 #include "support/http_client.h"
+#include "support/places.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -217,7 +218,7 @@ TEST_F(Motion, AViewThatIsOpenedMovesNothing) {
 // For a simulated body of that name the view trains a system, on explorations of its own.
 TEST_F(Motion, ADeviceOfAKnownBodyTrainsNothingInTheBackground) {
   const CountingPort frames;
-  std::string text = bytes_of(SOMATO_SOURCE_DIR "/devices/hardness.toml");
+  std::string text = bytes_of(source_path("devices/hardness.toml"));
   text.replace(text.find("/dev/ttyUSB0"), 12, port_.path());
   text.replace(text.find("/dev/ttyACM0"), 12, frames.path());
   write("probe.toml", text);
