@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,6 @@
 namespace somato::devices {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPeriod = 0.02;
 
 // A servo of 0 to 100 deg, of which a tenth is the permitted deviation.
@@ -172,7 +170,7 @@ TEST(ServoWatch, AHotServoIsAFaultWhenThreeReportsSaySo) {
   EXPECT_NE(watched.said.find("130 degrees Celsius, above 70"), std::string::npos) << watched.said;
   EXPECT_TRUE(watched.obeys());
   EXPECT_EQ(
-      Watched(ExploringMethod::kClosing).fault(1.0, [](double) { return Moment{0.0, 0.0, kNaN}; }),
+      Watched(ExploringMethod::kClosing).fault(1.0, [](double) { return Moment{0.0, 0.0, std::nan("")}; }),
       0.0);
 }
 
